@@ -1,5 +1,5 @@
 # A room is a folder of core, solvers, app or plugins, or `parallel` below these, with a target of
-# its own. Its headers are included by their path below core, solvers, app or app/workbench:
+# its own. Its headers are included by their path below core, solvers or app:
 # "film/DippedFilm.h", "parallel/ParallelFor.h". They are not reached through the source tree, where every room lies beside every other, but through a
 # folder in the build tree that has, for each header of this one room, a file that includes it:
 #   rooms/TARGET/public/film/DippedFilm.h   for whoever links the target
@@ -27,7 +27,7 @@ function(dipwright_room target)
     set(written "")
     foreach(folder IN LISTS folders)
         cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE prefix)
-        string(REGEX REPLACE "^(core|solvers|app/workbench|app)/" "" prefix ${prefix})
+        string(REGEX REPLACE "^(core|solvers|app)/" "" prefix ${prefix})
         file(GLOB headers CONFIGURE_DEPENDS ${folder}/*.h ${folder}/*.cuh)
         foreach(header IN LISTS headers ROOM_PRIVATE_HEADERS)
             set(side public)

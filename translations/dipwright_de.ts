@@ -53,7 +53,38 @@
     </message>
 </context>
 <context>
-    <name>BodyDress</name>
+    <name>AtomicFile</name>
+    <message>
+        <source>it is a folder</source>
+        <translation>es ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>it may not be written</source>
+        <translation>sie darf nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>another program is writing it at this moment, try again</source>
+        <translation>ein anderes Programm schreibt sie in diesem Augenblick, versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>it does not reach the disk: %1</source>
+        <translation>sie kommt nicht auf die Platte: %1</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: %1</source>
+        <translation>Die Datei kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>its links lead to one another</source>
+        <translation>seine Verknüpfungen führen zueinander</translation>
+    </message>
+    <message>
+        <source>it is no plain file</source>
+        <translation>es ist keine gewöhnliche Datei</translation>
+    </message>
+</context>
+<context>
+    <name>BodyAppearance</name>
     <message>
         <source>Painted</source>
         <translation>Gefärbt</translation>
@@ -213,33 +244,6 @@
     </message>
 </context>
 <context>
-    <name>ContainedSolver</name>
-    <message>
-        <source>it cannot be given a process of its own: %1</source>
-        <translation>er kann keinen eigenen Prozess bekommen: %1</translation>
-    </message>
-    <message>
-        <source>it was at one step for more than %1 s and was stopped</source>
-        <translation>er war länger als %1 s an einem Schritt und wurde beendet</translation>
-    </message>
-    <message>
-        <source>its process was killed, perhaps for want of memory</source>
-        <translation>sein Prozess wurde beendet, vielleicht aus Mangel an Speicher</translation>
-    </message>
-    <message>
-        <source>it crashed (%1)</source>
-        <translation>er ist abgestürzt (%1)</translation>
-    </message>
-    <message>
-        <source>it ended its process (%1)</source>
-        <translation>er hat seinen Prozess beendet (%1)</translation>
-    </message>
-    <message>
-        <source>it answered with more than there can be and was stopped</source>
-        <translation>er hat mit mehr geantwortet, als es geben kann, und wurde beendet</translation>
-    </message>
-</context>
-<context>
     <name>Cradle</name>
     <message>
         <source>%1: the body tips out of its cradle where it is not fixed; what stays dry does not lie on all sides of its middle. Fix it through the bore, or turn the pose</source>
@@ -330,6 +334,21 @@
     </message>
 </context>
 <context>
+    <name>DipCache</name>
+    <message>
+        <source>The dips cannot be kept: %1</source>
+        <translation>Die Tauchvorgänge können nicht aufbewahrt werden: %1</translation>
+    </message>
+    <message>
+        <source>Reading the kept dips</source>
+        <translation>Aufbewahrte Tauchvorgänge werden gelesen</translation>
+    </message>
+    <message>
+        <source>The kept dips are damaged and not used; a run makes them again</source>
+        <translation>Die aufbewahrten Tauchvorgänge sind beschädigt und werden nicht verwendet; ein Lauf macht sie neu</translation>
+    </message>
+</context>
+<context>
     <name>DipJob</name>
     <message>
         <source>Simulating the dip</source>
@@ -390,6 +409,176 @@
     </message>
 </context>
 <context>
+    <name>FilmFields</name>
+    <message>
+        <source>W</source>
+        <comment>width</comment>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <comment>height</comment>
+        <translation>H</translation>
+    </message>
+    <message>
+        <source>Whether this side of the film floats freely or is held by a barrier in the tank.</source>
+        <translation>Ob diese Seite des Films frei schwimmt oder von einer Barriere im Becken gehalten wird.</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Held by a barrier</source>
+        <translation>Von einer Barriere gehalten</translation>
+    </message>
+    <message>
+        <source>Swell</source>
+        <translation>Quellung</translation>
+    </message>
+    <message>
+        <source>How much the wetted film has grown over the printed one, across and down. Measure it: it is the first number to calibrate, and the sheet is printed smaller by it.</source>
+        <translation>Wie viel der benetzte Film gegenüber dem gedruckten gewachsen ist, quer und längs. Messen Sie es: Es ist die erste Zahl, die zu kalibrieren ist, und der Bogen wird um sie kleiner gedruckt.</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>Relaxation</translation>
+    </message>
+    <message>
+        <source>How fast stress in the floating film decays. An elastic film remembers its shape for ever; a viscous one, at 0 s, forgets at once.</source>
+        <translation>Wie schnell Spannung im schwimmenden Film abklingt. Ein elastischer Film behält seine Form für immer in Erinnerung, ein viskoser, bei 0 s, vergisst sie sofort.</translation>
+    </message>
+    <message>
+        <source>Elastic</source>
+        <translation>Elastisch</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Wachstum</translation>
+    </message>
+    <message>
+        <source>How fast the film goes on growing while it floats, in a second of the dip and at its begin. What is on the body grows no more.</source>
+        <translation>Wie schnell die Folie weiterwächst, während sie schwimmt, in einer Sekunde und zu Beginn des Tauchvorgangs. Was am Körper liegt, wächst nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Grows by at most</source>
+        <translation>Wächst höchstens um</translation>
+    </message>
+    <message>
+        <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
+        <translation>Um wie viel länger als zu Beginn des Tauchvorgangs die schwimmende Folie am Ende wird. Bei 0 wächst sie nicht.</translation>
+    </message>
+    <message>
+        <source>Contact distance</source>
+        <translation>Kontaktabstand</translation>
+    </message>
+    <message>
+        <source>How near a film point has to come to the surface to touch it.</source>
+        <translation>Wie nahe ein Filmpunkt der Oberfläche kommen muss, um sie zu berühren.</translation>
+    </message>
+    <message>
+        <source>Grip fades over</source>
+        <translation>Halt schwindet über</translation>
+    </message>
+    <message>
+        <source>So far before the overhang the body begins to lose its grip on the film. A guess: no film was measured.</source>
+        <translation>So weit vor dem Überhang beginnt der Körper, die Folie loszulassen. Eine Annahme: Keine Folie wurde gemessen.</translation>
+    </message>
+    <message>
+        <source>Gathers below</source>
+        <translation>Rafft sich unter</translation>
+    </message>
+    <message>
+        <source>Film pushed together to a mean stretch below this gathers, and hardly resists any more. A guess: no film was measured.</source>
+        <translation>Folie, die unter diese mittlere Dehnung zusammengeschoben wird, rafft sich und leistet kaum noch Widerstand. Eine Annahme: Keine Folie wurde gemessen.</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Ink thins by</source>
+        <translation>Tinte wird dünner mit</translation>
+    </message>
+    <message>
+        <source>The exponent n: ink printed with density D shows D·J^−n where film is stretched to J times its area. 1 for dye, 0 for dots that hide what is behind them. A guess, taken for inks without tones.</source>
+        <translation>Der Exponent n: mit der Dichte D gedruckte Tinte zeigt D·J^−n, wo der Film auf das J-fache seiner Fläche gedehnt ist. 1 für Farbstoff, 0 für Punkte, die alles hinter sich verdecken. Eine Schätzung, für Tinten ohne gemessene Töne.</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <comment>cyan</comment>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <comment>magenta</comment>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <comment>yellow</comment>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Black and white</source>
+        <translation>Schwarz und Weiß</translation>
+    </message>
+    <message>
+        <source>The same of black and white ink, which printers in CMYK have: there each ink is made up for by itself, after separation.</source>
+        <translation>Dasselbe für schwarze und weiße Tinte, die Drucker in CMYK haben: Dort wird jede Tinte für sich ausgeglichen, nach der Separation.</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <comment>black</comment>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <comment>white</comment>
+        <translation>W</translation>
+    </message>
+    <message>
+        <source>Ink, measured</source>
+        <translation>Tinte, gemessen</translation>
+    </message>
+    <message>
+        <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch (dipwright-cli profile wedge).</source>
+        <translation>Was ein Stufenkeil ergab, Ton für Ton: Tinte, Dichte, Exponent, Krümmung, größte Dehnung (dipwright-cli profile wedge).</translation>
+    </message>
+    <message>
+        <source>As in the project</source>
+        <translation>Wie im Projekt</translation>
+    </message>
+    <message>
+        <source>Tears at</source>
+        <translation>Reißt bei</translation>
+    </message>
+    <message>
+        <source>How many times its length or its area film can be stretched before it tears. Torn film is marked and not painted.</source>
+        <translation>Um das Wievielfache Länge oder Fläche des Films wachsen können, bevor er reißt. Gerissener Film wird markiert und nicht aufgetragen.</translation>
+    </message>
+    <message>
+        <source>Overhang</source>
+        <translation>Überhang</translation>
+    </message>
+    <message>
+        <source>Film holds on faces that turn upwards by no more than this.</source>
+        <translation>Film hält auf Flächen, die sich höchstens so weit nach oben wenden.</translation>
+    </message>
+</context>
+<context>
     <name>FilmMeasured</name>
     <message>
         <source>not measured</source>
@@ -426,6 +615,49 @@
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>FolderTransaction</name>
+    <message>
+        <source>The results cannot be written, %1 is not a folder</source>
+        <translation>Die Ergebnisse können nicht geschrieben werden, %1 ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>The results cannot be written: %1</source>
+        <translation>Die Ergebnisse können nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>The results cannot be moved into the folder, is a file there in use?</source>
+        <translation>Die Ergebnisse können nicht in den Ordner verschoben werden; wird dort eine Datei benutzt?</translation>
+    </message>
+    <message>
+        <source>%1 is in the way of the results; move it, or choose another folder</source>
+        <translation>%1 steht den Ergebnissen im Weg; verschieben Sie es oder wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>Another program is writing results there (%1); wait for it, or choose another folder</source>
+        <translation>Ein anderes Programm schreibt dort Ergebnisse (%1); warten Sie darauf, oder wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>The folder cannot be written, choose another</source>
+        <translation>In den Ordner kann nicht geschrieben werden; wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>The results are only in part moved into the folder; close what has files there open, and start the program again, which moves the rest</source>
+        <translation>Die Ergebnisse sind nur zum Teil in den Ordner verschoben; schließen Sie, was dort Dateien geöffnet hat, und starten Sie das Programm neu: Es verschiebt den Rest</translation>
+    </message>
+    <message>
+        <source>The results cannot be read again: %1</source>
+        <translation>Die Ergebnisse lassen sich nicht noch einmal lesen: %1</translation>
+    </message>
+    <message>
+        <source>Earlier results there were not completed and cannot be now; close what has files there open, or move %1 out of it</source>
+        <translation>Frühere Ergebnisse dort wurden nicht vollendet und können es jetzt nicht werden; schließen Sie, was dort Dateien offen hat, oder legen Sie %1 woanders hin</translation>
+    </message>
+    <message>
+        <source>Somebody has moved or removed files of %1 while the results were written, and they are not complete; leave it alone and try again</source>
+        <translation>Jemand hat Dateien aus %1 verschoben oder entfernt, während die Ergebnisse geschrieben wurden, und sie sind nicht vollständig; lassen Sie den Ordner in Ruhe und versuchen Sie es noch einmal</translation>
     </message>
 </context>
 <context>
@@ -621,21 +853,6 @@
     </message>
 </context>
 <context>
-    <name>KeptDips</name>
-    <message>
-        <source>The dips cannot be kept: %1</source>
-        <translation>Die Tauchvorgänge können nicht aufbewahrt werden: %1</translation>
-    </message>
-    <message>
-        <source>Reading the kept dips</source>
-        <translation>Aufbewahrte Tauchvorgänge werden gelesen</translation>
-    </message>
-    <message>
-        <source>The kept dips are damaged and not used; a run makes them again</source>
-        <translation>Die aufbewahrten Tauchvorgänge sind beschädigt und werden nicht verwendet; ein Lauf macht sie neu</translation>
-    </message>
-</context>
-<context>
     <name>MainWindow</name>
     <message>
         <source>Pose Search</source>
@@ -712,6 +929,33 @@
     <message>
         <source>The template of the motion names {%1}, which there is not; use one of %2</source>
         <translation>Die Vorlage der Bewegung nennt {%1}, das es nicht gibt; nehmen Sie eines von %2</translation>
+    </message>
+</context>
+<context>
+    <name>OutOfProcessSolver</name>
+    <message>
+        <source>it cannot be given a process of its own: %1</source>
+        <translation>er kann keinen eigenen Prozess bekommen: %1</translation>
+    </message>
+    <message>
+        <source>it was at one step for more than %1 s and was stopped</source>
+        <translation>er war länger als %1 s an einem Schritt und wurde beendet</translation>
+    </message>
+    <message>
+        <source>its process was killed, perhaps for want of memory</source>
+        <translation>sein Prozess wurde beendet, vielleicht aus Mangel an Speicher</translation>
+    </message>
+    <message>
+        <source>it crashed (%1)</source>
+        <translation>er ist abgestürzt (%1)</translation>
+    </message>
+    <message>
+        <source>it ended its process (%1)</source>
+        <translation>er hat seinen Prozess beendet (%1)</translation>
+    </message>
+    <message>
+        <source>it answered with more than there can be and was stopped</source>
+        <translation>er hat mit mehr geantwortet, als es geben kann, und wurde beendet</translation>
     </message>
 </context>
 <context>
@@ -1787,176 +2031,6 @@
     </message>
 </context>
 <context>
-    <name>FilmFields</name>
-    <message>
-        <source>W</source>
-        <comment>width</comment>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>H</source>
-        <comment>height</comment>
-        <translation>H</translation>
-    </message>
-    <message>
-        <source>Whether this side of the film floats freely or is held by a barrier in the tank.</source>
-        <translation>Ob diese Seite des Films frei schwimmt oder von einer Barriere im Becken gehalten wird.</translation>
-    </message>
-    <message>
-        <source>Free</source>
-        <translation>Frei</translation>
-    </message>
-    <message>
-        <source>Held by a barrier</source>
-        <translation>Von einer Barriere gehalten</translation>
-    </message>
-    <message>
-        <source>Swell</source>
-        <translation>Quellung</translation>
-    </message>
-    <message>
-        <source>How much the wetted film has grown over the printed one, across and down. Measure it: it is the first number to calibrate, and the sheet is printed smaller by it.</source>
-        <translation>Wie viel der benetzte Film gegenüber dem gedruckten gewachsen ist, quer und längs. Messen Sie es: Es ist die erste Zahl, die zu kalibrieren ist, und der Bogen wird um sie kleiner gedruckt.</translation>
-    </message>
-    <message>
-        <source>Relaxation</source>
-        <translation>Relaxation</translation>
-    </message>
-    <message>
-        <source>How fast stress in the floating film decays. An elastic film remembers its shape for ever; a viscous one, at 0 s, forgets at once.</source>
-        <translation>Wie schnell Spannung im schwimmenden Film abklingt. Ein elastischer Film behält seine Form für immer in Erinnerung, ein viskoser, bei 0 s, vergisst sie sofort.</translation>
-    </message>
-    <message>
-        <source>Elastic</source>
-        <translation>Elastisch</translation>
-    </message>
-    <message>
-        <source>Growth</source>
-        <translation>Wachstum</translation>
-    </message>
-    <message>
-        <source>How fast the film goes on growing while it floats, in a second of the dip and at its begin. What is on the body grows no more.</source>
-        <translation>Wie schnell die Folie weiterwächst, während sie schwimmt, in einer Sekunde und zu Beginn des Tauchvorgangs. Was am Körper liegt, wächst nicht mehr.</translation>
-    </message>
-    <message>
-        <source>Grows by at most</source>
-        <translation>Wächst höchstens um</translation>
-    </message>
-    <message>
-        <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
-        <translation>Um wie viel länger als zu Beginn des Tauchvorgangs die schwimmende Folie am Ende wird. Bei 0 wächst sie nicht.</translation>
-    </message>
-    <message>
-        <source>Contact distance</source>
-        <translation>Kontaktabstand</translation>
-    </message>
-    <message>
-        <source>How near a film point has to come to the surface to touch it.</source>
-        <translation>Wie nahe ein Filmpunkt der Oberfläche kommen muss, um sie zu berühren.</translation>
-    </message>
-    <message>
-        <source>Grip fades over</source>
-        <translation>Halt schwindet über</translation>
-    </message>
-    <message>
-        <source>So far before the overhang the body begins to lose its grip on the film. A guess: no film was measured.</source>
-        <translation>So weit vor dem Überhang beginnt der Körper, die Folie loszulassen. Eine Annahme: Keine Folie wurde gemessen.</translation>
-    </message>
-    <message>
-        <source>Gathers below</source>
-        <translation>Rafft sich unter</translation>
-    </message>
-    <message>
-        <source>Film pushed together to a mean stretch below this gathers, and hardly resists any more. A guess: no film was measured.</source>
-        <translation>Folie, die unter diese mittlere Dehnung zusammengeschoben wird, rafft sich und leistet kaum noch Widerstand. Eine Annahme: Keine Folie wurde gemessen.</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>Links</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Rechts</translation>
-    </message>
-    <message>
-        <source>Top</source>
-        <translation>Oben</translation>
-    </message>
-    <message>
-        <source>Bottom</source>
-        <translation>Unten</translation>
-    </message>
-    <message>
-        <source>Ink thins by</source>
-        <translation>Tinte wird dünner mit</translation>
-    </message>
-    <message>
-        <source>The exponent n: ink printed with density D shows D·J^−n where film is stretched to J times its area. 1 for dye, 0 for dots that hide what is behind them. A guess, taken for inks without tones.</source>
-        <translation>Der Exponent n: mit der Dichte D gedruckte Tinte zeigt D·J^−n, wo der Film auf das J-fache seiner Fläche gedehnt ist. 1 für Farbstoff, 0 für Punkte, die alles hinter sich verdecken. Eine Schätzung, für Tinten ohne gemessene Töne.</translation>
-    </message>
-    <message>
-        <source>C</source>
-        <comment>cyan</comment>
-        <translation>C</translation>
-    </message>
-    <message>
-        <source>M</source>
-        <comment>magenta</comment>
-        <translation>M</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <comment>yellow</comment>
-        <translation>Y</translation>
-    </message>
-    <message>
-        <source>Black and white</source>
-        <translation>Schwarz und Weiß</translation>
-    </message>
-    <message>
-        <source>The same of black and white ink, which printers in CMYK have: there each ink is made up for by itself, after separation.</source>
-        <translation>Dasselbe für schwarze und weiße Tinte, die Drucker in CMYK haben: Dort wird jede Tinte für sich ausgeglichen, nach der Separation.</translation>
-    </message>
-    <message>
-        <source>K</source>
-        <comment>black</comment>
-        <translation>K</translation>
-    </message>
-    <message>
-        <source>W</source>
-        <comment>white</comment>
-        <translation>W</translation>
-    </message>
-    <message>
-        <source>Ink, measured</source>
-        <translation>Tinte, gemessen</translation>
-    </message>
-    <message>
-        <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch (dipwright-cli profile wedge).</source>
-        <translation>Was ein Stufenkeil ergab, Ton für Ton: Tinte, Dichte, Exponent, Krümmung, größte Dehnung (dipwright-cli profile wedge).</translation>
-    </message>
-    <message>
-        <source>As in the project</source>
-        <translation>Wie im Projekt</translation>
-    </message>
-    <message>
-        <source>Tears at</source>
-        <translation>Reißt bei</translation>
-    </message>
-    <message>
-        <source>How many times its length or its area film can be stretched before it tears. Torn film is marked and not painted.</source>
-        <translation>Um das Wievielfache Länge oder Fläche des Films wachsen können, bevor er reißt. Gerissener Film wird markiert und nicht aufgetragen.</translation>
-    </message>
-    <message>
-        <source>Overhang</source>
-        <translation>Überhang</translation>
-    </message>
-    <message>
-        <source>Film holds on faces that turn upwards by no more than this.</source>
-        <translation>Film hält auf Flächen, die sich höchstens so weit nach oben wenden.</translation>
-    </message>
-</context>
-<context>
     <name>PropertySpecs</name>
     <message>
         <source>Name</source>
@@ -2773,49 +2847,6 @@
     </message>
 </context>
 <context>
-    <name>ResultFolder</name>
-    <message>
-        <source>The results cannot be written, %1 is not a folder</source>
-        <translation>Die Ergebnisse können nicht geschrieben werden, %1 ist kein Ordner</translation>
-    </message>
-    <message>
-        <source>The results cannot be written: %1</source>
-        <translation>Die Ergebnisse können nicht geschrieben werden: %1</translation>
-    </message>
-    <message>
-        <source>The results cannot be moved into the folder, is a file there in use?</source>
-        <translation>Die Ergebnisse können nicht in den Ordner verschoben werden; wird dort eine Datei benutzt?</translation>
-    </message>
-    <message>
-        <source>%1 is in the way of the results; move it, or choose another folder</source>
-        <translation>%1 steht den Ergebnissen im Weg; verschieben Sie es oder wählen Sie einen anderen Ordner</translation>
-    </message>
-    <message>
-        <source>Another program is writing results there (%1); wait for it, or choose another folder</source>
-        <translation>Ein anderes Programm schreibt dort Ergebnisse (%1); warten Sie darauf, oder wählen Sie einen anderen Ordner</translation>
-    </message>
-    <message>
-        <source>The folder cannot be written, choose another</source>
-        <translation>In den Ordner kann nicht geschrieben werden; wählen Sie einen anderen</translation>
-    </message>
-    <message>
-        <source>The results are only in part moved into the folder; close what has files there open, and start the program again, which moves the rest</source>
-        <translation>Die Ergebnisse sind nur zum Teil in den Ordner verschoben; schließen Sie, was dort Dateien geöffnet hat, und starten Sie das Programm neu: Es verschiebt den Rest</translation>
-    </message>
-    <message>
-        <source>The results cannot be read again: %1</source>
-        <translation>Die Ergebnisse lassen sich nicht noch einmal lesen: %1</translation>
-    </message>
-    <message>
-        <source>Earlier results there were not completed and cannot be now; close what has files there open, or move %1 out of it</source>
-        <translation>Frühere Ergebnisse dort wurden nicht vollendet und können es jetzt nicht werden; schließen Sie, was dort Dateien offen hat, oder legen Sie %1 woanders hin</translation>
-    </message>
-    <message>
-        <source>Somebody has moved or removed files of %1 while the results were written, and they are not complete; leave it alone and try again</source>
-        <translation>Jemand hat Dateien aus %1 verschoben oder entfernt, während die Ergebnisse geschrieben wurden, und sie sind nicht vollständig; lassen Sie den Ordner in Ruhe und versuchen Sie es noch einmal</translation>
-    </message>
-</context>
-<context>
     <name>ShippedNames</name>
     <message>
         <source>Ideal film, A3</source>
@@ -3339,38 +3370,7 @@
     </message>
 </context>
 <context>
-    <name>WholeFile</name>
-    <message>
-        <source>it is a folder</source>
-        <translation>es ist ein Ordner</translation>
-    </message>
-    <message>
-        <source>it may not be written</source>
-        <translation>sie darf nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>another program is writing it at this moment, try again</source>
-        <translation>ein anderes Programm schreibt sie in diesem Augenblick, versuchen Sie es noch einmal</translation>
-    </message>
-    <message>
-        <source>it does not reach the disk: %1</source>
-        <translation>sie kommt nicht auf die Platte: %1</translation>
-    </message>
-    <message>
-        <source>The file cannot be written: %1</source>
-        <translation>Die Datei kann nicht geschrieben werden: %1</translation>
-    </message>
-    <message>
-        <source>its links lead to one another</source>
-        <translation>seine Verknüpfungen führen zueinander</translation>
-    </message>
-    <message>
-        <source>it is no plain file</source>
-        <translation>es ist keine gewöhnliche Datei</translation>
-    </message>
-</context>
-<context>
-    <name>ZoneDress</name>
+    <name>ZoneAppearance</name>
     <message>
         <source>Zone %1, ±%2 mm</source>
         <translation>Zone %1, ±%2 mm</translation>
@@ -3743,7 +3743,7 @@
     </message>
 </context>
 <context>
-    <name>dipwright::BodyPrinter</name>
+    <name>dipwright::BodyPrintPreview</name>
     <message>
         <source>Printing the body</source>
         <translation>Bedrucke den Körper</translation>
@@ -4338,6 +4338,17 @@
     </message>
 </context>
 <context>
+    <name>dipwright::DipCacheUpdater</name>
+    <message>
+        <source>Looking for results</source>
+        <translation>Ergebnisse werden gesucht</translation>
+    </message>
+    <message>
+        <source>The results are those of the dips kept beside the project.</source>
+        <translation>Die Ergebnisse sind die der Tauchvorgänge, die neben dem Projekt aufbewahrt sind.</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::DipController</name>
     <message>
         <source>The Dip</source>
@@ -4362,17 +4373,6 @@
     <message>
         <source>Film %1</source>
         <translation>Film %1</translation>
-    </message>
-</context>
-<context>
-    <name>dipwright::DipKeeper</name>
-    <message>
-        <source>Looking for results</source>
-        <translation>Ergebnisse werden gesucht</translation>
-    </message>
-    <message>
-        <source>The results are those of the dips kept beside the project.</source>
-        <translation>Die Ergebnisse sind die der Tauchvorgänge, die neben dem Projekt aufbewahrt sind.</translation>
     </message>
 </context>
 <context>
@@ -4918,7 +4918,7 @@
     </message>
 </context>
 <context>
-    <name>dipwright::FilmReader</name>
+    <name>dipwright::FilmProbe</name>
     <message>
         <source>Body at %1, %2, %3</source>
         <translation>Körper bei %1, %2, %3</translation>

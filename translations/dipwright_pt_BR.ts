@@ -53,7 +53,38 @@
     </message>
 </context>
 <context>
-    <name>BodyDress</name>
+    <name>AtomicFile</name>
+    <message>
+        <source>it is a folder</source>
+        <translation>é uma pasta</translation>
+    </message>
+    <message>
+        <source>it may not be written</source>
+        <translation>não há permissão para gravá-lo</translation>
+    </message>
+    <message>
+        <source>another program is writing it at this moment, try again</source>
+        <translation>outro programa está gravando-o neste momento, tente de novo</translation>
+    </message>
+    <message>
+        <source>it does not reach the disk: %1</source>
+        <translation>não chega ao disco: %1</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: %1</source>
+        <translation>O arquivo não pode ser gravado: %1</translation>
+    </message>
+    <message>
+        <source>its links lead to one another</source>
+        <translation>seus links levam uns aos outros</translation>
+    </message>
+    <message>
+        <source>it is no plain file</source>
+        <translation>não é um arquivo comum</translation>
+    </message>
+</context>
+<context>
+    <name>BodyAppearance</name>
     <message>
         <source>Painted</source>
         <translation>Pintado</translation>
@@ -213,33 +244,6 @@
     </message>
 </context>
 <context>
-    <name>ContainedSolver</name>
-    <message>
-        <source>it cannot be given a process of its own: %1</source>
-        <translation>não foi possível dar-lhe um processo próprio: %1</translation>
-    </message>
-    <message>
-        <source>it was at one step for more than %1 s and was stopped</source>
-        <translation>ele ficou mais de %1 s em um passo e foi encerrado</translation>
-    </message>
-    <message>
-        <source>its process was killed, perhaps for want of memory</source>
-        <translation>o processo dele foi morto, talvez por falta de memória</translation>
-    </message>
-    <message>
-        <source>it crashed (%1)</source>
-        <translation>ele travou (%1)</translation>
-    </message>
-    <message>
-        <source>it ended its process (%1)</source>
-        <translation>ele encerrou o próprio processo (%1)</translation>
-    </message>
-    <message>
-        <source>it answered with more than there can be and was stopped</source>
-        <translation>respondeu com mais do que pode haver e foi parado</translation>
-    </message>
-</context>
-<context>
     <name>Cradle</name>
     <message>
         <source>%1: the body tips out of its cradle where it is not fixed; what stays dry does not lie on all sides of its middle. Fix it through the bore, or turn the pose</source>
@@ -330,6 +334,21 @@
     </message>
 </context>
 <context>
+    <name>DipCache</name>
+    <message>
+        <source>The dips cannot be kept: %1</source>
+        <translation>As imersões não podem ser guardadas: %1</translation>
+    </message>
+    <message>
+        <source>Reading the kept dips</source>
+        <translation>Lendo as imersões guardadas</translation>
+    </message>
+    <message>
+        <source>The kept dips are damaged and not used; a run makes them again</source>
+        <translation>As imersões guardadas estão danificadas e não são usadas; uma execução as refaz</translation>
+    </message>
+</context>
+<context>
     <name>DipJob</name>
     <message>
         <source>Simulating the dip</source>
@@ -390,6 +409,176 @@
     </message>
 </context>
 <context>
+    <name>FilmFields</name>
+    <message>
+        <source>W</source>
+        <comment>width</comment>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <comment>height</comment>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>Whether this side of the film floats freely or is held by a barrier in the tank.</source>
+        <translation>Se este lado do filme flutua livre ou é preso por uma barreira no tanque.</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Livre</translation>
+    </message>
+    <message>
+        <source>Held by a barrier</source>
+        <translation>Presa por uma barreira</translation>
+    </message>
+    <message>
+        <source>Swell</source>
+        <translation>Inchamento</translation>
+    </message>
+    <message>
+        <source>How much the wetted film has grown over the printed one, across and down. Measure it: it is the first number to calibrate, and the sheet is printed smaller by it.</source>
+        <translation>Quanto o filme molhado cresceu em relação ao impresso, na largura e na altura. Meça: é o primeiro número a calibrar, e a folha é impressa menor por ele.</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>Relaxação</translation>
+    </message>
+    <message>
+        <source>How fast stress in the floating film decays. An elastic film remembers its shape for ever; a viscous one, at 0 s, forgets at once.</source>
+        <translation>Com que rapidez a tensão no filme flutuante diminui. Um filme elástico lembra sua forma para sempre; um viscoso, com 0 s, esquece na hora.</translation>
+    </message>
+    <message>
+        <source>Elastic</source>
+        <translation>Elástico</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Crescimento</translation>
+    </message>
+    <message>
+        <source>How fast the film goes on growing while it floats, in a second of the dip and at its begin. What is on the body grows no more.</source>
+        <translation>Com que rapidez o filme continua a crescer enquanto flutua, por segundo e no início da imersão. O que está sobre o corpo já não cresce.</translation>
+    </message>
+    <message>
+        <source>Grows by at most</source>
+        <translation>Cresce no máximo</translation>
+    </message>
+    <message>
+        <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
+        <translation>Quanto mais comprido do que no início da imersão o filme flutuante fica no fim. Com 0 não cresce.</translation>
+    </message>
+    <message>
+        <source>Contact distance</source>
+        <translation>Distância de contato</translation>
+    </message>
+    <message>
+        <source>How near a film point has to come to the surface to touch it.</source>
+        <translation>Quão perto um ponto do filme deve chegar da superfície para tocá-la.</translation>
+    </message>
+    <message>
+        <source>Grip fades over</source>
+        <translation>Aderência diminui ao longo de</translation>
+    </message>
+    <message>
+        <source>So far before the overhang the body begins to lose its grip on the film. A guess: no film was measured.</source>
+        <translation>A essa distância antes do ressalto o corpo começa a perder a aderência ao filme. Uma suposição: nenhum filme foi medido.</translation>
+    </message>
+    <message>
+        <source>Gathers below</source>
+        <translation>Franze abaixo de</translation>
+    </message>
+    <message>
+        <source>Film pushed together to a mean stretch below this gathers, and hardly resists any more. A guess: no film was measured.</source>
+        <translation>O filme comprimido abaixo deste estiramento médio franze e quase já não resiste. Uma suposição: nenhum filme foi medido.</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Esquerda</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Direita</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Em cima</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Embaixo</translation>
+    </message>
+    <message>
+        <source>Ink thins by</source>
+        <translation>A tinta afina por</translation>
+    </message>
+    <message>
+        <source>The exponent n: ink printed with density D shows D·J^−n where film is stretched to J times its area. 1 for dye, 0 for dots that hide what is behind them. A guess, taken for inks without tones.</source>
+        <translation>O expoente n: tinta impressa com densidade D mostra D·J^−n onde o filme está estirado a J vezes a sua área. 1 para corante, 0 para pontos que escondem o que está atrás. Uma estimativa, usada para tintas sem tons medidos.</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <comment>cyan</comment>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <comment>magenta</comment>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <comment>yellow</comment>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Black and white</source>
+        <translation>Preto e branco</translation>
+    </message>
+    <message>
+        <source>The same of black and white ink, which printers in CMYK have: there each ink is made up for by itself, after separation.</source>
+        <translation>O mesmo da tinta preta e da branca, que impressoras em CMYK têm: ali cada tinta é compensada por si, depois da separação.</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <comment>black</comment>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <comment>white</comment>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Ink, measured</source>
+        <translation>Tinta, medida</translation>
+    </message>
+    <message>
+        <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch (dipwright-cli profile wedge).</source>
+        <translation>O que uma cunha de tons mostrou, tom a tom: tinta, densidade, expoente, curvatura, maior estiramento (dipwright-cli profile wedge).</translation>
+    </message>
+    <message>
+        <source>As in the project</source>
+        <translation>Como no projeto</translation>
+    </message>
+    <message>
+        <source>Tears at</source>
+        <translation>Rasga em</translation>
+    </message>
+    <message>
+        <source>How many times its length or its area film can be stretched before it tears. Torn film is marked and not painted.</source>
+        <translation>Quantas vezes o comprimento ou a área do filme pode ser esticado antes de rasgar. Filme rasgado é marcado e não pinta.</translation>
+    </message>
+    <message>
+        <source>Overhang</source>
+        <translation>Ressalto</translation>
+    </message>
+    <message>
+        <source>Film holds on faces that turn upwards by no more than this.</source>
+        <translation>O filme adere a faces que se voltam para cima até este ângulo.</translation>
+    </message>
+</context>
+<context>
     <name>FilmMeasured</name>
     <message>
         <source>not measured</source>
@@ -426,6 +615,49 @@
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>FolderTransaction</name>
+    <message>
+        <source>The results cannot be written, %1 is not a folder</source>
+        <translation>Os resultados não podem ser gravados; %1 não é uma pasta</translation>
+    </message>
+    <message>
+        <source>The results cannot be written: %1</source>
+        <translation>Os resultados não podem ser gravados: %1</translation>
+    </message>
+    <message>
+        <source>The results cannot be moved into the folder, is a file there in use?</source>
+        <translation>Os resultados não podem ser movidos para a pasta; algum arquivo ali está em uso?</translation>
+    </message>
+    <message>
+        <source>%1 is in the way of the results; move it, or choose another folder</source>
+        <translation>%1 está no caminho dos resultados; mova-o ou escolha outra pasta</translation>
+    </message>
+    <message>
+        <source>Another program is writing results there (%1); wait for it, or choose another folder</source>
+        <translation>Outro programa está gravando resultados ali (%1); espere por ele ou escolha outra pasta</translation>
+    </message>
+    <message>
+        <source>The folder cannot be written, choose another</source>
+        <translation>Não é possível gravar na pasta; escolha outra</translation>
+    </message>
+    <message>
+        <source>The results are only in part moved into the folder; close what has files there open, and start the program again, which moves the rest</source>
+        <translation>Os resultados foram movidos para a pasta só em parte; feche o que tem arquivos abertos ali e inicie o programa de novo, que move o resto</translation>
+    </message>
+    <message>
+        <source>The results cannot be read again: %1</source>
+        <translation>Os resultados não podem ser lidos de novo: %1</translation>
+    </message>
+    <message>
+        <source>Earlier results there were not completed and cannot be now; close what has files there open, or move %1 out of it</source>
+        <translation>Resultados anteriores ali não foram concluídos e não podem ser agora; feche o que tem arquivos abertos ali, ou mova %1 para fora</translation>
+    </message>
+    <message>
+        <source>Somebody has moved or removed files of %1 while the results were written, and they are not complete; leave it alone and try again</source>
+        <translation>Alguém moveu ou removeu arquivos de %1 enquanto os resultados eram gravados, e eles não estão completos; não mexa nessa pasta e tente de novo</translation>
     </message>
 </context>
 <context>
@@ -621,21 +853,6 @@
     </message>
 </context>
 <context>
-    <name>KeptDips</name>
-    <message>
-        <source>The dips cannot be kept: %1</source>
-        <translation>As imersões não podem ser guardadas: %1</translation>
-    </message>
-    <message>
-        <source>Reading the kept dips</source>
-        <translation>Lendo as imersões guardadas</translation>
-    </message>
-    <message>
-        <source>The kept dips are damaged and not used; a run makes them again</source>
-        <translation>As imersões guardadas estão danificadas e não são usadas; uma execução as refaz</translation>
-    </message>
-</context>
-<context>
     <name>MainWindow</name>
     <message>
         <source>Pose Search</source>
@@ -712,6 +929,33 @@
     <message>
         <source>The template of the motion names {%1}, which there is not; use one of %2</source>
         <translation>O modelo do movimento cita {%1}, que não existe; use um de %2</translation>
+    </message>
+</context>
+<context>
+    <name>OutOfProcessSolver</name>
+    <message>
+        <source>it cannot be given a process of its own: %1</source>
+        <translation>não foi possível dar-lhe um processo próprio: %1</translation>
+    </message>
+    <message>
+        <source>it was at one step for more than %1 s and was stopped</source>
+        <translation>ele ficou mais de %1 s em um passo e foi encerrado</translation>
+    </message>
+    <message>
+        <source>its process was killed, perhaps for want of memory</source>
+        <translation>o processo dele foi morto, talvez por falta de memória</translation>
+    </message>
+    <message>
+        <source>it crashed (%1)</source>
+        <translation>ele travou (%1)</translation>
+    </message>
+    <message>
+        <source>it ended its process (%1)</source>
+        <translation>ele encerrou o próprio processo (%1)</translation>
+    </message>
+    <message>
+        <source>it answered with more than there can be and was stopped</source>
+        <translation>respondeu com mais do que pode haver e foi parado</translation>
     </message>
 </context>
 <context>
@@ -1787,176 +2031,6 @@
     </message>
 </context>
 <context>
-    <name>FilmFields</name>
-    <message>
-        <source>W</source>
-        <comment>width</comment>
-        <translation>L</translation>
-    </message>
-    <message>
-        <source>H</source>
-        <comment>height</comment>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>Whether this side of the film floats freely or is held by a barrier in the tank.</source>
-        <translation>Se este lado do filme flutua livre ou é preso por uma barreira no tanque.</translation>
-    </message>
-    <message>
-        <source>Free</source>
-        <translation>Livre</translation>
-    </message>
-    <message>
-        <source>Held by a barrier</source>
-        <translation>Presa por uma barreira</translation>
-    </message>
-    <message>
-        <source>Swell</source>
-        <translation>Inchamento</translation>
-    </message>
-    <message>
-        <source>How much the wetted film has grown over the printed one, across and down. Measure it: it is the first number to calibrate, and the sheet is printed smaller by it.</source>
-        <translation>Quanto o filme molhado cresceu em relação ao impresso, na largura e na altura. Meça: é o primeiro número a calibrar, e a folha é impressa menor por ele.</translation>
-    </message>
-    <message>
-        <source>Relaxation</source>
-        <translation>Relaxação</translation>
-    </message>
-    <message>
-        <source>How fast stress in the floating film decays. An elastic film remembers its shape for ever; a viscous one, at 0 s, forgets at once.</source>
-        <translation>Com que rapidez a tensão no filme flutuante diminui. Um filme elástico lembra sua forma para sempre; um viscoso, com 0 s, esquece na hora.</translation>
-    </message>
-    <message>
-        <source>Elastic</source>
-        <translation>Elástico</translation>
-    </message>
-    <message>
-        <source>Growth</source>
-        <translation>Crescimento</translation>
-    </message>
-    <message>
-        <source>How fast the film goes on growing while it floats, in a second of the dip and at its begin. What is on the body grows no more.</source>
-        <translation>Com que rapidez o filme continua a crescer enquanto flutua, por segundo e no início da imersão. O que está sobre o corpo já não cresce.</translation>
-    </message>
-    <message>
-        <source>Grows by at most</source>
-        <translation>Cresce no máximo</translation>
-    </message>
-    <message>
-        <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
-        <translation>Quanto mais comprido do que no início da imersão o filme flutuante fica no fim. Com 0 não cresce.</translation>
-    </message>
-    <message>
-        <source>Contact distance</source>
-        <translation>Distância de contato</translation>
-    </message>
-    <message>
-        <source>How near a film point has to come to the surface to touch it.</source>
-        <translation>Quão perto um ponto do filme deve chegar da superfície para tocá-la.</translation>
-    </message>
-    <message>
-        <source>Grip fades over</source>
-        <translation>Aderência diminui ao longo de</translation>
-    </message>
-    <message>
-        <source>So far before the overhang the body begins to lose its grip on the film. A guess: no film was measured.</source>
-        <translation>A essa distância antes do ressalto o corpo começa a perder a aderência ao filme. Uma suposição: nenhum filme foi medido.</translation>
-    </message>
-    <message>
-        <source>Gathers below</source>
-        <translation>Franze abaixo de</translation>
-    </message>
-    <message>
-        <source>Film pushed together to a mean stretch below this gathers, and hardly resists any more. A guess: no film was measured.</source>
-        <translation>O filme comprimido abaixo deste estiramento médio franze e quase já não resiste. Uma suposição: nenhum filme foi medido.</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>Esquerda</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Direita</translation>
-    </message>
-    <message>
-        <source>Top</source>
-        <translation>Em cima</translation>
-    </message>
-    <message>
-        <source>Bottom</source>
-        <translation>Embaixo</translation>
-    </message>
-    <message>
-        <source>Ink thins by</source>
-        <translation>A tinta afina por</translation>
-    </message>
-    <message>
-        <source>The exponent n: ink printed with density D shows D·J^−n where film is stretched to J times its area. 1 for dye, 0 for dots that hide what is behind them. A guess, taken for inks without tones.</source>
-        <translation>O expoente n: tinta impressa com densidade D mostra D·J^−n onde o filme está estirado a J vezes a sua área. 1 para corante, 0 para pontos que escondem o que está atrás. Uma estimativa, usada para tintas sem tons medidos.</translation>
-    </message>
-    <message>
-        <source>C</source>
-        <comment>cyan</comment>
-        <translation>C</translation>
-    </message>
-    <message>
-        <source>M</source>
-        <comment>magenta</comment>
-        <translation>M</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <comment>yellow</comment>
-        <translation>Y</translation>
-    </message>
-    <message>
-        <source>Black and white</source>
-        <translation>Preto e branco</translation>
-    </message>
-    <message>
-        <source>The same of black and white ink, which printers in CMYK have: there each ink is made up for by itself, after separation.</source>
-        <translation>O mesmo da tinta preta e da branca, que impressoras em CMYK têm: ali cada tinta é compensada por si, depois da separação.</translation>
-    </message>
-    <message>
-        <source>K</source>
-        <comment>black</comment>
-        <translation>K</translation>
-    </message>
-    <message>
-        <source>W</source>
-        <comment>white</comment>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>Ink, measured</source>
-        <translation>Tinta, medida</translation>
-    </message>
-    <message>
-        <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch (dipwright-cli profile wedge).</source>
-        <translation>O que uma cunha de tons mostrou, tom a tom: tinta, densidade, expoente, curvatura, maior estiramento (dipwright-cli profile wedge).</translation>
-    </message>
-    <message>
-        <source>As in the project</source>
-        <translation>Como no projeto</translation>
-    </message>
-    <message>
-        <source>Tears at</source>
-        <translation>Rasga em</translation>
-    </message>
-    <message>
-        <source>How many times its length or its area film can be stretched before it tears. Torn film is marked and not painted.</source>
-        <translation>Quantas vezes o comprimento ou a área do filme pode ser esticado antes de rasgar. Filme rasgado é marcado e não pinta.</translation>
-    </message>
-    <message>
-        <source>Overhang</source>
-        <translation>Ressalto</translation>
-    </message>
-    <message>
-        <source>Film holds on faces that turn upwards by no more than this.</source>
-        <translation>O filme adere a faces que se voltam para cima até este ângulo.</translation>
-    </message>
-</context>
-<context>
     <name>PropertySpecs</name>
     <message>
         <source>Name</source>
@@ -2773,49 +2847,6 @@
     </message>
 </context>
 <context>
-    <name>ResultFolder</name>
-    <message>
-        <source>The results cannot be written, %1 is not a folder</source>
-        <translation>Os resultados não podem ser gravados; %1 não é uma pasta</translation>
-    </message>
-    <message>
-        <source>The results cannot be written: %1</source>
-        <translation>Os resultados não podem ser gravados: %1</translation>
-    </message>
-    <message>
-        <source>The results cannot be moved into the folder, is a file there in use?</source>
-        <translation>Os resultados não podem ser movidos para a pasta; algum arquivo ali está em uso?</translation>
-    </message>
-    <message>
-        <source>%1 is in the way of the results; move it, or choose another folder</source>
-        <translation>%1 está no caminho dos resultados; mova-o ou escolha outra pasta</translation>
-    </message>
-    <message>
-        <source>Another program is writing results there (%1); wait for it, or choose another folder</source>
-        <translation>Outro programa está gravando resultados ali (%1); espere por ele ou escolha outra pasta</translation>
-    </message>
-    <message>
-        <source>The folder cannot be written, choose another</source>
-        <translation>Não é possível gravar na pasta; escolha outra</translation>
-    </message>
-    <message>
-        <source>The results are only in part moved into the folder; close what has files there open, and start the program again, which moves the rest</source>
-        <translation>Os resultados foram movidos para a pasta só em parte; feche o que tem arquivos abertos ali e inicie o programa de novo, que move o resto</translation>
-    </message>
-    <message>
-        <source>The results cannot be read again: %1</source>
-        <translation>Os resultados não podem ser lidos de novo: %1</translation>
-    </message>
-    <message>
-        <source>Earlier results there were not completed and cannot be now; close what has files there open, or move %1 out of it</source>
-        <translation>Resultados anteriores ali não foram concluídos e não podem ser agora; feche o que tem arquivos abertos ali, ou mova %1 para fora</translation>
-    </message>
-    <message>
-        <source>Somebody has moved or removed files of %1 while the results were written, and they are not complete; leave it alone and try again</source>
-        <translation>Alguém moveu ou removeu arquivos de %1 enquanto os resultados eram gravados, e eles não estão completos; não mexa nessa pasta e tente de novo</translation>
-    </message>
-</context>
-<context>
     <name>ShippedNames</name>
     <message>
         <source>Ideal film, A3</source>
@@ -3339,38 +3370,7 @@
     </message>
 </context>
 <context>
-    <name>WholeFile</name>
-    <message>
-        <source>it is a folder</source>
-        <translation>é uma pasta</translation>
-    </message>
-    <message>
-        <source>it may not be written</source>
-        <translation>não há permissão para gravá-lo</translation>
-    </message>
-    <message>
-        <source>another program is writing it at this moment, try again</source>
-        <translation>outro programa está gravando-o neste momento, tente de novo</translation>
-    </message>
-    <message>
-        <source>it does not reach the disk: %1</source>
-        <translation>não chega ao disco: %1</translation>
-    </message>
-    <message>
-        <source>The file cannot be written: %1</source>
-        <translation>O arquivo não pode ser gravado: %1</translation>
-    </message>
-    <message>
-        <source>its links lead to one another</source>
-        <translation>seus links levam uns aos outros</translation>
-    </message>
-    <message>
-        <source>it is no plain file</source>
-        <translation>não é um arquivo comum</translation>
-    </message>
-</context>
-<context>
-    <name>ZoneDress</name>
+    <name>ZoneAppearance</name>
     <message>
         <source>Zone %1, ±%2 mm</source>
         <translation>Zona %1, ±%2 mm</translation>
@@ -3743,7 +3743,7 @@
     </message>
 </context>
 <context>
-    <name>dipwright::BodyPrinter</name>
+    <name>dipwright::BodyPrintPreview</name>
     <message>
         <source>Printing the body</source>
         <translation>Imprimindo o corpo</translation>
@@ -4338,6 +4338,17 @@
     </message>
 </context>
 <context>
+    <name>dipwright::DipCacheUpdater</name>
+    <message>
+        <source>Looking for results</source>
+        <translation>Procurando resultados</translation>
+    </message>
+    <message>
+        <source>The results are those of the dips kept beside the project.</source>
+        <translation>Os resultados são os das imersões guardadas ao lado do projeto.</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::DipController</name>
     <message>
         <source>The Dip</source>
@@ -4362,17 +4373,6 @@
     <message>
         <source>Film %1</source>
         <translation>Filme %1</translation>
-    </message>
-</context>
-<context>
-    <name>dipwright::DipKeeper</name>
-    <message>
-        <source>Looking for results</source>
-        <translation>Procurando resultados</translation>
-    </message>
-    <message>
-        <source>The results are those of the dips kept beside the project.</source>
-        <translation>Os resultados são os das imersões guardadas ao lado do projeto.</translation>
     </message>
 </context>
 <context>
@@ -4918,7 +4918,7 @@
     </message>
 </context>
 <context>
-    <name>dipwright::FilmReader</name>
+    <name>dipwright::FilmProbe</name>
     <message>
         <source>Body at %1, %2, %3</source>
         <translation>Corpo em %1, %2, %3</translation>

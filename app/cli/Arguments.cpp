@@ -1,7 +1,7 @@
 #include "cli/Arguments.h"
 
 #include "base/Error.h"
-#include "import/ReadPictures.h"
+#include "import/trusted/ReadPictures.h"
 #include "project/Project.h"
 #include "project/ProjectStore.h"
 

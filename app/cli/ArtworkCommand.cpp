@@ -1,6 +1,6 @@
 #include "artwork/EditArtwork.h"
 #include "cli/Arguments.h"
-#include "import/ReadPictures.h"
+#include "import/trusted/ReadPictures.h"
 #include "project/Project.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"

@@ -1,13 +1,13 @@
 #include "cli/Arguments.h"
 #include "cli/PrintOptions.h"
 
-#include "disk/WholeFile.h"
+#include "disk/AtomicFile.h"
 #include "printing/Calibration.h"
 #include "printing/PrintFile.h"
 #include "settings/InkTones.h"
-#include "sheet/PrinterColour.h"
-#include "sheet/WatchPage.h"
-#include "sheet/WedgePage.h"
+#include "sheet/page/WatchPage.h"
+#include "sheet/page/WedgePage.h"
+#include "sheet/prepress/PrinterColour.h"
 #include "texture/LinearLight.h"
 #include "texture/WedgeTable.h"
 
@@ -124,7 +124,7 @@ void writeWatchPage(const QString& kind, const QCommandLineParser& parser, const
     page.date = parser.value(dateOption);
     takeScale(page, parser);
     const WatchBoard board = watchBoard(page);
-    writeWhole(path, [&](QIODevice& device) {
+    writeAtomically(path, [&](QIODevice& device) {
         path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)
             ? writeWatchPng(page, DotsPerInch(600), device)
             : writeWatchPdf(page, device);
@@ -227,14 +227,14 @@ void writeWedgePage(const QCommandLineParser& parser, const QString& path, QText
         page.tones.append(QString::number(tone));
     }
     addRows(page, parser, path);
-    writeWhole(path, [&](QIODevice& device) {
+    writeAtomically(path, [&](QIODevice& device) {
         path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)
             ? writeWedgePng(page, DotsPerInch(600), device)
             : writeWedgePdf(page, device);
     });
     const QString table = path.left(path.lastIndexOf(u'.')) + QStringLiteral(".csv");
-    writeWhole(table,
-               [&](QIODevice& device) { device.write(blankWedge(4, !page.inks.isEmpty())); });
+    writeAtomically(table,
+                    [&](QIODevice& device) { device.write(blankWedge(4, !page.inks.isEmpty())); });
     out << QStringLiteral("Wrote %1 and, for its readings, %2; both rulers are %3 mm long before "
                           "the film is stretched\n")
                .arg(path, table)
@@ -318,7 +318,8 @@ public:
         }
         const PrintTarget target = printTarget(parser);
         if (!target.file.isEmpty()) {
-            writeWhole(target.file, [&](QIODevice& device) { writeCalibrationPdf(page, device); });
+            writeAtomically(target.file,
+                            [&](QIODevice& device) { writeCalibrationPdf(page, device); });
             console.out() << QStringLiteral("Wrote %1\n").arg(target.file);
         } else {
             const auto system = printSystem();

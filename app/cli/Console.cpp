@@ -18,11 +18,11 @@ constexpr int textWidth = 44;
 Console::Console()
     : plainOut_(stdout), plainErr_(stderr), out_(&plainOut_), err_(&plainErr_),
       terminal_(standardErrorIsTerminal()) {
-    cancelOnSignals(cancelSwitch_);
+    cancelOnSignals(cancelToken_);
 }
 
 Progress Console::progress() {
-    Progress progress{nullptr, cancelSwitch_};
+    Progress progress{nullptr, cancelToken_};
     if (!quiet_) {
         progress.report = [this](double share, const QString& text) { report(share, text); };
     }

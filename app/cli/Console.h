@@ -33,7 +33,7 @@ private:
     PlainOutput plainOut_, plainErr_;
     QTextStream out_;
     QTextStream err_;
-    CancelSwitch cancelSwitch_;
+    CancelToken cancelToken_;
     bool quiet_ = false;
     bool terminal_ = false;
     bool barShown_ = false;

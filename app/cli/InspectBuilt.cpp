@@ -1,12 +1,12 @@
 #include "cli/InspectBuilt.h"
 #include "model/TexturedMesh.h"
 
+#include "accuracy/correction/SheetCorrection.h"
 #include "base/Png.h"
 #include "cli/Arguments.h"
 #include "cli/InspectPart.h"
-#include "correction/SheetCorrection.h"
-#include "disk/ResultFolder.h"
-#include "disk/WholeFile.h"
+#include "disk/AtomicFile.h"
+#include "disk/FolderTransaction.h"
 #include "inspection/BuiltPlaces.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
@@ -39,7 +39,7 @@ void setCorrection(AsBuilt& built, const QCommandLineParser& parser) {
 
 void writePictures(const Project& project, const QString& folder) {
     constexpr int height = 1400; // pixels
-    ResultFolder files(folder, {pictureName(1), pictureName(2)});
+    FolderTransaction files(folder, {pictureName(1), pictureName(2)});
     for (int dip = 1; dip <= int(project.immersions.size()); ++dip) {
         const RepeatingError error(project.asBuilt, dip);
         if (!error.isNothing()) {

@@ -3,7 +3,7 @@
 #include "cli/InspectFit.h"
 #include "cli/InspectPart.h"
 
-#include "import/ReadPhotos.h"
+#include "import/trusted/ReadPhotos.h"
 #include "inspection/FilmWatchFiles.h"
 #include "project/ProfileLibrary.h"
 

@@ -2,7 +2,7 @@
 
 #include "cli/InspectPart.h"
 
-#include "disk/WholeFile.h"
+#include "disk/AtomicFile.h"
 #include "pipeline/SolverChoice.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
@@ -84,7 +84,7 @@ FittedPart fitPart(const QStringList& files, const QCommandLineParser& parser,
     }
     photos.clear();
     const SolverRegistry registry;
-    SolverChoice solver = chooseSolver(project.process.solver, registry, progress.cancelSwitch);
+    SolverChoice solver = chooseSolver(project.process.solver, registry, progress.cancelToken);
     const auto field =
         cachedDistanceField(project.model->mesh, project.fieldResolution, progress.part(0.3, 0.35));
     part.fit = withFallback(solver, registry, [&](const dipwright::solver::SolverModule& module) {

@@ -3,7 +3,7 @@
 
 #include "cli/Arguments.h"
 #include "disk/SmallFile.h"
-#include "import/ReadPhotos.h"
+#include "import/trusted/ReadPhotos.h"
 #include "inspection/BuiltPlaces.h"
 #include "inspection/FindPrint.h"
 #include "inspection/PartViewFiles.h"

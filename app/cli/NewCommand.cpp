@@ -3,8 +3,8 @@
 #include "settings/FilmSettings.h"
 
 #include "dip/JigModel.h"
-#include "disk/WholeFile.h"
-#include "import/ImportModel.h"
+#include "disk/AtomicFile.h"
+#include "import/trusted/ImportModel.h"
 #include "model/ModelFormats.h"
 #include "project/ProjectFile.h"
 

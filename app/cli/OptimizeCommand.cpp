@@ -1,8 +1,8 @@
 #include "cli/Arguments.h"
 #include "project/Project.h"
 
+#include "disk/AtomicFile.h"
 #include "disk/SmallFile.h"
-#include "disk/WholeFile.h"
 #include "pipeline/JobSearch.h"
 #include "pipeline/SolverChoice.h"
 #include "project/ProjectFile.h"
@@ -234,7 +234,7 @@ private:
                                  const SolverRegistry& registry, Console& console) {
         return chooseSolver(parser.isSet(solverOption) ? parser.value(solverOption)
                                                        : project.process.solver,
-                            registry, console.progress().cancelSwitch);
+                            registry, console.progress().cancelToken);
     }
 
     static void makePart(const QCommandLineParser& parser, Console& console) {
@@ -250,13 +250,13 @@ private:
         checkWritable(out);
         const SolverRegistry registry;
         SolverChoice solver = solverOf(parser, project, registry, console);
-        const SearchPart part =
+        const SearchShard part =
             withFallback(solver, registry, [&](const dipwright::solver::SolverModule& module) {
-                return searchPart(searchSubject(project, solver.solver.id), settings, module,
-                                  number, count, console.progress());
+                return searchShard(searchSubject(project, solver.solver.id), settings, module,
+                                   number, count, console.progress());
             });
         printWarnings(solver.notes, console.out());
-        writeWhole(out, [&](QIODevice& device) { device.write(partFile(part)); });
+        writeAtomically(out, [&](QIODevice& device) { device.write(shardFile(part)); });
     }
 
     static void search(const QCommandLineParser& parser, Console& console) {
@@ -268,9 +268,9 @@ private:
         const Project project = projectArgument(parser);
         checkWritable(path); // better now than after the work
         const SearchSettings settings = settingsOf(parser, project);
-        std::vector<SearchPart> parts;
+        std::vector<SearchShard> parts;
         for (const QString& name : parser.values(mergeOption)) {
-            parts.push_back(partFromFile(readSmallFile(name, mostPartBytes), name));
+            parts.push_back(shardFromFile(readSmallFile(name, mostPartBytes), name));
         }
         const SolverRegistry registry;
         SolverChoice solver = solverOf(parser, project, registry, console);

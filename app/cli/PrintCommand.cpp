@@ -1,9 +1,9 @@
 #include "cli/Arguments.h"
 #include "cli/PrintOptions.h"
-#include "sheet/PrinterColour.h"
+#include "sheet/prepress/PrinterColour.h"
 
 #include "base/Png.h"
-#include "disk/WholeFile.h"
+#include "disk/AtomicFile.h"
 #include "pipeline/Pipeline.h"
 #include "project/FilmSizes.h"
 
@@ -100,7 +100,7 @@ void writeProof(const Sheet& sheet, const PrintRequest& request, const QString& 
     const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
     const QImage proof =
         printProof(sheet, printCorrection(request.profile, colour.get()), true).page;
-    writeWhole(path, [&](QIODevice& device) { writePng(proof, device, path); });
+    writeAtomically(path, [&](QIODevice& device) { writePng(proof, device, path); });
 }
 
 void tellGamut(const Sheet& sheet, const PrintRequest& request, QTextStream& out) {

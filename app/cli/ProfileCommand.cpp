@@ -1,7 +1,7 @@
 #include "cli/Arguments.h"
 #include "project/Profiles.h"
 #include "project/Project.h"
-#include "sheet/PrinterColour.h"
+#include "sheet/prepress/PrinterColour.h"
 
 #include "disk/SmallFile.h"
 #include "project/ProfileFields.h"

@@ -262,8 +262,8 @@ public:
         const ThreadLimit threads = threadLimit(parser);
         const SolverRegistry registry;
         Tasks waking; // a GPU takes longer to wake than a project to read
-        waking.run([&, cancelSwitch = console.progress().cancelSwitch] {
-            registry.module(solverToWake(parser, projects.front()), cancelSwitch);
+        waking.run([&, cancelToken = console.progress().cancelToken] {
+            registry.module(solverToWake(parser, projects.front()), cancelToken);
         });
         const JobOptions options = jobOptions(parser);
         if (projects.size() == 1) {

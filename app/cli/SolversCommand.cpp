@@ -52,7 +52,7 @@ public:
     void run(const QCommandLineParser& parser, Console& console) const override {
         requireNoPositionalArgument(parser);
         const SolverRegistry registry;
-        const std::vector<SolverInfo> solvers = registry.solvers(console.progress().cancelSwitch);
+        const std::vector<SolverInfo> solvers = registry.solvers(console.progress().cancelToken);
         if (parser.isSet(jsonOption)) {
             console.out() << QJsonDocument(solversJson(solvers)).toJson();
         } else {

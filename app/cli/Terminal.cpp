@@ -13,7 +13,7 @@ namespace dipwright::cli {
 namespace {
 
 // A signal handler has no other way to reach what it is to change.
-CancelSwitch* signalSwitch = nullptr;
+CancelToken* signalSwitch = nullptr;
 
 extern "C" void onSignal(int number) {
     std::signal(number, SIG_DFL);
@@ -37,8 +37,8 @@ bool standardErrorIsTerminal() {
 #endif
 }
 
-void cancelOnSignals(const CancelSwitch& cancelSwitch) {
-    static CancelSwitch shared = cancelSwitch;
+void cancelOnSignals(const CancelToken& cancelToken) {
+    static CancelToken shared = cancelToken;
     signalSwitch = &shared;
     cancelOn(SIGINT);
     cancelOn(SIGTERM);

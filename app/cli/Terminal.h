@@ -7,8 +7,8 @@ namespace dipwright::cli {
 
 bool standardErrorIsTerminal();
 
-// An interrupt or a request to terminate cancels `cancelSwitch`, a second one ends the program. A
+// An interrupt or a request to terminate cancels `cancelToken`, a second one ends the program. A
 // file grown past the user's limit becomes an error of the write instead of a signal.
-void cancelOnSignals(const CancelSwitch& cancelSwitch);
+void cancelOnSignals(const CancelToken& cancelToken);
 
 } // namespace dipwright::cli

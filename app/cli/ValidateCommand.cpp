@@ -1,7 +1,7 @@
 #include "cli/Arguments.h"
 
 #include "base/Png.h"
-#include "disk/WholeFile.h"
+#include "disk/AtomicFile.h"
 #include "pipeline/SheetCertainty.h"
 #include "pipeline/ValidateJob.h"
 #include "pipeline/WriteResults.h"
@@ -46,7 +46,7 @@ void validateThePhysics(const QCommandLineParser& parser, Console& console) {
     const QString solver =
         parser.isSet(solverOption) ? parser.value(solverOption) : QStringLiteral("auto");
     const std::vector<PhysicsResult> results = validatePhysics(
-        registry.module(solver, console.progress().cancelSwitch), options, console.progress());
+        registry.module(solver, console.progress().cancelToken), options, console.progress());
     if (parser.isSet(jsonOption)) {
         QJsonObject json = physicsJson(results);
         json["solver"] = registry.info(solver).id;
@@ -56,7 +56,7 @@ void validateThePhysics(const QCommandLineParser& parser, Console& console) {
     }
     if (!plot.isEmpty()) {
         const QImage picture = physicsPlot(results, QSize(1400, 700));
-        writeWhole(plot, [&](QIODevice& device) { writePng(picture, device, plot); });
+        writeAtomically(plot, [&](QIODevice& device) { writePng(picture, device, plot); });
     }
     for (const PhysicsResult& result : results) {
         if (!result.passed()) {

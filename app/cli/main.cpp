@@ -1,7 +1,7 @@
 // dipwright-cli: everything the workbench computes, without a display.
 #include "base/ProgramName.h"
 #include "cli/Command.h"
-#include "disk/Unfinished.h"
+#include "disk/UnfinishedWrites.h"
 
 #include <QDir>
 #include <QGuiApplication>
@@ -183,7 +183,7 @@ int main(int argc, char* argv[]) {
     const QGuiApplication application(argc, argv);
     QLocale::setDefault(QLocale::c()); // the command line speaks English, and so do its maps
     dipwright::nameProgram();
-    dipwright::tidyUnfinished();
+    dipwright::recoverUnfinishedWrites();
     dipwright::cli::Console console;
     return dipwright::cli::guardedRun(QCoreApplication::arguments(), console);
 }

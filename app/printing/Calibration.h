@@ -2,7 +2,7 @@
 #pragma once
 
 #include "settings/Profile.h"
-#include "sheet/CalibrationPage.h"
+#include "sheet/page/CalibrationPage.h"
 
 #include <QPageSize>
 

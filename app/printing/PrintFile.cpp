@@ -1,11 +1,11 @@
 #include "printing/PrintFile.h"
 
 #include "base/Error.h"
-#include "disk/WholeFile.h"
+#include "disk/AtomicFile.h"
 #include "printing/PrintReach.h"
-#include "sheet/PrinterColour.h"
-#include "sheet/Separation.h"
-#include "sheet/SheetFiles.h"
+#include "sheet/prepress/PrinterColour.h"
+#include "sheet/prepress/Separation.h"
+#include "sheet/prepress/SheetFiles.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -96,13 +96,13 @@ QStringList writeSheetFile(const Sheet& sheet, const PrintFileRequest& request,
         }
         const TileSettings tiles =
             tileSettings(*request.tilePaper, lostEdges(*request.tilePaper, margins, correction));
-        writeWhole(path,
-                   [&](QIODevice& device) { writeTiledPdf(sheet, tiles, device, correction); });
+        writeAtomically(
+            path, [&](QIODevice& device) { writeTiledPdf(sheet, tiles, device, correction); });
         return warnings;
     }
     const Sheet inside =
         withinReach(sheet, margins, correction, request.acceptClipping, path, warnings);
-    writeWhole(path, [&](QIODevice& device) {
+    writeAtomically(path, [&](QIODevice& device) {
         if (isTiff(path)) {
             writeSheetTiff(inside, device, correction);
         } else {

@@ -3,9 +3,9 @@
 
 #include "printing/PrintHistory.h"
 #include "settings/Profile.h"
-#include "sheet/PrinterColour.h"
-#include "sheet/Sheet.h"
-#include "sheet/TiledSheet.h"
+#include "sheet/page/Sheet.h"
+#include "sheet/prepress/PrinterColour.h"
+#include "sheet/prepress/TiledSheet.h"
 
 #include <QStringList>
 #include <memory>

@@ -1,10 +1,10 @@
 #include "printing/PrintHistory.h"
 
 #include "base/Error.h"
+#include "disk/AtomicFile.h"
 #include "disk/SmallFile.h"
-#include "disk/WholeFile.h"
 #include "project/Project.h"
-#include "sheet/Sheet.h"
+#include "sheet/page/Sheet.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "settings/Profile.h"
-#include "sheet/Sheet.h"
+#include "sheet/page/Sheet.h"
 
 #include <QMarginsF>
 #include <QStringList>

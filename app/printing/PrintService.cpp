@@ -4,11 +4,11 @@
 #include "base/Error.h"
 #include "printing/PrintFile.h"
 #include "printing/PrintReach.h"
-#include "sheet/PdfDocument.h"
-#include "sheet/PrinterColour.h"
-#include "sheet/SheetFiles.h"
-#include "sheet/SheetLayout.h"
-#include "sheet/TiledSheet.h"
+#include "sheet/page/SheetLayout.h"
+#include "sheet/pdf/PdfDocument.h"
+#include "sheet/prepress/PrinterColour.h"
+#include "sheet/prepress/SheetFiles.h"
+#include "sheet/prepress/TiledSheet.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -432,7 +432,7 @@ PrintEnd printPlans(PrintSystem& system, const std::vector<PrintPlan>& plans,
     double done = 0;
     PrintEnd end;
     for (const PrintPlan& plan : plans) {
-        progress.cancelSwitch.throwIfCancelled();
+        progress.cancelToken.throwIfCancelled();
         KeptPrint kept(history, plan.record);
         try {
             const PrintJob job = system.submit(plan.task);

@@ -6,8 +6,8 @@
 #include "printing/PrintHistory.h"
 #include "printing/PrintSystem.h"
 #include "settings/Profile.h"
-#include "sheet/CalibrationPage.h"
-#include "sheet/Sheet.h"
+#include "sheet/page/CalibrationPage.h"
+#include "sheet/page/Sheet.h"
 
 #include <QStringList>
 #include <chrono>

@@ -1,7 +1,7 @@
 #include "reader/Pipe.h"
 
 #include "model/StoredModel.h"
-#include "reader/Confinement.h"
+#include "reader/Sandbox.h"
 
 #include <QDataStream>
 
@@ -42,7 +42,7 @@ void Pipe::hand(const PhotoFacts& facts) {
     send(ReaderMessage::Photo, factsBytes(facts));
 }
 
-void Pipe::hand(const ForeignModel& model) {
+void Pipe::hand(const UntrustedModel& model) {
     QStringList lines;
     for (const QString& warning : model.warnings) {
         lines << warning.simplified();

@@ -1,16 +1,16 @@
-// The way to the program that has started this one (core/import/ReaderMessages.h): over the
+// The way to the program that has started this one (core/import/trusted/ReaderMessages.h): over the
 // standard streams.
 #pragma once
 
 #include "base/Error.h"
-#include "import/ForeignFiles.h"
-#include "import/ReaderMessages.h"
+#include "import/trusted/ReaderMessages.h"
+#include "import/trusted/UntrustedFiles.h"
 
 #include <QFile>
 
 namespace dipwright {
 
-class Pipe : public ForeignFiles {
+class Pipe : public UntrustedFiles {
 public:
     Pipe();
 
@@ -20,8 +20,8 @@ public:
 
     void report(double share, const QString& text);
     void hand(const QImage& picture);
-    void hand(const PhotoFacts& facts);   // before its picture
-    void hand(const ForeignModel& model); // after its pictures
+    void hand(const PhotoFacts& facts);     // before its picture
+    void hand(const UntrustedModel& model); // after its pictures
     void fail(const Error& error);
 
 private:

@@ -1,11 +1,11 @@
 // dipwright-reader: reads one foreign model, or some pictures, in a process that may do nothing but
 // compute, and hands back what it read. Started by core/import/ReaderProcess; of no use by hand.
 #include "base/Budgets.h"
-#include "foreign/ForeignModel.h"
-#include "foreign/PhotoFacts.h"
-#include "foreign/PictureReader.h"
-#include "reader/Confinement.h"
+#include "import/sandboxed/PhotoFacts.h"
+#include "import/sandboxed/PictureReader.h"
+#include "import/sandboxed/UntrustedModel.h"
 #include "reader/Pipe.h"
+#include "reader/Sandbox.h"
 
 #include <QCoreApplication>
 #include <QTranslator>
@@ -28,8 +28,8 @@ bool mayReadUnconfined() {
 void readModel(const ReaderJob& job, Pipe& pipe) {
     const Progress progress{
         [&pipe](double share, const QString& text) { pipe.report(share, text); }, {}};
-    const ForeignModel model =
-        readForeignModel(job.names.value(0), pipe, job.withTextures, progress);
+    const UntrustedModel model =
+        readUntrustedModel(job.names.value(0), pipe, job.withTextures, progress);
     for (const QImage& picture : model.mesh.textures) {
         pipe.hand(picture);
     }
@@ -83,7 +83,7 @@ int main(int argc, char* argv[]) {
         QCoreApplication::installTranslator(&translator);
     }
     PictureReader::prepare();
-    if (confine() || mayReadUnconfined()) {
+    if (enterSandbox() || mayReadUnconfined()) {
         read(job, pipe);
     } else {
         pipe.fail(Error(Text::tr("The program that reads models and pictures cannot be kept from "

@@ -1,4 +1,4 @@
-// dipwright-solver: one solver's module in a process of its own (core/solver/ContainedSolver.h).
+// dipwright-solver: one solver's module in a process of its own (core/solver/OutOfProcessSolver.h).
 // Not for users: it is started by the programs.
 #include "solver/SolverServer.h"
 #include "solving/Pipes.h"

@@ -1,7 +1,7 @@
 #include "DipView.h"
 
 #include "ViewScene.h"
-#include "base/HandOver.h"
+#include "base/PostToThread.h"
 
 #include <QContextMenuEvent>
 #include <QLabel>
@@ -81,16 +81,16 @@ DipView::DipView(QWidget* parent) : QWidget(parent), state_(std::make_unique<Sta
     s.drawer.moveToThread(&s.thread);
     s.thread.setObjectName(QStringLiteral("view"));
     s.thread.start();
-    handOver(s.drawer, [this, &s] {
+    postToThread(s.drawer, [this, &s] {
         s.scene = std::make_unique<ViewScene>(
-            s.window, [this] { handOver(*this, [this] { requestPicture(); }); });
+            s.window, [this] { postToThread(*this, [this] { requestPicture(); }); });
     });
 }
 
 DipView::~DipView() {
     State& s = *state_;
     if (isUsable()) {
-        handOverAndWait(s.drawer, [&s] { s.scene.reset(); });
+        postToThreadAndWait(s.drawer, [&s] { s.scene.reset(); });
         s.thread.quit();
         s.thread.wait();
     }
@@ -115,7 +115,8 @@ bool DipView::isSoftwareRendered() const {
 
 void DipView::change(std::function<void(ViewScene&)> what) {
     if (isUsable()) {
-        handOver(state_->drawer, [s = state_.get(), what = std::move(what)] { what(*s->scene); });
+        postToThread(state_->drawer,
+                     [s = state_.get(), what = std::move(what)] { what(*s->scene); });
         requestPicture();
     }
 }
@@ -268,8 +269,8 @@ void DipView::requestPicture() {
 void DipView::draw() {
     State& s = *state_;
     s.drawing = true;
-    handOver(s.drawer, [this, &s] {
-        handOver(*this, [this, picture = s.scene->draw()] {
+    postToThread(s.drawer, [this, &s] {
+        postToThread(*this, [this, picture = s.scene->draw()] {
             state_->drawing = false;
             take(picture);
         });
@@ -297,7 +298,7 @@ QImage DipView::picture() {
         return {};
     }
     ViewPicture picture;
-    handOverAndWait(state_->drawer, [this, &picture] { picture = state_->scene->draw(); });
+    postToThreadAndWait(state_->drawer, [this, &picture] { picture = state_->scene->draw(); });
     take(picture);
     return picture.image;
 }
@@ -368,7 +369,7 @@ void DipView::updateSize() {
 
 void DipView::sendMouse(const ViewMouse& mouse) {
     if (isUsable()) {
-        handOver(state_->drawer, [s = state_.get(), mouse] { s->scene->mouse(mouse); });
+        postToThread(state_->drawer, [s = state_.get(), mouse] { s->scene->mouse(mouse); });
     }
 }
 

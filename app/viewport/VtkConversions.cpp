@@ -1,6 +1,6 @@
 #include "VtkConversions.h"
 
-#include "base/WideColour.h"
+#include "base/WideGamut.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,7 +1,7 @@
 #include "artwork/LayerPicture.h"
 
 #include "artwork/Patterns.h"
-#include "base/WideColour.h"
+#include "base/WideGamut.h"
 #include "parallel/ParallelFor.h"
 
 #include <QFont>

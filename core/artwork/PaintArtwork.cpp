@@ -5,7 +5,7 @@
 #include "artwork/Unwrap.h"
 #include "base/Budgets.h"
 #include "base/Error.h"
-#include "base/WideColour.h"
+#include "base/WideGamut.h"
 #include "geometry/SurfaceQuery.h"
 #include "parallel/ParallelFor.h"
 #include "texture/SurfaceColours.h"
@@ -153,7 +153,7 @@ QImage bake(const TexturedMesh& model, const Unwrapping& charts, const Ground& g
     unsigned char* bits = picture.bits();
     const auto stride = picture.bytesPerLine();
     parallelFor(0, charts.height, [&](int row) {
-        progress.cancelSwitch.throwIfCancelled();
+        progress.cancelToken.throwIfCancelled();
         std::uint32_t last = Unwrapping::nobody;
         std::optional<Weights> weights;
         Eigen::Vector3d outward = Eigen::Vector3d::Zero();
@@ -198,7 +198,7 @@ SurfaceAppearance baked(const TexturedMesh& model, const Artwork& artwork, Paint
     std::vector<std::unique_ptr<const Layer>> layers;
     for (const ArtworkLayer& layer : artwork.layers) {
         if (isShown(layer)) {
-            progress.cancelSwitch.throwIfCancelled();
+            progress.cancelToken.throwIfCancelled();
             layers.push_back(
                 std::make_unique<const Layer>(layer, model.mesh, query, charts.texel, wide));
         }

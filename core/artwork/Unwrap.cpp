@@ -87,7 +87,7 @@ public:
         std::vector<std::uint8_t> taken(mesh_.triangles.size());
         const auto begin = [&](std::uint32_t seed) {
             while (!taken[seed]) { // until the chart that it begins has it
-                progress_.cancelSwitch.throwIfCancelled();
+                progress_.cancelToken.throwIfCancelled();
                 charts_.push_back(grown(seed, taken));
             }
         };

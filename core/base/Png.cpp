@@ -2,7 +2,7 @@
 
 #include "base/Bytes.h"
 #include "base/Error.h"
-#include "base/WideColour.h"
+#include "base/WideGamut.h"
 #include "parallel/ParallelFor.h"
 
 #include <QColorSpace>

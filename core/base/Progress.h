@@ -16,7 +16,7 @@ public:
 };
 
 // A switch shared by who cancels and who works. Copies share the same switch. Any thread.
-class CancelSwitch {
+class CancelToken {
 public:
     void cancel() { *flag_ = true; }
     bool isCancelled() const { return *flag_; }
@@ -34,20 +34,20 @@ private:
 // the share done of this piece (0 … 1) and what is being done, at most some hundred times a second.
 struct Progress {
     std::function<void(double, const QString&)> report;
-    CancelSwitch cancelSwitch;
+    CancelToken cancelToken;
 
     // Reports and throws Cancelled when cancelled.
     void operator()(double share, const QString& text) const {
-        cancelSwitch.throwIfCancelled();
+        cancelToken.throwIfCancelled();
         if (report) {
             report(share, text);
         }
     }
     // Cancelled together with this piece, and reports nothing: for what goes on beside it.
-    Progress silent() const { return {nullptr, cancelSwitch}; }
+    Progress silent() const { return {nullptr, cancelToken}; }
     // The part from `begin` to `end` of this piece as a piece of its own.
     Progress part(double begin, double end) const {
-        Progress inner{nullptr, cancelSwitch};
+        Progress inner{nullptr, cancelToken};
         if (report) {
             inner.report = [outer = report, begin, end](double share, const QString& text) {
                 outer(begin + share * (end - begin), text);

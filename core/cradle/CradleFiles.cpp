@@ -1,6 +1,6 @@
 #include "cradle/CradleFiles.h"
 
-#include "disk/ArchiveWriter.h"
+#include "disk/ZipWriter.h"
 
 #include <QDataStream>
 #include <QIODevice>
@@ -102,9 +102,9 @@ QByteArray cradleStl(const Cradle& cradle) {
 
 QByteArray cradle3mf(const Cradle& cradle, const QString& title) {
     const TriangleMesh mesh = transformed(cradle.mesh, cradle.poseToPrinter);
-    ArchiveWriter archive;
+    ZipWriter archive;
     const auto add = [&](const char* name, const QByteArray& contents) {
-        archive.add(QLatin1String(name), contents, ArchiveWriter::Packing::Deflated);
+        archive.add(QLatin1String(name), contents, ZipWriter::Packing::Deflated);
     };
     add("[Content_Types].xml", contentTypes);
     add("_rels/.rels", relationships);

@@ -199,7 +199,7 @@ template <typename Change>
 void forEachColumn(DistanceField& grid, const Progress& progress, const Change& change) {
     const auto columns = std::size_t(grid.size[0]), rows = std::size_t(grid.size[1]);
     parallelFor(0, grid.size[2], [&](int k) {
-        progress.cancelSwitch.throwIfCancelled();
+        progress.cancelToken.throwIfCancelled();
         std::vector<double> values(rows);
         for (int i = 0; i < grid.size[0]; ++i) {
             float* const column =

@@ -2,7 +2,7 @@
 
 #include "dip/LaidFilm.h"
 #include "dip/Pose.h"
-#include "sheet/SheetLayout.h"
+#include "sheet/page/SheetLayout.h"
 
 #include <QTransform>
 

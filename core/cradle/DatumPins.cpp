@@ -1,7 +1,7 @@
 #include "cradle/DatumPins.h"
 
 #include "settings/FilmSettings.h"
-#include "sheet/SheetLayout.h"
+#include "sheet/page/SheetLayout.h"
 
 #include <algorithm>
 

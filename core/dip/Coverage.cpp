@@ -74,7 +74,7 @@ double coverageTogether(const std::vector<std::shared_ptr<const LaidFilm>>& film
     const std::vector<SurfacePoint> samples = evenSamples(mesh, surfaceArea(mesh) / samplesOfBody);
     std::vector<std::uint8_t> painted(samples.size());
     parallelFor(std::size_t(0), samples.size(), [&](std::size_t sample) {
-        progress.cancelSwitch.throwIfCancelled();
+        progress.cancelToken.throwIfCancelled();
         painted[sample] = std::any_of(films.begin(), films.end(), [&](const auto& laid) {
             return laid->place(samples[sample]).has_value();
         });

@@ -60,7 +60,7 @@ public:
 
     void toTheEnd(const Progress& progress, const FilmObserver& observer) {
         if (auto* film = dynamic_cast<StoppableFilm*>(solver_.get())) {
-            film->stopOn([user = progress.cancelSwitch] { return user.isCancelled(); });
+            film->stopOn([user = progress.cancelToken] { return user.isCancelled(); });
         }
         timed([&] { solver_->begin(dip_.setup); });
         Clock::time_point lastShown = Clock::now() - observerInterval;

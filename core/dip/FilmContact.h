@@ -1,5 +1,5 @@
-// Which film is on the body for good, and where each of its points lies there. LocateFilm.h finds
-// it.
+// Which film is on the body for good, and where each of its points lies there. FilmThatPaints.h
+// finds it.
 #pragma once
 
 #include "geometry/TriangleMesh.h"

@@ -1,7 +1,7 @@
 #include "disk/FileLock.h"
 
 #include "base/Bytes.h"
-#include "disk/WholeFile.h"
+#include "disk/AtomicFile.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -62,7 +62,7 @@ LockState FileLock::acquire(const QString& path) {
     if (path.isEmpty()) {
         return {};
     }
-    note_ = std::make_unique<UnfinishedNote>(lockPath(path));
+    note_ = std::make_unique<UnfinishedWrite>(lockPath(path));
     auto file = std::make_unique<LockedFile>();
     switch (file->open(lockPath(path))) {
     case LockedFile::Outcome::HeldByAnother:

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "disk/LockedFile.h"
-#include "disk/Unfinished.h"
+#include "disk/UnfinishedWrites.h"
 
 #include <QString>
 #include <memory>
@@ -32,7 +32,7 @@ public:
     bool isHeld() const { return file_ != nullptr; }
 
 private:
-    std::unique_ptr<UnfinishedNote> note_;
+    std::unique_ptr<UnfinishedWrite> note_;
     std::unique_ptr<LockedFile> file_;
 };
 

@@ -60,10 +60,10 @@ class DistanceSweep {
 public:
     DistanceSweep(DistanceField& field, const SurfaceQuery& query) : field_(field), query_(query) {}
 
-    void refine(int stride, const CancelSwitch& cancelSwitch) {
+    void refine(int stride, const CancelToken& cancelToken) {
         const int planes = (field_.size[2] + stride - 1) / stride;
         parallelFor(0, planes, [&](int plane) {
-            cancelSwitch.throwIfCancelled();
+            cancelToken.throwIfCancelled();
             for (int j = 0; j < field_.size[1]; j += stride) {
                 refineRow(j, plane * stride, stride);
             }
@@ -319,7 +319,7 @@ DistanceField buildDistanceField(const TriangleMesh& body, int resolution,
     DistanceSweep sweep(field, query);
     for (int stride = coarsestStride; stride > 0; stride /= 2) {
         progress(0.5 / stride, what);
-        sweep.refine(stride, progress.cancelSwitch);
+        sweep.refine(stride, progress.cancelToken);
     }
     progress(0.9, what);
     applySigns(field, InsideVotes(body, field));

@@ -1,7 +1,7 @@
 #include "geometry/DistanceField.h"
 
 #include "base/Sha256.h"
-#include "disk/WholeFile.h"
+#include "disk/AtomicFile.h"
 
 #include <QDataStream>
 #include <QDateTime>
@@ -110,7 +110,7 @@ void store(const QString& path, const DistanceField& field) {
         return;
     }
     makeRoom(folder, bytes);
-    WholeFile file(path);
+    AtomicFile file(path);
     if (!file.open().isEmpty()) {
         return;
     }

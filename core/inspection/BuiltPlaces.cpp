@@ -1,7 +1,7 @@
 #include "inspection/BuiltPlaces.h"
 
+#include "accuracy/correction/SheetCorrection.h"
 #include "base/Error.h"
-#include "correction/SheetCorrection.h"
 
 #include <Eigen/LU>
 #include <Eigen/SVD>

@@ -1,6 +1,6 @@
 #include "inspection/FilmFitFiles.h"
 
-#include "disk/ResultFolder.h"
+#include "disk/FolderTransaction.h"
 #include "project/Profiles.h"
 #include "project/Project.h"
 
@@ -156,7 +156,7 @@ QStringList fitCells(const FittedQuantity& found) {
 
 void writeFilmFit(const FilmFit& fit, const FitPairs& pairs, const std::vector<FittedPhoto>& photos,
                   const WatchNotes& notes, const QString& folder) {
-    ResultFolder files(folder, {jsonName, tableName});
+    FolderTransaction files(folder, {jsonName, tableName});
     files.write(jsonName, jsonOf(fit, pairs, photos, notes));
     files.write(tableName, tableOf(fit, pairs));
     files.commit();

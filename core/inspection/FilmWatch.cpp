@@ -2,7 +2,7 @@
 
 #include "base/Error.h"
 #include "project/Profiles.h"
-#include "sheet/WatchPage.h"
+#include "sheet/page/WatchPage.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -1,9 +1,9 @@
 #include "inspection/FilmWatchFiles.h"
 
 #include "base/Png.h"
-#include "disk/ResultFolder.h"
+#include "disk/FolderTransaction.h"
 #include "results/Results.h"
-#include "sheet/CodedBoard.h"
+#include "sheet/page/CodedBoard.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -251,7 +251,7 @@ QImage unevennessMap(const WatchedPhoto& photo, int height) {
 
 void writeFilmWatch(const FilmWatch& watch, const WatchNotes& notes, const QString& folder) {
     constexpr int height = 1400; // pixels
-    ResultFolder files(folder, filmWatchFiles());
+    FolderTransaction files(folder, filmWatchFiles());
     files.write(jsonName, QJsonDocument(toJson(watch, notes)).toJson());
     files.write(tableName, tableOf(watch));
     files.write(mapName, pngBytes(unevennessMap(watch.photos.back(), height), mapName));

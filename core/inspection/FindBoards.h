@@ -1,7 +1,7 @@
-// Chessboards with dots (sheet/CodedBoard.h) in a photo.
+// Chessboards with dots (sheet/page/CodedBoard.h) in a photo.
 #pragma once
 
-#include "sheet/CodedBoard.h"
+#include "sheet/page/CodedBoard.h"
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 // fit").
 #pragma once
 
-#include "tolerance/Contributors.h"
+#include "accuracy/tolerance/Contributors.h"
 
 #include <QString>
 #include <vector>

@@ -4,7 +4,7 @@
 #include "base/Units.h"
 #include "inspection/LeastSquares.h"
 #include "inspection/LinearProjection.h"
-#include "sheet/WatchPage.h"
+#include "sheet/page/WatchPage.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

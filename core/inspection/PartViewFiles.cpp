@@ -2,7 +2,7 @@
 
 #include "base/Error.h"
 #include "base/Png.h"
-#include "disk/ResultFolder.h"
+#include "disk/FolderTransaction.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -268,7 +268,7 @@ void writePartView(const std::vector<PartPhoto>& photos, const std::vector<Place
     for (std::size_t i = 0; i < std::size_t(mostPhotos); ++i) {
         names << photoName(i); // those of an earlier run with more photos go
     }
-    ResultFolder files(folder, names);
+    FolderTransaction files(folder, names);
     files.write(json, jsonOf(photos, view));
     files.write(figures, figuresTable(photos, pairs, view));
     files.write(table, tableOf(pairs, view));

@@ -1,7 +1,7 @@
 #include "inspection/PrintedCorners.h"
 
 #include "artwork/PaintArtwork.h"
-#include "base/WideColour.h"
+#include "base/WideGamut.h"
 #include "inspection/CornerGrid.h"
 #include "inspection/RefineCorner.h"
 #include "project/Project.h"

@@ -1,9 +1,9 @@
 #include "inspection/SimulatedPlaces.h"
 
+#include "accuracy/tolerance/ChangedDips.h"
 #include "base/Error.h"
 #include "dip/Dip.h"
 #include "project/Project.h"
-#include "tolerance/ChangedDips.h"
 
 #include <QCoreApplication>
 

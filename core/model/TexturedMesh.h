@@ -27,7 +27,7 @@ struct SurfaceAppearance {
     // with the same texture coordinates on both sides of each and the same material, joins them.
     std::vector<std::uint32_t> chart;
     std::vector<Material> materials; // at least one
-    std::vector<QImage> textures;    // Format_RGBA8888 in sRGB, or wide (base/WideColour.h)
+    std::vector<QImage> textures;    // Format_RGBA8888 in sRGB, or wide (base/WideGamut.h)
 
     bool hasTextureCoordinates(std::size_t triangle) const;
     Eigen::Vector2f textureCoordinate(const SurfacePoint& point) const; // NaN where none

@@ -24,7 +24,7 @@ std::shared_ptr<const LaidFilm> dippedDeeper(const JobResult& result, std::size_
                                              const Progress& progress) {
     const Project& project = result.project;
     const ImmersionResult& dip = result.immersions[immersion];
-    SolverChoice solver = chooseSolver(result.chosenSolver, registry, progress.cancelSwitch);
+    SolverChoice solver = chooseSolver(result.chosenSolver, registry, progress.cancelToken);
     const auto field = result.field ? result.field
                                     : cachedDistanceField(result.fieldInputs.model->mesh,
                                                           result.fieldInputs.resolution,
@@ -35,7 +35,7 @@ std::shared_ptr<const LaidFilm> dippedDeeper(const JobResult& result, std::size_
     dips[0].setup =
         dipSetup(*dip.body, *field, dip.immersion, project.film, dip.laid->film().grid, process);
     withFallback(solver, registry, [&](const solver::SolverModule& module) {
-        simulateDips(dips, module, [&] { return progress.cancelSwitch.isCancelled(); });
+        simulateDips(dips, module, [&] { return progress.cancelToken.isCancelled(); });
     });
     return layFilm(dip.body, dippedFilm(dips[0], dip.immersion), process);
 }

@@ -1,8 +1,8 @@
 #include "pipeline/JobPacking.h"
 
 #include "base/Bytes.h"
-#include "disk/ResultFolder.h"
-#include "sheet/SheetFiles.h"
+#include "disk/FolderTransaction.h"
+#include "sheet/prepress/SheetFiles.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -115,16 +115,16 @@ QStringList filmsText(const PackedFilms& films) {
 }
 
 void checkFilmsFolder(const QString& folder) {
-    ResultFolder(folder, filmFiles());
+    FolderTransaction(folder, filmFiles());
 }
 
 void writeFilms(const PackedFilms& films, const QString& folder, const Progress& progress) {
-    ResultFolder results(folder, filmFiles());
+    FolderTransaction results(folder, filmFiles());
     const std::size_t count = films.plan.films.size();
     QJsonArray list;
     for (std::size_t number = 0; number < count; ++number) {
         progress(double(number) / double(count), Text::tr("Writing film %1").arg(number + 1));
-        progress.cancelSwitch.throwIfCancelled();
+        progress.cancelToken.throwIfCancelled();
         const Sheet sheet = sheetOf(films, number);
         results.write(filmFile(number, "png"),
                       bytesOf([&](QIODevice& device) { writeSheetPng(sheet, device); }));
@@ -140,7 +140,7 @@ void writeFilms(const PackedFilms& films, const QString& folder, const Progress&
                              {"films", list}};
     results.write(reportFile, QJsonDocument(report).toJson());
     progress(1, Text::tr("Moving the results in place"));
-    progress.cancelSwitch.throwIfCancelled();
+    progress.cancelToken.throwIfCancelled();
     results.commit();
 }
 

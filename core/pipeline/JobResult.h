@@ -1,17 +1,17 @@
 // What a run of the main job has come to.
 #pragma once
 
-#include "certainty/LawChange.h"
-#include "certainty/Verdict.h"
+#include "accuracy/certainty/LawChange.h"
+#include "accuracy/certainty/Verdict.h"
+#include "accuracy/tolerance/Zones.h"
 #include "cradle/Cradle.h"
 #include "dip/Coverage.h"
 #include "pipeline/StepInputs.h"
 #include "project/Project.h"
 #include "share/BodyShare.h"
-#include "sheet/Sheet.h"
+#include "sheet/page/Sheet.h"
 #include "solver/SolverRegistry.h"
 #include "texture/ReadBack.h"
-#include "tolerance/Zones.h"
 
 namespace dipwright {
 
@@ -34,7 +34,8 @@ struct ImmersionResult {
     std::shared_ptr<const ReverseTexture> texture;
     Sheet sheet;
     // mm² of the part that the inks of the project's printer leave visibly too pale
-    // (sheet/Separation.h); none: it is no printer of inks that are compensated one by one.
+    // (sheet/prepress/Separation.h); none: it is no printer of inks that are compensated one by
+    // one.
     std::optional<double> inkShortfall;
 };
 

@@ -5,7 +5,7 @@
 #include "pipeline/StepInputs.h"
 #include "project/Project.h"
 #include "settings/Immersion.h"
-#include "sheet/Separation.h"
+#include "sheet/prepress/Separation.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>

@@ -1,7 +1,7 @@
 // The sheet of one immersion: its film image with the job line that tells it from every other.
 #pragma once
 
-#include "sheet/Sheet.h"
+#include "sheet/page/Sheet.h"
 
 namespace dipwright {
 
@@ -12,7 +12,7 @@ struct Immersion;
 struct PrintedFilm {
     QImage colours;
     QImage white = {};                // tints of the white layer, Grayscale8, not choked yet
-    QImage wanted = {}, stretch = {}; // as of WantedInk (sheet/Sheet.h)
+    QImage wanted = {}, stretch = {}; // as of WantedInk (sheet/page/Sheet.h)
     std::vector<QImage> spots = {};   // tints of the artwork's spot inks, in their order
 };
 

@@ -13,7 +13,7 @@ constexpr float mostColour = 0.5f; // from where on a dip's colour is the one th
 JobTolerances jobTolerances(const JobResult& result, const ToleranceSettings& settings,
                             const SolverRegistry& registry, const Progress& progress) {
     const Project& project = result.project;
-    SolverChoice solver = chooseSolver(result.chosenSolver, registry, progress.cancelSwitch);
+    SolverChoice solver = chooseSolver(result.chosenSolver, registry, progress.cancelToken);
     const auto field = result.field ? result.field
                                     : cachedDistanceField(result.fieldInputs.model->mesh,
                                                           result.fieldInputs.resolution,

@@ -46,8 +46,8 @@ Traveller jobTraveller(const JobResult& result, const Progress& progress) {
     traveller.profiles = project.profiles;
     traveller.pins =
         datumPins(result.immersions.front().sheet, project.film, project.cradle.pinSpan);
-    const std::vector<WornFilm> dipped = wornFilms(result.immersions, false);
-    std::vector<WornFilm> films;
+    const std::vector<FilmAppearance> dipped = filmAppearances(result.immersions, false);
+    std::vector<FilmAppearance> films;
     for (std::size_t i = 0; i < result.immersions.size(); ++i) {
         const ImmersionResult& immersion = result.immersions[i];
         const Cradle* cradle = i < result.cradles.size() ? &result.cradles[i] : nullptr;

@@ -42,7 +42,7 @@ Project withValue(Project project, const Field<Project>& field, double value) {
 std::vector<LawChange> lawChanges(const Project& project, const Immersion& immersion,
                                   const std::shared_ptr<const PosedBody>& body, const LaidFilm& own,
                                   const DistanceField& field, const solver::SolverModule& module,
-                                  const CancelSwitch& cancelSwitch) {
+                                  const CancelToken& cancelToken) {
     std::vector<LawChange> changes;
     std::vector<Project> jobs; // two a law: less and more
     std::vector<solver::BatchItem> dips;
@@ -61,9 +61,9 @@ std::vector<LawChange> lawChanges(const Project& project, const Immersion& immer
         }
         changes.push_back(change);
     }
-    simulateDips(dips, module, [&] { return cancelSwitch.isCancelled(); });
+    simulateDips(dips, module, [&] { return cancelToken.isCancelled(); });
     const auto laid = [&](std::size_t dip) {
-        cancelSwitch.throwIfCancelled();
+        cancelToken.throwIfCancelled();
         DippedFilm film = dippedFilm(dips[dip], immersion);
         if (!isStable(film, dips[dip].setup.motion.travel)) {
             throw Error(Text::tr("With a law varied the film does not follow the body; give the "

@@ -2,11 +2,11 @@
 // immersion, for who asks.
 #pragma once
 
-#include "certainty/LawChange.h"
+#include "accuracy/certainty/LawChange.h"
 
 namespace dipwright {
 
-class CancelSwitch;
+class CancelToken;
 class LaidFilm;
 struct Immersion;
 struct PosedBody;
@@ -18,10 +18,10 @@ inline constexpr double lawVariation = 0.2; // of a law's value, to either side
 
 // Dips immersion `own` is of again, with each law varied as far as its setting goes, as a batch;
 // overhang, fading grip, tearing and gathering, in this order. Throws Error when the solver fails
-// or a varied film does not follow the body, Cancelled soon after `cancelSwitch`.
+// or a varied film does not follow the body, Cancelled soon after `cancelToken`.
 std::vector<LawChange> lawChanges(const Project& project, const Immersion& immersion,
                                   const std::shared_ptr<const PosedBody>& body, const LaidFilm& own,
                                   const DistanceField& field, const solver::SolverModule& module,
-                                  const CancelSwitch& cancelSwitch);
+                                  const CancelToken& cancelToken);
 
 } // namespace dipwright

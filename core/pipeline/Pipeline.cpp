@@ -1,10 +1,10 @@
 #include "pipeline/Pipeline.h"
 
+#include "accuracy/correction/SheetCorrection.h"
 #include "artwork/EditArtwork.h"
 #include "artwork/PaintArtwork.h"
 #include "base/Error.h"
-#include "base/WideColour.h"
-#include "correction/SheetCorrection.h"
+#include "base/WideGamut.h"
 #include "film/FilmGrid.h"
 #include "parallel/Tasks.h"
 #include "pipeline/JobCradles.h"
@@ -15,8 +15,8 @@
 #include "pipeline/SolverChoice.h"
 #include "project/Profiles.h"
 #include "results/Results.h"
-#include "sheet/PrinterColour.h"
-#include "sheet/Separation.h"
+#include "sheet/prepress/PrinterColour.h"
+#include "sheet/prepress/Separation.h"
 #include "texture/Chessboard.h"
 #include "texture/StretchPlane.h"
 
@@ -50,7 +50,7 @@ struct Run {
     const SolverRegistry& registry;
     const JobOptions& options;
     const JobResult* previous; // may be null
-    CancelSwitch user;
+    CancelToken user;
 
     const ImmersionResult* earlier(std::size_t number) const {
         return previous && number < previous->immersions.size() ? &previous->immersions[number]
@@ -202,7 +202,7 @@ struct Comparison {
 
 // Begins it and keeps references to all but the result and the solver's id.
 void compare(Comparison& comparison, const Run& run, const ImmersionResult& result,
-             const DistanceField& field, const QString& solver, const CancelSwitch& left) {
+             const DistanceField& field, const QString& solver, const CancelToken& left) {
     comparison.dips.run([&, solver, body = result.body, immersion = result.immersion] {
         const auto isCancelled = [&] { return left.isCancelled() || run.user.isCancelled(); };
         // Else its own loops might take up the piece of work that waits for it.
@@ -218,7 +218,7 @@ void compare(Comparison& comparison, const Run& run, const ImmersionResult& resu
 // beside it on the processor; on a GPU, which it would have to share with them, after it.
 ImmersionResult dippedImmersion(const Run& run, std::size_t number, const SheetInputs& inputs,
                                 const JobResult& job, SolverChoice& solver, Comparison& comparison,
-                                const CancelSwitch& left, const Progress& progress) {
+                                const CancelToken& left, const Progress& progress) {
     const DistanceField* field = job.field.get();
     const ImmersionResult* earlier = run.earlier(number);
     const bool isDipped = hasDipped(earlier, inputs.texture.dip);
@@ -341,7 +341,7 @@ void varyLaws(JobResult& result, const Run& run, SolverChoice& solver, const Pro
         progress(double(number) / double(result.immersions.size()), Text::tr("Varying the laws"));
         immersion.laws = withFallback(solver, run.registry, [&](const auto& module) {
             return lawChanges(run.project, immersion.immersion, immersion.body, *immersion.laid,
-                              *field, module, progress.cancelSwitch);
+                              *field, module, progress.cancelToken);
         });
     }
 }
@@ -384,7 +384,7 @@ QImage proofOf(const ProofStage& stage, const std::vector<ImmersionResult>& imme
     ProofOptions options;
     options.ink = inputs.texture.printedInk();
     options.ground = groundOf(inputs.settings, inputs.baseColour);
-    return proofPicture(stage, wornFilms(immersions, white), options, progress);
+    return proofPicture(stage, filmAppearances(immersions, white), options, progress);
 }
 
 // Null where the dips do not share the body out.
@@ -430,7 +430,7 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
     const bool hasProof = hasProofOf(run.previous, inputs);
     const bool hasCoverage = hasProof && !hasOldNames(run.previous, inputs);
     // Before the tasks that use them: with an exception these are waited for first.
-    CancelSwitch left; // with an exception: the comparisons are not finished
+    CancelToken left; // with an exception: the comparisons are not finished
     std::shared_ptr<const ProofStage> stage;
     std::vector<Comparison> comparisons(inputs.size());
     Tasks sheets;
@@ -510,11 +510,11 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
         throw Error(Text::tr("The project has no model, import one first"), project.name);
     }
     checkSpots(project);
-    const Run run{project, registry, options, previous, progress.cancelSwitch};
+    const Run run{project, registry, options, previous, progress.cancelToken};
     JobResult result;
     result.project = project;
     result.wantedSolver = options.solver.isEmpty() ? project.process.solver : options.solver;
-    SolverChoice solver = chooseSolver(result.wantedSolver, registry, progress.cancelSwitch);
+    SolverChoice solver = chooseSolver(result.wantedSolver, registry, progress.cancelToken);
     result.chosenSolver = solver.solver.id;
     result.notes = std::exchange(solver.notes, {});
 

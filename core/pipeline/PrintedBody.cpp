@@ -2,8 +2,9 @@
 
 namespace dipwright {
 
-std::vector<WornFilm> wornFilms(const std::vector<ImmersionResult>& immersions, bool white) {
-    std::vector<WornFilm> films;
+std::vector<FilmAppearance> filmAppearances(const std::vector<ImmersionResult>& immersions,
+                                            bool white) {
+    std::vector<FilmAppearance> films;
     for (const ImmersionResult& immersion : immersions) {
         films.push_back({immersion.laid, immersion.texture->image});
         films.back().white = white ? immersion.texture->white : QImage();

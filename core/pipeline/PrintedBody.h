@@ -8,7 +8,8 @@ namespace dipwright {
 
 // The film of each dip with its picture and its spot inks, and with its white where that is to be
 // seen.
-std::vector<WornFilm> wornFilms(const std::vector<ImmersionResult>& immersions, bool white);
+std::vector<FilmAppearance> filmAppearances(const std::vector<ImmersionResult>& immersions,
+                                            bool white);
 
 // What the ink is seen on, of a body of `baseColour` ("#rrggbb"; empty: none of its own).
 Ground groundOf(const SheetSettings& sheet, const QString& baseColour);

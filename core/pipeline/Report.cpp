@@ -1,6 +1,6 @@
 #include "pipeline/Report.h"
 
-#include "correction/RepeatingError.h"
+#include "accuracy/correction/RepeatingError.h"
 #include "project/Profiles.h"
 
 #include "pipeline/JobTolerances.h"

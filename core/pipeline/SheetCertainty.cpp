@@ -5,7 +5,7 @@
 #include "dip/Dip.h"
 #include "dip/FilmUnderBody.h"
 #include "dip/LaidFilm.h"
-#include "disk/ResultFolder.h"
+#include "disk/FolderTransaction.h"
 #include "film/FilmGrid.h"
 #include "pipeline/SolverChoice.h"
 #include "project/FilmSizes.h"
@@ -120,7 +120,7 @@ sheetCertainty(const Project& project, const SolverRegistry& registry, const Pro
         throw Error(Text::tr("The project has no model, import one first"), project.name);
     }
     withHalfSpacing(project); // refuses before any work
-    SolverChoice solver = chooseSolver(project.process.solver, registry, progress.cancelSwitch);
+    SolverChoice solver = chooseSolver(project.process.solver, registry, progress.cancelToken);
     const auto field = cachedDistanceField(project.model->mesh, project.fieldResolution,
                                            progress.part(0, fieldDone));
     std::vector<ImmersionCertainty> result;
@@ -146,12 +146,12 @@ QStringList mapNames() {
 } // namespace
 
 void checkMapFolder(const QString& folder) {
-    const ResultFolder trial(folder, mapNames());
+    const FolderTransaction trial(folder, mapNames());
 }
 
 void writeCertaintyMaps(const std::vector<ImmersionCertainty>& certainty, const QString& folder) {
     const QStringList names = mapNames();
-    ResultFolder results(folder, names);
+    FolderTransaction results(folder, names);
     for (std::size_t number = 0; number < certainty.size(); ++number) {
         const QString& name = names[qsizetype(number)];
         results.write(name, pngBytes(mapOf(certainty[number]), name));

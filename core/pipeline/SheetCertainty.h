@@ -1,8 +1,8 @@
 // How certain a job's sheets are: how far they move when the same dips are computed more finely.
 #pragma once
 
+#include "accuracy/certainty/SheetChange.h"
 #include "base/Units.h"
-#include "certainty/SheetChange.h"
 #include "settings/Immersion.h"
 #include "solver/SolverRegistry.h"
 
@@ -40,8 +40,8 @@ std::vector<ImmersionCertainty>
 sheetCertainty(const Project& project, const SolverRegistry& registry, const Progress& progress);
 
 // Writes the maps into `folder`, certainty-N.png for immersion N, in place of those of an earlier
-// check; other files are left alone. All of them or none (disk/ResultFolder.h). Throws Error, and
-// so does checkMapFolder where this could not be: worth asking before the work.
+// check; other files are left alone. All of them or none (disk/FolderTransaction.h). Throws Error,
+// and so does checkMapFolder where this could not be: worth asking before the work.
 void checkMapFolder(const QString& folder);
 void writeCertaintyMaps(const std::vector<ImmersionCertainty>& certainty, const QString& folder);
 

@@ -12,12 +12,12 @@ struct Text {
 // The CPU solver of the highest priority that can run here, in the place of `solver`, if that needs
 // a GPU.
 std::optional<SolverInfo> cpuInPlaceOf(const SolverInfo& solver, const SolverRegistry& registry,
-                                       const CancelSwitch& cancelSwitch) {
+                                       const CancelToken& cancelToken) {
     std::optional<SolverInfo> best;
     if (solver.deviceKind != QLatin1String("gpu")) {
         return best;
     }
-    for (const SolverInfo& candidate : registry.solvers(cancelSwitch)) {
+    for (const SolverInfo& candidate : registry.solvers(cancelToken)) {
         if (candidate.available && candidate.deviceKind == QLatin1String("cpu") &&
             (!best || candidate.priority > best->priority)) {
             best = candidate;
@@ -29,24 +29,24 @@ std::optional<SolverInfo> cpuInPlaceOf(const SolverInfo& solver, const SolverReg
 } // namespace
 
 SolverChoice chooseSolver(const QString& wanted, const SolverRegistry& registry,
-                          const CancelSwitch& cancelSwitch) {
+                          const CancelToken& cancelToken) {
     try {
-        return {registry.info(wanted, cancelSwitch), {}, cancelSwitch};
+        return {registry.info(wanted, cancelToken), {}, cancelToken};
     } catch (const Error& error) {
-        const std::optional<SolverInfo> missing = registry.found(wanted, cancelSwitch);
-        const auto other = missing ? cpuInPlaceOf(*missing, registry, cancelSwitch) : std::nullopt;
+        const std::optional<SolverInfo> missing = registry.found(wanted, cancelToken);
+        const auto other = missing ? cpuInPlaceOf(*missing, registry, cancelToken) : std::nullopt;
         if (!other) {
             throw;
         }
         return {*other,
                 {Text::tr("The CPU takes over from %1: %2").arg(missing->name, error.sentence())},
-                cancelSwitch};
+                cancelToken};
     }
 }
 
 bool takeOver(SolverChoice& choice, const SolverRegistry& registry, const Error& error) {
     const std::optional<SolverInfo> other =
-        cpuInPlaceOf(choice.solver, registry, choice.cancelSwitch);
+        cpuInPlaceOf(choice.solver, registry, choice.cancelToken);
     if (!other) {
         return false;
     }

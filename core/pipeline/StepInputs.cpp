@@ -1,6 +1,6 @@
 #include "pipeline/StepInputs.h"
 
-#include "correction/SheetCorrection.h"
+#include "accuracy/correction/SheetCorrection.h"
 #include "pipeline/JobOptions.h"
 #include "project/Project.h"
 

@@ -4,7 +4,7 @@
 #include "base/Error.h"
 #include "base/Png.h"
 #include "cradle/CradleFiles.h"
-#include "disk/ResultFolder.h"
+#include "disk/FolderTransaction.h"
 #include "parallel/Tasks.h"
 #include "pipeline/JobCradles.h"
 #include "pipeline/JobTicket.h"
@@ -12,7 +12,7 @@
 #include "pipeline/Pipeline.h"
 #include "pipeline/Report.h"
 #include "results/Results.h"
-#include "sheet/SheetFiles.h"
+#include "sheet/prepress/SheetFiles.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -93,7 +93,7 @@ void writeTogether(const std::vector<Piece>& pieces, const Progress& progress) {
 }
 
 void addSheet(std::vector<Piece>& pieces, const ImmersionResult& result, const QString& prefix,
-              const ResultFolder& folder) {
+              const FolderTransaction& folder) {
     const QString text = Text::tr("Writing the sheet of %1").arg(result.immersion.name);
     pieces.push_back(
         {text, [&result, prefix, &folder] {
@@ -108,7 +108,7 @@ void addSheet(std::vector<Piece>& pieces, const ImmersionResult& result, const Q
 }
 
 void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QString& prefix,
-             const ResultFolder& folder) {
+             const FolderTransaction& folder) {
     pieces.push_back(
         {Text::tr("Writing the film of %1").arg(result.immersion.name), [&result, prefix, &folder] {
              folder.write(prefix + QStringLiteral("film.vtp"),
@@ -139,7 +139,7 @@ void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QS
 
 // The files of one immersion, `number` from 0. Keeps references to all but the number.
 std::vector<Piece> immersionPieces(const ImmersionResult& result, std::size_t number,
-                                   const ResultFolder& folder) {
+                                   const FolderTransaction& folder) {
     const QString prefix = immersionFolder(int(number) + 1) + QLatin1Char('/');
     std::vector<Piece> pieces;
     addSheet(pieces, result, prefix, folder);
@@ -149,7 +149,7 @@ std::vector<Piece> immersionPieces(const ImmersionResult& result, std::size_t nu
 
 // Of those immersions that have one. Keeps references to all.
 std::vector<Piece> cradlePieces(const JobResult& result, const std::vector<Cradle>& cradles,
-                                const ResultFolder& folder) {
+                                const FolderTransaction& folder) {
     std::vector<Piece> pieces;
     for (std::size_t i = 0; i < cradles.size(); ++i) {
         if (cradles[i].mesh.triangles.empty()) {
@@ -169,10 +169,10 @@ std::vector<Piece> cradlePieces(const JobResult& result, const std::vector<Cradl
 
 // The page for each dip, and its motion. Keeps references to all but the template.
 void addTraveller(std::vector<Piece>& pieces, const JobResult& result, const MotionTemplate& motion,
-                  const ResultFolder& folder, const CancelSwitch& cancelSwitch) {
-    pieces.push_back({Text::tr("Writing the traveller"), [&result, &folder, cancelSwitch] {
+                  const FolderTransaction& folder, const CancelToken& cancelToken) {
+    pieces.push_back({Text::tr("Writing the traveller"), [&result, &folder, cancelToken] {
                           folder.write(QStringLiteral("traveller.pdf"),
-                                       travellerPdf(jobTraveller(result, {{}, cancelSwitch})));
+                                       travellerPdf(jobTraveller(result, {{}, cancelToken})));
                       }});
     pieces.push_back({Text::tr("Writing the motion"), [&result, &folder, motion] {
                           for (std::size_t i = 0; i < result.immersions.size(); ++i) {
@@ -186,7 +186,7 @@ void addTraveller(std::vector<Piece>& pieces, const JobResult& result, const Mot
 
 // Of each immersion, where they were asked for. Keeps references to all.
 void addToleranceMaps(std::vector<Piece>& pieces, const JobResult& result,
-                      const ResultFolder& folder) {
+                      const FolderTransaction& folder) {
     for (std::size_t i = 0; result.tolerances && i < result.tolerances->dips.size(); ++i) {
         const ImmersionResult& immersion = result.immersions[i];
         pieces.push_back({Text::tr("Writing the tolerances of %1").arg(immersion.immersion.name),
@@ -203,7 +203,7 @@ void addToleranceMaps(std::vector<Piece>& pieces, const JobResult& result,
 
 // The files of the whole job.
 std::vector<Piece> jobPieces(const Project& project, const JobResult& result,
-                             const ResultFolder& folder) {
+                             const FolderTransaction& folder) {
     std::vector<Piece> pieces = cradlePieces(result, result.cradles, folder);
     addToleranceMaps(pieces, result, folder);
     pieces.push_back({Text::tr("Writing the proof"), [&] {
@@ -230,7 +230,7 @@ std::vector<Piece> jobPieces(const Project& project, const JobResult& result,
 }
 
 // When all that it names is written: it has the hashes of the very files.
-void writeTicket(const JobResult& result, const ResultFolder& folder) {
+void writeTicket(const JobResult& result, const FolderTransaction& folder) {
     std::vector<QStringList> files;
     for (int number = 1; number <= int(result.immersions.size()); ++number) {
         const QString prefix = immersionFolder(number) + QLatin1Char('/');
@@ -242,9 +242,9 @@ void writeTicket(const JobResult& result, const ResultFolder& folder) {
                  QJsonDocument(jobTicket(result, files, contents)).toJson());
 }
 
-void commit(ResultFolder& folder, const Progress& progress) {
+void commit(FolderTransaction& folder, const Progress& progress) {
     progress(1, Text::tr("Moving the results in place"));
-    progress.cancelSwitch.throwIfCancelled();
+    progress.cancelToken.throwIfCancelled();
     folder.commit();
 }
 
@@ -252,9 +252,9 @@ void commit(ResultFolder& folder, const Progress& progress) {
 
 void writeResults(const Project& project, const JobResult& result, const QString& folder,
                   const Progress& progress) {
-    ResultFolder results(folder, resultFiles());
+    FolderTransaction results(folder, resultFiles());
     std::vector<Piece> pieces = jobPieces(project, result, results);
-    addTraveller(pieces, result, motionTemplate(), results, progress.cancelSwitch);
+    addTraveller(pieces, result, motionTemplate(), results, progress.cancelToken);
     for (std::size_t number = 0; number < result.immersions.size(); ++number) {
         for (Piece& piece : immersionPieces(result.immersions[number], number, results)) {
             pieces.push_back(std::move(piece));
@@ -267,7 +267,7 @@ void writeResults(const Project& project, const JobResult& result, const QString
 
 std::vector<Cradle> writeCradles(const JobResult& result, const QString& folder,
                                  const Progress& progress) {
-    ResultFolder files(folder, cradleFiles());
+    FolderTransaction files(folder, cradleFiles());
     std::vector<Cradle> cradles =
         result.cradles.empty() ? jobCradles(result, progress.part(0, 0.95)) : result.cradles;
     writeTogether(cradlePieces(result, cradles, files), progress.part(0.95, 1));
@@ -277,7 +277,7 @@ std::vector<Cradle> writeCradles(const JobResult& result, const QString& folder,
 
 JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
                       const JobOptions& options, const QString& folder, const Progress& progress) {
-    ResultFolder results(folder, resultFiles());
+    FolderTransaction results(folder, resultFiles());
     const MotionTemplate motion = options.motion ? *options.motion : motionTemplate();
     filledTemplate({}, motion.text, motion.where); // refused before the job
     Tasks writing;
@@ -289,7 +289,7 @@ JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
     };
     const JobResult result = runJob(project, registry, watched, nullptr, progress.part(0, 0.95));
     std::vector<Piece> pieces = jobPieces(project, result, results);
-    addTraveller(pieces, result, motion, results, progress.cancelSwitch);
+    addTraveller(pieces, result, motion, results, progress.cancelToken);
     writeTogether(pieces, progress.part(0.95, 1));
     writing.wait();
     writeTicket(result, results);

@@ -7,8 +7,8 @@
 namespace dipwright {
 
 // Writes every file of docs/files-and-commands.md, "Result files", into `folder`, which is made if
-// it is missing, whole or not at all (disk/ResultFolder.h). Earlier results there are replaced,
-// other files are left alone. Throws Error or Cancelled.
+// it is missing, whole or not at all (disk/FolderTransaction.h). Earlier results there are
+// replaced, other files are left alone. Throws Error or Cancelled.
 void writeResults(const Project& project, const JobResult& result, const QString& folder,
                   const Progress& progress);
 

@@ -5,12 +5,12 @@
 #include "base/JsonText.h"
 #include "base/Png.h"
 #include "base/Sha256.h"
-#include "disk/ArchiveWriter.h"
-#include "disk/WholeFile.h"
-#include "import/ReadPictures.h"
+#include "disk/AtomicFile.h"
+#include "disk/ZipWriter.h"
+#include "import/trusted/ReadPictures.h"
 #include "model/StoredModel.h"
-#include "project/Archive.h"
 #include "project/Project.h"
+#include "project/ZipReader.h"
 #include "settings/Artwork.h"
 #include "settings/ProcessSettings.h"
 
@@ -53,13 +53,13 @@ QJsonArray textureEntries(const TexturedMesh& model) {
 // be read again.
 class SavedPictures {
 public:
-    explicit SavedPictures(ArchiveWriter& archive) : archive_(archive) {}
+    explicit SavedPictures(ZipWriter& archive) : archive_(archive) {}
 
     void add(const QString& entry, const QImage& picture) {
         const auto [size, isNew] = sizes_.try_emplace(entry, 0);
         if (isNew) {
             const QByteArray bytes = pngBytes(picture, entry);
-            archive_.add(entry, bytes, ArchiveWriter::Packing::Stored);
+            archive_.add(entry, bytes, ZipWriter::Packing::Stored);
             size->second = bytes.size();
         }
         count_.add(picture, size->second, entry);
@@ -67,7 +67,7 @@ public:
     bool contains(const QString& entry) const { return sizes_.contains(entry); }
 
 private:
-    ArchiveWriter& archive_;
+    ZipWriter& archive_;
     std::map<QString, qint64> sizes_; // of those that are in it
     PictureCount count_;
 };
@@ -78,7 +78,7 @@ void requireModestModel(const TexturedMesh& model, const QString& path) {
 }
 
 // What this program would not open again is not put in the place of what it does open.
-void requireOpenable(const TexturedMesh& model, const ArchiveWriter& archive,
+void requireOpenable(const TexturedMesh& model, const ZipWriter& archive,
                      const QByteArray& document, const QByteArray& packed, const QString& path) {
     try {
         requireModestModel(model, path);
@@ -103,11 +103,11 @@ QByteArray projectBytes(const Project& project, const QString& path) {
     model.insert(QStringLiteral("sha256"), sha256Hex(mesh));
     json.insert(QStringLiteral("model"), model);
 
-    ArchiveWriter archive;
-    archive.add(mimeEntry, mimeType, ArchiveWriter::Packing::Stored);
+    ZipWriter archive;
+    archive.add(mimeEntry, mimeType, ZipWriter::Packing::Stored);
     const QByteArray document = QJsonDocument(json).toJson();
-    archive.add(documentEntry, document, ArchiveWriter::Packing::Deflated);
-    archive.add(meshEntry, mesh, ArchiveWriter::Packing::Deflated);
+    archive.add(documentEntry, document, ZipWriter::Packing::Deflated);
+    archive.add(meshEntry, mesh, ZipWriter::Packing::Deflated);
     SavedPictures pictures(archive);
     for (std::size_t index = 0; index < project.model->textures.size(); ++index) {
         pictures.add(textureEntry(index), project.model->textures[index]);
@@ -120,7 +120,7 @@ QByteArray projectBytes(const Project& project, const QString& path) {
     const QSet<QString> own{mimeEntry, documentEntry, meshEntry};
     for (const auto& [name, contents] : project.unknownEntries) {
         if (!own.contains(name) && !pictures.contains(name)) {
-            archive.add(name, contents, ArchiveWriter::Packing::Deflated);
+            archive.add(name, contents, ZipWriter::Packing::Deflated);
         }
     }
     QByteArray bytes = archive.finish();
@@ -128,7 +128,7 @@ QByteArray projectBytes(const Project& project, const QString& path) {
     return bytes;
 }
 
-QJsonObject readDocument(ArchiveReader& archive, const QString& path) {
+QJsonObject readDocument(ZipReader& archive, const QString& path) {
     if (!archive.contains(documentEntry)) {
         throw Error(Text::tr("This is not a Dipwright project, it holds no project.json"), path);
     }
@@ -164,7 +164,7 @@ QJsonArray textureNames(const QJsonObject& model) {
 }
 
 // What several textures share is unpacked once.
-std::vector<PackedPicture> packedPictures(ArchiveReader& archive, const QJsonArray& names,
+std::vector<PackedPicture> packedPictures(ZipReader& archive, const QJsonArray& names,
                                           const QString& path) {
     std::map<QString, QByteArray> unpacked;
     std::vector<PackedPicture> pictures;
@@ -179,7 +179,7 @@ std::vector<PackedPicture> packedPictures(ArchiveReader& archive, const QJsonArr
 }
 
 // With pictures that only hold their places, as many as `entries` names.
-TexturedMesh readMesh(ArchiveReader& archive, const QJsonObject& entries, const QString& path) {
+TexturedMesh readMesh(ZipReader& archive, const QJsonObject& entries, const QString& path) {
     const QString meshName = entries.value(QLatin1String("mesh")).toString();
     if (meshName.isEmpty()) {
         throw Error(Text::tr("The project names no model, model.mesh is missing"), path);
@@ -205,7 +205,7 @@ TexturedMesh readMesh(ArchiveReader& archive, const QJsonObject& entries, const 
 
 // The model, its pictures, and those that the artwork's layers name by content. All pictures are
 // read together, as they count together.
-void readAssets(ArchiveReader& archive, const QJsonObject& json, Project& project,
+void readAssets(ZipReader& archive, const QJsonObject& json, Project& project,
                 const QString& path) {
     const QJsonObject entries = json.value(QLatin1String("model")).toObject();
     TexturedMesh model = readMesh(archive, entries, path);
@@ -229,7 +229,7 @@ void readAssets(ArchiveReader& archive, const QJsonObject& json, Project& projec
 }
 
 // All that is neither the document nor an asset that it names.
-std::map<QString, QByteArray> readOthers(ArchiveReader& archive, const QJsonObject& json,
+std::map<QString, QByteArray> readOthers(ZipReader& archive, const QJsonObject& json,
                                          const QStringList& layers, const QString& path) {
     const QJsonObject model = json.value(QLatin1String("model")).toObject();
     QSet<QString> others = archive.names();
@@ -254,7 +254,7 @@ std::map<QString, QByteArray> readOthers(ArchiveReader& archive, const QJsonObje
 } // namespace
 
 Project loadProject(const QString& path) {
-    ArchiveReader archive(path);
+    ZipReader archive(path);
     const QJsonObject json = readDocument(archive, path);
     Project project = fromJson(json, path);
     QStringList layers; // by the ids that the file has
@@ -267,7 +267,7 @@ Project loadProject(const QString& path) {
 }
 
 QString solverOfProject(const QString& path) {
-    ArchiveReader archive(path);
+    ZipReader archive(path);
     const QJsonValue process = readDocument(archive, path).value(QLatin1String("process"));
     return process[QLatin1String("solver")].toString(ProcessSettings().solver);
 }

@@ -18,7 +18,7 @@ Project loadProject(const QString& path);
 // for who gets it ready while the project is read. Throws Error.
 QString solverOfProject(const QString& path);
 
-// Writes the whole file or leaves the old one whole (disk/WholeFile.h), whatever it holds now: who
+// Writes the whole file or leaves the old one whole (disk/AtomicFile.h), whatever it holds now: who
 // read it before and wants to know uses ProjectFile. Returns what the file now holds. Throws Error
 // (not writable, disk full, more in the project than would be read again). `lastLook`: as of
 // replaceFile().

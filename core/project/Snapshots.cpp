@@ -3,7 +3,7 @@
 #include "base/Error.h"
 #include "base/JsonText.h"
 #include "base/Png.h"
-#include "import/ReadPictures.h"
+#include "import/trusted/ReadPictures.h"
 #include "project/Project.h"
 #include "settings/Artwork.h"
 

@@ -1,7 +1,7 @@
 #include "results/BodyViews.h"
 
 #include "parallel/ParallelFor.h"
-#include "results/EvenPixels.h"
+#include "results/AdaptiveSampling.h"
 
 #include <QCoreApplication>
 #include <QPainter>
@@ -125,12 +125,12 @@ float commonSpan(const std::vector<BodyCamera>& cameras, const TriangleMesh& mes
 }
 
 void traceView(QImage& picture, const QRect& tile, const RayLight& light, const BodyCamera& camera,
-               float span, const CancelSwitch& cancelSwitch) {
+               float span, const CancelToken& cancelToken) {
     const View view(light, camera, span, tile.size());
     uchar* bits = picture.bits();
     const qsizetype stride = picture.bytesPerLine();
     parallelFor(0, tile.height(), [&](int y) {
-        if (cancelSwitch.isCancelled()) {
+        if (cancelToken.isCancelled()) {
             return;
         }
         uchar* out = bits + (tile.y() + y) * stride + qsizetype(tile.x()) * 3;
@@ -139,7 +139,7 @@ void traceView(QImage& picture, const QRect& tile, const RayLight& light, const 
             std::copy(pixel.begin(), pixel.end(), out);
         }
     });
-    cancelSwitch.throwIfCancelled();
+    cancelToken.throwIfCancelled();
 }
 
 void nameSides(QPainter& painter, QSize tile) {

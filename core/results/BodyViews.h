@@ -53,7 +53,7 @@ using RayLight = std::function<LinearColour(const BodyRay&)>;
 // Fills a tile of an RGB888 picture. Most pixels show light that hardly changes: one ray tells
 // theirs, and only where neighbours differ a pixel is worth many. All cores; throws Cancelled.
 void traceView(QImage& picture, const QRect& tile, const RayLight& light, const BodyCamera& camera,
-               float span, const CancelSwitch& cancelSwitch);
+               float span, const CancelToken& cancelToken);
 
 // The sides' names, and lines between them.
 void nameSides(QPainter& painter, QSize tile);

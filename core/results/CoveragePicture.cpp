@@ -174,7 +174,7 @@ QImage coveragePicture(const ProofStage& stage, const BodyShare& share,
         progress(0.9 * number / double(cameras.size()), Text::tr("Tracing the shares"));
         traceView(
             picture, sideBox(number, view), [&](const BodyRay& ray) { return body.light(ray); },
-            cameras[std::size_t(number)], span, progress.cancelSwitch);
+            cameras[std::size_t(number)], span, progress.cancelToken);
     }
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);

@@ -1,6 +1,6 @@
 #include "results/PaintedBody.h"
 
-#include "base/WideColour.h"
+#include "base/WideGamut.h"
 #include "parallel/ParallelFor.h"
 #include "texture/Ink.h"
 
@@ -66,11 +66,12 @@ private:
 // One immersion's paint on the body.
 class PaintedFilm {
 public:
-    PaintedFilm(const WornFilm& worn, const InkSettings& ink)
-        : laid_(worn.laid), picture_(worn.image, worn.laid->film().grid), ink_(ink),
-          isCompensated_(ink.compensate), white_(worn.white), slip_(worn.slip),
-          highest_(float(worn.depth + worn.slip.deeper.value())) {
-        for (const WornSpot& spot : worn.spots) {
+    PaintedFilm(const FilmAppearance& appearance, const InkSettings& ink)
+        : laid_(appearance.laid), picture_(appearance.image, appearance.laid->film().grid),
+          ink_(ink), isCompensated_(ink.compensate), white_(appearance.white),
+          slip_(appearance.slip),
+          highest_(float(appearance.depth + appearance.slip.deeper.value())) {
+        for (const PrintedSpot& spot : appearance.spots) {
             spots_.push_back({spot.tints, linearColour(spot.colour)});
         }
     }
@@ -172,14 +173,14 @@ private:
     float highest_; // in the pose frame, that gets wet
 };
 
-PaintedBody::PaintedBody(const std::vector<WornFilm>& films, const InkSettings& ink,
+PaintedBody::PaintedBody(const std::vector<FilmAppearance>& films, const InkSettings& ink,
                          const Ground& ground)
     : whiteOutside_(ground.whiteOutside) {
     if (ground.base) {
         base_ = linearColour(*ground.base);
     }
-    for (const WornFilm& worn : films) {
-        films_.push_back(std::make_unique<const PaintedFilm>(worn, ink));
+    for (const FilmAppearance& appearance : films) {
+        films_.push_back(std::make_unique<const PaintedFilm>(appearance, ink));
     }
 }
 
@@ -224,7 +225,7 @@ std::optional<std::uint8_t> PaintedBody::marks(const SurfacePoint& point) const 
     return std::nullopt;
 }
 
-std::vector<QRgb> printedColours(const RefinedMesh& body, const std::vector<WornFilm>& films,
+std::vector<QRgb> printedColours(const RefinedMesh& body, const std::vector<FilmAppearance>& films,
                                  const InkSettings& ink, const Ground& ground) {
     const PaintedBody painted(films, ink, ground);
     std::vector<QRgb> colours(body.mesh().triangles.size());

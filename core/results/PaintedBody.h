@@ -15,7 +15,7 @@ class PaintedFilm;
 class PaintedBody {
 public:
     // `ink`: by which the images were compensated, if they were.
-    PaintedBody(const std::vector<WornFilm>& films, const InkSettings& ink,
+    PaintedBody(const std::vector<FilmAppearance>& films, const InkSettings& ink,
                 const Ground& ground = {});
     ~PaintedBody();
 

@@ -26,12 +26,13 @@ constexpr float elevation = 22 * std::numbers::pi_v<float> / 180; // of the came
 // The light that the table, the body and its paint send along a ray.
 class Scene {
 public:
-    Scene(const ProofStage& stage, const std::vector<WornFilm>& films, const ProofOptions& options)
+    Scene(const ProofStage& stage, const std::vector<FilmAppearance>& films,
+          const ProofOptions& options)
         : query_(stage.query), normals_(stage.normals), sky_(stage.sky),
           middle_(stage.box.center()), size_(stage.box.diagonal().norm()),
           films_(films, options.ink, options.ground) {
-        for (const WornFilm& worn : films) {
-            marks_ |= paintedMarks(*worn.laid);
+        for (const FilmAppearance& appearance : films) {
+            marks_ |= paintedMarks(*appearance.laid);
         }
     }
 
@@ -139,7 +140,7 @@ std::shared_ptr<const ProofStage> proofStage(const TexturedMesh& model) {
     return std::make_shared<const ProofStage>(model.mesh);
 }
 
-QImage proofPicture(const ProofStage& stage, const std::vector<WornFilm>& films,
+QImage proofPicture(const ProofStage& stage, const std::vector<FilmAppearance>& films,
                     const ProofOptions& options, const Progress& progress) {
     progress(0, Text::tr("Preparing the proof"));
     const Scene scene(stage, films, options);
@@ -152,7 +153,7 @@ QImage proofPicture(const ProofStage& stage, const std::vector<WornFilm>& films,
         const BodyCamera& camera = cameras[std::size_t(side)];
         const QRect tile = sideBox(side, options.tile);
         const RayLight light = [&](const BodyRay& ray) { return scene.light(ray, camera); };
-        traceView(picture, tile, light, camera, span, progress.cancelSwitch);
+        traceView(picture, tile, light, camera, span, progress.cancelToken);
         if (scene.marks() != 0) {
             hatchView(picture, tile, scene, camera, span);
         }

@@ -79,21 +79,21 @@ struct FilmSlip {
 };
 
 // A plate of a film that is printed with an ink of its own.
-struct WornSpot {
+struct PrintedSpot {
     QImage tints;  // of the flat film, Grayscale8
     QColor colour; // of full tint on white
 };
 
 // One immersion's film, on the body in its own pose, wearing a picture.
-struct WornFilm {
+struct FilmAppearance {
     std::shared_ptr<const LaidFilm> laid;
     QImage image; // of the flat film
     FilmSlip slip = {};
     // mm from the body's lowest point up to the water at the end of the dip that was reckoned with;
     // a slip that goes deeper needs a film that was dipped so deep.
     double depth = std::numeric_limits<double>::infinity();
-    QImage white = {};                // tints of its white layer, Grayscale8; null: none
-    std::vector<WornSpot> spots = {}; // light goes through them as through the other inks
+    QImage white = {};                   // tints of its white layer, Grayscale8; null: none
+    std::vector<PrintedSpot> spots = {}; // light goes through them as through the other inks
 };
 
 // What the films' ink is seen on.
@@ -106,7 +106,7 @@ struct Ground {
 
 // What the films give the body, by the middles of the fine triangles: a colour each, as the proof
 // has it in white light. All cores.
-std::vector<QRgb> printedColours(const RefinedMesh& body, const std::vector<WornFilm>& films,
+std::vector<QRgb> printedColours(const RefinedMesh& body, const std::vector<FilmAppearance>& films,
                                  const InkSettings& ink, const Ground& ground = {});
 
 struct ProofOptions {
@@ -134,7 +134,7 @@ QImage coveragePicture(const ProofStage& stage, const BodyShare& share,
 // left and below, the four sides from slightly above. Where films lie over each other
 // their densities add up, unpainted body is light grey, what marked film paints is hatched. Traced
 // by Embree on all cores, without OpenGL; throws Cancelled.
-QImage proofPicture(const ProofStage& stage, const std::vector<WornFilm>& films,
+QImage proofPicture(const ProofStage& stage, const std::vector<FilmAppearance>& films,
                     const ProofOptions& options, const Progress& progress);
 
 } // namespace dipwright

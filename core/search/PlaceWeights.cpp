@@ -1,6 +1,6 @@
 #include "search/PlaceWeights.h"
 
-#include "tolerance/Zones.h"
+#include "accuracy/tolerance/Zones.h"
 
 #include <algorithm>
 

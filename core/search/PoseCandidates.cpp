@@ -213,7 +213,7 @@ PoseCandidates poseCandidates(const CoveragePreview& preview, const std::vector<
     const solver::FilmGrid grid = filmGrid(film);
     std::vector<Signature> signatures(result.all.size());
     parallelFor(std::size_t(0), result.all.size(), [&](std::size_t index) {
-        progress.cancelSwitch.throwIfCancelled();
+        progress.cancelToken.throwIfCancelled();
         PoseCandidate& candidate = result.all[index];
         Immersion immersion;
         immersion.rotation = rotationAngles(lowering(candidate.down));

@@ -49,7 +49,7 @@ Eigen::AlignedBox2d roundedOut(const Eigen::AlignedBox2d& box, double step) {
 PoseDips::PoseDips(const SearchSubject& subject, const JudgedBody& body,
                    const solver::SolverModule& module, const DipDetail& detail,
                    const Progress& progress)
-    : subject_(subject), body_(body), module_(module), cancelSwitch_(progress.cancelSwitch),
+    : subject_(subject), body_(body), module_(module), cancelToken_(progress.cancelToken),
       isJobs_(std::isinf(detail.cells)), film_(subject.film), process_(subject.process) {
     const TriangleMesh& mesh = subject.model->mesh;
     if (!isJobs_) {
@@ -119,7 +119,7 @@ solver::DipSetup PoseDips::setupOf(const PosedBody& body, const Immersion& immer
 void PoseDips::dipBatch(const std::vector<Immersion>& immersions,
                         std::span<const std::size_t> batch,
                         std::vector<std::shared_ptr<const JudgedPose>>& judged) const {
-    cancelSwitch_.throwIfCancelled();
+    cancelToken_.throwIfCancelled();
     std::vector<std::shared_ptr<const PosedBody>> bodies(batch.size());
     std::vector<solver::BatchItem> items(batch.size());
     parallelFor(std::size_t(0), items.size(), [&](std::size_t item) {
@@ -128,7 +128,7 @@ void PoseDips::dipBatch(const std::vector<Immersion>& immersions,
             std::make_shared<const PosedBody>(posedBody(subject_.model->mesh, immersion));
         items[item].setup = setupOf(*bodies[item], immersion);
     });
-    simulateDips(items, module_, [this] { return cancelSwitch_.isCancelled(); });
+    simulateDips(items, module_, [this] { return cancelToken_.isCancelled(); });
     parallelFor(std::size_t(0), items.size(), [&](std::size_t item) {
         const Immersion& immersion = immersions[batch[item]];
         const solver::DipSetup& setup = items[item].setup;

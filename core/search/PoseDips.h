@@ -47,7 +47,7 @@ private:
     const SearchSubject& subject_;
     const JudgedBody& body_;
     const solver::SolverModule& module_;
-    const CancelSwitch cancelSwitch_;
+    const CancelToken cancelToken_;
     const bool isJobs_; // the film is the job's
     FilmSettings film_;
     ProcessSettings process_;

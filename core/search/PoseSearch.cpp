@@ -151,9 +151,9 @@ public:
     }
 
     // Puts what other processes have dipped in the place of the first dips.
-    void take(const std::vector<SearchPart>& parts, const QByteArray& key) {
-        std::vector<const SearchPart*> ordered(parts.size(), nullptr);
-        for (const SearchPart& part : parts) {
+    void take(const std::vector<SearchShard>& parts, const QByteArray& key) {
+        std::vector<const SearchShard*> ordered(parts.size(), nullptr);
+        for (const SearchShard& part : parts) {
             if (part.key != key) {
                 throw Error(Text::tr("This part belongs to another search; make all parts from the "
                                      "same project with the same options and solver"),
@@ -168,7 +168,7 @@ public:
             ordered[std::size_t(part.number - 1)] = &part;
         }
         for (std::size_t at = 0; at < candidates_.chosen.size(); ++at) {
-            const SearchPart& part = *ordered[at % ordered.size()];
+            const SearchShard& part = *ordered[at % ordered.size()];
             const std::size_t place = at / ordered.size();
             const Immersion& wanted = candidates_.all[candidates_.chosen[at]].immersion;
             if (place >= part.poses.size() ||
@@ -531,7 +531,7 @@ private:
 } // namespace
 
 SearchResult searchPoses(const SearchSubject& subject, const SearchSettings& settings,
-                         const solver::SolverModule& module, const std::vector<SearchPart>& parts,
+                         const solver::SolverModule& module, const std::vector<SearchShard>& parts,
                          const SearchWatch& watch, const Progress& progress) {
     requireValid(settings);
     Search search(subject, settings, module, progress);
@@ -541,11 +541,11 @@ SearchResult searchPoses(const SearchSubject& subject, const SearchSettings& set
     return search.run(watch);
 }
 
-SearchPart searchPart(const SearchSubject& subject, const SearchSettings& settings,
-                      const solver::SolverModule& module, int number, int count,
-                      const Progress& progress) {
+SearchShard searchShard(const SearchSubject& subject, const SearchSettings& settings,
+                        const solver::SolverModule& module, int number, int count,
+                        const Progress& progress) {
     requireValid(settings);
-    SearchPart part;
+    SearchShard part;
     part.key = searchKey(subject, settings);
     part.number = number;
     part.count = count;

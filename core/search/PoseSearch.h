@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "search/SearchPart.h"
+#include "search/SearchShard.h"
 #include "search/SearchSubject.h"
 #include "settings/SearchSettings.h"
 
@@ -62,11 +62,11 @@ using SearchWatch = std::function<void(const SearchState&)>;
 
 // Runs on `module` in batches. Deterministic but for SearchState::secondsLeft: the same subject,
 // settings and module give the same result bit for bit, for any number of threads. `parts`: all
-// parts of this search, dipped elsewhere (SearchPart.h), or none. Cancelled, it returns what is
+// parts of this search, dipped elsewhere (SearchShard.h), or none. Cancelled, it returns what is
 // ranked so far, where anything is. Throws Error (a setting out of range, parts that do not belong
 // to the search, no pose paints anything, the solver fails) or Cancelled.
 SearchResult searchPoses(const SearchSubject& subject, const SearchSettings& settings,
-                         const solver::SolverModule& module, const std::vector<SearchPart>& parts,
+                         const solver::SolverModule& module, const std::vector<SearchShard>& parts,
                          const SearchWatch& watch, const Progress& progress);
 
 } // namespace dipwright

@@ -1,7 +1,7 @@
 #include "settings/Artwork.h"
 
 #include "base/Sha256.h"
-#include "base/WideColour.h"
+#include "base/WideGamut.h"
 
 #include <algorithm>
 #include <iterator>

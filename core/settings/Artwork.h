@@ -35,7 +35,7 @@ enum class LayerAxis : std::uint8_t { X, Y, Z, MinusX, MinusY, MinusZ };
 // A picture by content: two of one id are equal.
 struct ArtworkPicture {
     QString id;   // the sha256 of its pixels, hex; empty: none
-    QImage image; // RGBA8888 in sRGB, or wide (base/WideColour.h)
+    QImage image; // RGBA8888 in sRGB, or wide (base/WideGamut.h)
     bool operator==(const ArtworkPicture& other) const { return id == other.id; }
 };
 // `image` is in sRGB of any format, or wide.

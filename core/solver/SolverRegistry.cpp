@@ -4,11 +4,11 @@
 #include "base/OneLine.h"
 #include "base/ShippedFolders.h"
 #include "solver/CheckedSolver.h"
-#include "solver/ContainedSolver.h"
-#include "solver/FolderRights.h"
+#include "solver/FilePermissions.h"
 #include "solver/LoadMarker.h"
 #include "solver/LoadModule.h"
 #include "solver/ModuleText.h"
+#include "solver/OutOfProcessSolver.h"
 #include "solver/WatchedSolver.h"
 
 #include <QCoreApplication>
@@ -139,24 +139,24 @@ void loadShipped(Plugin& plugin) {
     plugin.module = checkedSolver(*plugin.inner);
 }
 
-void loadContained(Plugin& plugin, const CancelSwitch& cancelSwitch) {
+void loadContained(Plugin& plugin, const CancelToken& cancelToken) {
     // Whoever could put another module into the program's own folders could put another program
     // there; and an archive that root unpacks leaves them to whoever packed it.
     if (!plugin.isShipped) {
         refuseOthersFolder(plugin.info);
     }
-    plugin.inner = containedSolver(plugin.info.modulePath, cancelSwitch);
+    plugin.inner = outOfProcessSolver(plugin.info.modulePath, cancelToken);
     plugin.module = checkedSolver(*plugin.inner);
 }
 
-void load(Plugin& plugin, const CancelSwitch& cancelSwitch) {
+void load(Plugin& plugin, const CancelToken& cancelToken) {
     if (plugin.isLoaded) {
         return;
     }
     try {
         refuseCrashed(plugin.info.modulePath);
         const bool isTrusted = plugin.isShipped && crashesOf(plugin.info.modulePath) == 0;
-        isTrusted ? loadShipped(plugin) : loadContained(plugin, cancelSwitch);
+        isTrusted ? loadShipped(plugin) : loadContained(plugin, cancelToken);
         if (*plugin.module->device() != 0) {
             plugin.info.device = QString::fromUtf8(plugin.module->device());
         }
@@ -227,15 +227,15 @@ struct SolverRegistry::Data {
     std::vector<Plugin> plugins;
     std::vector<SolverInfo> described; // does not change
 
-    Plugin& plugin(const QString& id, const CancelSwitch& cancelSwitch);
-    Plugin& best(const CancelSwitch& cancelSwitch);
-    Plugin& named(const QString& id, const CancelSwitch& cancelSwitch);
+    Plugin& plugin(const QString& id, const CancelToken& cancelToken);
+    Plugin& best(const CancelToken& cancelToken);
+    Plugin& named(const QString& id, const CancelToken& cancelToken);
     std::vector<Plugin*> byPriority();
 };
 
 // The loaded plugin of `id`; throws Error when it cannot be used.
-Plugin& SolverRegistry::Data::plugin(const QString& id, const CancelSwitch& cancelSwitch) {
-    return id == QLatin1String("auto") ? best(cancelSwitch) : named(id, cancelSwitch);
+Plugin& SolverRegistry::Data::plugin(const QString& id, const CancelToken& cancelToken) {
+    return id == QLatin1String("auto") ? best(cancelToken) : named(id, cancelToken);
 }
 
 // The highest first; of the same priority as they stand.
@@ -251,10 +251,10 @@ std::vector<Plugin*> SolverRegistry::Data::byPriority() {
 }
 
 // Stops at the first that can run: each of the others could take long to be loaded, or hang.
-Plugin& SolverRegistry::Data::best(const CancelSwitch& cancelSwitch) {
+Plugin& SolverRegistry::Data::best(const CancelToken& cancelToken) {
     QStringList reasons;
     for (Plugin* plugin : byPriority()) {
-        load(*plugin, cancelSwitch);
+        load(*plugin, cancelToken);
         if (plugin->module) {
             return *plugin;
         }
@@ -264,7 +264,7 @@ Plugin& SolverRegistry::Data::best(const CancelSwitch& cancelSwitch) {
                 reasons.isEmpty() ? Text::tr("no plugin was found") : reasons.join(u"; "));
 }
 
-Plugin& SolverRegistry::Data::named(const QString& id, const CancelSwitch& cancelSwitch) {
+Plugin& SolverRegistry::Data::named(const QString& id, const CancelToken& cancelToken) {
     const auto found = std::find_if(plugins.begin(), plugins.end(),
                                     [&](const Plugin& plugin) { return plugin.info.id == id; });
     if (found == plugins.end()) {
@@ -274,7 +274,7 @@ Plugin& SolverRegistry::Data::named(const QString& id, const CancelSwitch& cance
         }
         throw Error(Text::tr("There is no such solver; choose one of %1").arg(ids.join(u", ")), id);
     }
-    load(*found, cancelSwitch);
+    load(*found, cancelToken);
     if (!found->module) {
         throw Error(Text::tr("This solver cannot be used: %1").arg(found->info.reason), id);
     }
@@ -304,37 +304,37 @@ const std::vector<SolverInfo>& SolverRegistry::described() const {
     return data_->described;
 }
 
-std::vector<SolverInfo> SolverRegistry::solvers(const CancelSwitch& cancelSwitch) const {
+std::vector<SolverInfo> SolverRegistry::solvers(const CancelToken& cancelToken) const {
     const std::lock_guard lock(data_->mutex);
     std::vector<SolverInfo> infos;
     for (Plugin& plugin : data_->plugins) {
-        load(plugin, cancelSwitch);
+        load(plugin, cancelToken);
         infos.push_back(plugin.info);
     }
     return infos;
 }
 
 const solver::SolverModule& SolverRegistry::module(const QString& id,
-                                                   const CancelSwitch& cancelSwitch) const {
+                                                   const CancelToken& cancelToken) const {
     const std::lock_guard lock(data_->mutex);
-    return *data_->plugin(id, cancelSwitch).module;
+    return *data_->plugin(id, cancelToken).module;
 }
 
 std::optional<SolverInfo> SolverRegistry::found(const QString& id,
-                                                const CancelSwitch& cancelSwitch) const {
+                                                const CancelToken& cancelToken) const {
     const std::lock_guard lock(data_->mutex);
     for (Plugin& plugin : data_->plugins) {
         if (plugin.info.id == id) {
-            load(plugin, cancelSwitch);
+            load(plugin, cancelToken);
             return plugin.info;
         }
     }
     return std::nullopt;
 }
 
-SolverInfo SolverRegistry::info(const QString& id, const CancelSwitch& cancelSwitch) const {
+SolverInfo SolverRegistry::info(const QString& id, const CancelToken& cancelToken) const {
     const std::lock_guard lock(data_->mutex);
-    return data_->plugin(id, cancelSwitch).info;
+    return data_->plugin(id, cancelToken).info;
 }
 
 } // namespace dipwright

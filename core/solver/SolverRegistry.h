@@ -39,7 +39,7 @@ public:
 
     // Modules in the folders `shipped` are loaded into this process and watched (WatchedSolver.h);
     // each of the others, and of these any that has crashed or hung before, runs in one of its own
-    // (ContainedSolver.h). The others are refused where others than the user can write to them.
+    // (OutOfProcessSolver.h). The others are refused where others than the user can write to them.
     explicit SolverRegistry(const QStringList& folders = standardFolders(),
                             const QStringList& shipped = shippedPluginFolders());
     ~SolverRegistry();
@@ -53,16 +53,16 @@ public:
     // that those that may run are not told as available yet.
     const std::vector<SolverInfo>& described() const;
     // The same, each loaded far enough to know whether it can run here.
-    std::vector<SolverInfo> solvers(const CancelSwitch& cancelSwitch = {}) const;
+    std::vector<SolverInfo> solvers(const CancelToken& cancelToken = {}) const;
     // The module of `id`, or of the best available one for "auto", checked (CheckedSolver.h); those
     // that would not be taken either way are not loaded for it. Throws Error with the reason. Lives
     // as long as the registry.
     const solver::SolverModule& module(const QString& id,
-                                       const CancelSwitch& cancelSwitch = {}) const;
+                                       const CancelToken& cancelToken = {}) const;
     // Of the same solver as module(id).
-    SolverInfo info(const QString& id, const CancelSwitch& cancelSwitch = {}) const;
+    SolverInfo info(const QString& id, const CancelToken& cancelToken = {}) const;
     // The plugin `id` whether or not it can run here; nothing where none is found.
-    std::optional<SolverInfo> found(const QString& id, const CancelSwitch& cancelSwitch = {}) const;
+    std::optional<SolverInfo> found(const QString& id, const CancelToken& cancelToken = {}) const;
 
 private:
     struct Data;

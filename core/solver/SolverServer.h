@@ -1,4 +1,4 @@
-// The far end of a solver in a process of its own (ContainedSolver.h).
+// The far end of a solver in a process of its own (OutOfProcessSolver.h).
 #pragma once
 
 #include <QString>

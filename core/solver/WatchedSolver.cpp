@@ -1,6 +1,6 @@
 #include "solver/WatchedSolver.h"
 
-#include "base/WaitedTime.h"
+#include "base/SuspendAwareTimer.h"
 #include "solver/LoadMarker.h"
 
 #include <QtGlobal>
@@ -35,15 +35,15 @@ public:
         const Span span(*this);
         return call();
     }
-    void signOfLife() { set(WaitedTime()); }
+    void signOfLife() { set(SuspendAwareTimer()); }
 
 private:
     struct Span {
-        explicit Span(CallWatch& of) : watch(of) { watch.set(WaitedTime()); }
+        explicit Span(CallWatch& of) : watch(of) { watch.set(SuspendAwareTimer()); }
         ~Span() { watch.set(std::nullopt); }
         CallWatch& watch;
     };
-    void set(std::optional<WaitedTime> call) {
+    void set(std::optional<SuspendAwareTimer> call) {
         const std::lock_guard lock(mutex_);
         call_ = call;
     }
@@ -62,7 +62,7 @@ private:
     std::chrono::seconds limit_;
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::optional<WaitedTime> call_; // that the module is at
+    std::optional<SuspendAwareTimer> call_; // that the module is at
     bool isOver_ = false;
     std::thread watcher_; // the last: it uses all others
 };

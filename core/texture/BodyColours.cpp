@@ -1,6 +1,6 @@
 #include "texture/BodyColours.h"
 
-#include "base/WideColour.h"
+#include "base/WideGamut.h"
 
 #include <algorithm>
 

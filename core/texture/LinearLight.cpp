@@ -1,6 +1,6 @@
 #include "texture/LinearLight.h"
 
-#include "base/WideColour.h"
+#include "base/WideGamut.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Between the numbers of pictures, eight bits in sRGB or sixteen in wide colour
-// (base/WideColour.h), and linear light, in which pictures are filtered and ink is reckoned.
+// (base/WideGamut.h), and linear light, in which pictures are filtered and ink is reckoned.
 #pragma once
 
 #include <Eigen/Core>

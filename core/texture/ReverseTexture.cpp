@@ -1,7 +1,7 @@
 #include "texture/ReverseTexture.h"
 
 #include "base/Error.h"
-#include "base/WideColour.h"
+#include "base/WideGamut.h"
 #include "parallel/ParallelFor.h"
 #include "texture/Bleed.h"
 #include "texture/BodyColours.h"
@@ -433,7 +433,7 @@ std::vector<FilmPainter::PaintedRow> paintRows(const FilmPainter& painter, int r
                                                const Progress& progress) {
     std::vector<FilmPainter::PaintedRow> painted(static_cast<std::size_t>(rows));
     parallelFor(0, rows, [&](int row) {
-        progress.cancelSwitch.throwIfCancelled();
+        progress.cancelToken.throwIfCancelled();
         painted[std::size_t(row)] = painter.paintCells(row);
     });
     return painted;

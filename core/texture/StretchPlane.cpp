@@ -1,6 +1,6 @@
 #include "texture/StretchPlane.h"
 
-#include "base/WideColour.h"
+#include "base/WideGamut.h"
 #include "texture/LinearLight.h"
 
 #include <algorithm>

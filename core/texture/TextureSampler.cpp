@@ -1,6 +1,6 @@
 #include "texture/TextureSampler.h"
 
-#include "base/WideColour.h"
+#include "base/WideGamut.h"
 
 #include "parallel/ParallelFor.h"
 

@@ -1,6 +1,6 @@
 #include "traveller/PageInk.h"
 
-#include "sheet/SheetLayout.h"
+#include "sheet/page/SheetLayout.h"
 
 #include <QPen>
 

@@ -1,7 +1,7 @@
 #include "traveller/PosePicture.h"
 
 #include "parallel/ParallelFor.h"
-#include "results/EvenPixels.h"
+#include "results/AdaptiveSampling.h"
 
 #include <algorithm>
 #include <optional>
@@ -92,7 +92,7 @@ private:
                 const QColor printed = pixelOf(film->image, u, v);
                 if (printed.alpha() > 127) {
                     Eigen::Array3f light = channels(printed);
-                    for (const WornSpot& spot : film->spots) {
+                    for (const PrintedSpot& spot : film->spots) {
                         const float tint = float(pixelOf(spot.tints, u, v).redF());
                         light *= 1 - tint * (1 - channels(spot.colour));
                     }
@@ -124,7 +124,7 @@ PosePicture posePicture(const PoseView& view, PoseSide side, QSize size, const P
     const auto width = std::size_t(size.width());
     std::vector<PixelBytes> middles(width * std::size_t(size.height()));
     parallelFor(0, size.height(), [&](int y) {
-        progress.cancelSwitch.throwIfCancelled();
+        progress.cancelToken.throwIfCancelled();
         for (int x = 0; x < size.width(); ++x) {
             middles[std::size_t(y) * width + std::size_t(x)] = drawing.middleOf(x, y);
         }
@@ -132,7 +132,7 @@ PosePicture posePicture(const PoseView& view, PoseSide side, QSize size, const P
     uchar* const bits = result.image.bits();
     const qsizetype line = result.image.bytesPerLine();
     parallelFor(0, size.height(), [&](int y) {
-        progress.cancelSwitch.throwIfCancelled();
+        progress.cancelToken.throwIfCancelled();
         auto* const row = reinterpret_cast<QRgb*>(bits + y * line);
         for (int x = 0; x < size.width(); ++x) {
             const auto [red, green, blue] = isEven(middles, size, x, y)

@@ -15,7 +15,7 @@ enum class PoseSide { Front, Right, Below };
 struct PoseView {
     const PosedBody& body;
     const TriangleMesh* cradle = nullptr; // in the same frame; null or empty: none
-    std::vector<WornFilm> films;          // what it wears, the later ones over the earlier
+    std::vector<FilmAppearance> films;    // what it wears, the later ones over the earlier
 };
 
 struct PosePicture {

@@ -1,9 +1,9 @@
 #include "traveller/Traveller.h"
 
 #include "project/Profiles.h"
-#include "sheet/PdfDocument.h"
-#include "sheet/QrCode.h"
-#include "sheet/Sheet.h"
+#include "sheet/page/QrCode.h"
+#include "sheet/page/Sheet.h"
+#include "sheet/pdf/PdfDocument.h"
 #include "traveller/PageInk.h"
 
 #include <QCoreApplication>

@@ -543,7 +543,7 @@ std::vector<PhysicsResult> validatePhysics(const solver::SolverModule& module,
     total *= 1.1;
     for (const Revolution& revolution : bodies) {
         const Body body =
-            makeBody(revolution.mesh, fieldResolution, Progress{nullptr, progress.cancelSwitch});
+            makeBody(revolution.mesh, fieldResolution, Progress{nullptr, progress.cancelToken});
         for (const FilmKind& film : revolution.films) {
             for (const int cells : options.resolutions) {
                 if (options.isWanted && !options.isWanted(revolution.name, nameOf(film), cells)) {

@@ -26,7 +26,7 @@ struct Slipped {
 
 Slipped slipped(const JobResult& result) {
     const RefinedMesh& mesh = *result.share->fade.mesh;
-    std::vector<WornFilm> films;
+    std::vector<FilmAppearance> films;
     for (const ImmersionResult& immersion : result.immersions) {
         films.push_back({immersion.laid, immersion.texture->image});
     }

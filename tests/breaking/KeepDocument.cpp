@@ -12,14 +12,14 @@
 #include "base/Error.h"
 #include "base/ProgramName.h"
 #include "disk/FileVersion.h"
-#include "disk/Unfinished.h"
-#include "document/Document.h"
-#include "document/Recovery.h"
+#include "disk/UnfinishedWrites.h"
 #include "parallel/Threads.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/WriteResults.h"
 #include "project/ProjectStore.h"
 #include "solver/SolverRegistry.h"
+#include "workbench/document/Document.h"
+#include "workbench/document/Recovery.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -178,7 +178,7 @@ void allocationsOf(const QString& job, long first, long last, long stride) {
         ++(code < 0 ? crashes : outcomes[code]);
         const QByteArray now = contentsOf(copy);
         lost += now != before && now != after ? 1 : 0;
-        tidyUnfinished();
+        recoverUnfinishedWrites();
     }
     std::printf("allocations %ld done %ld told %ld other %ld crashed %ld lost %ld\n", lives,
                 outcomes[Done], outcomes[Told], outcomes[OtherException], crashes, lost);
@@ -216,7 +216,7 @@ int main(int argc, char** argv) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     const QGuiApplication application(argc, argv);
     nameProgram();
-    tidyUnfinished();
+    recoverUnfinishedWrites();
     try {
         return run(QCoreApplication::arguments());
     } catch (const Error& error) {

@@ -1,6 +1,6 @@
 // A printer's ICC profile.
 #include "base/Error.h"
-#include "sheet/PrinterColour.h"
+#include "sheet/prepress/PrinterColour.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
     const QByteArray bytes(reinterpret_cast<const char*>(data), qsizetype(size));

@@ -4,7 +4,7 @@
 #include "dip/Dip.h"
 #include "dip/LaidFilm.h"
 #include "geometry/Shapes.h"
-#include "pipeline/StoredDip.h"
+#include "pipeline/CachedDip.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -25,8 +25,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     const ProcessSettings process;
     try {
         // As fuzz-seeds has it.
-        StoredDip dip = readStoredDip(bytes, {8, 6, 14, 10}, true, QStringLiteral("x"));
-        if (storedDip(dip) != bytes) {
+        CachedDip dip = readCachedDip(bytes, {8, 6, 14, 10}, true, QStringLiteral("x"));
+        if (cachedDip(dip) != bytes) {
             std::abort();
         }
         if (isStable(dip.film, dipTravel(process, *body))) {

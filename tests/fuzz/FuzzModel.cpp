@@ -1,10 +1,10 @@
 // A model of one format. What stands after a line of "====" is every file that it names.
 #include "base/Error.h"
-#include "foreign/ForeignModel.h"
+#include "import/sandboxed/UntrustedModel.h"
 
 namespace {
 
-class Given : public dipwright::ForeignFiles {
+class Given : public dipwright::UntrustedFiles {
 public:
     explicit Given(const QByteArray& bytes) {
         const QByteArray line = "\n====\n";
@@ -25,8 +25,8 @@ private:
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
     Given files(QByteArray(reinterpret_cast<const char*>(data), qsizetype(size)));
     try {
-        dipwright::readForeignModel(QStringLiteral("fuzz." DIPWRIGHT_FUZZED_FORMAT), files, true,
-                                    {});
+        dipwright::readUntrustedModel(QStringLiteral("fuzz." DIPWRIGHT_FUZZED_FORMAT), files, true,
+                                      {});
     } catch (const dipwright::Error&) {
     }
     return 0;

@@ -1,7 +1,7 @@
 // A picture of any format that is read.
 #include "base/Error.h"
-#include "foreign/PhotoFacts.h"
-#include "foreign/PictureReader.h"
+#include "import/sandboxed/PhotoFacts.h"
+#include "import/sandboxed/PictureReader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
     const QByteArray bytes(reinterpret_cast<const char*>(data), qsizetype(size));

@@ -1,8 +1,8 @@
 // A project file: the archive, and its document and mesh. Pictures are another target's.
 #include "base/Error.h"
 #include "model/StoredModel.h"
-#include "project/Archive.h"
 #include "project/Project.h"
+#include "project/ZipReader.h"
 
 #include <QJsonDocument>
 #include <QTemporaryFile>
@@ -10,7 +10,7 @@
 namespace {
 
 void readAll(const QString& path) {
-    dipwright::ArchiveReader archive(path);
+    dipwright::ZipReader archive(path);
     for (const QString& name : archive.names()) {
         try {
             const QByteArray bytes = archive.read(name);

@@ -3,7 +3,7 @@
 #include "SampleProject.h"
 
 #include "model/StoredModel.h"
-#include "pipeline/StoredDip.h"
+#include "pipeline/CachedDip.h"
 #include "project/Profiles.h"
 #include "project/ProjectStore.h"
 #include "traveller/Motion.h"
@@ -97,7 +97,7 @@ void writePairs(const QDir& folder) {
 
 // Flat film of 8 × 6 points, those in the middle on the body; with and without what a dip may lack.
 void writeDips(const QDir& folder) {
-    StoredDip dip;
+    CachedDip dip;
     dip.film.grid = {8, 6, 14, 10};
     for (std::size_t point = 0; point < dip.film.grid.pointCount(); ++point) {
         const Eigen::Vector2f rest = restPosition(dip.film.grid, point);
@@ -105,13 +105,13 @@ void writeDips(const QDir& folder) {
         dip.film.states.push_back(rest.norm() < 3 ? solver::PointState::Adhered
                                                   : solver::PointState::Free);
     }
-    write(folder, QStringLiteral("dips"), storedDip(dip));
+    write(folder, QStringLiteral("dips"), cachedDip(dip));
     dip.film.marks.assign(dip.film.grid.pointCount(), 1);
     dip.film.grown.assign(dip.film.grid.pointCount(), 1.1F);
     CertaintyEstimate estimate;
     estimate.pointsOffBy.assign(dip.film.grid.pointCount(), 0.1F);
     dip.certainty = std::make_shared<const CertaintyEstimate>(estimate);
-    write(folder, QStringLiteral("dips"), storedDip(dip), 2);
+    write(folder, QStringLiteral("dips"), cachedDip(dip), 2);
 }
 
 } // namespace

@@ -136,7 +136,7 @@ const std::vector<Room>& allRooms() {
 // What the header FILE is called by those who include it.
 QString includedName(const QString& file) {
     static const QRegularExpression above(
-        QStringLiteral("^(core/solver/interface|core|solvers|app/workbench|app)/"));
+        QStringLiteral("^(core/solver/interface|core|solvers|app)/"));
     return QString(file).remove(above);
 }
 
@@ -254,7 +254,7 @@ bool isBuiltHere(const QString& folder) {
 #endif
 #ifndef DIPWRIGHT_HAS_INSPECTION
     if (folder == QLatin1String("core/inspection") ||
-        folder == QLatin1String("app/workbench/inspect")) {
+        folder == QLatin1String("app/workbench/inspection")) {
         return false;
     }
 #endif

@@ -257,12 +257,12 @@ void BadModulesTest::aHangWhileLoadingCanBeLeft() {
     const PluginFolder folder;
     folder.add(QStringLiteral("hang"), builtModule(QStringLiteral("hang")));
     const SolverRegistry registry({folder.path()});
-    CancelSwitch cancelSwitch;
-    std::thread user([cancelSwitch]() mutable {
+    CancelToken cancelToken;
+    std::thread user([cancelToken]() mutable {
         std::this_thread::sleep_for(std::chrono::milliseconds(500));
-        cancelSwitch.cancel();
+        cancelToken.cancel();
     });
-    QVERIFY_EXCEPTION_THROWN(registry.module(QStringLiteral("hang"), cancelSwitch), Cancelled);
+    QVERIFY_EXCEPTION_THROWN(registry.module(QStringLiteral("hang"), cancelToken), Cancelled);
     user.join();
     qputenv("DIPWRIGHT_SOLVER_SECONDS", "1");
     // That was the user, and says nothing of the module.
@@ -310,7 +310,7 @@ void BadModulesTest::failuresInADipReachTheUser() {
 void BadModulesTest::aHangCanBeLeft() {
     qputenv("DIPWRIGHT_SOLVER_SECONDS", "600");
     Progress progress;
-    std::thread user([cancel = progress.cancelSwitch]() mutable {
+    std::thread user([cancel = progress.cancelToken]() mutable {
         std::this_thread::sleep_for(std::chrono::milliseconds(500));
         cancel.cancel();
     });

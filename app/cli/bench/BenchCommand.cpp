@@ -154,7 +154,7 @@ public:
         const QString plot = pictureOption(parser, plotOption, {".png", ".svg"});
         const SolverRegistry registry;
         const Progress progress = console.progress();
-        const QString id = registry.info(parser.value(solverOption), progress.cancelSwitch).id;
+        const QString id = registry.info(parser.value(solverOption), progress.cancelToken).id;
         // First, as it wakes the device, too.
         const std::optional<solver::Ceiling> ceiling = ceilingOf(registry.module(id), id);
         BenchReport report =

@@ -2,7 +2,7 @@
 
 #include "base/Png.h"
 #include "cli/bench/BenchReport.h"
-#include "disk/WholeFile.h"
+#include "disk/AtomicFile.h"
 
 #include <QImage>
 #include <QPainter>
@@ -288,7 +288,7 @@ QImage drawImage(const BenchReport& report) {
 
 void drawPlot(const BenchReport& report, const QString& path) {
     const bool isSvg = path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
-    writeWhole(path, [&](QIODevice& device) {
+    writeAtomically(path, [&](QIODevice& device) {
         isSvg ? drawSvg(report, device) : writePng(drawImage(report), device, path);
     });
 }

@@ -9,7 +9,7 @@
 #include "pipeline/Pipeline.h"
 #include "pipeline/WriteResults.h"
 #include "results/Results.h"
-#include "sheet/SheetFiles.h"
+#include "sheet/prepress/SheetFiles.h"
 
 #include <QTemporaryDir>
 
@@ -84,7 +84,7 @@ std::vector<TimedRow> measureFields(int runs, int finest, const Progress& progre
     std::vector<TimedRow> results;
     for (int samples = coarsest; samples <= finest; samples *= 2) {
         progress(double(samples - coarsest) / finest, QStringLiteral("Building fields"));
-        const Progress quiet{nullptr, progress.cancelSwitch};
+        const Progress quiet{nullptr, progress.cancelToken};
         const Statistics seconds = timed(runs, [&] { buildDistanceField(sphere, samples, quiet); });
         results.push_back(
             {QStringLiteral("%1 samples, %2 triangles").arg(cubed(samples)).arg(triangles),
@@ -124,10 +124,10 @@ std::vector<TimedRow> measureParts(const BenchSolver& solver, const Progress& pr
     const ImmersionResult& dipped = turtle.immersion();
     const LaidFilm& laid = *dipped.laid;
     std::vector<std::shared_ptr<const LaidFilm>> films;
-    std::vector<WornFilm> worn;
+    std::vector<FilmAppearance> appearances;
     for (const ImmersionResult& immersion : turtle.job().immersions) {
         films.push_back(immersion.laid);
-        worn.push_back({immersion.laid, immersion.texture->image});
+        appearances.push_back({immersion.laid, immersion.texture->image});
     }
     const auto stage = proofStage(model);
     constexpr int mapEdge = 1600;
@@ -157,7 +157,7 @@ std::vector<TimedRow> measureParts(const BenchSolver& solver, const Progress& pr
         {QStringLiteral("body as VTK file"),
          [&] { bodyVtp(*dipped.body, model, *dipped.coverage); }},
         {QStringLiteral("stage of the proof"), [&] { proofStage(model); }},
-        {QStringLiteral("proof"), [&] { proofPicture(*stage, worn, {}, {}); }},
+        {QStringLiteral("proof"), [&] { proofPicture(*stage, appearances, {}, {}); }},
         {QStringLiteral("proof as PNG"), [&] { pngBytes(turtle.job().proof, nowhere); }}};
     std::vector<TimedRow> results;
     for (const auto& [name, work] : parts) {

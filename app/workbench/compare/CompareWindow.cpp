@@ -1,8 +1,8 @@
-#include "compare/CompareWindow.h"
+#include "workbench/compare/CompareWindow.h"
 
-#include "look/Theme.h"
-#include "session/Messages.h"
-#include "view/ViewTheme.h"
+#include "workbench/appearance/ViewTheme.h"
+#include "workbench/jobs/Messages.h"
+#include "workbench/widgets/Theme.h"
 
 #include <QComboBox>
 #include <QEvent>

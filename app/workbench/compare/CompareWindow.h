@@ -3,9 +3,9 @@
 // wear what their poses would paint. Escape closes it.
 #pragma once
 
-#include "compare/ComparedSide.h"
-#include "document/Preferences.h"
-#include "jobs/JobRunner.h"
+#include "workbench/compare/ComparedSide.h"
+#include "workbench/document/Preferences.h"
+#include "workbench/jobs/JobRunner.h"
 
 #include <QDialog>
 

@@ -1,6 +1,6 @@
-#include "compare/ComparedSide.h"
+#include "workbench/compare/ComparedSide.h"
 
-#include "document/SnapshotEdits.h"
+#include "workbench/document/SnapshotEdits.h"
 
 namespace dipwright {
 

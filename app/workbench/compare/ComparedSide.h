@@ -1,11 +1,11 @@
 // One of two states that are compared: its document, its dips, and the view of them.
 #pragma once
 
-#include "look/HeatScale.h"
-#include "panels/StateFigures.h"
-#include "session/DipSession.h"
-#include "view/DipScene.h"
 #include "viewport/DipView.h"
+#include "workbench/dip/DipSession.h"
+#include "workbench/results/StateFigures.h"
+#include "workbench/view/DipScene.h"
+#include "workbench/widgets/HeatScale.h"
 
 namespace dipwright {
 
@@ -23,7 +23,7 @@ public:
     void lookAt(std::size_t immersion);
     // Before it is dipped the body wears what its pose would paint, by its shape.
     void show(ComparedLook look, const HeatScale& scale);
-    std::shared_ptr<const FilmReading> reading() const { return session_.reading(); }
+    std::shared_ptr<const FilmReadout> reading() const { return session_.reading(); }
     QString title() const { return title_; }
     // What was known before, and what the dips have shown.
     std::vector<StateFigure> figures(LengthUnit unit) const;

@@ -1,4 +1,4 @@
-#include "document/Document.h"
+#include "workbench/document/Document.h"
 
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"

@@ -1,4 +1,4 @@
-#include "document/ImmersionEdits.h"
+#include "workbench/document/ImmersionEdits.h"
 
 #include <QCoreApplication>
 #include <cmath>

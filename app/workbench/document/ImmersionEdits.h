@@ -1,7 +1,7 @@
 // What is done to a document's immersions as a whole, each as one step to undo.
 #pragma once
 
-#include "document/Document.h"
+#include "workbench/document/Document.h"
 
 namespace dipwright {
 

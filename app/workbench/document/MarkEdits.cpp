@@ -1,4 +1,4 @@
-#include "document/MarkEdits.h"
+#include "workbench/document/MarkEdits.h"
 
 #include <QCoreApplication>
 

@@ -1,7 +1,7 @@
 // What the user marks on the body: for the join of two dips, and as zones.
 #pragma once
 
-#include "document/Document.h"
+#include "workbench/document/Document.h"
 
 #include <variant>
 

@@ -1,4 +1,4 @@
-#include "document/ModelEdits.h"
+#include "workbench/document/ModelEdits.h"
 
 #include <QCoreApplication>
 #include <algorithm>

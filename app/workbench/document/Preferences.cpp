@@ -1,4 +1,4 @@
-#include "document/Preferences.h"
+#include "workbench/document/Preferences.h"
 
 #include <QSettings>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "document/ProjectValue.h"
+#include "workbench/document/ProjectValue.h"
 
 #include "base/Error.h"
 #include "project/Schema.h"

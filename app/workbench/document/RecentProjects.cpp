@@ -1,4 +1,4 @@
-#include "document/RecentProjects.h"
+#include "workbench/document/RecentProjects.h"
 
 #include "base/Sha256.h"
 #include "project/Samples.h"

@@ -1,9 +1,9 @@
-#include "document/Recovery.h"
+#include "workbench/document/Recovery.h"
 
 #include "base/Error.h"
-#include "disk/WholeFile.h"
-#include "document/Document.h"
+#include "disk/AtomicFile.h"
 #include "project/ProjectStore.h"
+#include "workbench/document/Document.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -128,7 +128,7 @@ void AutoSaver::write() {
     writer_.start([this, project = document_.project(), description, copy = file(".dipw"),
                    about = file(".json")] {
         try {
-            writeWhole(about, [&](QIODevice& device) {
+            writeAtomically(about, [&](QIODevice& device) {
                 device.write(QJsonDocument(description).toJson());
             });
             saveProject(project, copy);

@@ -1,4 +1,4 @@
-#include "document/SavedLayouts.h"
+#include "workbench/document/SavedLayouts.h"
 
 #include <QSettings>
 

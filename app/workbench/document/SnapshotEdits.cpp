@@ -1,4 +1,4 @@
-#include "document/SnapshotEdits.h"
+#include "workbench/document/SnapshotEdits.h"
 
 #include "dip/LaidFilm.h"
 #include "film/DippedFilm.h"

@@ -2,8 +2,8 @@
 // to undo.
 #pragma once
 
-#include "document/Document.h"
 #include "project/Snapshots.h"
+#include "workbench/document/Document.h"
 
 namespace dipwright {
 

@@ -1,6 +1,6 @@
-#include "jobs/JobRunner.h"
+#include "workbench/jobs/JobRunner.h"
 
-#include "base/HandOver.h"
+#include "base/PostToThread.h"
 
 #include <cstdlib>
 
@@ -24,25 +24,25 @@ JobRunner::~JobRunner() {
     worker_.join();
 }
 
-CancelSwitch JobRunner::start(std::unique_ptr<Job> job) {
+CancelToken JobRunner::start(std::unique_ptr<Job> job) {
     ++unfinished_;
-    const CancelSwitch cancelSwitch;
+    const CancelToken cancelToken;
     {
         const std::lock_guard lock(mutex_);
-        waiting_.push_back({std::move(job), cancelSwitch});
+        waiting_.push_back({std::move(job), cancelToken});
     }
     wake_.notify_all();
     if (unfinished_ == 1) {
         emit busy();
     }
-    return cancelSwitch;
+    return cancelToken;
 }
 
 void JobRunner::cancelAll() {
     const std::lock_guard lock(mutex_);
     current_.cancel();
     for (Entry& entry : waiting_) {
-        entry.cancelSwitch.cancel();
+        entry.cancelToken.cancel();
     }
 }
 
@@ -59,27 +59,27 @@ void JobRunner::work() {
             }
             entry = waiting_.front();
             waiting_.pop_front();
-            current_ = entry.cancelSwitch;
+            current_ = entry.cancelToken;
         }
         run(entry);
     }
 }
 
 void JobRunner::run(const Entry& entry) {
-    handOver(*this, [this, title = entry.job->title()] { emit started(title); });
+    postToThread(*this, [this, title = entry.job->title()] { emit started(title); });
     bool cancelled = false;
     std::exception_ptr failure;
     try {
         const Progress progress{[this](double share, const QString& text) { report(share, text); },
-                                entry.cancelSwitch};
-        entry.cancelSwitch.throwIfCancelled();
+                                entry.cancelToken};
+        entry.cancelToken.throwIfCancelled();
         entry.job->process(progress);
     } catch (const Cancelled&) {
         cancelled = true;
     } catch (...) {
         failure = std::current_exception();
     }
-    handOver(*this, [this, job = entry.job, cancelled, failure] {
+    postToThread(*this, [this, job = entry.job, cancelled, failure] {
         --unfinished_;
         job->finalize(cancelled, failure);
         if (unfinished_ == 0) {
@@ -95,7 +95,7 @@ void JobRunner::report(double share, const QString& text) {
     text_ = text;
     if (!reportPending_) {
         reportPending_ = true;
-        handOver(*this, [this] { deliverReport(); });
+        postToThread(*this, [this] { deliverReport(); });
     }
 }
 

@@ -1,7 +1,7 @@
 // Runs jobs one after the other on one worker thread and brings their ends back to the UI thread.
 #pragma once
 
-#include "jobs/Job.h"
+#include "workbench/jobs/Job.h"
 
 #include <QObject>
 #include <chrono>
@@ -22,11 +22,11 @@ public:
     explicit JobRunner(QObject* parent = nullptr);
     // Cancels everything and waits for the worker; nothing is finalized any more. Work that does
     // not end within `longestEnd` takes the program with it: a call that hangs cannot be ended
-    // alone. What other windows have not saved is kept (document/Recovery.h), and files are written
-    // whole or not at all.
+    // alone. What other windows have not saved is kept (workbench/document/Recovery.h), and files
+    // are written whole or not at all.
     ~JobRunner() override;
 
-    CancelSwitch start(std::unique_ptr<Job> job); // which cancels this one
+    CancelToken start(std::unique_ptr<Job> job); // which cancels this one
     void cancelAll();
     bool isBusy() const { return unfinished_ > 0; }
 
@@ -39,7 +39,7 @@ signals:
 private:
     struct Entry {
         std::shared_ptr<Job> job;
-        CancelSwitch cancelSwitch;
+        CancelToken cancelToken;
     };
     void work();
     void run(const Entry& entry);
@@ -49,7 +49,7 @@ private:
     std::mutex mutex_;
     std::condition_variable wake_, gone_;
     std::deque<Entry> waiting_;
-    CancelSwitch current_;
+    CancelToken current_;
     bool ending_ = false;
     bool ended_ = false;
     bool reportPending_ = false;

@@ -1,4 +1,4 @@
-#include "jobs/SolverListing.h"
+#include "workbench/jobs/SolverListing.h"
 
 namespace dipwright {
 
@@ -6,9 +6,9 @@ SolverListing::SolverListing(const SolverRegistry& registry, Show show, QObject*
     : QObject(parent), show_(std::move(show)) {
     show_(registry.described());
     loader_.setMaxThreadCount(1);
-    loader_.start([this, &registry, cancelSwitch = cancelSwitch_] {
+    loader_.start([this, &registry, cancelToken = cancelToken_] {
         try {
-            const std::vector<SolverInfo> solvers = registry.solvers(cancelSwitch);
+            const std::vector<SolverInfo> solvers = registry.solvers(cancelToken);
             QMetaObject::invokeMethod(
                 this, [this, solvers] { show_(solvers); }, Qt::QueuedConnection);
         } catch (const Cancelled&) {
@@ -18,7 +18,7 @@ SolverListing::SolverListing(const SolverRegistry& registry, Show show, QObject*
 }
 
 SolverListing::~SolverListing() {
-    cancelSwitch_.cancel();
+    cancelToken_.cancel();
     loader_.waitForDone();
 }
 

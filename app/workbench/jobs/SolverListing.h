@@ -23,7 +23,7 @@ public:
 
 private:
     Show show_;
-    CancelSwitch cancelSwitch_;
+    CancelToken cancelToken_;
     QThreadPool loader_;
 };
 

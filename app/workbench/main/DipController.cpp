@@ -1,11 +1,11 @@
-#include "main/DipController.h"
+#include "workbench/main/DipController.h"
 
-#include "main/WindowActions.h"
-#include "panels/ReportPanel.h"
-#include "panels/ResultsPanel.h"
-#include "panels/ShippedNames.h"
 #include "pipeline/SmallerFilm.h"
-#include "view/DipPlayback.h"
+#include "workbench/actions/WindowActions.h"
+#include "workbench/results/ReportPanel.h"
+#include "workbench/results/ResultsPanel.h"
+#include "workbench/view/DipPlayback.h"
+#include "workbench/widgets/ShippedNames.h"
 
 #include <QAction>
 #include <QLabel>
@@ -35,7 +35,7 @@ DipController::DipController(const WindowActions& actions, DipSession& session,
     connect(&session, &DipSession::immersionChanged, this, &DipController::showResults);
     connect(&session, &DipSession::dropped, this, &DipController::showResults);
     connect(&live_, &LiveRun::runAsked, this, [this] { run(true); });
-    connect(&keeper_, &DipKeeper::found, this, [this] { run(true); });
+    connect(&keeper_, &DipCacheUpdater::found, this, [this] { run(true); });
     connect(actions.run, &QAction::triggered, this, [this] { run(false); });
     connect(actions.cancel, &QAction::triggered, this, &DipController::cancel);
     connect(actions.live, &QAction::toggled, &live_, &LiveRun::setWanted);

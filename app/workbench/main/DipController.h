@@ -2,12 +2,12 @@
 // its results is still true.
 #pragma once
 
-#include "document/Preferences.h"
-#include "session/CertaintyCheck.h"
-#include "session/DipKeeper.h"
-#include "session/DipSession.h"
-#include "session/LiveRun.h"
-#include "session/Messages.h"
+#include "workbench/accuracy/CertaintyCheck.h"
+#include "workbench/dip/DipCacheUpdater.h"
+#include "workbench/dip/DipSession.h"
+#include "workbench/dip/LiveRun.h"
+#include "workbench/document/Preferences.h"
+#include "workbench/jobs/Messages.h"
 
 class QLabel;
 
@@ -51,7 +51,7 @@ private:
     ResultsPanel& results_;
     QLabel& staleBanner_;
     LiveRun live_;
-    DipKeeper keeper_;
+    DipCacheUpdater keeper_;
     bool isLive_ = false; // what runs, or ran last
 };
 

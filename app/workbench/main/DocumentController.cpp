@@ -1,16 +1,16 @@
-#include "main/DocumentController.h"
+#include "workbench/main/DocumentController.h"
 
 #include "base/Error.h"
-#include "compare/CompareWindow.h"
-#include "dialogs/NewProjectDialog.h"
-#include "dialogs/PackDialog.h"
-#include "dialogs/PrintHistoryDialog.h"
-#include "dialogs/SnapshotsDialog.h"
-#include "document/RecentProjects.h"
-#include "main/WindowActions.h"
-#include "main/Workbench.h"
 #include "model/ModelFormats.h"
 #include "project/ProjectFile.h"
+#include "workbench/actions/WindowActions.h"
+#include "workbench/compare/CompareWindow.h"
+#include "workbench/compare/SnapshotsDialog.h"
+#include "workbench/document/RecentProjects.h"
+#include "workbench/main/Workbench.h"
+#include "workbench/printing/PackDialog.h"
+#include "workbench/printing/PrintHistoryDialog.h"
+#include "workbench/project/NewProjectDialog.h"
 
 #include <QDir>
 #include <QFileDialog>

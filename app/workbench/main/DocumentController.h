@@ -1,7 +1,7 @@
 // What the user does with documents, and is asked about them: new, open, save, drop, close.
 #pragma once
 
-#include "session/DocumentSession.h"
+#include "workbench/document/DocumentSession.h"
 
 #include <QUrl>
 

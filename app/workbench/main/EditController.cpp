@@ -1,11 +1,11 @@
-#include "main/EditController.h"
+#include "workbench/main/EditController.h"
 
-#include "dialogs/NewProjectDialog.h"
-#include "document/ImmersionEdits.h"
-#include "main/WindowActions.h"
-#include "panels/ProjectTree.h"
-#include "panels/PropertyPanel.h"
-#include "session/ModelImport.h"
+#include "workbench/actions/WindowActions.h"
+#include "workbench/document/ImmersionEdits.h"
+#include "workbench/document/ModelImport.h"
+#include "workbench/project/NewProjectDialog.h"
+#include "workbench/project/ProjectTree.h"
+#include "workbench/project/PropertyPanel.h"
 
 #include <QAction>
 #include <QFileDialog>

@@ -2,9 +2,9 @@
 // exchanges model or texture.
 #pragma once
 
-#include "main/BodyMenu.h"
-#include "session/DipSession.h"
-#include "session/Messages.h"
+#include "workbench/dip/DipSession.h"
+#include "workbench/jobs/Messages.h"
+#include "workbench/view/BodyMenu.h"
 
 class QWidget;
 

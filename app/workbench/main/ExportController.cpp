@@ -1,17 +1,17 @@
-#include "main/ExportController.h"
+#include "workbench/main/ExportController.h"
 
 #include "base/Png.h"
-#include "dialogs/CertaintyDialog.h"
-#include "dialogs/PrintDialog.h"
-#include "disk/WholeFile.h"
-#include "jobs/FilmTable.h"
-#include "main/WindowActions.h"
-#include "panels/StretchPanel.h"
+#include "disk/AtomicFile.h"
 #include "pipeline/WriteResults.h"
 #include "results/Results.h"
-#include "session/StartJob.h"
-#include "session/WriteFiles.h"
-#include "sheet/SheetFiles.h"
+#include "sheet/prepress/SheetFiles.h"
+#include "workbench/accuracy/CertaintyDialog.h"
+#include "workbench/actions/WindowActions.h"
+#include "workbench/dip/FilmTable.h"
+#include "workbench/jobs/StartJob.h"
+#include "workbench/jobs/WriteFiles.h"
+#include "workbench/printing/PrintDialog.h"
+#include "workbench/results/StretchPanel.h"
 
 #include <QAction>
 #include <QDir>
@@ -68,7 +68,7 @@ void ExportController::exportSheetPdf() {
     exportFile(tr("Save Sheet"), sheetName(), QStringLiteral("pdf"),
                [sheet = session_.outcome().result->immersions[session_.immersion()].sheet](
                    const QString& path) {
-                   writeWhole(path, [&](QIODevice& device) { writeSheetPdf(sheet, device); });
+                   writeAtomically(path, [&](QIODevice& device) { writeSheetPdf(sheet, device); });
                });
 }
 
@@ -76,7 +76,7 @@ void ExportController::exportSheetPng() {
     exportFile(tr("Save Sheet"), sheetName(), QStringLiteral("png"),
                [sheet = session_.outcome().result->immersions[session_.immersion()].sheet](
                    const QString& path) {
-                   writeWhole(path, [&](QIODevice& device) { writeSheetPng(sheet, device); });
+                   writeAtomically(path, [&](QIODevice& device) { writeSheetPng(sheet, device); });
                });
 }
 
@@ -111,7 +111,7 @@ ExportController::Write ExportController::stretchWriter(const QString& suffix) c
     if (suffix == QLatin1String("vtp")) {
         return [result = session_.outcome().result,
                 number = session_.immersion()](const QString& path) {
-            writeWhole(path, [&](QIODevice& device) {
+            writeAtomically(path, [&](QIODevice& device) {
                 const ImmersionResult& dip = result->immersions[number];
                 device.write(filmVtp(*dip.laid, *dip.appearance));
             });
@@ -122,7 +122,7 @@ ExportController::Write ExportController::stretchWriter(const QString& suffix) c
             [reading = session_.reading()](const QString& path) { writeFilmTable(*reading, path); };
     }
     return [picture = stretch_.picture()](const QString& path) {
-        writeWhole(path, [&](QIODevice& device) { writePng(picture, device, path); });
+        writeAtomically(path, [&](QIODevice& device) { writePng(picture, device, path); });
     };
 }
 

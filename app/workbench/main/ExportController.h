@@ -1,10 +1,10 @@
 // What leaves the program: results, sheets, stretch and certainty as files, and sheets on paper.
 #pragma once
 
-#include "document/Preferences.h"
 #include "pipeline/SheetCertainty.h"
-#include "session/DipSession.h"
-#include "session/Messages.h"
+#include "workbench/dip/DipSession.h"
+#include "workbench/document/Preferences.h"
+#include "workbench/jobs/Messages.h"
 
 class QWidget;
 

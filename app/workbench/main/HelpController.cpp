@@ -1,16 +1,16 @@
-#include "main/HelpController.h"
+#include "workbench/main/HelpController.h"
 
 #include "base/ProgramName.h"
-#include "dialogs/GuideWindow.h"
-#include "dialogs/Tour.h"
-#include "main/WindowActions.h"
-#include "panels/LogPanel.h"
-#include "panels/ResultsPanel.h"
-#include "panels/StartPage.h"
-#include "panels/Timeline.h"
-#include "session/Messages.h"
 #include "solver/SolverRegistry.h"
 #include "viewport/DipView.h"
+#include "workbench/actions/WindowActions.h"
+#include "workbench/help/GuideWindow.h"
+#include "workbench/help/Tour.h"
+#include "workbench/jobs/Messages.h"
+#include "workbench/main/LogPanel.h"
+#include "workbench/project/StartPage.h"
+#include "workbench/results/ResultsPanel.h"
+#include "workbench/results/Timeline.h"
 
 #include <QAction>
 #include <QApplication>

@@ -2,7 +2,7 @@
 // wrong.
 #pragma once
 
-#include "main/WindowLayout.h"
+#include "workbench/main/WindowLayout.h"
 
 class QMainWindow;
 

@@ -1,22 +1,23 @@
-#include "main/MainWindow.h"
+#include "workbench/main/MainWindow.h"
 
-#include "dialogs/PreferencesDialog.h"
-#include "document/RecentProjects.h"
-#include "look/Theme.h"
+#include "workbench/document/RecentProjects.h"
+#include "workbench/preferences/PreferencesDialog.h"
+#include "workbench/widgets/Theme.h"
 #ifdef DIPWRIGHT_INSPECTION
-#include "inspect/InspectionController.h"
+#include "workbench/inspection/InspectionController.h"
 #endif
-#include "main/StatusLine.h"
-#include "main/WindowMenus.h"
-#include "main/WindowPages.h"
-#include "main/Workbench.h"
-#include "panels/ProjectTree.h"
-#include "panels/PropertyPanel.h"
-#include "panels/ResultsPanel.h"
-#include "panels/StartPage.h"
-#include "panels/StretchPanel.h"
-#include "panels/Timeline.h"
-#include "view/ViewTheme.h"
+#include "workbench/actions/WindowMenus.h"
+#include "workbench/appearance/ViewTheme.h"
+#include "workbench/main/StatusLine.h"
+#include "workbench/main/WindowPages.h"
+#include "workbench/main/Workbench.h"
+#include "workbench/project/ProjectTree.h"
+#include "workbench/project/PropertyPanel.h"
+#include "workbench/project/StartPage.h"
+#include "workbench/results/ReportPanel.h"
+#include "workbench/results/ResultsPanel.h"
+#include "workbench/results/StretchPanel.h"
+#include "workbench/results/Timeline.h"
 
 #include <QAction>
 #include <QApplication>
@@ -53,8 +54,7 @@ MainWindow::MainWindow(Workbench& workbench)
       edits_(actions_, *parts_.tree, *parts_.properties, *parts_.view, scene_, session_, jobs_,
              messages_, *this),
       exports_(actions_, parts_.results->stretch(), session_, jobs_, messages_, *this),
-      tolerances_(actions_, session_, toleranceCheck_, messages_, scene_, *parts_.properties,
-                  parts_.results->report(), *this),
+      tolerances_(actions_, session_, toleranceCheck_, messages_, *this),
       profiles_(actions_, documents_, messages_, workbench, *parts_.properties, *this),
       viewActions_(actions_, *parts_.view, scene_, *parts_.inside, parts_.results->stretch(), jobs_,
                    messages_, *this),
@@ -147,6 +147,15 @@ void MainWindow::connectPanels() {
             &DipScene::setShownPrint);
     connect(&scene_, &DipScene::deeperFilmWanted, &deeperFilm_, &DeeperFilm::start);
     connect(&deeperFilm_, &DeeperFilm::done, &scene_, &DipScene::setDeeperFilm);
+    connect(parts_.properties, &PropertyPanel::tolerancesAsked, actions_.tolerances,
+            &QAction::trigger);
+    connect(&tolerances_, &ToleranceController::changed, this,
+            [this](const auto& tolerances, const QStringList& verdicts) {
+                scene_.setTolerances(tolerances);
+                parts_.results->report().setTolerances(verdicts);
+            });
+    connect(parts_.properties, &PropertyPanel::brushChanged, &tolerances_,
+            &ToleranceController::setBrush);
     connect(parts_.properties, &PropertyPanel::brushChanged, this, [this](const MarkBrush& brush) {
         marks_.setBrush(brush);
         scene_.setMarking(std::holds_alternative<ShareMark>(brush));
@@ -184,7 +193,7 @@ void MainWindow::connectSession() {
         parts_.timeline->setPosition(parts_.timeline->frames());
         reader_.leadTo(rest);
     });
-    connect(&reader_, &FilmReader::read, status_, &StatusLine::setReading);
+    connect(&reader_, &FilmProbe::read, status_, &StatusLine::setReading);
     connect(&handles_, &BodyHandles::held, &dip_, &DipController::setHeld);
     connect(&handles_, &BodyHandles::held, &scene_, &DipScene::setPreviewed);
     connect(&handles_, &BodyHandles::told, status_, &StatusLine::setReading);

@@ -2,25 +2,25 @@
 // the work is done by those it puts together.
 #pragma once
 
-#include "jobs/JobRunner.h"
-#include "main/DipController.h"
-#include "main/DocumentController.h"
-#include "main/EditController.h"
-#include "main/ExportController.h"
-#include "main/HelpController.h"
-#include "main/PlaceWarning.h"
-#include "main/ProfileController.h"
-#include "main/ToleranceController.h"
-#include "main/ViewController.h"
-#include "main/WindowActions.h"
-#include "main/WindowLayout.h"
-#include "main/WindowMessages.h"
-#include "session/DeeperFilm.h"
-#include "view/BodyHandles.h"
-#include "view/DipPlayback.h"
-#include "view/FilmReader.h"
-#include "view/MarkTool.h"
-#include "view/MeasureTool.h"
+#include "workbench/accuracy/ToleranceController.h"
+#include "workbench/actions/WindowActions.h"
+#include "workbench/dip/DeeperFilm.h"
+#include "workbench/jobs/JobRunner.h"
+#include "workbench/main/DipController.h"
+#include "workbench/main/DocumentController.h"
+#include "workbench/main/EditController.h"
+#include "workbench/main/ExportController.h"
+#include "workbench/main/HelpController.h"
+#include "workbench/main/PlaceWarning.h"
+#include "workbench/main/ProfileController.h"
+#include "workbench/main/WindowLayout.h"
+#include "workbench/main/WindowMessages.h"
+#include "workbench/view/BodyHandles.h"
+#include "workbench/view/DipPlayback.h"
+#include "workbench/view/FilmProbe.h"
+#include "workbench/view/MarkTool.h"
+#include "workbench/view/MeasureTool.h"
+#include "workbench/view/ViewController.h"
 
 #include <QMainWindow>
 
@@ -81,7 +81,7 @@ private:
 
     DipScene scene_;
     DipPlayback playback_;
-    FilmReader reader_;
+    FilmProbe reader_;
     MeasureTool measure_;
     MarkTool marks_;
     BodyHandles handles_;

@@ -1,7 +1,7 @@
-#include "main/PlaceWarning.h"
+#include "workbench/main/PlaceWarning.h"
 
-#include "main/StatusLine.h"
 #include "pipeline/ValidateJob.h"
+#include "workbench/main/StatusLine.h"
 
 namespace dipwright {
 

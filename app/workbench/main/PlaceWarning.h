@@ -1,7 +1,7 @@
 // Says at the bottom of a window when the body lies where it cannot be dipped well.
 #pragma once
 
-#include "session/DipSession.h"
+#include "workbench/dip/DipSession.h"
 
 namespace dipwright {
 

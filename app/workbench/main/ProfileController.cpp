@@ -1,12 +1,12 @@
-#include "main/ProfileController.h"
+#include "workbench/main/ProfileController.h"
 
-#include "dialogs/CalibrationDialog.h"
-#include "dialogs/ProfilesDialog.h"
-#include "main/WindowActions.h"
-#include "main/Workbench.h"
-#include "panels/PropertyPanel.h"
-#include "panels/ShippedNames.h"
 #include "project/Profiles.h"
+#include "workbench/actions/WindowActions.h"
+#include "workbench/main/Workbench.h"
+#include "workbench/printing/CalibrationDialog.h"
+#include "workbench/profiles/ProfilesDialog.h"
+#include "workbench/project/PropertyPanel.h"
+#include "workbench/widgets/ShippedNames.h"
 
 #include <QAction>
 

@@ -1,7 +1,7 @@
 // What is known of printers, films and tanks: shown, measured and used.
 #pragma once
 
-#include "session/DocumentSession.h"
+#include "workbench/document/DocumentSession.h"
 
 class QWidget;
 

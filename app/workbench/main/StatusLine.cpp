@@ -1,7 +1,7 @@
-#include "main/StatusLine.h"
+#include "workbench/main/StatusLine.h"
 
-#include "jobs/JobRunner.h"
-#include "look/Icons.h"
+#include "workbench/jobs/JobRunner.h"
+#include "workbench/widgets/Icons.h"
 
 #include <QAction>
 #include <QLabel>

@@ -1,16 +1,16 @@
-#include "main/WindowLayout.h"
+#include "workbench/main/WindowLayout.h"
 
-#include "document/SavedLayouts.h"
-#include "look/Theme.h"
-#include "panels/LogPanel.h"
-#include "panels/LookInsideBar.h"
-#include "panels/NoticeBar.h"
-#include "panels/ProjectTree.h"
-#include "panels/PropertyPanel.h"
-#include "panels/ResultsPanel.h"
-#include "panels/StartPage.h"
-#include "panels/Timeline.h"
 #include "viewport/DipView.h"
+#include "workbench/document/SavedLayouts.h"
+#include "workbench/main/LogPanel.h"
+#include "workbench/project/ProjectTree.h"
+#include "workbench/project/PropertyPanel.h"
+#include "workbench/project/StartPage.h"
+#include "workbench/results/ResultsPanel.h"
+#include "workbench/results/Timeline.h"
+#include "workbench/view/LookInsideBar.h"
+#include "workbench/widgets/NoticeBar.h"
+#include "workbench/widgets/Theme.h"
 
 #include <QDockWidget>
 #include <QInputDialog>

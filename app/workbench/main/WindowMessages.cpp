@@ -1,9 +1,9 @@
-#include "main/WindowMessages.h"
+#include "workbench/main/WindowMessages.h"
 
-#include "main/WindowLayout.h"
-#include "panels/LogPanel.h"
-#include "panels/NoticeBar.h"
-#include "session/Messages.h"
+#include "workbench/jobs/Messages.h"
+#include "workbench/main/LogPanel.h"
+#include "workbench/main/WindowLayout.h"
+#include "workbench/widgets/NoticeBar.h"
 
 #include <QDir>
 #include <QMainWindow>

@@ -1,14 +1,14 @@
-#include "main/WindowPages.h"
+#include "workbench/main/WindowPages.h"
 
-#include "compare/CompareWindow.h"
-#include "layers/ArtworkController.h"
-#include "main/DipController.h"
-#include "main/DocumentController.h"
-#include "main/WindowActions.h"
-#include "main/WindowLayout.h"
-#include "main/Workbench.h"
-#include "poses/SearchController.h"
-#include "session/DocumentSession.h"
+#include "workbench/actions/WindowActions.h"
+#include "workbench/artwork/ArtworkController.h"
+#include "workbench/compare/CompareWindow.h"
+#include "workbench/document/DocumentSession.h"
+#include "workbench/main/DipController.h"
+#include "workbench/main/DocumentController.h"
+#include "workbench/main/WindowLayout.h"
+#include "workbench/main/Workbench.h"
+#include "workbench/poses/SearchController.h"
 
 #include <QAction>
 #include <QCoreApplication>

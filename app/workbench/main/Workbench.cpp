@@ -1,10 +1,10 @@
-#include "main/Workbench.h"
+#include "workbench/main/Workbench.h"
 
-#include "dialogs/GuideWindow.h"
-#include "dialogs/QueueDialog.h"
-#include "document/Recovery.h"
-#include "look/Theme.h"
-#include "main/MainWindow.h"
+#include "workbench/document/Recovery.h"
+#include "workbench/help/GuideWindow.h"
+#include "workbench/main/MainWindow.h"
+#include "workbench/queue/QueueDialog.h"
+#include "workbench/widgets/Theme.h"
 
 #include <QApplication>
 #include <QDir>

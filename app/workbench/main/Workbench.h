@@ -1,10 +1,10 @@
 // What all windows of the program share: the solvers, the preferences, and the windows themselves.
 #pragma once
 
-#include "document/Preferences.h"
-#include "look/PlainTexts.h"
-#include "session/JobQueue.h"
 #include "solver/SolverRegistry.h"
+#include "workbench/document/Preferences.h"
+#include "workbench/queue/JobQueue.h"
+#include "workbench/widgets/PlainTexts.h"
 
 #include <QObject>
 #include <QPointer>

@@ -1,10 +1,10 @@
 // The workbench: dipwright [FILE.dipw …]
 #include "base/ProgramName.h"
-#include "disk/Unfinished.h"
-#include "document/Recovery.h"
-#include "look/Languages.h"
-#include "main/MainWindow.h"
-#include "main/Workbench.h"
+#include "disk/UnfinishedWrites.h"
+#include "workbench/document/Recovery.h"
+#include "workbench/main/MainWindow.h"
+#include "workbench/main/Workbench.h"
+#include "workbench/widgets/Languages.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -15,7 +15,7 @@ int main(int argc, char* argv[]) {
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QApplication application(argc, argv);
     dipwright::nameProgram();
-    dipwright::tidyUnfinished();
+    dipwright::recoverUnfinishedWrites();
     QApplication::setApplicationDisplayName(QStringLiteral("Dipwright"));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/dipwright.svg")));
     QApplication::setDesktopFileName(QStringLiteral("dipwright"));

@@ -1,4 +1,4 @@
-#include "poses/MeasurePlot.h"
+#include "workbench/poses/MeasurePlot.h"
 
 #include <QComboBox>
 #include <QGridLayout>

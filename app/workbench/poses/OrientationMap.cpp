@@ -1,4 +1,4 @@
-#include "poses/OrientationMap.h"
+#include "workbench/poses/OrientationMap.h"
 
 #include "results/Results.h"
 

@@ -1,4 +1,4 @@
-#include "poses/PoseTable.h"
+#include "workbench/poses/PoseTable.h"
 
 #include <QHeaderView>
 

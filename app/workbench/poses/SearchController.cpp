@@ -1,12 +1,12 @@
-#include "poses/SearchController.h"
+#include "workbench/poses/SearchController.h"
 
-#include "base/HandOver.h"
-#include "document/ImmersionEdits.h"
+#include "base/PostToThread.h"
 #include "film/FilmGrid.h"
 #include "pipeline/JobSearch.h"
 #include "pipeline/SolverChoice.h"
 #include "search/PoseCandidates.h"
 #include "traveller/PosePicture.h"
+#include "workbench/document/ImmersionEdits.h"
 
 #include <condition_variable>
 #include <map>
@@ -46,11 +46,11 @@ public:
 
     // On the worker thread. Returns when the search may go on, or is cancelled.
     void watch(const std::shared_ptr<Watcher>& self, const SearchState& state,
-               const CancelSwitch& cancelSwitch) {
-        handOverUpdate(self, {state.soFar, picturesOf(state.soFar, cancelSwitch), state.done,
+               const CancelToken& cancelToken) {
+        handOverUpdate(self, {state.soFar, picturesOf(state.soFar, cancelToken), state.done,
                               state.wanted, state.secondsLeft});
         std::unique_lock lock(mutex_);
-        while (isPaused_ && !cancelSwitch.isCancelled()) {
+        while (isPaused_ && !cancelToken.isCancelled()) {
             goOn_.wait_for(lock, std::chrono::milliseconds(100));
         }
     }
@@ -61,7 +61,7 @@ public:
 
 private:
     void handOverUpdate(const std::shared_ptr<Watcher>& self, Update update) {
-        handOver(*owner_, [self, owner = owner_, update = std::move(update)] {
+        postToThread(*owner_, [self, owner = owner_, update = std::move(update)] {
             if (owner->watcher_ == self) { // it still is the one that runs
                 owner->take(update);
             }
@@ -69,10 +69,10 @@ private:
     }
 
     // Of the best, each drawn once.
-    std::vector<QImage> picturesOf(const SearchResult& result, const CancelSwitch& cancelSwitch) {
+    std::vector<QImage> picturesOf(const SearchResult& result, const CancelToken& cancelToken) {
         std::vector<QImage> pictures;
         for (const RankedPoses& poses : result.ranking) {
-            if (pictures.size() >= mostPictures || cancelSwitch.isCancelled()) {
+            if (pictures.size() >= mostPictures || cancelToken.isCancelled()) {
                 break;
             }
             pictures.push_back(pictureOf(poses.immersions.front()));
@@ -166,9 +166,9 @@ void SearchController::start() {
         [project = searched_, settings, watcher = watcher_,
          &registry = registry_](const Progress& progress) {
             SolverChoice solver =
-                chooseSolver(project.process.solver, registry, progress.cancelSwitch);
+                chooseSolver(project.process.solver, registry, progress.cancelToken);
             const SearchWatch watch = [&](const SearchState& state) {
-                watcher->watch(watcher, state, progress.cancelSwitch);
+                watcher->watch(watcher, state, progress.cancelToken);
             };
             return Found(watcher->lastOf(
                 withFallback(solver, registry, [&](const solver::SolverModule& module) {

@@ -1,11 +1,11 @@
 // The pose search of a window: runs it as a job, keeps its page up to date, takes poses over.
 #pragma once
 
-#include "jobs/JobRunner.h"
-#include "poses/SearchPage.h"
-#include "session/DipSession.h"
-#include "session/Messages.h"
 #include "solver/SolverRegistry.h"
+#include "workbench/dip/DipSession.h"
+#include "workbench/jobs/JobRunner.h"
+#include "workbench/jobs/Messages.h"
+#include "workbench/poses/SearchPage.h"
 
 #include <QPointer>
 
@@ -43,7 +43,7 @@ private:
     Messages& messages_;
     SearchPage* page_;
     std::shared_ptr<Watcher> watcher_; // of the search that runs; null: none does
-    CancelSwitch running_;
+    CancelToken running_;
     Project searched_; // as it was when it was searched for
 };
 

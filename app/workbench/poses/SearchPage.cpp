@@ -1,11 +1,11 @@
-#include "poses/SearchPage.h"
+#include "workbench/poses/SearchPage.h"
 
-#include "look/Icons.h"
-#include "poses/MeasurePlot.h"
-#include "poses/OrientationMap.h"
-#include "poses/PoseTable.h"
-#include "poses/WeightFields.h"
 #include "search/PoseCandidates.h"
+#include "workbench/poses/MeasurePlot.h"
+#include "workbench/poses/OrientationMap.h"
+#include "workbench/poses/PoseTable.h"
+#include "workbench/poses/WeightFields.h"
+#include "workbench/widgets/Icons.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,8 +1,8 @@
 // The page of the pose search: what counts, how far it is, what was found.
 #pragma once
 
-#include "panels/StateFigures.h"
 #include "search/PoseSearch.h"
+#include "workbench/results/StateFigures.h"
 
 #include <QImage>
 #include <QWidget>

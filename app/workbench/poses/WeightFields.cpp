@@ -1,6 +1,6 @@
-#include "poses/WeightFields.h"
+#include "workbench/poses/WeightFields.h"
 
-#include "panels/NumberBox.h"
+#include "workbench/widgets/NumberBox.h"
 
 #include <QCheckBox>
 #include <QGridLayout>

@@ -1,4 +1,4 @@
-#include "view/BodyHandles.h"
+#include "workbench/view/BodyHandles.h"
 
 #include <Eigen/Geometry>
 #include <QLocale>

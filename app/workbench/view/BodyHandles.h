@@ -2,9 +2,9 @@
 #pragma once
 
 #include "dip/Pose.h"
-#include "panels/Units.h"
-#include "session/DipSession.h"
 #include "viewport/DipView.h"
+#include "workbench/dip/DipSession.h"
+#include "workbench/widgets/Units.h"
 
 #include <optional>
 

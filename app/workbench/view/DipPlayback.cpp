@@ -1,8 +1,8 @@
-#include "view/DipPlayback.h"
+#include "workbench/view/DipPlayback.h"
 
-#include "jobs/DipMoments.h"
-#include "panels/Timeline.h"
 #include "results/Results.h"
+#include "workbench/dip/DipMoments.h"
+#include "workbench/results/Timeline.h"
 
 #include <QCoreApplication>
 #include <QSignalBlocker>

@@ -1,9 +1,9 @@
 // Shows the dip in the view: while it runs, and afterwards the moment that the timeline says.
 #pragma once
 
-#include "panels/Units.h"
-#include "session/DipSession.h"
-#include "view/DipScene.h"
+#include "workbench/dip/DipSession.h"
+#include "workbench/view/DipScene.h"
+#include "workbench/widgets/Units.h"
 
 #include <QTimer>
 

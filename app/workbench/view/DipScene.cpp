@@ -1,13 +1,13 @@
-#include "view/DipScene.h"
+#include "workbench/view/DipScene.h"
 
 #include "dip/FilmMarks.h"
 #include "dip/Pose.h"
 #include "film/FilmGrid.h"
-#include "look/Theme.h"
 #include "pipeline/PrintedBody.h"
 #include "results/Results.h"
 #include "texture/Chessboard.h"
-#include "view/ZoneDress.h"
+#include "workbench/accuracy/ZoneAppearance.h"
+#include "workbench/widgets/Theme.h"
 
 #include <QLocale>
 #include <QPainter>
@@ -108,20 +108,21 @@ constexpr std::size_t setupPoints = 2500;
 } // namespace
 
 DipScene::DipScene(DipView& view, QObject* parent) : QObject(parent), view_(view) {
-    connect(&printer_, &BodyPrinter::printed, this,
-            [this](const std::shared_ptr<const TexturedMesh>& model, const BodyDress& dress) {
-                if (bodyLook_ == BodyLook::Print && model == project_.model) {
-                    wear(dress);
-                }
-            });
+    connect(
+        &printer_, &BodyPrintPreview::printed, this,
+        [this](const std::shared_ptr<const TexturedMesh>& model, const BodyAppearance& appearance) {
+            if (bodyLook_ == BodyLook::Print && model == project_.model) {
+                showBody(appearance);
+            }
+        });
     connect(&artist_, &ArtworkPainter::painted, this,
             [this](const std::shared_ptr<const TexturedMesh>& model,
                    const std::shared_ptr<const TexturedMesh>& look) {
                 if (model == project_.model && !project_.artwork.isEmpty()) {
-                    const bool isWorn = worn_.model == own_;
+                    const bool isShown = shown_.model == own_;
                     own_ = look;
-                    if (isWorn) {
-                        wear({own_, worn_.colours, worn_.legend, worn_.lines});
+                    if (isShown) {
+                        showBody({own_, shown_.colours, shown_.legend, shown_.lines});
                     }
                 }
             });
@@ -131,10 +132,10 @@ void DipScene::paintArtwork() {
     if (!project_.artwork.isEmpty()) {
         artist_.paint(project_.model, project_.artwork);
     } else if (own_ != project_.model) {
-        const bool isWorn = worn_.model == own_;
+        const bool isShown = shown_.model == own_;
         own_ = project_.model;
-        if (isWorn) {
-            wear({own_, worn_.colours, worn_.legend, worn_.lines});
+        if (isShown) {
+            showBody({own_, shown_.colours, shown_.legend, shown_.lines});
         }
     }
 }
@@ -154,7 +155,7 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
         zones_ = nullptr;
         preview_ = nullptr;
         own_ = project.model;
-        wear({own_, {}});
+        showBody({own_, {}});
     } else if (otherMarks) {
         showLines();
     }
@@ -169,13 +170,13 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
     }
     if ((bodyLook_ == BodyLook::Zones && (otherModel || otherZones)) ||
         (bodyLook_ == BodyLook::Print && !otherModel && otherBase)) {
-        dressBody();
+        updateBody();
     }
     if (moment_ == Moment::Setup) {
         showSetup();
     }
     if (previewed_) {
-        wearPreview();
+        showPreview();
     }
     if (otherModel) {
         view_.fit();
@@ -183,14 +184,14 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
 }
 
 void DipScene::setResult(std::shared_ptr<const JobResult> result,
-                         std::shared_ptr<const FilmReading> reading) {
+                         std::shared_ptr<const FilmReadout> reading) {
     if (result_ != result) {
         deeper_ = nullptr;
     }
     result_ = std::move(result);
     reading_ = std::move(reading);
     filmSource_ = {};
-    dressBody();
+    updateBody();
 }
 
 void DipScene::placeBody(const Immersion& immersion, double descent) {
@@ -248,7 +249,7 @@ void DipScene::showSetup() {
     setShape(grid, film, positions_);
     view_.setFilmTransform(Eigen::Isometry3d::Identity());
     filmSource_ = FlatFilm::OfProject;
-    dressFilm();
+    updateFilm();
 }
 
 void DipScene::showFrame(const std::shared_ptr<const DipRecording>& recording,
@@ -259,7 +260,7 @@ void DipScene::showFrame(const std::shared_ptr<const DipRecording>& recording,
         setShape(recording->grid(), recording->film(), frame.positions);
         view_.setFilmTransform(Eigen::Isometry3d::Identity());
         filmSource_ = recording;
-        dressFilm();
+        updateFilm();
     } else {
         view_.setFilmPositions(frame.positions);
         if (look_ == FilmLook::Stretch) {
@@ -296,7 +297,7 @@ void DipScene::showEnd() {
     }
     const Eigen::Isometry3d poseToModel = result.body->modelToPose.inverse();
     view_.setFilmTransform(modelToWorld_ * poseToModel);
-    dressFilm();
+    updateFilm();
 }
 
 std::vector<FilmTriangle> DipScene::shownTriangles(const LaidFilm& laid) const {
@@ -316,7 +317,7 @@ std::vector<FilmTriangle> DipScene::shownTriangles(const LaidFilm& laid) const {
 void DipScene::setFilmLook(FilmLook look, const QImage& picture) {
     look_ = look;
     picture_ = picture;
-    dressFilm();
+    updateFilm();
 }
 
 void DipScene::setFilmExtent(FilmExtent extent) {
@@ -335,13 +336,13 @@ void DipScene::setHeat(FilmQuantity quantity, const HeatScale& scale) {
     quantity_ = quantity;
     scale_ = scale;
     if (look_ == FilmLook::Stretch) {
-        dressFilm();
+        updateFilm();
     }
 }
 
 void DipScene::setBodyLook(BodyLook look) {
     bodyLook_ = look;
-    dressBody();
+    updateBody();
     showEndAnew();
 }
 
@@ -351,7 +352,7 @@ void DipScene::setShownPrint(const ShownPrint& print) {
     }
     shownPrint_ = print;
     if (bodyLook_ == BodyLook::Print) {
-        dressBody();
+        updateBody();
     }
 }
 
@@ -359,7 +360,7 @@ void DipScene::setDeeperFilm(const std::shared_ptr<const JobResult>& result,
                              std::shared_ptr<const LaidFilm> film) {
     if (result == result_) {
         deeper_ = std::move(film);
-        dressBody();
+        updateBody();
     }
 }
 
@@ -376,7 +377,7 @@ void DipScene::setTolerances(std::shared_ptr<const JobTolerances> tolerances) {
     }
     tolerances_ = std::move(tolerances);
     if (bodyLook_ == BodyLook::Zones) {
-        dressBody();
+        updateBody();
     }
 }
 
@@ -387,7 +388,7 @@ void DipScene::setShowHandles(bool show) {
     }
 }
 
-void DipScene::dressFilm() {
+void DipScene::updateFilm() {
     if (!project_.model) {
         return;
     }
@@ -468,12 +469,12 @@ std::vector<QRgb> DipScene::frameColours() const {
     return colours;
 }
 
-void DipScene::dressBody() {
+void DipScene::updateBody() {
     if (bodyLook_ == BodyLook::Zones && project_.model) {
-        wearZones();
+        showZones();
     } else if (bodyLook_ == BodyLook::Own || !result_ || result_->project.model != project_.model ||
                immersion_ >= result_->immersions.size()) {
-        wear({own_, {}});
+        showBody({own_, {}});
     } else if (bodyLook_ == BodyLook::Print) {
         print();
     } else if (result_->share) {
@@ -481,15 +482,15 @@ void DipScene::dressBody() {
             shared_ = result_->share;
             sharedBody_ = plainBody(*shared_->fade.mesh);
         }
-        wear(shareDress(sharedBody_, *result_));
+        showBody(shareAppearance(sharedBody_, *result_));
     } else {
-        wear(coverageDress(project_.model, *result_->immersions[immersion_].coverage));
+        showBody(coverageAppearance(project_.model, *result_->immersions[immersion_].coverage));
     }
 }
 
 void DipScene::print() {
     const JobResult& result = *result_;
-    std::vector<WornFilm> films = wornFilms(result.immersions, true);
+    std::vector<FilmAppearance> films = filmAppearances(result.immersions, true);
     for (std::size_t dip = 0; dip < films.size(); ++dip) {
         films[dip].depth = dipDepth(result.project.process, *result.immersions[dip].body);
     }
@@ -502,7 +503,7 @@ void DipScene::print() {
                    groundOf(inputs.settings, project_.baseColour));
 }
 
-void DipScene::slip(WornFilm& film) {
+void DipScene::slip(FilmAppearance& film) {
     film.slip = shownPrint_.slip;
     if (film.slip.deeper.value() <= 0) {
         return;
@@ -523,43 +524,43 @@ void DipScene::setPreviewed(bool previewed) {
     }
     previewed_ = previewed && project_.model;
     if (previewed_) {
-        wearPreview();
+        showPreview();
     } else {
-        dressBody();
+        updateBody();
     }
 }
 
-void DipScene::wearPreview() {
+void DipScene::showPreview() {
     if (!preview_) {
         preview_ = std::make_unique<CoveragePreview>(project_.model->mesh);
         previewedBody_ = plainBody(preview_->mesh());
     }
     const Immersion& immersion = project_.immersions[immersion_];
-    wear(previewDress(previewedBody_,
-                      preview_->at(immersion, project_.film, project_.process).covered));
+    showBody(previewAppearance(previewedBody_,
+                               preview_->at(immersion, project_.film, project_.process).covered));
 }
 
-void DipScene::wearZones() {
+void DipScene::showZones() {
     if (!zones_) {
         zones_ = std::make_unique<ZonedBody>(project_.model);
         zonedBody_ = plainBody(zones_->mesh());
     }
     zones_->setMarks(project_.tolerance.marks);
-    wear(zoneDress(zonedBody_, *zones_, tolerances_.get(), project_.tolerance));
+    showBody(zoneAppearance(zonedBody_, *zones_, tolerances_.get(), project_.tolerance));
 }
 
-void DipScene::wear(BodyDress dress) {
-    if (dress.model != worn_.model) {
-        view_.setBody(dress.model);
+void DipScene::showBody(BodyAppearance appearance) {
+    if (appearance.model != shown_.model) {
+        view_.setBody(appearance.model);
     }
-    worn_ = std::move(dress);
-    view_.setBodyColours(worn_.colours);
-    view_.setLegend(worn_.legend);
+    shown_ = std::move(appearance);
+    view_.setBodyColours(shown_.colours);
+    view_.setLegend(shown_.legend);
     showLines();
 }
 
 void DipScene::showLines() {
-    std::vector<ViewLine> lines = worn_.lines;
+    std::vector<ViewLine> lines = shown_.lines;
     const bool shows = marking_ || bodyLook_ == BodyLook::Coverage;
     if (shows && !project_.share.marks.empty()) {
         if (!marks_) {

@@ -1,24 +1,19 @@
 // Brings project, recording and result into the 3D view: which body, which film, at which moment.
 #pragma once
 
-#include "jobs/DipJob.h"
-#include "look/HeatScale.h"
-#include "panels/PrintFields.h"
 #include "search/CoveragePreview.h"
-#include "view/ArtworkPainter.h"
-#include "view/BodyPrinter.h"
-#include "view/MarkLines.h"
+#include "workbench/appearance/ArtworkPainter.h"
+#include "workbench/appearance/BodyPrintPreview.h"
+#include "workbench/appearance/MarkLines.h"
+#include "workbench/appearance/ViewLooks.h"
+#include "workbench/dip/DipJob.h"
+#include "workbench/project/PrintFields.h"
+#include "workbench/widgets/HeatScale.h"
 
 #include <QObject>
 #include <variant>
 
 namespace dipwright {
-
-enum class FilmLook { Lines, Sheet, Chessboard, Picture, Stretch, Shares };
-enum class FilmExtent { Whole, OnBody };
-// The model's texture; painted, bare and marked parts, or the dips' shares; what comes out of the
-// dips; the zones of the body. All but the first hide the film at the end of the dip.
-enum class BodyLook { Own, Coverage, Print, Zones };
 
 class DipScene : public QObject {
     Q_OBJECT
@@ -30,7 +25,7 @@ public:
     void setProject(const Project& project, std::size_t immersion);
     // How the dip went; null: not yet.
     void setResult(std::shared_ptr<const JobResult> result,
-                   std::shared_ptr<const FilmReading> reading);
+                   std::shared_ptr<const FilmReadout> reading);
 
     // The moments: before the dip as set up now, in the middle, at the end with the whole film.
     void showSetup();
@@ -82,20 +77,20 @@ private:
     // that was dipped. None: it is to be made anew.
     enum class FlatFilm { OfProject };
     using FilmSource = std::variant<std::monostate, FlatFilm, std::shared_ptr<const DipRecording>,
-                                    std::shared_ptr<const FilmReading>>;
+                                    std::shared_ptr<const FilmReadout>>;
 
     void placeBody(const Immersion& immersion, double descent);
     void setBodyRoom(const Eigen::Isometry3d& modelToSetup);
     void setShape(const solver::FilmGrid& grid, const ThinnedFilm& film,
                   const std::vector<float>& positions);
-    void dressFilm();
-    void dressBody();
+    void updateFilm();
+    void updateBody();
     void paintArtwork();
     void print();
-    void slip(WornFilm& film); // as the shown print has it
-    void wear(BodyDress dress);
-    void wearZones();
-    void wearPreview();
+    void slip(FilmAppearance& film); // as the shown print has it
+    void showBody(BodyAppearance appearance);
+    void showZones();
+    void showPreview();
     void showLines();
     void showEndAnew(); // where the end is shown
     // At the end: by the extent, and none over the body whose coverage is shown.
@@ -105,11 +100,11 @@ private:
     DipView& view_;
     Project project_;
     std::size_t immersion_ = 0;
-    BodyDress worn_;                          // what the view shows as the body
+    BodyAppearance shown_;                    // what the view shows as the body
     std::shared_ptr<const TexturedMesh> own_; // the project's model with its artwork, as painted
     ArtworkPainter artist_;
     std::vector<ViewLine> frame_;
-    BodyPrinter printer_;
+    BodyPrintPreview printer_;
     std::shared_ptr<const BodyShare> shared_; // what `sharedBody_` was made for
     std::shared_ptr<const TexturedMesh> sharedBody_;
     std::unique_ptr<ZonedBody> zones_; // of the project's model; null until it is shown
@@ -119,7 +114,7 @@ private:
     std::shared_ptr<const JobTolerances> tolerances_; // null: none that is true
     std::optional<MarkLines> marks_; // of the project's model; empty until there is a mark
     std::shared_ptr<const JobResult> result_;
-    std::shared_ptr<const FilmReading> reading_;
+    std::shared_ptr<const FilmReadout> reading_;
     std::shared_ptr<const LaidFilm> deeper_; // its last film dipped deeper; null: not yet
     std::unique_ptr<SurfaceQuery> query_;    // of the model
     Moment moment_ = Moment::Setup;

@@ -1,4 +1,4 @@
-#include "view/MarkTool.h"
+#include "workbench/view/MarkTool.h"
 
 namespace dipwright {
 namespace {

@@ -1,9 +1,9 @@
 // Marks on the body, where the user clicks or drags: for the join of two dips, or of zones.
 #pragma once
 
-#include "document/MarkEdits.h"
-#include "session/DipSession.h"
-#include "view/DipScene.h"
+#include "workbench/dip/DipSession.h"
+#include "workbench/document/MarkEdits.h"
+#include "workbench/view/DipScene.h"
 
 namespace dipwright {
 

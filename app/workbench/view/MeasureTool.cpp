@@ -1,4 +1,4 @@
-#include "view/MeasureTool.h"
+#include "workbench/view/MeasureTool.h"
 
 namespace dipwright {
 

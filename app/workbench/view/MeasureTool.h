@@ -1,9 +1,9 @@
 // Measures the distance between two places of the body that the user clicks.
 #pragma once
 
-#include "panels/Units.h"
-#include "session/Messages.h"
-#include "view/DipScene.h"
+#include "workbench/jobs/Messages.h"
+#include "workbench/view/DipScene.h"
+#include "workbench/widgets/Units.h"
 
 namespace dipwright {
 

@@ -3,7 +3,7 @@
 #include "ObjFile.h"
 #include "Samples.h"
 #include "base/Error.h"
-#include "import/ImportModel.h"
+#include "import/trusted/ImportModel.h"
 #include "project/FilmSizes.h"
 #include "project/Project.h"
 #include "project/ProjectStore.h"

@@ -2,10 +2,10 @@
 
 #include "CliProcess.h"
 #include "TestFolders.h"
+#include "disk/AtomicFile.h"
 #include "disk/FileLock.h"
-#include "disk/ResultFolder.h"
-#include "disk/Unfinished.h"
-#include "disk/WholeFile.h"
+#include "disk/FolderTransaction.h"
+#include "disk/UnfinishedWrites.h"
 #include "project/ProfileLibrary.h"
 #include "project/Project.h"
 #include "project/ProjectFile.h"
@@ -108,7 +108,7 @@ void WritersTest::whatIsOpenElsewhereIsNotWritten() {
 }
 
 void WritersTest::resultsAreNotWrittenBesideOthers() {
-    const ResultFolder other(path(QStringLiteral("out")), {QStringLiteral("proof.png")});
+    const FolderTransaction other(path(QStringLiteral("out")), {QStringLiteral("proof.png")});
     const Outcome outcome =
         cli({QStringLiteral("run"), job_, QStringLiteral("--out"), path(QStringLiteral("out"))});
     QCOMPARE(outcome.exitCode, 1);
@@ -187,7 +187,7 @@ void WritersTest::linksInAFolderForResultsLeadNowhere() {
     QVERIFY(QDir().mkpath(path(QStringLiteral("documents"))));
     QVERIFY(QDir().mkpath(path(QStringLiteral("out"))));
     write(thesis, "mine");
-    for (const QString& name : {ResultFolder::workName(), QStringLiteral("immersion-1")}) {
+    for (const QString& name : {FolderTransaction::workName(), QStringLiteral("immersion-1")}) {
         const QString link = path(QStringLiteral("out/")) + name;
         QVERIFY(QFile::link(path(QStringLiteral("documents")), link));
         const Outcome outcome = cli(
@@ -204,7 +204,7 @@ void WritersTest::linksInAFolderForResultsLeadNowhere() {
 
 void WritersTest::whatADeadWriterSeemsToHaveLeftIsNotMovedThroughLinks() {
     const QString keys = path(QStringLiteral("home/keys/allowed"));
-    const QString work = path(QStringLiteral("out/")) + ResultFolder::workName();
+    const QString work = path(QStringLiteral("out/")) + FolderTransaction::workName();
     QVERIFY(QDir().mkpath(path(QStringLiteral("home/keys"))));
     QVERIFY(QDir().mkpath(work + QStringLiteral("/new/a/keys")));
     write(keys, "mine");
@@ -212,14 +212,14 @@ void WritersTest::whatADeadWriterSeemsToHaveLeftIsNotMovedThroughLinks() {
     write(work + QStringLiteral("/journal.json"), R"({"written":["a/keys/allowed"],"there":[]})");
     QVERIFY(QFile::link(path(QStringLiteral("home")), path(QStringLiteral("out/a"))));
     QVERIFY_EXCEPTION_THROWN(
-        ResultFolder(path(QStringLiteral("out")), {QStringLiteral("a/keys/allowed")}), Error);
+        FolderTransaction(path(QStringLiteral("out")), {QStringLiteral("a/keys/allowed")}), Error);
     QCOMPARE(contentsOf(keys), QByteArray("mine"));
 }
 
 // Nor are files of other folders fetched by a link in the hidden one.
 void WritersTest::whatADeadWriterSeemsToHaveLeftIsNoLink() {
     const QString victim = path(QStringLiteral("documents/proof.png"));
-    const QString work = path(QStringLiteral("out/")) + ResultFolder::workName();
+    const QString work = path(QStringLiteral("out/")) + FolderTransaction::workName();
     QVERIFY(QDir().mkpath(path(QStringLiteral("documents"))));
     QVERIFY(QDir().mkpath(work));
     write(victim, "mine");
@@ -229,7 +229,7 @@ void WritersTest::whatADeadWriterSeemsToHaveLeftIsNoLink() {
         write(work + QStringLiteral("/journal.json"),
               R"({"written":["proof.png"],"there":["proof.png"]})");
         QVERIFY_EXCEPTION_THROWN(
-            ResultFolder(path(QStringLiteral("out")), {QStringLiteral("proof.png")}), Error);
+            FolderTransaction(path(QStringLiteral("out")), {QStringLiteral("proof.png")}), Error);
         QCOMPARE(contentsOf(victim), QByteArray("mine"));
         QVERIFY(!QFileInfo::exists(path(QStringLiteral("out/proof.png"))));
         QVERIFY(QFile::remove(link));
@@ -238,7 +238,7 @@ void WritersTest::whatADeadWriterSeemsToHaveLeftIsNoLink() {
 
 // An unpacked archive of somebody's could hold it.
 void WritersTest::aJournalOfWhatIsNoResultTouchesNothing() {
-    const QString out = path(QStringLiteral("out/")), work = out + ResultFolder::workName();
+    const QString out = path(QStringLiteral("out/")), work = out + FolderTransaction::workName();
     QVERIFY(QDir().mkpath(work + QStringLiteral("/new")));
     QVERIFY(QDir().mkpath(work + QStringLiteral("/old")));
     for (const QString& name : {QStringLiteral("thesis.odt"), QStringLiteral("proof.png")}) {
@@ -250,7 +250,8 @@ void WritersTest::aJournalOfWhatIsNoResultTouchesNothing() {
         for (const QString& name : {QStringLiteral("journal.json"), QStringLiteral("undo.json")}) {
             write(work + QLatin1Char('/') + name, journal);
             QVERIFY_EXCEPTION_THROWN(
-                ResultFolder(path(QStringLiteral("out")), {QStringLiteral("proof.png")}), Error);
+                FolderTransaction(path(QStringLiteral("out")), {QStringLiteral("proof.png")}),
+                Error);
             QCOMPARE(contentsOf(out + QStringLiteral("thesis.odt")), QByteArray("mine"));
             QCOMPARE(contentsOf(out + QStringLiteral("proof.png")), QByteArray("mine"));
             QVERIFY(!QFileInfo::exists(out + QStringLiteral(".bashrc")));
@@ -266,16 +267,16 @@ void WritersTest::resultsThatWentMissingMeanwhileReplaceNothing() {
     QVERIFY(QDir().mkpath(out));
     write(out + names[0], "old");
     {
-        ResultFolder results(out, names);
+        FolderTransaction results(out, names);
         for (const QString& name : names) {
             results.write(name, "new");
         }
-        QVERIFY(QFile::remove(out + ResultFolder::workName() + QStringLiteral("/new/a.txt")));
+        QVERIFY(QFile::remove(out + FolderTransaction::workName() + QStringLiteral("/new/a.txt")));
         QVERIFY_EXCEPTION_THROWN(results.commit(), Error);
     }
     {
-        ResultFolder results(out, names);
-        const QString work = out + ResultFolder::workName();
+        FolderTransaction results(out, names);
+        const QString work = out + FolderTransaction::workName();
         QVERIFY(QDir().rename(work + QStringLiteral("/new"), work + QStringLiteral("/away")));
         QVERIFY_EXCEPTION_THROWN(results.write(names[1], "new"), Error);
     }
@@ -286,12 +287,12 @@ void WritersTest::resultsThatWentMissingMeanwhileReplaceNothing() {
 
 // Killed when they are made for what is to come, and before it counts.
 void WritersTest::foldersThatNothingCameIntoGo() {
-    const QString out = path(QStringLiteral("out/")), work = out + ResultFolder::workName();
+    const QString out = path(QStringLiteral("out/")), work = out + FolderTransaction::workName();
     QVERIFY(QDir().mkpath(work + QStringLiteral("/new/immersion-1")));
     QVERIFY(QDir().mkpath(out + QStringLiteral("immersion-1")));
     QVERIFY(QDir().mkpath(out + QStringLiteral("immersion-2"))); // somebody's
     write(work + QStringLiteral("/new/immersion-1/sheet.png"), "new");
-    QVERIFY(ResultFolder::putRight(path(QStringLiteral("out"))));
+    QVERIFY(FolderTransaction::putRight(path(QStringLiteral("out"))));
     QCOMPARE(QDir(out).entryList(QDir::NoDotAndDotDot | QDir::AllEntries | QDir::Hidden),
              QStringList(QStringLiteral("immersion-2")));
 }
@@ -347,11 +348,11 @@ void WritersTest::theNextStartRemovesNothingByTheNameOfAFolder() {
     QVERIFY(QDir().mkpath(odd));
     qputenv("XDG_DATA_HOME", path(QStringLiteral("data")).toUtf8());
     {
-        UnfinishedNote note(odd + QStringLiteral("/.~new.a"), {odd});
+        UnfinishedWrite note(odd + QStringLiteral("/.~new.a"), {odd});
         note.leave(); // as the dying do
     }
-    UnfinishedNote(kept).leave();
-    tidyUnfinished();
+    UnfinishedWrite(kept).leave();
+    recoverUnfinishedWrites();
     qunsetenv("XDG_DATA_HOME");
     QCOMPARE(contentsOf(kept), QByteArray("mine"));
     QVERIFY(!QFileInfo::exists(odd)); // empty, and made for what was left

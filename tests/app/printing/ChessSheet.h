@@ -1,7 +1,7 @@
 // A sheet that can be measured when it has been printed.
 #pragma once
 
-#include "sheet/Sheet.h"
+#include "sheet/page/Sheet.h"
 
 #include <vector>
 

@@ -103,7 +103,7 @@ private slots:
         Progress progress;
         progress.report = [&](double, const QString&) {
             QCOMPARE(history().records()[0].fate, PrintFate::Sent); // kept before its end
-            progress.cancelSwitch.cancel();
+            progress.cancelToken.cancel();
         };
         QVERIFY_EXCEPTION_THROWN(print({QStringLiteral("Top")}, history(), progress), Cancelled);
         QCOMPARE(history().records().size(), std::size_t(1));

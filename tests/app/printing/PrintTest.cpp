@@ -293,7 +293,7 @@ void PrintTest::printerThatScalesUnaskedIsToldItself() {
     QTRY_VERIFY_WITH_TIMEOUT(system_->printer("stuck")->stateReason.contains("marker supply empty"),
                              30000);
     Progress progress;
-    progress.cancelSwitch.cancel();
+    progress.cancelToken.cancel();
     QVERIFY_EXCEPTION_THROWN(followJob(*system_, job, progress), std::exception);
     QTRY_COMPARE_WITH_TIMEOUT(system_->status(job).state, JobState::Cancelled, 60000);
 }
@@ -434,7 +434,7 @@ void PrintTest::cancelledJobIsNotPrinted() {
     const PrintJob job = system_->submit(task);
     QCOMPARE(system_->status(job).state, JobState::Held);
     Progress progress;
-    progress.cancelSwitch.cancel();
+    progress.cancelToken.cancel();
     // A held job is no stopped printer's fault, but waits: the user gives up.
     QVERIFY_EXCEPTION_THROWN(followJob(*system_, job, progress), std::exception);
     QCOMPARE(system_->status(job).state, JobState::Cancelled);

@@ -4,10 +4,10 @@
 #include "Patience.h"
 #include "WindowDriver.h"
 #include "artwork/EditArtwork.h"
-#include "base/WideColour.h"
+#include "base/WideGamut.h"
 #include "geometry/Shapes.h"
-#include "layers/ArtworkPage.h"
-#include "layers/LayerFrame.h"
+#include "workbench/artwork/ArtworkPage.h"
+#include "workbench/artwork/LayerFrame.h"
 
 #include <QCheckBox>
 #include <QDockWidget>

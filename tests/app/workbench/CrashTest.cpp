@@ -5,8 +5,8 @@
 #include "Patience.h"
 #include "TestFolders.h"
 #include "WindowDriver.h"
-#include "document/Recovery.h"
 #include "project/ProjectStore.h"
+#include "workbench/document/Recovery.h"
 
 #include <QApplication>
 #include <QDir>

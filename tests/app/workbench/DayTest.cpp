@@ -4,13 +4,13 @@
 #include "TestFolders.h"
 #include "WindowDriver.h"
 #include "base/Error.h"
-#include "dialogs/SnapshotsDialog.h"
-#include "disk/ArchiveWriter.h"
-#include "panels/PictureView.h"
-#include "panels/ProjectTree.h"
-#include "panels/Timeline.h"
-#include "project/Archive.h"
+#include "disk/ZipWriter.h"
 #include "project/ProjectStore.h"
+#include "project/ZipReader.h"
+#include "workbench/compare/SnapshotsDialog.h"
+#include "workbench/project/ProjectTree.h"
+#include "workbench/results/Timeline.h"
+#include "workbench/widgets/PictureView.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -42,15 +42,15 @@ void makeTwoCoarseDips(Project& project) {
 }
 
 void writeNewerProject(const QString& original, const QString& path) {
-    ArchiveReader reader(original);
+    ZipReader reader(original);
     QJsonObject json =
         QJsonDocument::fromJson(reader.read(QStringLiteral("project.json"))).object();
     json[QStringLiteral("version")] = 99;
-    ArchiveWriter writer;
+    ZipWriter writer;
     writer.add(QStringLiteral("mimetype"), reader.read(QStringLiteral("mimetype")),
-               ArchiveWriter::Packing::Stored);
+               ZipWriter::Packing::Stored);
     writer.add(QStringLiteral("project.json"), QJsonDocument(json).toJson(),
-               ArchiveWriter::Packing::Deflated);
+               ZipWriter::Packing::Deflated);
     QFile file(path);
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(writer.finish());

@@ -1,15 +1,15 @@
 // The document without a window: undo, freshness, file, lock and recovery.
-#include "document/Document.h"
+#include "workbench/document/Document.h"
 #include "BoxProject.h"
 #include "disk/FileLock.h"
-#include "document/ImmersionEdits.h"
-#include "document/ModelEdits.h"
-#include "document/ProjectValue.h"
-#include "document/RecentProjects.h"
-#include "document/Recovery.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
 #include "project/Schema.h"
+#include "workbench/document/ImmersionEdits.h"
+#include "workbench/document/ModelEdits.h"
+#include "workbench/document/ProjectValue.h"
+#include "workbench/document/RecentProjects.h"
+#include "workbench/document/Recovery.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,13 +1,13 @@
 // The page on which a film on the water is measured by photos, used as a user would.
-#include "inspect/FilmPage.h"
+#include "workbench/inspection/FilmPage.h"
 #include "InspectionWindow.h"
 #include "Patience.h"
 #include "TankPhoto.h"
 #include "TestFolders.h"
-#include "panels/NumberBox.h"
-#include "panels/PicturePanel.h"
 #include "project/ProfileLibrary.h"
 #include "project/ProjectStore.h"
+#include "workbench/widgets/NumberBox.h"
+#include "workbench/widgets/PicturePanel.h"
 
 #include <QInputDialog>
 #include <QLabel>

@@ -1,12 +1,12 @@
 // The page on which film and dip are fitted to photos of a dipped part, used as a user would.
-#include "inspect/FitPage.h"
+#include "workbench/inspection/FitPage.h"
 #include "InspectionWindow.h"
 #include "Patience.h"
 #include "PhotographedPart.h"
-#include "inspect/PartPage.h"
 #include "project/ProfileLibrary.h"
 #include "solver/SolverRegistry.h"
 #include "texture/Chessboard.h"
+#include "workbench/inspection/PartPage.h"
 
 #include <QCheckBox>
 #include <QDir>

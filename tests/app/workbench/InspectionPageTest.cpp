@@ -3,13 +3,13 @@
 #include "PartPhoto.h"
 #include "Patience.h"
 #include "TestFolders.h"
-#include "inspect/BuiltPage.h"
-#include "inspect/PartPage.h"
-#include "panels/NumberBox.h"
-#include "panels/PicturePanel.h"
-#include "panels/Timeline.h"
 #include "project/ProjectStore.h"
 #include "texture/Chessboard.h"
+#include "workbench/inspection/BuiltPage.h"
+#include "workbench/inspection/PartPage.h"
+#include "workbench/results/Timeline.h"
+#include "workbench/widgets/NumberBox.h"
+#include "workbench/widgets/PicturePanel.h"
 
 #include <QCheckBox>
 #include <QLabel>

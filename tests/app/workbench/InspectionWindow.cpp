@@ -1,7 +1,7 @@
 #include "InspectionWindow.h"
 
-#include "look/Languages.h"
 #include "project/ProjectStore.h"
+#include "workbench/widgets/Languages.h"
 
 #include <QDir>
 #include <QDockWidget>

@@ -1,8 +1,8 @@
 // Jobs and recordings without a window.
 #include "Patience.h"
 #include "base/Error.h"
-#include "jobs/DipRecording.h"
-#include "jobs/JobRunner.h"
+#include "workbench/dip/DipRecording.h"
+#include "workbench/jobs/JobRunner.h"
 
 #include <QProcess>
 #include <QSemaphore>
@@ -138,7 +138,7 @@ private slots:
         ProbeJob::Log running, waiting;
         JobRunner runner;
         QSignalSpy idle(&runner, &JobRunner::idle);
-        CancelSwitch first =
+        CancelToken first =
             runner.start(std::make_unique<ProbeJob>(running, [](const Progress& progress) {
                 while (true) {
                     progress(0.5, QStringLiteral("busy"));
@@ -159,7 +159,7 @@ private slots:
             runner.start(std::make_unique<ProbeJob>(log, [&](const Progress& progress) {
                 begun.release();
                 while (true) {
-                    progress.cancelSwitch.throwIfCancelled();
+                    progress.cancelToken.throwIfCancelled();
                 }
             }));
             begun.acquire();

@@ -1,13 +1,13 @@
 // The dialog for several jobs on one film as a user works it.
-#include "dialogs/PackDialog.h"
+#include "workbench/printing/PackDialog.h"
 #include "FileAnswer.h"
 #include "PaperMeasure.h"
 #include "Patience.h"
 #include "PrivateCups.h"
 #include "TestFolders.h"
 
-#include "panels/PicturePanel.h"
 #include "project/ProjectStore.h"
+#include "workbench/widgets/PicturePanel.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

@@ -1,17 +1,17 @@
 // The panels by themselves: fields, heat scale, isolines and the picture view.
 #include "Contrast.h"
-#include "document/ProjectValue.h"
 #include "geometry/Shapes.h"
-#include "look/HeatScale.h"
-#include "look/Theme.h"
-#include "panels/CertaintyPanel.h"
-#include "panels/FilmFacts.h"
-#include "panels/NumberBox.h"
-#include "panels/PictureView.h"
-#include "panels/PropertyField.h"
-#include "panels/PropertySpecs.h"
-#include "panels/Timeline.h"
 #include "project/Schema.h"
+#include "workbench/accuracy/CertaintyPanel.h"
+#include "workbench/document/ProjectValue.h"
+#include "workbench/project/FilmFacts.h"
+#include "workbench/project/PropertyField.h"
+#include "workbench/project/PropertySpecs.h"
+#include "workbench/results/Timeline.h"
+#include "workbench/widgets/HeatScale.h"
+#include "workbench/widgets/NumberBox.h"
+#include "workbench/widgets/PictureView.h"
+#include "workbench/widgets/Theme.h"
 
 #include <QApplication>
 #include <QColorDialog>

@@ -1,15 +1,15 @@
 // The dialogs between the program and the printer: profiles and calibration.
 #include "Patience.h"
-#include "dialogs/CalibrationDialog.h"
-#include "dialogs/PrintDialog.h"
-#include "dialogs/ProfilesDialog.h"
 #include "project/Profiles.h"
+#include "workbench/printing/CalibrationDialog.h"
+#include "workbench/printing/PrintDialog.h"
+#include "workbench/profiles/ProfilesDialog.h"
 
 #include "base/Error.h"
-#include "panels/PictureView.h"
-#include "panels/ProfileSpecs.h"
-#include "panels/PropertyField.h"
 #include "project/ProfileFields.h"
+#include "workbench/profiles/ProfileSpecs.h"
+#include "workbench/project/PropertyField.h"
+#include "workbench/widgets/PictureView.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

@@ -1,8 +1,8 @@
 // The page of the pose search, with results made up.
-#include "poses/MeasurePlot.h"
-#include "poses/OrientationMap.h"
-#include "poses/PoseTable.h"
-#include "poses/SearchPage.h"
+#include "workbench/poses/MeasurePlot.h"
+#include "workbench/poses/OrientationMap.h"
+#include "workbench/poses/PoseTable.h"
+#include "workbench/poses/SearchPage.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,5 +1,5 @@
 // The print dialog as a user works it: what arrives at a real (software) printer is measured.
-#include "dialogs/PrintDialog.h"
+#include "workbench/printing/PrintDialog.h"
 #include "Patience.h"
 
 #include "ChessSheet.h"

@@ -5,8 +5,8 @@
 #include "TestFolders.h"
 #include "WindowDriver.h"
 #include "disk/FileLock.h"
-#include "panels/NoticeBar.h"
 #include "project/ProjectStore.h"
+#include "workbench/widgets/NoticeBar.h"
 
 #include <QAbstractButton>
 #include <QAccessible>

@@ -3,14 +3,14 @@
 #include "BoxProject.h"
 #include "Patience.h"
 #include "base/Error.h"
-#include "document/RecentProjects.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
-#include "session/DipSession.h"
-#include "session/DocumentSession.h"
-#include "session/LiveRun.h"
-#include "session/ModelImport.h"
-#include "session/WriteFiles.h"
+#include "workbench/dip/DipSession.h"
+#include "workbench/dip/LiveRun.h"
+#include "workbench/document/DocumentSession.h"
+#include "workbench/document/ModelImport.h"
+#include "workbench/document/RecentProjects.h"
+#include "workbench/jobs/WriteFiles.h"
 
 #include <QFile>
 #include <QSignalSpy>

@@ -6,9 +6,9 @@
 #include "PrivateCups.h"
 #include "TestFolders.h"
 #include "WindowDriver.h"
-#include "panels/ProjectTree.h"
-#include "panels/ResultsPanel.h"
 #include "results/Results.h"
+#include "workbench/project/ProjectTree.h"
+#include "workbench/results/ResultsPanel.h"
 
 #include <QCheckBox>
 #include <QComboBox>

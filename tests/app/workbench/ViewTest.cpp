@@ -1,9 +1,9 @@
 // The 3D view with a real OpenGL context: what is drawn, the camera, rays and rings.
 #include "WindowDriver.h"
 #include "geometry/Shapes.h"
-#include "view/BodyHandles.h"
-#include "view/DipScene.h"
-#include "view/ViewTheme.h"
+#include "workbench/appearance/ViewTheme.h"
+#include "workbench/view/BodyHandles.h"
+#include "workbench/view/DipScene.h"
 
 #include <QApplication>
 #include <QMouseEvent>

@@ -1,8 +1,8 @@
 // Drives a real main window as a user would, for the tests and for the pictures.
 #pragma once
 
-#include "main/MainWindow.h"
-#include "main/Workbench.h"
+#include "workbench/main/MainWindow.h"
+#include "workbench/main/Workbench.h"
 
 #include <QAction>
 #include <QApplication>

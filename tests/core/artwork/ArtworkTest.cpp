@@ -5,7 +5,7 @@
 #include "artwork/PaintArtwork.h"
 #include "artwork/Patterns.h"
 #include "artwork/Unwrap.h"
-#include "base/WideColour.h"
+#include "base/WideGamut.h"
 #include "geometry/Shapes.h"
 #include "texture/SurfaceColours.h"
 

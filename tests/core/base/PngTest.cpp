@@ -2,7 +2,7 @@
 #include "base/Png.h"
 
 #include "base/Error.h"
-#include "base/WideColour.h"
+#include "base/WideGamut.h"
 #include "parallel/Threads.h"
 
 #include <QBuffer>

@@ -4,10 +4,10 @@
 #include "cradle/CradleFiles.h"
 #include "geometry/DistanceField.h"
 #include "geometry/Shapes.h"
-#include "import/ImportModel.h"
+#include "import/trusted/ImportModel.h"
 #include "parallel/Threads.h"
 #include "settings/FilmSettings.h"
-#include "sheet/Sheet.h"
+#include "sheet/page/Sheet.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -288,7 +288,7 @@ private slots:
         Progress progress;
         progress.report = [&](double share, const QString&) {
             if (share > 0.3) {
-                progress.cancelSwitch.cancel();
+                progress.cancelToken.cancel();
             }
         };
         QVERIFY_EXCEPTION_THROWN(cradleOf(*halfPainted(), settings(), {}, {}, progress), Cancelled);

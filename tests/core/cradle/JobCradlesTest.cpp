@@ -4,7 +4,7 @@
 #include "TestFolders.h"
 #include "WholeSample.h"
 #include "cradle/CradleFiles.h"
-#include "import/ImportModel.h"
+#include "import/trusted/ImportModel.h"
 #include "pipeline/Pipeline.h"
 #include "project/ProjectStore.h"
 

@@ -334,7 +334,7 @@ void DipTest::cancellingStopsWithTheNextSteps() {
     dip.progress.report = [&](double, const QString&) {
         if (script.advanced >= 20 && askedWhenCancelled < 0) {
             askedWhenCancelled = script.asked;
-            dip.progress.cancelSwitch.cancel();
+            dip.progress.cancelToken.cancel();
         }
     };
     QVERIFY_EXCEPTION_THROWN(dip.run(script), Cancelled);

@@ -1,5 +1,5 @@
 #include "DippedByHand.h"
-#include "base/WideColour.h"
+#include "base/WideGamut.h"
 
 #include "geometry/Shapes.h"
 

@@ -240,7 +240,7 @@ void FilmContactTest::filmsTogetherCoverWhatAnyCovers() {
     const double both = coverageTogether({small.laid, large.laid}, {});
     QVERIFY(std::abs(both - coverage(*large.laid).share) < 0.002);
     Progress cancelled;
-    cancelled.cancelSwitch.cancel();
+    cancelled.cancelToken.cancel();
     QVERIFY_EXCEPTION_THROWN(coverageTogether({small.laid, large.laid}, cancelled), Cancelled);
 }
 

@@ -246,7 +246,7 @@ void DistanceFieldTest::cancelEndsTheWork() {
     Progress progress;
     progress.report = [&](double share, const QString&) {
         if (share > 0.2) {
-            progress.cancelSwitch.cancel();
+            progress.cancelToken.cancel();
         }
     };
     QVERIFY_EXCEPTION_THROWN(buildDistanceField(sphereMesh(35, 60, 120), 64, progress), Cancelled);

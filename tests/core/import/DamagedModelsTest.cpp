@@ -4,7 +4,7 @@
 #include "ModelFiles.h"
 
 #include "base/Error.h"
-#include "import/ImportModel.h"
+#include "import/trusted/ImportModel.h"
 
 #include <QDataStream>
 #include <QtTest>

@@ -5,7 +5,7 @@
 #include "base/Error.h"
 #include "base/Units.h"
 #include "geometry/Shapes.h"
-#include "import/ImportModel.h"
+#include "import/trusted/ImportModel.h"
 #include "model/ModelFormats.h"
 
 #include <QBuffer>
@@ -598,7 +598,7 @@ void ImportModelTest::repairingEndsWhenItIsCancelled() {
     Progress progress;
     progress.report = [&](double share, const QString& /*text*/) {
         if (share >= 0.7) { // the reader is done
-            progress.cancelSwitch.cancel();
+            progress.cancelToken.cancel();
         }
     };
     QVERIFY_EXCEPTION_THROWN(importModel(path, {}, progress), Cancelled);
@@ -940,7 +940,7 @@ void ImportModelTest::absurdColladaIsRefused() {
 
 void ImportModelTest::cancelEndsTheImport() {
     Progress progress;
-    progress.report = [&](double, const QString&) { progress.cancelSwitch.cancel(); };
+    progress.report = [&](double, const QString&) { progress.cancelToken.cancel(); };
     QVERIFY_EXCEPTION_THROWN(
         importModel(write(QStringLiteral("cancel.obj"), cubeObj()), ImportOptions(), progress),
         Cancelled);

@@ -2,7 +2,7 @@
 #include "ModelFiles.h"
 
 #include "base/Error.h"
-#include "import/ImportModel.h"
+#include "import/trusted/ImportModel.h"
 
 #include <QtTest>
 

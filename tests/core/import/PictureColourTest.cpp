@@ -4,10 +4,10 @@
 
 #include "base/Error.h"
 #include "base/Png.h"
-#include "base/WideColour.h"
-#include "import/ReadPhotos.h"
-#include "import/ReadPictures.h"
-#include "sheet/PrinterColour.h"
+#include "base/WideGamut.h"
+#include "import/trusted/ReadPhotos.h"
+#include "import/trusted/ReadPictures.h"
+#include "sheet/prepress/PrinterColour.h"
 
 #include <QBuffer>
 #include <QColorSpace>

@@ -1,8 +1,8 @@
 // Pictures of every format, through the process that may do nothing but compute.
-#include "import/ReadPictures.h"
+#include "import/trusted/ReadPictures.h"
 #include "base/Error.h"
 #include "base/Png.h"
-#include "base/WideColour.h"
+#include "base/WideGamut.h"
 
 #include <QImageWriter>
 #include <QTemporaryDir>

@@ -2,7 +2,7 @@
 #include "inspection/BuiltPlaces.h"
 #include "PhotographedPart.h"
 #include "TestFolders.h"
-#include "correction/SheetCorrection.h"
+#include "accuracy/correction/SheetCorrection.h"
 #include "solver/SolverRegistry.h"
 
 #include <QStandardPaths>

@@ -204,7 +204,7 @@ private slots:
 
     void canBeCancelled() {
         Progress progress;
-        progress.cancelSwitch.cancel();
+        progress.cancelToken.cancel();
         const FitPairs pairs = part_->pairs({cameras().front()}, 16, 12, 0.5, 1);
         QVERIFY_EXCEPTION_THROWN(
             fitFilm(part_->project(), part_->field(), pairs, {}, solverModule(), progress),

@@ -6,7 +6,7 @@
 #include "base/Error.h"
 #include "inspection/FilmWatch.h"
 #include "settings/FilmOnWater.h"
-#include "sheet/WatchPage.h"
+#include "sheet/page/WatchPage.h"
 
 #include <QtTest>
 #include <random>

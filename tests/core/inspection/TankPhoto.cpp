@@ -1,6 +1,6 @@
 #include "TankPhoto.h"
 
-#include "sheet/WatchPage.h"
+#include "sheet/page/WatchPage.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

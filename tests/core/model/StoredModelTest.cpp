@@ -3,8 +3,8 @@
 
 #include "base/Error.h"
 #include "geometry/Shapes.h"
-#include "import/ImportModel.h"
-#include "import/ReadPictures.h"
+#include "import/trusted/ImportModel.h"
+#include "import/trusted/ReadPictures.h"
 #include "model/StoredModel.h"
 
 #include <QtTest>

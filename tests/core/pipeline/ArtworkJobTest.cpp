@@ -3,7 +3,7 @@
 #include "artwork/EditArtwork.h"
 #include "artwork/PaintArtwork.h"
 #include "base/Error.h"
-#include "base/WideColour.h"
+#include "base/WideGamut.h"
 #include "dip/Pose.h"
 #include "geometry/Shapes.h"
 #include "pipeline/JobSearch.h"

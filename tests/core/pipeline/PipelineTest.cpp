@@ -5,7 +5,7 @@
 #include "TestFolders.h"
 #include "TexturedBall.h"
 #include "base/Error.h"
-#include "disk/ResultFolder.h"
+#include "disk/FolderTransaction.h"
 #include "geometry/Shapes.h"
 #include "pipeline/DeeperDip.h"
 #include "pipeline/Report.h"
@@ -255,10 +255,10 @@ private slots:
 
     void aCancelledJobThrows() {
         Progress progress;
-        CancelSwitch cancelSwitch = progress.cancelSwitch;
+        CancelToken cancelToken = progress.cancelToken;
         progress.report = [&](double share, const QString&) {
             if (share > 0.3) {
-                cancelSwitch.cancel();
+                cancelToken.cancel();
             }
         };
         QVERIFY_EXCEPTION_THROWN(runJob(job_, *registry_, {}, nullptr, progress), Cancelled);
@@ -388,12 +388,12 @@ private slots:
         QTemporaryDir home;
         const QString target = home.filePath("deep/down/results");
         {
-            const ResultFolder folder(target, {"proof.png"});
+            const FolderTransaction folder(target, {"proof.png"});
             folder.write("proof.png", "half of it");
         }
         QVERIFY(filesBelow(home.path()).isEmpty());
-        ResultFolder folder(target,
-                            {"proof.png", "immersion-1/sheet.png", "immersion-2/sheet.png"});
+        FolderTransaction folder(target,
+                                 {"proof.png", "immersion-1/sheet.png", "immersion-2/sheet.png"});
         folder.write("proof.png", "new");
         folder.write("immersion-1/sheet.png", "sheet");
         folder.commit();
@@ -507,10 +507,10 @@ private slots:
         QFETCH(double, cancelled);
         QTemporaryDir home;
         Progress progress;
-        CancelSwitch cancelSwitch = progress.cancelSwitch;
+        CancelToken cancelToken = progress.cancelToken;
         progress.report = [&](double share, const QString&) {
             if (share >= cancelled) {
-                cancelSwitch.cancel();
+                cancelToken.cancel();
             }
         };
         QVERIFY_EXCEPTION_THROWN(
@@ -524,10 +524,10 @@ private slots:
         const QStringList before = filesBelow(home.path());
         QCOMPARE(before.size(), 23);
         Progress progress;
-        CancelSwitch cancelSwitch = progress.cancelSwitch;
+        CancelToken cancelToken = progress.cancelToken;
         progress.report = [&](double share, const QString&) {
             if (share > 0.4) {
-                cancelSwitch.cancel();
+                cancelToken.cancel();
             }
         };
         QVERIFY_EXCEPTION_THROWN(writeResults(job_, first_, home.path(), progress), Cancelled);

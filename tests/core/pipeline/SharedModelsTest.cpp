@@ -4,7 +4,7 @@
 #include "WholeSample.h"
 #include "artwork/EditArtwork.h"
 #include "artwork/PaintArtwork.h"
-#include "import/ImportModel.h"
+#include "import/trusted/ImportModel.h"
 #include "pipeline/SheetCertainty.h"
 #include "project/Project.h"
 

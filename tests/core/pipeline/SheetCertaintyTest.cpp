@@ -160,10 +160,10 @@ private slots:
 
     void cancelledItThrows() {
         Progress progress;
-        CancelSwitch cancelSwitch = progress.cancelSwitch;
-        progress.report = [&cancelSwitch](double share, const QString&) {
+        CancelToken cancelToken = progress.cancelToken;
+        progress.report = [&cancelToken](double share, const QString&) {
             if (share > 0.4) {
-                cancelSwitch.cancel();
+                cancelToken.cancel();
             }
         };
         QVERIFY_EXCEPTION_THROWN(sheetCertainty(sphereOn(49), registry_, progress), Cancelled);

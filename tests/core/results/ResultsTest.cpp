@@ -496,13 +496,13 @@ void ResultsTest::proofTakesInkBackToWhatShows() {
     image.fill(QColor(90, 90, 90));
     ProcessSettings process;
     process.tearStretch = 10;
-    const WornFilm worn{layFilm(dip_.body, stretched, process), image};
+    const FilmAppearance appearance{layFilm(dip_.body, stretched, process), image};
     ProofOptions options;
     options.tile = QSize(60, 60);
     options.ink.compensate = false;
-    const QImage printed = proofPicture(*proofStage(dip_.model), {worn}, options, {});
+    const QImage printed = proofPicture(*proofStage(dip_.model), {appearance}, options, {});
     options.ink.compensate = true;
-    const QImage shown = proofPicture(*proofStage(dip_.model), {worn}, options, {});
+    const QImage shown = proofPicture(*proofStage(dip_.model), {appearance}, options, {});
     QVERIFY(shown.pixelColor(30, 45).red() > printed.pixelColor(30, 45).red() + 30);
 }
 
@@ -540,9 +540,9 @@ void ResultsTest::inkIsSeenOnThePartsOwnColourAndOnWhite() {
     options.tile = QSize(100, 100);
     options.ink.compensate = false;
     const auto of = [&](const QImage& plate) {
-        WornFilm worn{dip_.laid, red};
-        worn.white = plate;
-        return proofPicture(*proofStage(dip_.model), {worn}, options, {});
+        FilmAppearance appearance{dip_.laid, red};
+        appearance.white = plate;
+        return proofPicture(*proofStage(dip_.model), {appearance}, options, {});
     };
     const QImage usual = of({});
     QCOMPARE(of(white), usual); // ink looks as on white anyhow
@@ -678,7 +678,7 @@ void ResultsTest::sharesAreShownFromSixSides() {
     }
     QVERIFY2(found > 0, qPrintable(QString::number(found)));
     Progress cancelled;
-    cancelled.cancelSwitch.cancel();
+    cancelled.cancelToken.cancel();
     QVERIFY_EXCEPTION_THROWN(coveragePicture(*proofStage(dips.model), dips.share,
                                              {{dips.films[0], {}}, {dips.films[1], {}}}, tile,
                                              cancelled),
@@ -743,13 +743,13 @@ void ResultsTest::proofCanBeCancelled() {
     Progress progress;
     progress.report = [&](double share, const QString&) {
         if (share > 0.3) {
-            progress.cancelSwitch.cancel();
+            progress.cancelToken.cancel();
         }
     };
     ProofOptions options;
     options.tile = QSize(60, 60);
-    const WornFilm worn{dip_.laid, stripes(dip_.film.grid)};
-    QVERIFY_EXCEPTION_THROWN(proofPicture(*proofStage(dip_.model), {worn}, options, progress),
+    const FilmAppearance appearance{dip_.laid, stripes(dip_.film.grid)};
+    QVERIFY_EXCEPTION_THROWN(proofPicture(*proofStage(dip_.model), {appearance}, options, progress),
                              Cancelled);
 }
 

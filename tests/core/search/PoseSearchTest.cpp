@@ -151,8 +151,8 @@ private slots:
         settings.finer = 3;
         settings.confirmed = 1;
         const auto part = [&](int number) {
-            const SearchPart made = searchPart(board_, settings, module(), number, 3, {});
-            return partFromFile(partFile(made), QStringLiteral("part"));
+            const SearchShard made = searchShard(board_, settings, module(), number, 3, {});
+            return shardFromFile(shardFile(made), QStringLiteral("part"));
         };
         const SearchResult merged =
             searchPoses(board_, settings, module(), {part(3), part(1), part(2)}, {}, {});
@@ -161,11 +161,11 @@ private slots:
 
     void partsThatDoNotBelongAreRefused() {
         SearchSettings settings = sidesOnly(1);
-        const SearchPart one = searchPart(board_, settings, module(), 1, 2, {});
+        const SearchShard one = searchShard(board_, settings, module(), 1, 2, {});
         QVERIFY_EXCEPTION_THROWN(searchPoses(board_, settings, module(), {one}, {}, {}), Error);
         QVERIFY_EXCEPTION_THROWN(searchPoses(board_, settings, module(), {one, one}, {}, {}),
                                  Error);
-        const SearchPart two = searchPart(board_, settings, module(), 2, 2, {});
+        const SearchShard two = searchShard(board_, settings, module(), 2, 2, {});
         settings.seed = 2;
         QVERIFY_EXCEPTION_THROWN(searchPoses(board_, settings, module(), {one, two}, {}, {}),
                                  Error);
@@ -175,10 +175,10 @@ private slots:
         elsewhere.identity = "other";
         QVERIFY_EXCEPTION_THROWN(searchPoses(elsewhere, settings, module(), {one, two}, {}, {}),
                                  Error);
-        const QByteArray file = partFile(one);
-        QVERIFY_EXCEPTION_THROWN(partFromFile(file.left(file.size() / 2), "half"), Error);
-        QVERIFY_EXCEPTION_THROWN(partFromFile(file + "more", "more"), Error);
-        QVERIFY_EXCEPTION_THROWN(partFromFile("no part", "other"), Error);
+        const QByteArray file = shardFile(one);
+        QVERIFY_EXCEPTION_THROWN(shardFromFile(file.left(file.size() / 2), "half"), Error);
+        QVERIFY_EXCEPTION_THROWN(shardFromFile(file + "more", "more"), Error);
+        QVERIFY_EXCEPTION_THROWN(shardFromFile("no part", "other"), Error);
     }
 
     void alikePosesAreDippedOnce() {
@@ -267,7 +267,7 @@ private slots:
 
     void aCancelledSearchKeepsTheBest() {
         Progress progress;
-        progress.cancelSwitch.cancel();
+        progress.cancelToken.cancel();
         QVERIFY_EXCEPTION_THROWN(searchPoses(board_, sidesOnly(1), module(), {}, {}, progress),
                                  Cancelled);
         Progress later;
@@ -277,7 +277,7 @@ private slots:
             board_, settings, module(), {},
             [&](const SearchState& state) {
                 if (!state.soFar.ranking.empty()) {
-                    later.cancelSwitch.cancel();
+                    later.cancelToken.cancel();
                 }
             },
             later);

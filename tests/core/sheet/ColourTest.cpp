@@ -3,8 +3,8 @@
 #include "TestProfiles.h"
 
 #include "base/Error.h"
-#include "sheet/PrinterColour.h"
-#include "sheet/SheetFiles.h"
+#include "sheet/prepress/PrinterColour.h"
+#include "sheet/prepress/SheetFiles.h"
 
 #include <QBuffer>
 #include <QColorSpace>

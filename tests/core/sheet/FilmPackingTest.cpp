@@ -2,8 +2,8 @@
 #include "PaperMeasure.h"
 
 #include "base/Error.h"
-#include "sheet/FilmPacking.h"
-#include "sheet/SheetFiles.h"
+#include "sheet/packing/FilmPacking.h"
+#include "sheet/prepress/SheetFiles.h"
 #include "texture/StretchPlane.h"
 
 #include <QBuffer>

@@ -5,10 +5,10 @@
 #include "texture/Ink.h"
 #include "texture/LinearLight.h"
 
-#include "sheet/PlateCompensation.h"
-#include "sheet/PrinterColour.h"
-#include "sheet/Separation.h"
-#include "sheet/SheetFiles.h"
+#include "sheet/prepress/PlateCompensation.h"
+#include "sheet/prepress/PrinterColour.h"
+#include "sheet/prepress/Separation.h"
+#include "sheet/prepress/SheetFiles.h"
 #include "texture/StretchPlane.h"
 
 #include <QtTest>

@@ -3,11 +3,11 @@
 #include "PaperMeasure.h"
 #include "TestProfiles.h"
 
-#include "base/WideColour.h"
-#include "sheet/PrinterColour.h"
-#include "sheet/Separation.h"
-#include "sheet/SheetFiles.h"
-#include "sheet/TiledSheet.h"
+#include "base/WideGamut.h"
+#include "sheet/prepress/PrinterColour.h"
+#include "sheet/prepress/Separation.h"
+#include "sheet/prepress/SheetFiles.h"
+#include "sheet/prepress/TiledSheet.h"
 
 #include <QScopeGuard>
 #include <QtTest>

@@ -1,12 +1,12 @@
 // Printers that stretch, and paper that is too small: corrected scales, calibration pages, tiles.
 #include "PaperMeasure.h"
 
-#include "sheet/CalibrationPage.h"
-#include "sheet/SheetFiles.h"
-#include "sheet/TiledSheet.h"
+#include "sheet/page/CalibrationPage.h"
+#include "sheet/prepress/SheetFiles.h"
+#include "sheet/prepress/TiledSheet.h"
 
 #include "base/Error.h"
-#include "sheet/SheetLayout.h"
+#include "sheet/page/SheetLayout.h"
 
 #include <QBuffer>
 #include <QTemporaryDir>

@@ -1,8 +1,8 @@
 // The sheet as a user meets it: measured on the finished PDF and PNG with the tools of poppler.
 #include "PaperMeasure.h"
 
-#include "sheet/SheetFiles.h"
-#include "sheet/SheetLayout.h"
+#include "sheet/page/SheetLayout.h"
+#include "sheet/prepress/SheetFiles.h"
 
 #include "base/Error.h"
 

@@ -3,7 +3,7 @@
 #include "solver/SolverRegistry.h"
 #include "PluginFolder.h"
 #include "base/Error.h"
-#include "solver/FolderRights.h"
+#include "solver/FilePermissions.h"
 #include "solver/LoadMarker.h"
 
 #include <QDir>

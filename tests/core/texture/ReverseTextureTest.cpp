@@ -2,7 +2,7 @@
 #include "texture/ReverseTexture.h"
 #include "DippedByHand.h"
 #include "base/Units.h"
-#include "base/WideColour.h"
+#include "base/WideGamut.h"
 #include "geometry/Shapes.h"
 #include "parallel/Threads.h"
 #include "texture/LinearLight.h"
@@ -464,7 +464,7 @@ void ReverseTextureTest::tinyImageStillWorks() {
 
 void ReverseTextureTest::cancellingThrows() {
     Progress progress;
-    progress.cancelSwitch.cancel();
+    progress.cancelToken.cancel();
     QVERIFY_EXCEPTION_THROWN(reversed(test::plainModel(boxMesh(boxSize), Qt::red),
                                       test::flatUnderBox(test::a4Grid(), boxSize), uncompensated(),
                                       progress),

@@ -3,7 +3,7 @@
 #include "traveller/Traveller.h"
 #include "DippedByHand.h"
 #include "geometry/Shapes.h"
-#include "sheet/Sheet.h"
+#include "sheet/page/Sheet.h"
 
 #include <QProcess>
 #include <QStandardPaths>

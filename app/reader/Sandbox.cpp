@@ -1,0 +1,157 @@
+#include "reader/Sandbox.h"
+
+#include "base/Budgets.h"
+#include "import/trusted/ReaderMessages.h"
+
+#if defined(Q_OS_UNIX)
+#include <csignal>
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+#if defined(Q_OS_LINUX)
+#include <QByteArrayList>
+#include <cerrno>
+#include <memory>
+#include <sched.h>
+#include <seccomp.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#endif
+#if defined(Q_OS_WIN)
+#include <fcntl.h>
+#include <io.h>
+#include <windows.h>
+#endif
+
+namespace dipwright {
+
+namespace {
+
+#if defined(Q_OS_UNIX)
+// It can be raised again up to `ever`, never beyond.
+void limit(int resource, rlim_t most, rlim_t ever) {
+    rlimit now{};
+    getrlimit(resource, &now);
+    now.rlim_max = std::min(ever, now.rlim_max);
+    now.rlim_cur = std::min(most, now.rlim_max);
+    setrlimit(resource, &now);
+}
+
+constexpr qint64 anyFile = qint64(1) << 50; // bytes: the largest budget of all
+#endif
+
+#if defined(Q_OS_LINUX) && (defined(__x86_64__) || defined(__aarch64__))
+// System calls that only compute, use streams that are open, or end.
+constexpr char harmlessCalls[] =
+    "read readv write writev close lseek fstat fcntl poll ppoll munmap mremap madvise brk "
+    "futex sched_yield sched_getaffinity set_robust_list rseq membarrier rt_sigaction "
+    "rt_sigprocmask rt_sigreturn sigaltstack restart_syscall getpid gettid getuid geteuid "
+    "getgid getegid getrandom uname sysinfo getrusage time clock_gettime clock_getres "
+    "clock_nanosleep nanosleep gettimeofday eventfd2 pipe2 exit exit_group";
+
+// A call that is harmless where bits of an argument are these: of its lower half, which is all that
+// the kernel looks at.
+struct LimitedCall {
+    int call;
+    scmp_arg_cmp argument;
+};
+
+bool filterCalls() {
+    constexpr auto bits = SCMP_CMP_MASKED_EQ;
+    constexpr std::uint32_t all = 0xffffffffu;
+    const LimitedCall limitedCalls[] = {
+        {SCMP_SYS(clone), {0, bits, CLONE_THREAD, CLONE_THREAD}},
+        {SCMP_SYS(mmap), {2, bits, PROT_EXEC, 0}},
+        {SCMP_SYS(mprotect), {2, bits, PROT_EXEC, 0}},
+        {SCMP_SYS(prctl), {0, bits, all, PR_SET_NAME}},
+        {SCMP_SYS(prlimit64), {0, bits, all, 0}}, // its own
+        {SCMP_SYS(tgkill), {0, bits, all, std::uint32_t(getpid())}},
+    };
+    const std::unique_ptr<void, decltype(&seccomp_release)> filter(
+        seccomp_init(SCMP_ACT_ERRNO(EPERM)), seccomp_release);
+    // Kernels before 4.14 can only end the thread.
+    seccomp_attr_set(filter.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
+    // Says that there is no such call, at which the C library takes clone, whose flags can be seen.
+    int refused = seccomp_rule_add(filter.get(), SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0);
+    for (const QByteArray& name : QByteArray(harmlessCalls).split(' ')) {
+        const int call = seccomp_syscall_resolve_name(name.constData());
+        refused |= seccomp_rule_add(filter.get(), SCMP_ACT_ALLOW, call, 0);
+    }
+    for (const auto& [call, argument] : limitedCalls) {
+        refused |= seccomp_rule_add_array(filter.get(), SCMP_ACT_ALLOW, call, 1, &argument);
+    }
+    return refused == 0 && seccomp_load(filter.get()) == 0;
+}
+#else
+bool filterCalls() {
+    return true;
+}
+#endif
+
+} // namespace
+
+#if defined(Q_OS_UNIX)
+
+void leaveSurroundings() {
+#if defined(Q_OS_LINUX)
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    prctl(PR_SET_DUMPABLE, 0);
+#if defined(SYS_close_range)
+    syscall(SYS_close_range, 3u, ~0u, 0u);
+#endif
+#endif
+}
+
+bool enterSandbox() {
+    // Ends at once: nothing can be told while it is not known what is being written.
+    std::signal(SIGXCPU, [](int) { _exit(readerOutOfTime); });
+    limit(RLIMIT_CORE, 0, 0);
+    limit(RLIMIT_FSIZE, 0, 0);
+    allowFor(0);
+    return filterCalls();
+}
+
+void allowFor(qint64 fileBytes) {
+    constexpr qint64 second = 1000;
+    const qint64 time = mostOf(Budget::Milliseconds, fileBytes);
+    // Past the last second the system kills; a second before it still says why.
+    limit(RLIMIT_CPU, rlim_t((time + second - 1) / second),
+          rlim_t(mostOf(Budget::Milliseconds, anyFile) / second + 2));
+#if !defined(DIPWRIGHT_SANITIZED) // a sanitizer reserves terabytes for itself
+#if defined(Q_OS_LINUX)
+    const int memory = RLIMIT_DATA; // what is written to; reserved is more
+#else
+    const int memory = RLIMIT_AS;
+#endif
+    limit(memory, rlim_t(mostOf(Budget::Memory, fileBytes)),
+          rlim_t(mostOf(Budget::Memory, anyFile)));
+#endif
+}
+
+#elif defined(Q_OS_WIN)
+
+void leaveSurroundings() {
+    for (const int stream : {0, 1}) {
+        _setmode(stream, _O_BINARY);
+    }
+}
+
+// One process with the memory of the largest file: a job's limits are for good.
+bool enterSandbox() {
+    JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
+    limits.BasicLimitInformation.LimitFlags =
+        JOB_OBJECT_LIMIT_ACTIVE_PROCESS | JOB_OBJECT_LIMIT_PROCESS_MEMORY;
+    limits.BasicLimitInformation.ActiveProcessLimit = 1;
+    limits.ProcessMemoryLimit = SIZE_T(mostOf(Budget::Memory, mostOf(Budget::FileBytes)));
+    const HANDLE job = CreateJobObjectW(nullptr, nullptr);
+    return SetInformationJobObject(job, JobObjectExtendedLimitInformation, &limits,
+                                   sizeof limits) != 0 &&
+           AssignProcessToJobObject(job, GetCurrentProcess()) != 0;
+}
+
+void allowFor(qint64 /*fileBytes*/) {}
+
+#endif
+
+} // namespace dipwright

@@ -1,0 +1,139 @@
+#include "workbench/accuracy/CertaintyPanel.h"
+
+#include "results/Results.h"
+#include "workbench/widgets/PicturePanel.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QRegularExpression>
+#include <QTextBrowser>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(CertaintyPanel)
+};
+
+constexpr double mapPixelsPerMillimetre = 5; // the map has no size of its own
+constexpr int mapEdge = 1600;                // pixels
+constexpr int shownPlaces = 5;
+constexpr double mostText = 0.5; // of the height; longer ones are scrolled
+
+QString colourOf(Advice advice) { // of the band beside the words; read on light and dark
+    switch (advice) {
+    case Advice::Print:
+        return QStringLiteral("#2e8b57");
+    case Advice::LookFirst:
+        return QStringLiteral("#d08700");
+    case Advice::DoNotPrint:
+        return QStringLiteral("#c83c3c");
+    case Advice::NotJudged:
+        break;
+    }
+    return QStringLiteral("#808080");
+}
+
+// No line ends between a number and its unit.
+QString paragraph(QString text) {
+    static const QRegularExpression betweenNumberAndUnit(QStringLiteral("(?<=\\d) (?=[%mi])"));
+    text.replace(betweenNumberAndUnit, QString(QChar::Nbsp));
+    return QStringLiteral("<p style='margin:4px 0'>%1</p>").arg(text.toHtmlEscaped());
+}
+
+QString placeHtml(const UncertainPlace& place, std::size_t number, LengthUnit unit) {
+    const QString words = Text::tr("%1 off by up to %2")
+                              .arg(shownArea(place.area, unit), shownLength(place.offBy, unit));
+    return QStringLiteral("<li><a href='%1'>%2</a></li>")
+        .arg(QString::number(number), words.toHtmlEscaped());
+}
+
+QString html(const ImmersionResult& result, LengthUnit unit) {
+    const Verdict& verdict = result.verdict;
+    QString words = QStringLiteral("<table cellspacing='0' cellpadding='4'><tr><td width='6' "
+                                   "bgcolor='%1'></td><td><b style='font-size:large'>%2</b><br/>"
+                                   "%3</td></tr></table>")
+                        .arg(colourOf(verdict.advice), adviceText(verdict.advice).toHtmlEscaped(),
+                             result.immersion.name.toHtmlEscaped());
+    for (const VerdictReason& reason : verdict.reasons) {
+        const auto length = [unit](double millimetres) { return shownLength(millimetres, unit); };
+        words += paragraph(reasonText(reason, length));
+    }
+    if (verdict.advice > Advice::Print) {
+        words += QStringLiteral("<ol style='margin:2px 0'>");
+        for (std::size_t n = 0; n < std::min<std::size_t>(verdict.places.size(), shownPlaces);
+             ++n) {
+            words += placeHtml(verdict.places[n], n, unit);
+        }
+        words += QStringLiteral("</ol>");
+    }
+    const Coverage& coverage = *result.coverage;
+    return words + paragraph(markedText(coverage.marked, coverage.paintedArea));
+}
+
+} // namespace
+
+CertaintyPanel::CertaintyPanel(QWidget* parent)
+    : QWidget(parent), text_(new QTextBrowser),
+      map_(new PicturePanel(tr("Certainty of the sheet"),
+                            tr("Run the dip to see how far the sheet may be off."))) {
+    text_->setFrameShape(QFrame::NoFrame);
+    text_->setObjectName(QStringLiteral("verdict"));
+    text_->setAccessibleName(tr("Verdict"));
+    text_->setOpenLinks(false);
+    text_->hide();
+    connect(text_, &QTextBrowser::anchorClicked, this, &CertaintyPanel::choosePlace);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->addWidget(text_);
+    layout->addWidget(map_, 1);
+}
+
+void CertaintyPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion, LengthUnit unit) {
+    const bool isThere = outcome.result && immersion < outcome.result->immersions.size();
+    text_->setVisible(isThere);
+    map_->clear();
+    if (!isThere) {
+        return;
+    }
+    const ImmersionResult& result = outcome.result->immersions[immersion];
+    places_ = result.verdict.places;
+    text_->setHtml(html(result, unit));
+    fitText();
+    const CertaintyEstimate* estimate = result.certainty.get();
+    if (estimate && estimate->failure.isEmpty()) {
+        const QImage map =
+            certaintyMap(*result.laid, estimate->pointsOffBy, certainOffBy, mapEdge, unit);
+        map_->setPicture(map, QSizeF(map.size()) / mapPixelsPerMillimetre);
+    }
+}
+
+void CertaintyPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitText();
+}
+
+// As tall as its words are at this width: measured on a copy, as the words themselves are broken
+// where a scroll bar leaves off.
+void CertaintyPanel::fitText() {
+    const QMargins around = layout()->contentsMargins();
+    const std::unique_ptr<QTextDocument> measured(text_->document()->clone());
+    measured->setTextWidth(width() - around.left() - around.right());
+    const int words = int(std::ceil(measured->size().height()));
+    text_->setFixedHeight(std::min(words, int(mostText * height())));
+}
+
+void CertaintyPanel::choosePlace(const QUrl& link) {
+    const std::size_t number = link.toString().toULong();
+    if (number < places_.size()) {
+        emit placeChosen(places_[number].rest);
+    }
+}
+
+} // namespace dipwright

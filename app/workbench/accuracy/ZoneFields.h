@@ -1,0 +1,20 @@
+// Which zone the next click on the body marks.
+#pragma once
+
+#include "workbench/widgets/MarkFields.h"
+
+namespace dipwright {
+
+class ZoneFields : public MarkFields {
+    Q_OBJECT
+
+public:
+    explicit ZoneFields(LengthUnit unit, QWidget* parent = nullptr);
+
+    MarkBrush brush() const override;
+
+private:
+    QComboBox* extent_;
+};
+
+} // namespace dipwright

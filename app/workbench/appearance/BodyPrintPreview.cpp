@@ -1,0 +1,37 @@
+#include "workbench/appearance/BodyPrintPreview.h"
+
+namespace dipwright {
+namespace {
+
+constexpr double paperTriangles = 150'000; // about so many
+
+} // namespace
+
+BodyPrintPreview::BodyPrintPreview(QObject* parent) : QObject(parent) {}
+
+BodyPrintPreview::Paper
+BodyPrintPreview::paperOf(const std::shared_ptr<const TexturedMesh>& model) {
+    const auto mesh = std::make_shared<const RefinedMesh>(
+        model->mesh, edgeForTriangles(model->mesh, paperTriangles));
+    return {model, mesh, plainBody(*mesh)};
+}
+
+void BodyPrintPreview::print(const std::shared_ptr<const TexturedMesh>& model,
+                             std::vector<FilmAppearance> films, const InkSettings& ink,
+                             const Ground& ground) {
+    jobs_.cancelAll();
+    jobs_.start(std::make_unique<ValueJob<Print>>(
+        tr("Printing the body"),
+        [paper = paper_, model, films = std::move(films), ink, ground](const Progress&) {
+            Print print{paper.model == model ? paper : paperOf(model), {}};
+            print.colours = printedColours(*print.paper.mesh, films, ink, ground);
+            return print;
+        },
+        [this](const Print& print) {
+            paper_ = print.paper;
+            emit printed(print.paper.model, {print.paper.body, print.colours});
+        },
+        [](const std::exception_ptr&) {})); // the view goes on showing what it shows
+}
+
+} // namespace dipwright

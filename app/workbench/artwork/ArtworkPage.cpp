@@ -1,0 +1,450 @@
+#include "workbench/artwork/ArtworkPage.h"
+
+#include "workbench/widgets/Icons.h"
+#include "workbench/widgets/NumberBox.h"
+
+#include <QCheckBox>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QFontComboBox>
+#include <QFormLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QPainter>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QRegularExpressionValidator>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QStringList>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace dipwright {
+namespace {
+
+constexpr int swatchSize = 16, listHeight = 110, textHeight = 52;
+
+QIcon swatch(const QColor& colour) {
+    QPixmap pixmap(swatchSize, swatchSize);
+    pixmap.fill(Qt::gray); // round it, for white on white
+    QPainter(&pixmap).fillRect(pixmap.rect().adjusted(1, 1, -1, -1), colour);
+    return pixmap;
+}
+
+QWidget* inARow(const QList<QWidget*>& widgets) {
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    for (QWidget* widget : widgets) {
+        layout->addWidget(widget);
+    }
+    return row;
+}
+
+} // namespace
+
+ArtworkPage::ArtworkPage(QWidget* parent) : QWidget(parent), list_(new QListWidget) {
+    setObjectName(QStringLiteral("artworkPage"));
+    auto* inside = new QWidget;
+    auto* column = new QVBoxLayout(inside);
+    column->setContentsMargins(4, 6, 4, 6); // three buttons beside a scroll bar are wide in German
+    auto* scroll = new QScrollArea;
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(inside);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(scroll);
+
+    auto* picture = new QPushButton(tr("Add &Picture…"));
+    picture->setObjectName(QStringLiteral("addPicture"));
+    picture->setToolTip(tr("Lays a picture on the body. A picture dropped on the body in the view "
+                           "is laid where it was dropped."));
+    connect(picture, &QPushButton::clicked, this, &ArtworkPage::pictureAsked);
+    auto* text = new QPushButton(tr("Add &Text"));
+    text->setObjectName(QStringLiteral("addText"));
+    connect(text, &QPushButton::clicked, this, [this] { emit layerAsked(LayerKind::Text); });
+    auto* pattern = new QPushButton(tr("Add Pa&ttern"));
+    pattern->setObjectName(QStringLiteral("addPattern"));
+    auto* patterns = new QMenu(pattern);
+    const auto addPattern = [&](const char* name, const QString& words, LayerKind kind) {
+        QAction* action = patterns->addAction(words, this, [this, kind] { emit layerAsked(kind); });
+        action->setObjectName(QLatin1String(name));
+    };
+    addPattern("addCarbon", tr("Carbon"), LayerKind::Carbon);
+    addPattern("addCamouflage", tr("Camouflage"), LayerKind::Camouflage);
+    addPattern("addWood", tr("Wood"), LayerKind::Wood);
+    pattern->setMenu(patterns);
+    column->addWidget(inARow({picture, text}));
+    column->addWidget(pattern);
+    makeList();
+    column->addWidget(list_);
+    column->addWidget(inARow({up_, down_, remove_}));
+    makeBase();
+    column->addWidget(inARow({hasBase_, base_}));
+    makeFields();
+    column->addWidget(fields_);
+    column->addStretch(1);
+    show({}, -1);
+}
+
+void ArtworkPage::makeList() {
+    list_->setObjectName(QStringLiteral("artworkLayers"));
+    list_->setAccessibleName(tr("Layers, the uppermost first"));
+    list_->setToolTip(tr("The layers, the uppermost first. The tick shows or hides one, a double "
+                         "click renames it; Delete removes it, Ctrl with the arrows moves it."));
+    list_->setMinimumHeight(listHeight);
+    list_->installEventFilter(this);
+    const auto layerOf = [this](int row) { return int(artwork_.layers.size()) - 1 - row; };
+    connect(list_, &QListWidget::currentRowChanged, this, [this, layerOf](int row) {
+        if (!isShowing_) {
+            emit selected(row < 0 ? -1 : layerOf(row));
+        }
+    });
+    connect(list_, &QListWidget::itemChanged, this, [this, layerOf](const QListWidgetItem* item) {
+        if (isShowing_) {
+            return;
+        }
+        const int layer = layerOf(list_->row(item));
+        ArtworkLayer changed = artwork_.layers[std::size_t(layer)];
+        const bool isVisible = item->checkState() == Qt::Checked;
+        const QString what =
+            isVisible != changed.visible ? QStringLiteral("visible") : QStringLiteral("name");
+        changed.visible = isVisible;
+        changed.name = item->text().left(longestLayerName);
+        emit layerChanged(layer, changed, what);
+    });
+    const auto button = [this](const char* name, const QString& words, const QString& help,
+                               auto what) {
+        auto* made = new QToolButton;
+        made->setObjectName(QLatin1String(name));
+        made->setText(words);
+        made->setToolTip(help);
+        made->setFocusPolicy(Qt::StrongFocus);
+        connect(made, &QToolButton::clicked, this, what);
+        return made;
+    };
+    up_ = button("layerUp", tr("Up"), tr("Lays the layer over the next one (Ctrl+Up)"),
+                 [this] { emit moveAsked(selected_, 1); });
+    down_ = button("layerDown", tr("Down"), tr("Lays the layer under the next one (Ctrl+Down)"),
+                   [this] { emit moveAsked(selected_, -1); });
+    remove_ = button("removeLayer", tr("Remove"), tr("Removes the layer (Delete)"),
+                     [this] { emit removeAsked(selected_); });
+}
+
+void ArtworkPage::makeBase() {
+    hasBase_ = new QCheckBox(tr("Base colour"));
+    hasBase_->setObjectName(QStringLiteral("hasBase"));
+    hasBase_->setToolTip(tr("What lies below all layers; white is no ink. Without it the model "
+                            "shows what it looks like by itself."));
+    base_ = new QPushButton;
+    base_->setObjectName(QStringLiteral("baseColour"));
+    base_->setAccessibleName(tr("Base colour"));
+    connect(hasBase_, &QCheckBox::clicked, this, [this](bool isThere) {
+        emit baseChanged(isThere ? std::optional(QColor(255, 255, 255)) : std::nullopt);
+    });
+    connect(base_, &QPushButton::clicked, this, [this] {
+        askColour(artwork_.base.value_or(Qt::white),
+                  [this](const QColor& colour) { emit baseChanged(colour); });
+    });
+}
+
+QDoubleSpinBox* ArtworkPage::addNumber(QFormLayout& form, const char* name, const QString& label,
+                                       const QString& help, double least, double most,
+                                       const QString& suffix,
+                                       const std::function<void(ArtworkLayer&, double)>& set) {
+    auto* box = new NumberBox;
+    box->setObjectName(QLatin1String(name));
+    box->setAccessibleName(label);
+    box->setToolTip(help);
+    box->setDecimals(2);
+    box->setRange(least, most);
+    box->setSuffix(suffix);
+    box->setKeyboardTracking(false); // a number that is typed is one change
+    connect(box, &QDoubleSpinBox::valueChanged, this, [this, name, set](double value) {
+        change(QLatin1String(name), [&](ArtworkLayer& layer) { set(layer, value); });
+    });
+    form.addRow(label, box);
+    return box;
+}
+
+QPushButton* ArtworkPage::addColour(QFormLayout& form, const char* name, const QString& label,
+                                    QColor ArtworkLayer::*colour) {
+    auto* button = new QPushButton;
+    button->setObjectName(QLatin1String(name));
+    button->setAccessibleName(label);
+    connect(button, &QPushButton::clicked, this, [this, name, colour] {
+        askColour(artwork_.layers[std::size_t(selected_)].*colour, [this, name,
+                                                                    colour](const QColor& chosen) {
+            change(QLatin1String(name), [&](ArtworkLayer& layer) { layer.*colour = chosen; });
+        });
+    });
+    form.addRow(label, button);
+    return button;
+}
+
+void ArtworkPage::makeFields() {
+    fields_ = new QWidget;
+    form_ = new QFormLayout(fields_);
+    form_->setContentsMargins(0, 6, 0, 0);
+    form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    text_ = new QPlainTextEdit;
+    text_->setObjectName(QStringLiteral("layerText"));
+    text_->setAccessibleName(tr("Text"));
+    text_->setTabChangesFocus(true);
+    text_->setFixedHeight(textHeight);
+    connect(text_, &QPlainTextEdit::textChanged, this, [this] {
+        change(QStringLiteral("layerText"), [this](ArtworkLayer& layer) {
+            layer.text = text_->toPlainText().left(longestLayerText);
+        });
+    });
+    form_->addRow(tr("Text"), text_);
+    font_ = new QFontComboBox;
+    font_->setObjectName(QStringLiteral("layerFont"));
+    font_->setAccessibleName(tr("Font"));
+    font_->setMinimumContentsLength(8);
+    font_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    connect(font_, &QFontComboBox::currentFontChanged, this, [this](const QFont& font) {
+        change(QStringLiteral("layerFont"),
+               [&](ArtworkLayer& layer) { layer.font = font.family().left(longestLayerName); });
+    });
+    form_->addRow(tr("Font"), font_);
+    colour_ = addColour(*form_, "layerColour", tr("Colour"), &ArtworkLayer::colour);
+    secondColour_ =
+        addColour(*form_, "layerSecondColour", tr("Light colour"), &ArtworkLayer::secondColour);
+    seed_ = new QSpinBox;
+    seed_->setObjectName(QStringLiteral("layerSeed"));
+    seed_->setAccessibleName(tr("Variant"));
+    seed_->setToolTip(tr("Each number makes another pattern of the same kind."));
+    seed_->setRange(0, mostSeed);
+    seed_->setKeyboardTracking(false);
+    connect(seed_, &QSpinBox::valueChanged, this, [this](int value) {
+        change(QStringLiteral("layerSeed"), [&](ArtworkLayer& layer) { layer.seed = value; });
+    });
+    form_->addRow(tr("Variant"), seed_);
+    opacity_ = addNumber(*form_, "layerOpacity", tr("Opacity"),
+                         tr("100 %: hides what lies below it."), 0, 100, tr(" %"),
+                         [](ArtworkLayer& layer, double value) { layer.opacity = value / 100; });
+    makePlaceFields(*form_);
+    makeSpotFields(*form_);
+}
+
+void ArtworkPage::makeSpotFields(QFormLayout& form) {
+    spot_ = new QLineEdit;
+    spot_->setObjectName(QStringLiteral("layerSpot"));
+    spot_->setAccessibleName(tr("Spot ink"));
+    spot_->setPlaceholderText(tr("printed in its colours"));
+    spot_->setToolTip(tr("The name of a varnish or of an ink of its own, as the printer knows it. "
+                         "The layer is then a plate beside the four inks, in PDF and TIFF in "
+                         "CMYK; what it covers counts, and not its colours."));
+    spot_->setMaxLength(longestSpotName);
+    static const QRegularExpression usable( // names that stand for other inks are none of it
+        QStringLiteral("^(?!\\s*(all|none|cyan|magenta|yellow|black)\\s*$).*$"),
+        QRegularExpression::CaseInsensitiveOption);
+    spot_->setValidator(new QRegularExpressionValidator(usable, spot_));
+    connect(spot_, &QLineEdit::editingFinished, this, [this] {
+        const QString name = spot_->text().simplified();
+        if (selected_ >= 0 && name != artwork_.layers[std::size_t(selected_)].spot) {
+            change(QStringLiteral("layerSpot"), [&](ArtworkLayer& layer) { layer.spot = name; });
+        }
+    });
+    form.addRow(tr("Spot ink"), spot_);
+    spotColour_ = addColour(form, "layerSpotColour", tr("Looks like"), &ArtworkLayer::spotColour);
+    spotColour_->setToolTip(tr("What stands for the ink where nobody knows its name."));
+    spotFirst_ = new QCheckBox(tr("Outside the colours"));
+    spotFirst_->setObjectName(QStringLiteral("layerSpotFirst"));
+    spotFirst_->setToolTip(tr("Printed before the four inks, so that it ends up outside them, as a "
+                              "varnish does; else after them, towards the part."));
+    connect(spotFirst_, &QCheckBox::clicked, this, [this](bool isFirst) {
+        change(QStringLiteral("layerSpotFirst"),
+               [&](ArtworkLayer& layer) { layer.spotFirst = isFirst; });
+    });
+    form.addRow(QString(), spotFirst_);
+}
+
+void ArtworkPage::makePlaceFields(QFormLayout& form) {
+    const QString mm = tr(" mm");
+    const auto combo = [&](const char* name, const QString& label, const QStringList& words,
+                           const std::function<void(ArtworkLayer&, int)>& set) {
+        auto* box = new QComboBox;
+        box->setObjectName(QLatin1String(name));
+        box->setAccessibleName(label);
+        box->addItems(words);
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(8);
+        connect(box, &QComboBox::activated, this, [this, name, set](int index) {
+            change(QLatin1String(name), [&](ArtworkLayer& layer) { set(layer, index); });
+        });
+        form.addRow(label, box);
+        return box;
+    };
+    placement_ =
+        combo("layerPlacement", tr("Laid on"),
+              {tr("As a decal"), tr("Along an axis"), tr("Round an axis"), tr("From six sides")},
+              [](ArtworkLayer& layer, int index) { layer.placement = LayerPlacement(index); });
+    placement_->setToolTip(tr("A decal keeps lengths and straight lines round its middle. The "
+                              "others are for patterns over all of the body."));
+    axis_ = combo("layerAxis", tr("Axis"),
+                  {QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z"),
+                   QStringLiteral("−X"), QStringLiteral("−Y"), QStringLiteral("−Z")},
+                  [](ArtworkLayer& layer, int index) { layer.axis = LayerAxis(index); });
+    const QString within = tr("What is shown fits in, its proportions kept.");
+    size_[0] = addNumber(form, "layerWidth", tr("Width"), within, smallestLayer, largestLayer, mm,
+                         [](ArtworkLayer& l, double value) { l.size[0] = Millimetres(value); });
+    size_[1] = addNumber(form, "layerHeight", tr("Height"), within, smallestLayer, largestLayer, mm,
+                         [](ArtworkLayer& l, double value) { l.size[1] = Millimetres(value); });
+    turn_ =
+        addNumber(form, "layerTurn", tr("Turn"), tr("Counterclockwise as seen from outside."), -360,
+                  360, tr("°"), [](ArtworkLayer& l, double value) { l.turn = Degrees(value); });
+    repeat_ = addNumber(form, "layerRepeat", tr("Repeated every"),
+                        tr("The width of one repeat on the body; round an axis a whole number of "
+                           "them is laid."),
+                        0, largestLayer, mm,
+                        [](ArtworkLayer& l, double value) { l.repeat = Millimetres(value); });
+    repeat_->setSpecialValueText(tr("once"));
+    const std::array<QString, 3> labels{tr("Middle, X"), tr("Middle, Y"), tr("Middle, Z")};
+    constexpr std::array<const char*, 3> names{"layerX", "layerY", "layerZ"};
+    for (std::size_t k = 0; k < 3; ++k) {
+        place_[k] =
+            addNumber(form, names[k], labels[k],
+                      tr("In the model's coordinates; of a decal the nearest place of the "
+                         "body counts."),
+                      -farthestLayer, farthestLayer, mm,
+                      [k](ArtworkLayer& l, double value) { l.place[k] = Millimetres(value); });
+    }
+}
+
+void ArtworkPage::change(const QString& what, const std::function<void(ArtworkLayer&)>& set) {
+    if (isShowing_ || selected_ < 0) {
+        return;
+    }
+    ArtworkLayer changed = artwork_.layers[std::size_t(selected_)];
+    set(changed);
+    emit layerChanged(selected_, changed, what);
+}
+
+void ArtworkPage::askColour(const QColor& now, const std::function<void(const QColor&)>& chosen) {
+    auto* dialog = new QColorDialog(now, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setObjectName(QStringLiteral("layerColourDialog"));
+    connect(dialog, &QColorDialog::colorSelected, this, chosen);
+    dialog->open();
+}
+
+void ArtworkPage::show(const Artwork& artwork, int selected) {
+    artwork_ = artwork;
+    selected_ = selected < int(artwork.layers.size()) ? selected : -1;
+    isShowing_ = true;
+    showList();
+    showFields();
+    isShowing_ = false;
+}
+
+int ArtworkPage::rowOf(int layer) const {
+    return int(artwork_.layers.size()) - 1 - layer;
+}
+
+void ArtworkPage::showList() {
+    const int layers = int(artwork_.layers.size());
+    while (list_->count() > layers) {
+        delete list_->takeItem(list_->count() - 1);
+    }
+    while (list_->count() < layers) {
+        auto* item = new QListWidgetItem(list_);
+        item->setFlags(item->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
+    }
+    for (int layer = 0; layer < layers; ++layer) {
+        const ArtworkLayer& shown = artwork_.layers[std::size_t(layer)];
+        QListWidgetItem* item = list_->item(rowOf(layer));
+        item->setText(shown.name);
+        item->setCheckState(shown.visible ? Qt::Checked : Qt::Unchecked);
+    }
+    list_->setCurrentRow(selected_ < 0 ? -1 : rowOf(selected_));
+    up_->setEnabled(selected_ >= 0 && selected_ + 1 < layers);
+    down_->setEnabled(selected_ > 0);
+    remove_->setEnabled(selected_ >= 0);
+    hasBase_->setChecked(artwork_.base.has_value());
+    base_->setEnabled(artwork_.base.has_value());
+    base_->setIcon(artwork_.base ? swatch(*artwork_.base) : QIcon());
+    base_->setText(artwork_.base ? artwork_.base->name() : tr("the model's own"));
+}
+
+void ArtworkPage::showFields() {
+    fields_->setVisible(selected_ >= 0);
+    if (selected_ < 0) {
+        return;
+    }
+    const ArtworkLayer& layer = artwork_.layers[std::size_t(selected_)];
+    const bool isText = layer.kind == LayerKind::Text;
+    const bool isProjected =
+        layer.placement == LayerPlacement::Plane || layer.placement == LayerPlacement::Cylinder;
+    const bool isEverywhere = layer.placement != LayerPlacement::Decal && layer.repeat.value() > 0;
+    const auto showRow = [this](QWidget* field, bool isShown) {
+        field->setVisible(isShown);
+        form_->labelForField(field)->setVisible(isShown);
+    };
+    showRow(text_, isText);
+    showRow(font_, isText);
+    showRow(colour_, layer.kind != LayerKind::Picture);
+    showRow(secondColour_, isPattern(layer.kind));
+    showRow(seed_, isPattern(layer.kind));
+    showRow(axis_, isProjected);
+    showRow(size_[0], !isEverywhere);
+    showRow(size_[1], !isEverywhere);
+    if (text_->toPlainText() != layer.text) { // the cursor stays where one types
+        text_->setPlainText(layer.text);
+    }
+    font_->setCurrentFont(QFont(layer.font));
+    for (const auto& [button, colour] :
+         {std::pair(colour_, layer.colour), std::pair(secondColour_, layer.secondColour),
+          std::pair(spotColour_, layer.spotColour)}) {
+        button->setIcon(swatch(colour));
+        button->setText(colour.name());
+    }
+    const bool isSpot = !layer.spot.isEmpty();
+    spot_->setText(layer.spot);
+    showRow(spotColour_, isSpot);
+    spotFirst_->setVisible(isSpot);
+    spotFirst_->setChecked(layer.spotFirst);
+    seed_->setValue(layer.seed);
+    opacity_->setValue(100 * layer.opacity);
+    placement_->setCurrentIndex(int(layer.placement));
+    axis_->setCurrentIndex(int(layer.axis));
+    turn_->setValue(layer.turn.value());
+    repeat_->setValue(layer.repeat.value());
+    for (std::size_t k = 0; k < 2; ++k) {
+        size_[k]->setValue(layer.size[k].value());
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        place_[k]->setValue(layer.place[k].value());
+    }
+}
+
+bool ArtworkPage::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == list_ && event->type() == QEvent::KeyPress && selected_ >= 0) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool isControl = key->modifiers().testFlag(Qt::ControlModifier);
+        if (key->key() == Qt::Key_Delete) {
+            emit removeAsked(selected_);
+            return true;
+        }
+        if (key->key() == Qt::Key_Escape) {
+            emit selected(-1);
+            return true;
+        }
+        if (isControl && (key->key() == Qt::Key_Up || key->key() == Qt::Key_Down)) {
+            emit moveAsked(selected_, key->key() == Qt::Key_Up ? 1 : -1);
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+} // namespace dipwright

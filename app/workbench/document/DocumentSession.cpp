@@ -1,0 +1,179 @@
+#include "workbench/document/DocumentSession.h"
+
+#include "project/ProjectStore.h"
+#include "workbench/document/ModelImport.h"
+#include "workbench/document/RecentProjects.h"
+#include "workbench/jobs/StartJob.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QPointer>
+
+namespace dipwright {
+
+namespace {
+
+// A project, and the version of the file that it will be saved to.
+struct ReadProject {
+    Project project;
+    FileVersion version;
+};
+
+// Of the version that the file had, which is taken now where it is not known. Nothing is shown of
+// one that was cancelled while it was read.
+ReadProject projectFrom(const QString& path, const QString& file,
+                        const std::optional<FileVersion>& known, const Progress& progress) {
+    const FileVersion version = known ? *known : FileVersion::of(file); // before it is read
+    ReadProject read{loadProject(path), version};
+    progress.cancelToken.throwIfCancelled();
+    return read;
+}
+
+} // namespace
+
+DocumentSession::DocumentSession(JobRunner& jobs, Messages& messages, const QString& recovery,
+                                 Window window, QObject* parent)
+    : QObject(parent), jobs_(jobs), messages_(messages), recovery_(recovery),
+      window_(std::move(window)) {}
+
+DocumentSession::~DocumentSession() = default;
+
+void DocumentSession::setAutosaveInterval(int seconds) {
+    autosaveSeconds_ = seconds;
+    if (autoSaver_) {
+        autoSaver_->setInterval(seconds);
+    }
+}
+
+void DocumentSession::take(std::unique_ptr<Document> document) {
+    autoSaver_.reset();
+    const std::unique_ptr<Document> earlier = std::move(document_);
+    document_ = std::move(document);
+    autoSaver_ = std::make_unique<AutoSaver>(*document_, recovery_);
+    autoSaver_->setInterval(autosaveSeconds_);
+    connect(autoSaver_.get(), &AutoSaver::failed, this, [this](const QString& why) {
+        messages_.notice(
+            tr("Unsaved changes are not kept in case of a crash; save them often. %1").arg(why));
+    });
+    emit documentChanged();
+}
+
+DocumentSession& DocumentSession::vacant() {
+    return document_ ? window_.another() : *this;
+}
+
+void DocumentSession::openProject(const QString& path) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    if (window_.bringForward(absolute)) {
+        return;
+    }
+    if (document_ || jobs_.isBusy()) { // with another one, perhaps
+        DocumentSession& other = window_.another();
+        other.readProject(absolute, messages_, other.window_.giveUp);
+        return;
+    }
+    readProject(absolute, messages_, [] {});
+}
+
+void DocumentSession::readProject(const QString& file, Messages& teller,
+                                  const std::function<void()>& failed) {
+    const auto take = [this, file, failed](const ReadProject& read) {
+        auto document = std::make_unique<Document>(read.project, file, read.version);
+        if (!lockOrAsk(*document)) {
+            failed();
+            return;
+        }
+        addRecentProject(file);
+        messages_.log(tr("Opened %1").arg(QDir::toNativeSeparators(file)));
+        this->take(std::move(document));
+    };
+    const auto tell = [teller = QPointer(&teller), failed](const std::exception_ptr& failure) {
+        if (teller) { // its window may be closed by now
+            teller->fail(tr("Open Project"), failure);
+        }
+        failed();
+    };
+    jobs_.start(std::make_unique<ValueJob<ReadProject>>(
+        tr("Opening the project"),
+        [file](const Progress& progress) { return projectFrom(file, file, {}, progress); }, take,
+        tell));
+}
+
+void DocumentSession::openCopy(const QString& path) {
+    startJob(
+        jobs_, messages_, tr("Opening the project"), tr("Open Project"),
+        [path](const Progress& progress) { return projectFrom(path, {}, {}, progress); },
+        [this](const ReadProject& read) {
+            auto document = std::make_unique<Document>(read.project);
+            document->setKeptElsewhere();
+            vacant().take(std::move(document));
+        });
+}
+
+void DocumentSession::importModel(const QString& path, const ImportOptions& options,
+                                  const std::function<void(Project&)>& complete) {
+    startImport(path, options, tr("New Project"), jobs_, messages_,
+                [this, path, options, complete](const ImportedModel& imported) {
+                    logImport(imported, messages_);
+                    Project project = newProject(imported, path, options);
+                    if (complete) {
+                        complete(project);
+                    }
+                    DocumentSession& shown = vacant();
+                    shown.take(std::make_unique<Document>(project));
+                    if (const auto length = doubtfulLength(project.model->mesh)) {
+                        emit shown.lengthDoubted(*length);
+                    }
+                });
+}
+
+bool DocumentSession::lockOrAsk(Document& document) {
+    const LockState state = document.lock();
+    if (state.acquired) {
+        return true;
+    }
+    return window_.opensLocked(document, state);
+}
+
+void DocumentSession::restore(const RecoveredDocument& recovered) {
+    startJob(
+        jobs_, messages_, tr("Restoring the project"), tr("Restore Project"),
+        [recovered](const Progress& progress) {
+            return projectFrom(recovered.copy, recovered.original, recovered.version, progress);
+        },
+        [this, recovered](const ReadProject& read) {
+            auto document =
+                std::make_unique<Document>(read.project, recovered.original, read.version);
+            if (!lockOrAsk(*document)) {
+                return;
+            }
+            document->setRecovered();
+            take(std::move(document));
+            if (autoSaver_->keepNow()) { // else the old copy is all there is
+                discardRecovered(recovered);
+            }
+            messages_.log(tr("Restored unsaved changes of %1").arg(recovered.name));
+        });
+}
+
+void DocumentSession::save() {
+    document_->save();
+    tellSaved(document_->path());
+}
+
+void DocumentSession::saveAs(const QString& path) {
+    document_->saveAs(path);
+    tellSaved(path);
+}
+
+void DocumentSession::tellSaved(const QString& path) {
+    addRecentProject(path);
+    emit saved(path);
+    messages_.log(tr("Saved %1").arg(QDir::toNativeSeparators(path)));
+}
+
+void DocumentSession::discardChanges() {
+    autoSaver_->discard();
+}
+
+} // namespace dipwright

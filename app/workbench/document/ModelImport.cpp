@@ -1,0 +1,142 @@
+#include "workbench/document/ModelImport.h"
+
+#include "workbench/jobs/StartJob.h"
+
+#include <QCoreApplication>
+#include <QDate>
+
+namespace dipwright {
+
+namespace {
+
+enum class Pose { Kept, Reset };
+
+void exchangeModel(Project& project, const TexturedMesh& model, const QString& source,
+                   const QString& texture) {
+    project.model = std::make_shared<const TexturedMesh>(model);
+    project.modelOrigin.source = source;
+    project.modelOrigin.texture = texture;
+    project.modelOrigin.sha256.clear();
+}
+
+// The size of the model that is there is kept with its pose: its settings were made for it.
+void importInto(Document& document, const QString& path, const QString& texture, Pose pose,
+                const QString& undoText, JobRunner& jobs, Messages& messages) {
+    ImportOptions options;
+    options.texture = texture;
+    options.unitMillimetres = document.project().modelOrigin.unitMillimetres;
+    if (pose == Pose::Kept) {
+        options.longestEdge = Millimetres(longestEdgeOf(document.project().model->mesh));
+    }
+    startImport(
+        path, options, undoText, jobs, messages,
+        [&document, &messages, path, texture, pose, undoText](const ImportedModel& imported) {
+            logImport(imported, messages);
+            document.edit(undoText, {}, [&](Project& project) {
+                exchangeModel(project, imported.model, path, texture);
+                for (Immersion& immersion : project.immersions) {
+                    immersion = pose == Pose::Kept ? immersion : Immersion{.name = immersion.name};
+                }
+            });
+        });
+}
+
+} // namespace
+
+Project newProject(const ImportedModel& imported, const QString& path,
+                   const ImportOptions& options) {
+    Project project;
+    project.name = projectName(path);
+    project.date = QDate::currentDate().toString(Qt::ISODate);
+    project.film.resolution = FilmResolution::Automatic;
+    project.immersions.front().name =
+        QCoreApplication::translate("ModelImport", "Immersion %1").arg(1);
+    project.model = std::make_shared<const TexturedMesh>(imported.model);
+    project.modelOrigin.source = path;
+    project.modelOrigin.texture = options.texture;
+    project.modelOrigin.unitMillimetres = options.unitMillimetres;
+    return project;
+}
+
+void logImport(const ImportedModel& imported, Messages& messages) {
+    for (const QString& line : imported.report.repairs + imported.report.warnings) {
+        messages.log(line);
+    }
+}
+
+std::optional<double> doubtfulLength(const TriangleMesh& mesh) {
+    constexpr double smallest = 5, largest = 3000; // mm, of what is dipped
+    const double longest = longestEdgeOf(mesh);
+    return longest < smallest || longest > largest ? std::optional(longest) : std::nullopt;
+}
+
+void startImport(const QString& path, const ImportOptions& options, const QString& failureTitle,
+                 JobRunner& jobs, Messages& messages,
+                 const std::function<void(const ImportedModel&)>& done) {
+    const auto failed = [=, &jobs, &messages](const std::exception_ptr& failure) {
+        try {
+            std::rethrow_exception(failure);
+        } catch (const OutsideFiles& outside) {
+            ImportOptions again = options;
+            again.outsideFiles += outside.files();
+            messages.askToRead(failureTitle,
+                               QCoreApplication::translate(
+                                   "ModelImport", "The model names files outside its own folder:"),
+                               outside.files(), [=, &jobs, &messages] {
+                                   startImport(path, again, failureTitle, jobs, messages, done);
+                               });
+        } catch (...) {
+            messages.fail(failureTitle, failure);
+        }
+    };
+    jobs.start(std::make_unique<ValueJob<ImportedModel>>(
+        QCoreApplication::translate("ModelImport", "Reading the model"),
+        [path, options](const Progress& progress) { return importModel(path, options, progress); },
+        done, failed));
+}
+
+void reloadModel(Document& document, JobRunner& jobs, Messages& messages) {
+    const QString title = QCoreApplication::translate("ModelImport", "Reload Model");
+    const ModelOrigin& origin = document.project().modelOrigin;
+    QStringList untrusted;
+    for (const QString& file : {origin.source, origin.texture}) {
+        if (!file.isEmpty() && !document.isTrusted(file)) {
+            untrusted << file;
+        }
+    }
+    const auto reload = [=, &document, &jobs, &messages, origin = origin] {
+        for (const QString& file : untrusted) {
+            document.trust(file);
+        }
+        importInto(document, origin.source, origin.texture, Pose::Kept, title, jobs, messages);
+    };
+    if (untrusted.isEmpty()) {
+        reload();
+    } else {
+        messages.askToRead(title,
+                           QCoreApplication::translate(
+                               "ModelImport", "The project, as it was opened, names these files:"),
+                           untrusted, reload);
+    }
+}
+
+void replaceModel(Document& document, const QString& path, JobRunner& jobs, Messages& messages) {
+    importInto(document, path, {}, Pose::Reset,
+               QCoreApplication::translate("ModelImport", "Replace Model"), jobs, messages);
+}
+
+void replaceTexture(Document& document, const QString& path, JobRunner& jobs, Messages& messages) {
+    const QString undoText = QCoreApplication::translate("ModelImport", "Replace Texture");
+    startJob(
+        jobs, messages, QCoreApplication::translate("ModelImport", "Reading the texture"), undoText,
+        [model = document.project().model, path](const Progress&) {
+            return withTexture(*model, path);
+        },
+        [&document, path, undoText](const TexturedMesh& model) {
+            document.edit(undoText, {}, [&](Project& project) {
+                exchangeModel(project, model, project.modelOrigin.source, path);
+            });
+        });
+}
+
+} // namespace dipwright

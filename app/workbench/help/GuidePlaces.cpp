@@ -1,0 +1,100 @@
+#include "workbench/help/GuidePlaces.h"
+
+#include <QCoreApplication>
+#include <QMap>
+#include <QTabWidget>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(GuidePlaces)
+};
+
+enum Chapter {
+    FirstSheet,
+    Window,
+    Artwork,
+    Film,
+    Immersions,
+    Dipping,
+    Results,
+    Printing,
+    Projects,
+    Wrong
+};
+
+// By the names of widgets; with the number of the tab that is shown, or of the part of the project.
+// The words are as the guide has them in each language.
+QMap<QString, GuidePlace> placesByName() {
+    const GuidePlace certainty{Results, Text::tr("Dip ▸ Check Certainty")};
+    const GuidePlace tolerances{Results, Text::tr("Dip ▸ Tolerances")};
+    const GuidePlace newProject{FirstSheet, Text::tr("File ▸ New Project")};
+    return {
+        {QStringLiteral("startPage"), newProject},
+        {QStringLiteral("newProjectDialog"), newProject},
+        {QStringLiteral("projectTree"), {Window, Text::tr("Left")}},
+        {QStringLiteral("view"), {Window, Text::tr("Middle")}},
+        {QStringLiteral("timeline"), {Window, Text::tr("timeline")}},
+        {QStringLiteral("preferencesDialog"), {Window, {}}},
+        {QStringLiteral("artworkPage"), {Artwork, {}}},
+        {QStringLiteral("propertyPanel/0"), {Projects, {}}},
+        {QStringLiteral("propertyPanel/1"), {Projects, Text::tr("Reload Model")}},
+        {QStringLiteral("propertyPanel/2"), {Film, {}}},
+        {QStringLiteral("propertyPanel/3"), {Dipping, {}}},
+        {QStringLiteral("propertyPanel/4"), {Immersions, {}}},
+        {QStringLiteral("propertyPanel/5"), {Immersions, Text::tr("Join")}},
+        {QStringLiteral("propertyPanel/6"), {Printing, Text::tr("File ▸ Print")}},
+        {QStringLiteral("propertyPanel/7"), {Printing, Text::tr("ICC profile")}},
+        {QStringLiteral("propertyPanel/8"), tolerances},
+        {QStringLiteral("searchPage"), {Immersions, Text::tr("Dip ▸ Find Poses")}},
+        {QStringLiteral("results/0"), certainty},
+        {QStringLiteral("results/1"), {Results, Text::tr("Stretch")}},
+        {QStringLiteral("results/2"), {Results, Text::tr("Texture")}},
+        {QStringLiteral("results/3"), {Results, Text::tr("Proof")}},
+        {QStringLiteral("results/4"), {Results, Text::tr("Sheet")}},
+        {QStringLiteral("results/5"), {Results, Text::tr("Report")}},
+        {QStringLiteral("certaintyDialog"), certainty},
+        {QStringLiteral("toleranceDialog"), tolerances},
+        {QStringLiteral("printDialog"), {Printing, Text::tr("File ▸ Print")}},
+        {QStringLiteral("printHistory"), {Printing, Text::tr("File ▸ Print History")}},
+        {QStringLiteral("calibrationDialog"), {Printing, Text::tr("File ▸ Calibrate Printer")}},
+        {QStringLiteral("profilesDialog"), {Printing, Text::tr("Edit ▸ Profiles")}},
+        {QStringLiteral("inspection/0"), {Printing, Text::tr("Measuring a dipped part")}},
+        {QStringLiteral("inspection/1"), {Printing, Text::tr("Fit")}},
+        {QStringLiteral("inspection/2"), {Printing, Text::tr("As Built")}},
+        {QStringLiteral("inspection/3"), {Printing, Text::tr("Measuring a film")}},
+        {QStringLiteral("snapshots"), {Projects, Text::tr("File ▸ Snapshots")}},
+        {QStringLiteral("jobQueue"), {Projects, Text::tr("File ▸ Job Queue")}},
+        {QStringLiteral("logDock"), {Wrong, Text::tr("log")}},
+    };
+}
+
+QString keyOf(const QWidget& widget) {
+    const QVariant part = widget.property("part");
+    const auto* tabs = qobject_cast<const QTabWidget*>(&widget);
+    const int number = tabs ? tabs->currentIndex() : part.isValid() ? part.toInt() : -1;
+    return number < 0 ? widget.objectName()
+                      : QStringLiteral("%1/%2").arg(widget.objectName()).arg(number);
+}
+
+} // namespace
+
+GuidePlace guidePlaceOf(const QWidget* widget) {
+    const QMap<QString, GuidePlace> places = placesByName();
+    for (; widget; widget = widget->parentWidget()) {
+        const auto place = places.find(keyOf(*widget));
+        if (place != places.end()) {
+            return *place;
+        }
+    }
+    return {};
+}
+
+std::vector<GuidePlace> guidePlaces() {
+    const QMap<QString, GuidePlace> places = placesByName();
+    return {places.begin(), places.end()};
+}
+
+} // namespace dipwright

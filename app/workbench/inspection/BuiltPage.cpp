@@ -1,0 +1,191 @@
+#include "workbench/inspection/BuiltPage.h"
+
+#include "accuracy/correction/SheetCorrection.h"
+#include "workbench/widgets/NumberBox.h"
+#include "workbench/widgets/PicturePanel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+namespace dipwright {
+
+namespace {
+
+constexpr int pictureHeight = 1200; // pixels
+constexpr int rows = 4;             // of parts that are seen at once
+
+} // namespace
+
+BuiltPage::BuiltPage(QWidget* parent)
+    : QWidget(parent), parts_(new QTableWidget(0, 4)), acceptedBy_(new QLineEdit),
+      corrects_(new QCheckBox(tr("&Correct the next sheets"))), strength_(new NumberBox),
+      dip_(new QComboBox), hint_(new QLabel), words_(new QLabel), legend_(new QLabel),
+      picture_(new PicturePanel(tr("What repeats, and the correction"),
+                                tr("What the parts are off again and again is shown here."))) {
+    parts_->setObjectName(QStringLiteral("builtParts"));
+    parts_->setAccessibleName(tr("Parts that the job keeps"));
+    parts_->setHorizontalHeaderLabels({tr("Date"), tr("Accepted by"), tr("Photos"), tr("Off")});
+    parts_->horizontalHeaderItem(3)->setToolTip(tr("On the sheet, root mean square"));
+    parts_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    parts_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
+    parts_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    parts_->setSelectionMode(QAbstractItemView::NoSelection);
+    parts_->setFixedHeight(parts_->horizontalHeader()->sizeHint().height() +
+                           rows * parts_->verticalHeader()->defaultSectionSize() + 6);
+    hint_->setObjectName(QStringLiteral("builtHint"));
+    hint_->setWordWrap(true);
+    words_->setObjectName(QStringLiteral("builtWords"));
+    words_->setWordWrap(true);
+    legend_->setWordWrap(true);
+    words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->addWidget(parts_);
+    layout->addWidget(hint_);
+    layout->addWidget(makeKeepBar());
+    layout->addWidget(words_);
+    layout->addWidget(picture_, 1);
+    layout->addWidget(legend_);
+    layout->addWidget(makeCorrectionBar());
+    setBuilt({}, width_, height_);
+}
+
+QWidget* BuiltPage::makeKeepBar() {
+    auto* bar = new QWidget;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    acceptedBy_->setObjectName(QStringLiteral("acceptedBy"));
+    acceptedBy_->setMaxLength(100);
+    acceptedBy_->setPlaceholderText(tr("Who says that the part may count"));
+    acceptedBy_->setAccessibleName(tr("Accepted by"));
+    keep_ = new QPushButton(tr("&Keep Part"));
+    keep_->setObjectName(QStringLiteral("keepPart"));
+    keep_->setToolTip(tr("Keeps with the job how far the print of the measured part is off"));
+    row->addWidget(new QLabel(tr("Accepted by")));
+    row->addWidget(acceptedBy_, 1);
+    row->addWidget(keep_);
+    connect(acceptedBy_, &QLineEdit::textChanged, this, &BuiltPage::enable);
+    connect(keep_, &QPushButton::clicked, this,
+            [this] { emit keepAsked(acceptedBy_->text().trimmed()); });
+    return bar;
+}
+
+QWidget* BuiltPage::makeCorrectionBar() {
+    auto* bar = new QWidget;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    corrects_->setObjectName(QStringLiteral("corrects"));
+    corrects_->setToolTip(tr("Prints the next sheets so that what repeats does not come again"));
+    strength_->setObjectName(QStringLiteral("correctionStrength"));
+    strength_->setAccessibleName(tr("Strength of the correction"));
+    strength_->setToolTip(tr("How much of what repeats is taken off the next sheets"));
+    strength_->setRange(0, 100);
+    strength_->setDecimals(0);
+    strength_->setSingleStep(10);
+    strength_->setSuffix(tr(" %"));
+    strength_->setKeyboardTracking(false);
+    dip_->setObjectName(QStringLiteral("correctionDip"));
+    dip_->setAccessibleName(tr("Dip"));
+    row->addWidget(corrects_);
+    row->addWidget(strength_);
+    row->addStretch();
+    row->addWidget(dip_);
+    connect(corrects_, &QCheckBox::clicked, this, &BuiltPage::correctsChosen);
+    connect(strength_, &QDoubleSpinBox::valueChanged, this,
+            [this](double percent) { emit strengthChosen(percent / 100); });
+    connect(dip_, &QComboBox::currentIndexChanged, this, &BuiltPage::showPicture);
+    return bar;
+}
+
+void BuiltPage::setBuilt(const AsBuilt& built, Millimetres width, Millimetres height) {
+    built_ = built;
+    width_ = width;
+    height_ = height;
+    corrects_->setChecked(built.corrects);
+    const QSignalBlocker quiet(strength_);
+    strength_->setValue(100 * built.strength);
+    showParts();
+    showPicture();
+    enable();
+}
+
+void BuiltPage::setErrors(std::shared_ptr<const std::vector<RepeatingError>> errors) {
+    errors_ = std::move(errors);
+    const QSignalBlocker quiet(dip_);
+    const int shown = std::max(0, dip_->currentIndex());
+    dip_->clear();
+    QStringList sentences;
+    for (std::size_t i = 0; errors_ && i < errors_->size(); ++i) {
+        dip_->addItem(tr("Dip %1").arg(i + 1));
+        if (!(*errors_)[i].isNothing()) {
+            sentences << repeatingSentence((*errors_)[i], int(i) + 1);
+        }
+    }
+    dip_->setCurrentIndex(std::min(shown, dip_->count() - 1));
+    dip_->setVisible(dip_->count() > 1);
+    words_->setText(sentences.join(u'\n'));
+    words_->setVisible(!sentences.isEmpty());
+    showPicture();
+}
+
+void BuiltPage::showParts() {
+    parts_->setRowCount(int(built_.parts.size()));
+    for (int row = 0; row < parts_->rowCount(); ++row) {
+        const BuiltPart& part = built_.parts[std::size_t(row)];
+        const QStringList hashes = part.photos.split(u' ', Qt::SkipEmptyParts);
+        const QStringList texts{part.date, part.acceptedBy, QString::number(hashes.size()),
+                                tr("%1 mm").arg(QLocale().toString(part.residual, 'f', 2))};
+        for (int column = 0; column < texts.size(); ++column) {
+            parts_->setItem(row, column, new QTableWidgetItem(texts[column]));
+        }
+        parts_->item(row, 2)->setToolTip(hashes.join(u'\n'));
+    }
+}
+
+void BuiltPage::showPicture() {
+    const int dip = std::max(0, dip_->currentIndex());
+    if (!errors_ || std::size_t(dip) >= errors_->size() ||
+        (*errors_)[std::size_t(dip)].isNothing()) {
+        picture_->clear();
+        legend_->clear();
+        return;
+    }
+    const QImage picture = correctionPicture((*errors_)[std::size_t(dip)], width_, height_,
+                                             built_.strength, pictureHeight);
+    picture_->setPicture(picture, QSizeF(picture.size()) / 5);
+    legend_->setText(built_.corrects
+                         ? tr("The next sheets are corrected so.")
+                         : tr("The next sheets are not corrected: this is what they would be."));
+}
+
+void BuiltPage::setKeepable(bool keepable) {
+    keepable_ = keepable;
+    enable();
+}
+
+void BuiltPage::setBusy(bool busy) {
+    busy_ = busy;
+    enable();
+}
+
+void BuiltPage::enable() {
+    hint_->setText(keepable_
+                       ? tr("Keep the part that was measured: the job then has its photos, how far "
+                            "its print is off, and who accepted it.")
+                       : tr("To keep a part, find the corners of its print on the page “Dipped "
+                            "Part”, with pairs that are places of the body itself."));
+    keep_->setEnabled(keepable_ && !busy_ && !acceptedBy_->text().trimmed().isEmpty());
+    corrects_->setEnabled(!built_.parts.empty());
+    strength_->setEnabled(!built_.parts.empty());
+}
+
+} // namespace dipwright

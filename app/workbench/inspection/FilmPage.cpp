@@ -1,0 +1,396 @@
+#include "workbench/inspection/FilmPage.h"
+
+#include "import/trusted/ReadPhotos.h"
+#include "inspection/FilmWatchFiles.h"
+#include "workbench/widgets/Icons.h"
+#include "workbench/widgets/NumberBox.h"
+#include "workbench/widgets/PicturePanel.h"
+
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QMimeData>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSet>
+#include <QTabWidget>
+#include <QTableWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace dipwright {
+
+namespace {
+
+constexpr int mapHeight = 900; // pixels
+constexpr double mapPixelsPerMillimetre = 5;
+constexpr int rows = 3; // of photos that are seen at once
+constexpr int leastPicture = 220;
+constexpr double none = -1; // of numbers from 0 that there may be none of
+constexpr double unknownLens = -1.0001;
+
+// None below `least`, where a box has its word for it.
+std::optional<double> valueOf(const NumberBox& box, double least = 0) {
+    return box.value() < least ? std::nullopt : std::optional(box.value());
+}
+
+QWidget* side(NumberBox* first, NumberBox* second) {
+    auto* both = new QWidget;
+    auto* row = new QHBoxLayout(both);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(first, 1);
+    row->addWidget(second, 1);
+    return both;
+}
+
+QWidget* inARow(const QList<QPushButton*>& buttons) {
+    auto* bar = new QWidget;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    for (QPushButton* button : buttons) {
+        row->addWidget(button);
+    }
+    row->addStretch();
+    return bar;
+}
+
+QString hintText() {
+    return FilmPage::tr("Add photos of the film's chessboard floating on the water with the card "
+                        "beside it, or drop them here. The guide says how they are made.");
+}
+
+} // namespace
+
+FilmPage::FilmPage(QWidget* parent)
+    : QWidget(parent), table_(new QTableWidget(0, 2)), lot_(new QLineEdit), words_(new QLabel),
+      photoWords_(new QLabel), pictures_(new QTabWidget),
+      boards_(new PicturePanel(tr("Photo of the film"),
+                               tr("The corners that were found in the photo are shown here."))),
+      map_(new PicturePanel(tr("Unevenness of the film"),
+                            tr("Where the film has grown more and less is shown here."))) {
+    setAcceptDrops(true);
+    table_->setObjectName(QStringLiteral("filmPhotos"));
+    table_->setAccessibleName(tr("Photos of the film"));
+    table_->setHorizontalHeaderLabels({tr("Photo"), tr("Seconds since it was laid")});
+    table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    table_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    table_->verticalHeader()->hide();
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    const int height = table_->horizontalHeader()->sizeHint().height() +
+                       rows * table_->verticalHeader()->defaultSectionSize() + 6;
+    table_->setFixedHeight(height);
+    words_->setObjectName(QStringLiteral("filmWords"));
+    words_->setWordWrap(true);
+    photoWords_->setWordWrap(true);
+    words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    pictures_->setObjectName(QStringLiteral("filmPictures"));
+    pictures_->setDocumentMode(true);
+    pictures_->addTab(boards_, tr("Corners"));
+    pictures_->addTab(map_, tr("Unevenness"));
+    pictures_->setMinimumHeight(leastPicture);
+    auto* inside = new QWidget;
+    auto* column = new QVBoxLayout(inside);
+    column->setContentsMargins(6, 6, 6, 6);
+    column->addWidget(table_);
+    column->addWidget(makePhotoButtons());
+    column->addWidget(makeFields());
+    column->addWidget(makeRulers());
+    column->addWidget(words_);
+    column->addWidget(pictures_, 1);
+    column->addWidget(photoWords_);
+    column->addWidget(makeResultButtons());
+    auto* scroll = new QScrollArea;
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(inside);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(scroll);
+    connect(table_, &QTableWidget::itemSelectionChanged, this, [this] {
+        enable();
+        showPicture();
+    });
+    setFilm({}, 0);
+    setMeasured(nullptr);
+}
+
+NumberBox* FilmPage::box(const char* name, double minimum, double maximum, double step,
+                         const QString& suffix, const QString& nothing) {
+    auto* box = new NumberBox;
+    box->setObjectName(QLatin1String(name));
+    box->setDecimals(step < 0.01 ? 4 : 2);
+    box->setRange(minimum, maximum);
+    box->setSingleStep(step);
+    box->setSuffix(suffix);
+    box->setSpecialValueText(nothing);
+    box->setMinimumWidth(60);
+    box->setKeyboardTracking(false); // a number that is typed is one change
+    connect(box, &QDoubleSpinBox::valueChanged, this, [this, box] { change(box->objectName()); });
+    return box;
+}
+
+QWidget* FilmPage::makeFields() {
+    begin_ = box("dipBegins", 0, longestWatch, 1, tr(" s"));
+    begin_->setToolTip(
+        tr("Seconds since the film was laid on the water; the swell is told of then"));
+    water_ = box("waterTemperature", none, 100, 1, tr(" °C"), tr("not measured"));
+    lot_->setObjectName(QStringLiteral("filmLot"));
+    lot_->setMaxLength(100);
+    connect(lot_, &QLineEdit::textEdited, this, [this] { change(lot_->objectName()); });
+    auto* fields = new QWidget;
+    auto* form = new QFormLayout(fields);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->addRow(tr("Dip begins after"), begin_);
+    form->addRow(tr("Lot"), lot_);
+    form->addRow(tr("Water"), water_);
+    return fields;
+}
+
+QWidget* FilmPage::makeRulers() {
+    const QString millimetres = tr(" mm");
+    for (int part = 0; part < 2; ++part) {
+        const auto at = std::size_t(part);
+        cardRulers_[at] =
+            box(part == 0 ? "cardAcross" : "cardDown", leastRuler, mostRuler, 0.1, millimetres);
+        filmRulers_[at] =
+            box(part == 0 ? "filmAcross" : "filmDown", leastRuler, mostRuler, 0.1, millimetres);
+        const QString which = part == 0 ? tr("Across") : tr("Down");
+        for (NumberBox* one : {cardRulers_[at], filmRulers_[at]}) {
+            one->setToolTip(which);
+            one->setAccessibleName(which);
+        }
+    }
+    rulerError_ = box("rulerError", 0, mostRulerError, 0.05, millimetres);
+    rulerError_->setToolTip(tr("How exactly each ruler was read; the swell's interval holds it"));
+    cardAbove_ = box("cardAbove", -mostCardAbove, mostCardAbove, 0.5, millimetres);
+    focal_ = box("focalLength", none, mostFocal, 1, millimetres, tr("as the photos say"));
+    focal_->setToolTip(tr("Of a camera of 35 mm; only needed where the card lies above the film"));
+    k1_ = box("lensK1", unknownLens, 1, 0.001, {}, tr("k1 ?"));
+    k2_ = box("lensK2", unknownLens, 1, 0.001, {}, tr("k2 ?"));
+    for (NumberBox* one : {k1_, k2_}) {
+        one->setToolTip(tr("Of a camera measured before; “?”: as each photo has it"));
+    }
+    auto* fields = new QWidget;
+    auto* form = new QFormLayout(fields);
+    form->setContentsMargins(12, 0, 0, 0);
+    form->addRow(tr("Card's rulers"), side(cardRulers_[0], cardRulers_[1]));
+    form->addRow(tr("Dry film's rulers"), side(filmRulers_[0], filmRulers_[1]));
+    form->addRow(tr("Read to ±"), rulerError_);
+    form->addRow(tr("Card above the film"), cardAbove_);
+    form->addRow(tr("Focal length"), focal_);
+    form->addRow(tr("Distortion"), side(k1_, k2_));
+    auto* fold = new QToolButton;
+    fold->setObjectName(QStringLiteral("filmRulers"));
+    fold->setText(tr("Rulers and Camera"));
+    fold->setToolTip(
+        tr("What the printed rulers measure, how high the card lies, and what is known "
+           "of the camera"));
+    fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    fold->setArrowType(Qt::RightArrow);
+    fold->setAutoRaise(true);
+    fold->setCheckable(true);
+    fold->setFocusPolicy(Qt::StrongFocus);
+    connect(fold, &QToolButton::toggled, fields, [fold, fields](bool open) {
+        fold->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+        fields->setVisible(open);
+    });
+    fields->hide();
+    auto* both = new QWidget;
+    auto* column = new QVBoxLayout(both);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(fold);
+    column->addWidget(fields);
+    return both;
+}
+
+QWidget* FilmPage::makePhotoButtons() {
+    auto* add = new QPushButton(icon(QStringLiteral("add")), tr("Add &Photos…"));
+    add->setObjectName(QStringLiteral("addFilmPhotos"));
+    remove_ = new QPushButton(tr("&Remove"));
+    remove_->setObjectName(QStringLiteral("removeFilmPhotos"));
+    measure_ = new QPushButton(tr("&Measure"));
+    measure_->setObjectName(QStringLiteral("measureFilm"));
+    connect(add, &QPushButton::clicked, this, [this] {
+        const QStringList files = QFileDialog::getOpenFileNames(
+            this, tr("Photos of the Film"), {}, tr("Photos (%1)").arg(photoPatterns().join(u' ')));
+        if (!files.isEmpty()) {
+            emit photosChosen(files);
+        }
+    });
+    connect(remove_, &QPushButton::clicked, this, &FilmPage::removeChosen);
+    connect(measure_, &QPushButton::clicked, this, &FilmPage::measureAsked);
+    return inARow({add, remove_, measure_});
+}
+
+QWidget* FilmPage::makeResultButtons() {
+    save_ = new QPushButton(tr("&Save to Profile…"));
+    save_->setObjectName(QStringLiteral("saveFilmProfile"));
+    export_ = new QPushButton(tr("&Export…"));
+    export_->setObjectName(QStringLiteral("exportFilm"));
+    connect(save_, &QPushButton::clicked, this, &FilmPage::saveAsked);
+    connect(export_, &QPushButton::clicked, this, &FilmPage::exportAsked);
+    return inARow({save_, export_});
+}
+
+void FilmPage::setFilm(const FilmOnWater& film, double profileBegin) {
+    const bool samePhotos =
+        film.photos == film_.photos && table_->rowCount() == int(film.photos.size());
+    film_ = film;
+    profileBegin_ = profileBegin;
+    shows_ = true;
+    begin_->setValue(film.dipBegins.value_or(profileBegin));
+    if (lot_->text() != film.lot) { // the cursor stays where one types
+        lot_->setText(film.lot);
+    }
+    water_->setValue(film.waterTemperature.value_or(none));
+    for (std::size_t part = 0; part < 2; ++part) {
+        cardRulers_[part]->setValue(film.cardRulers[part].value());
+        filmRulers_[part]->setValue(film.filmRulers[part].value());
+    }
+    rulerError_->setValue(film.rulerError.value());
+    cardAbove_->setValue(film.cardAbove.value());
+    focal_->setValue(film.focalAs35 ? film.focalAs35->value() : none);
+    k1_->setValue(film.lensK1.value_or(k1_->minimum()));
+    k2_->setValue(film.lensK2.value_or(k2_->minimum()));
+    if (!samePhotos) {
+        showPhotos();
+    }
+    shows_ = false;
+    enable();
+}
+
+void FilmPage::showPhotos() {
+    table_->setRowCount(int(film_.photos.size()));
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        const FloatingPhoto& photo = film_.photos[std::size_t(row)];
+        auto* name = new QTableWidgetItem(QFileInfo(photo.file).fileName());
+        name->setToolTip(photo.file);
+        name->setFlags(name->flags() & ~Qt::ItemIsEditable);
+        table_->setItem(row, 0, name);
+        auto* seconds = qobject_cast<NumberBox*>(table_->cellWidget(row, 1));
+        if (!seconds) {
+            seconds = box("photoSeconds", none, longestWatch, 1, {}, tr("when the dip begins"));
+            seconds->setAccessibleName(tr("Seconds since the film was laid on the water"));
+            table_->setCellWidget(row, 1, seconds);
+        }
+        seconds->setValue(photo.seconds.value_or(none));
+    }
+}
+
+void FilmPage::change(const QString& what) {
+    if (shows_) {
+        return;
+    }
+    FilmOnWater film = film_;
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        film.photos[std::size_t(row)].seconds =
+            valueOf(*qobject_cast<NumberBox*>(table_->cellWidget(row, 1)));
+    }
+    if (begin_->value() != film.dipBegins.value_or(profileBegin_)) {
+        film.dipBegins = begin_->value();
+    }
+    film.lot = lot_->text();
+    film.waterTemperature = valueOf(*water_);
+    for (std::size_t part = 0; part < 2; ++part) {
+        film.cardRulers[part] = Millimetres(cardRulers_[part]->value());
+        film.filmRulers[part] = Millimetres(filmRulers_[part]->value());
+    }
+    film.rulerError = Millimetres(rulerError_->value());
+    film.cardAbove = Millimetres(cardAbove_->value());
+    const auto focal = valueOf(*focal_, leastFocal);
+    film.focalAs35 = focal ? std::optional(Millimetres(*focal)) : std::nullopt;
+    film.lensK1 = valueOf(*k1_, -1);
+    film.lensK2 = valueOf(*k2_, -1);
+    emit filmChanged(film, what);
+}
+
+void FilmPage::removeChosen() {
+    QSet<int> chosen;
+    for (const QTableWidgetItem* item : table_->selectedItems()) {
+        chosen.insert(item->row());
+    }
+    FilmOnWater film = film_;
+    film.photos.clear();
+    for (std::size_t i = 0; i < film_.photos.size(); ++i) {
+        if (!chosen.contains(int(i))) {
+            film.photos.push_back(film_.photos[i]);
+        }
+    }
+    emit filmChanged(film, {});
+}
+
+void FilmPage::setMeasured(std::shared_ptr<const WatchedFilm> measured) {
+    measured_ = std::move(measured);
+    words_->setText(measured_ ? watchSentences(measured_->watch).join(u'\n') : hintText());
+    showPicture();
+    enable();
+}
+
+// The photo that is chosen in the table, else the last.
+void FilmPage::showPicture() {
+    if (!measured_) {
+        boards_->clear();
+        map_->clear();
+        photoWords_->clear();
+        return;
+    }
+    const std::vector<WatchedPhoto>& photos = measured_->watch.photos; // by their seconds
+    const int row = table_->currentRow();
+    const QString file =
+        row >= 0 && row < int(film_.photos.size()) && !table_->selectedItems().isEmpty()
+            ? film_.photos[std::size_t(row)].file
+            : photos.back().where;
+    const auto found = std::find_if(photos.begin(), photos.end(),
+                                    [&](const WatchedPhoto& photo) { return photo.where == file; });
+    const WatchedPhoto& photo = found == photos.end() ? photos.back() : *found;
+    const QImage& boards = measured_->boards[std::size_t(&photo - photos.data())];
+    boards_->setPicture(boards, QSizeF(boards.size()) / mapPixelsPerMillimetre);
+    photoWords_->setText(tr("%1: %2 corners of the film, %3 of the card, %4 px off")
+                             .arg(QFileInfo(photo.where).fileName())
+                             .arg(photo.film.corners.size())
+                             .arg(photo.film.cardCorners.size())
+                             .arg(QLocale().toString(photo.film.residualPixels, 'f', 3)));
+    const QImage map = unevennessMap(photo, mapHeight);
+    map_->setPicture(map, QSizeF(map.size()) / mapPixelsPerMillimetre);
+}
+
+void FilmPage::setBusy(bool busy) {
+    busy_ = busy;
+    enable();
+}
+
+void FilmPage::enable() {
+    remove_->setEnabled(!table_->selectedItems().isEmpty() && !busy_);
+    measure_->setEnabled(!film_.photos.empty() && !busy_);
+    save_->setEnabled(measured_ && !busy_);
+    export_->setEnabled(measured_ && !busy_);
+}
+
+void FilmPage::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls()) {
+        event->acceptProposedAction();
+    }
+}
+
+void FilmPage::dropEvent(QDropEvent* event) {
+    QStringList files;
+    for (const QUrl& url : event->mimeData()->urls()) {
+        if (url.isLocalFile()) {
+            files << url.toLocalFile();
+        }
+    }
+    if (!files.isEmpty()) {
+        event->acceptProposedAction();
+        emit photosChosen(files);
+    }
+}
+
+} // namespace dipwright

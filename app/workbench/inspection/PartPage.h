@@ -1,0 +1,78 @@
+// The page of a dipped part: its photos, the places in them, and how far the print lies off.
+#pragma once
+
+#include "workbench/inspection/MeasuredPart.h"
+#include "workbench/inspection/PhotoView.h"
+
+#include <QWidget>
+
+class QAction;
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace dipwright {
+
+class PartPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PartPage(QWidget* parent = nullptr);
+
+    // What the project has. The photo that is looked at stays, as far as there is one.
+    void setPart(const InspectedPart& part);
+    int photo() const { return photo_; } // the one looked at; −1: none
+    // Its picture; null: it is not read yet, and `hint` says why.
+    void setPicture(const QImage& picture, const QString& hint);
+    // A place of the photo that waits for its partner on the body.
+    std::optional<QPointF> pending() const { return pending_; }
+    void setPending(const std::optional<QPointF>& place);
+    // Null: nothing was measured, or the pairs have changed since.
+    void setMeasured(std::shared_ptr<const MeasuredPart> measured);
+    void setBusy(bool busy);
+
+signals:
+    void photosChosen(const QStringList& files);
+    void removePhotoAsked(int photo);
+    void photoLookedAt(int photo);
+    void pairMoved(int pair, QPointF pixel); // by its index in the project
+    void pairDropped();
+    void pairChosen(int pair);
+    void removePairAsked(int pair);
+    void chessboardChosen(bool chessboard);
+    void keepsCameraChosen(bool keeps);
+    void cameraAsked();
+    void cornersAsked();
+    void exportAsked();
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    QWidget* makePhotoBar();
+    QWidget* makeMeasureBar();
+    void lookAt(int photo);
+    void showMarks();
+    void showFigures();
+    void enable();
+    void say();
+
+    InspectedPart part_;
+    int photo_ = -1;
+    bool busy_ = false;
+    std::vector<int> shown_; // index in the project of each mark
+    std::optional<QPointF> pending_;
+    std::shared_ptr<const MeasuredPart> measured_;
+    QComboBox* photos_;
+    PhotoView* view_;
+    QLabel* hint_;
+    QCheckBox *chessboard_, *keepsCamera_;
+    QPushButton *removePhoto_, *removePair_, *camera_, *corners_, *export_;
+    QTableWidget* figures_;
+    int chosen_ = -1; // in the project
+};
+
+} // namespace dipwright

@@ -1,0 +1,205 @@
+#include "workbench/preferences/PreferencesDialog.h"
+
+#include "project/FilmSizes.h"
+#include "project/ProfileLibrary.h"
+#include "workbench/preferences/SolverPage.h"
+#include "workbench/project/FilmMeasured.h"
+#include "workbench/widgets/Languages.h"
+#include "workbench/widgets/ShippedNames.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTabWidget>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+namespace dipwright {
+
+PreferencesDialog::PreferencesDialog(const Preferences& preferences, const SolverRegistry& registry,
+                                     const QList<QAction*>& actions, QWidget* parent)
+    : QDialog(parent), preferences_(preferences), language_(new QComboBox), unit_(new QComboBox),
+      theme_(new QComboBox), navigation_(new QComboBox), film_(new QComboBox),
+      filmProfile_(new QComboBox), printer_(new QComboBox), autosave_(new QSpinBox),
+      live_(new QCheckBox(tr("Run again after each change"))),
+      keeps_(new QCheckBox(tr("Keep results beside the project"))), shortcuts_(new QTreeWidget),
+      clash_(new QLabel),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
+    setWindowTitle(tr("Preferences"));
+    setObjectName(QStringLiteral("preferencesDialog"));
+    auto* tabs = new QTabWidget;
+    tabs->addTab(makeGeneralPage(), tr("General"));
+    tabs->addTab(makeShortcutPage(actions), tr("Shortcuts"));
+    tabs->addTab(new SolverPage(registry), tr("Solvers"));
+    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(tabs);
+    layout->addWidget(buttons_);
+    resize(660, 520);
+}
+
+// With the choices, each at the preference.
+void PreferencesDialog::fillLists() {
+    language_->addItem(tr("As the system"), QString());
+    for (const Language& language : languages()) {
+        language_->addItem(language.name, language.code);
+    }
+    language_->setCurrentIndex(std::max(0, language_->findData(preferences_.language)));
+    unit_->addItems({tr("Millimetres"), tr("Inches")});
+    unit_->setCurrentIndex(int(preferences_.unit));
+    theme_->addItems({tr("As the system"), tr("Light"), tr("Dark")});
+    theme_->setCurrentIndex(int(preferences_.theme));
+    navigation_->addItems({tr("Turntable: up stays up"), tr("Trackball: turns freely")});
+    navigation_->setCurrentIndex(int(preferences_.navigation));
+    film_->addItems(filmSizeNames());
+    film_->setCurrentText(preferences_.filmPreset);
+    addFilmProfiles(*filmProfile_, preferences_.filmProfile);
+    printer_->addItem(tr("None"), QString());
+    for (const ProfileEntry& entry : ProfileLibrary().profiles(ProfileKind::Printer)) {
+        printer_->addItem(shownName(entry.name), entry.name);
+    }
+    printer_->setCurrentIndex(std::max(0, printer_->findData(preferences_.printerProfile)));
+}
+
+void PreferencesDialog::explainFields() {
+    film_->setToolTip(tr("The film that is proposed when a project is made."));
+    filmProfile_->setToolTip(tr("The film profile that is proposed when a project is made."));
+    printer_->setToolTip(tr("The printer profile that new projects begin with. It can be changed "
+                            "under Sheet."));
+    language_->setToolTip(tr("The language of menus, panels and messages."));
+    unit_->setToolTip(tr("The unit in which lengths and speeds are shown and typed."));
+    theme_->setToolTip(tr("Light or dark colours."));
+    navigation_->setToolTip(tr("How dragging in the view turns it."));
+    autosave_->setToolTip(tr("How long after a change, at most, a copy is kept from which work is "
+                             "restored after a crash."));
+    live_->setToolTip(tr("Once there is a result, a change starts a new run of what depends on "
+                         "it."));
+    keeps_->setToolTip(
+        tr("The dips of a saved project are kept in a file NAME.dips beside it, up to "
+           "64 MB, and its results are there when it is opened again."));
+}
+
+QWidget* PreferencesDialog::makeGeneralPage() {
+    fillLists();
+    explainFields();
+    filmProfile_->setObjectName(QStringLiteral("defaultFilm"));
+    printer_->setObjectName(QStringLiteral("defaultPrinter"));
+    keeps_->setObjectName(QStringLiteral("keepResults"));
+    autosave_->setRange(1, 3600);
+    autosave_->setSuffix(tr(" s"));
+    autosave_->setValue(preferences_.autosaveSeconds);
+    live_->setChecked(preferences_.liveUpdate);
+    keeps_->setChecked(preferences_.keepsResults);
+    auto* page = new QWidget;
+    auto* form = new QFormLayout(page);
+    form->setContentsMargins(16, 16, 16, 16);
+    form->setVerticalSpacing(10);
+    form->addRow(tr("&Language"), language_);
+    auto* hint = new QLabel(tr("A new language shows when the program is started again."));
+    hint->setForegroundRole(QPalette::PlaceholderText);
+    hint->setWordWrap(true);
+    form->addRow(QString(), hint);
+    form->addRow(tr("L&engths in"), unit_);
+    form->addRow(tr("T&heme"), theme_);
+    form->addRow(tr("&Navigation"), navigation_);
+    form->addRow(tr("&Film of new projects"), film_);
+    form->addRow(tr("Film p&rofile of new projects"), filmProfile_);
+    form->addRow(tr("&Printer of new projects"), printer_);
+    form->addRow(tr("&Recovery copy after"), autosave_);
+    form->addRow(QString(), live_);
+    form->addRow(QString(), keeps_);
+    return page;
+}
+
+QWidget* PreferencesDialog::makeShortcutPage(const QList<QAction*>& actions) {
+    shortcuts_->setHeaderLabels({tr("Command"), tr("Keys")});
+    shortcuts_->setRootIsDecorated(false);
+    shortcuts_->setAlternatingRowColors(true);
+    shortcuts_->setAccessibleName(tr("Shortcuts"));
+    shortcuts_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    shortcuts_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
+    shortcuts_->header()->setStretchLastSection(false);
+    shortcuts_->header()->resizeSection(1, 200);
+    QPixmap blank(shortcuts_->iconSize().expandedTo({16, 16})); // the names stay in line
+    blank.fill(Qt::transparent);
+    for (const QAction* action : actions) {
+        QString text = action->text();
+        text.remove(QLatin1Char('&'));
+        auto* item = new QTreeWidgetItem(shortcuts_, {text});
+        item->setIcon(0, action->icon().isNull() ? QIcon(blank) : action->icon());
+        auto* keys = new QKeySequenceEdit(action->shortcut());
+        keys->setAccessibleName(text);
+        const auto standard = action->property("defaultShortcut").value<QKeySequence>();
+        connect(keys, &QKeySequenceEdit::keySequenceChanged, this,
+                [this, name = action->objectName(), standard](const QKeySequence& sequence) {
+                    if (sequence == standard) {
+                        preferences_.shortcuts.remove(name);
+                    } else {
+                        preferences_.shortcuts[name] = sequence;
+                    }
+                    checkShortcuts();
+                });
+        shortcuts_->setItemWidget(item, 1, keys);
+    }
+    auto* reset = new QPushButton(tr("All Back to Standard"));
+    connect(reset, &QPushButton::clicked, this, [this, actions] {
+        for (int row = 0; row < shortcuts_->topLevelItemCount(); ++row) {
+            auto* keys = qobject_cast<QKeySequenceEdit*>(
+                shortcuts_->itemWidget(shortcuts_->topLevelItem(row), 1));
+            keys->setKeySequence(actions[row]->property("defaultShortcut").value<QKeySequence>());
+        }
+    });
+    clash_->setObjectName(QStringLiteral("shortcutClash"));
+    clash_->setWordWrap(true);
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    layout->addWidget(shortcuts_);
+    layout->addWidget(clash_);
+    layout->addWidget(reset, 0, Qt::AlignLeft);
+    checkShortcuts();
+    return page;
+}
+
+void PreferencesDialog::checkShortcuts() {
+    QMap<QString, QString> commands; // by keys
+    QString clash;
+    for (int row = 0; row < shortcuts_->topLevelItemCount(); ++row) {
+        const QTreeWidgetItem* item = shortcuts_->topLevelItem(row);
+        const auto* edit = qobject_cast<QKeySequenceEdit*>(
+            shortcuts_->itemWidget(shortcuts_->topLevelItem(row), 1));
+        const QString keys = edit->keySequence().toString(QKeySequence::NativeText);
+        if (!keys.isEmpty() && commands.contains(keys)) {
+            clash = tr("%1 stands for both “%2” and “%3”. Change one of them.")
+                        .arg(keys, commands[keys], item->text(0));
+        }
+        commands[keys] = item->text(0);
+    }
+    clash_->setText(clash);
+    clash_->setVisible(!clash.isEmpty());
+    buttons_->button(QDialogButtonBox::Ok)->setEnabled(clash.isEmpty());
+}
+
+Preferences PreferencesDialog::preferences() const {
+    Preferences chosen = preferences_;
+    chosen.language = language_->currentData().toString();
+    chosen.unit = LengthUnit(unit_->currentIndex());
+    chosen.theme = ThemeChoice(theme_->currentIndex());
+    chosen.navigation = NavigationChoice(navigation_->currentIndex());
+    chosen.filmPreset = film_->currentText();
+    chosen.filmProfile = filmProfile_->currentData().toString();
+    chosen.printerProfile = printer_->currentData().toString();
+    chosen.autosaveSeconds = autosave_->value();
+    chosen.liveUpdate = live_->isChecked();
+    chosen.keepsResults = keeps_->isChecked();
+    return chosen;
+}
+
+} // namespace dipwright

@@ -1,0 +1,52 @@
+// The user's choices for the program: general, shortcuts, and the solvers found.
+#pragma once
+
+#include "solver/SolverRegistry.h"
+#include "workbench/document/Preferences.h"
+
+#include <QDialog>
+
+class QAction;
+class QCheckBox;
+class QComboBox;
+class QDialogButtonBox;
+class QLabel;
+class QSpinBox;
+class QTabWidget;
+class QTreeWidget;
+
+namespace dipwright {
+
+class PreferencesDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    // `actions`: those whose shortcuts can be edited.
+    PreferencesDialog(const Preferences& preferences, const SolverRegistry& registry,
+                      const QList<QAction*>& actions, QWidget* parent = nullptr);
+
+    Preferences preferences() const;
+
+private:
+    QWidget* makeGeneralPage();
+    void fillLists();
+    void explainFields();
+    QWidget* makeShortcutPage(const QList<QAction*>& actions);
+    void checkShortcuts(); // keys that two commands want work for neither
+
+    Preferences preferences_;
+    QComboBox* language_;
+    QComboBox* unit_;
+    QComboBox* theme_;
+    QComboBox* navigation_;
+    QComboBox* film_; // its size
+    QComboBox* filmProfile_;
+    QComboBox* printer_;
+    QSpinBox* autosave_;
+    QCheckBox *live_, *keeps_;
+    QTreeWidget* shortcuts_;
+    QLabel* clash_;
+    QDialogButtonBox* buttons_;
+};
+
+} // namespace dipwright

@@ -1,0 +1,60 @@
+// Makes a printer print true: a page of rulers is printed and measured, its lengths go into the
+// printer's profile, and a second page verifies them.
+#pragma once
+
+#include "printing/PrintService.h"
+#include "project/ProfileLibrary.h"
+#include "workbench/jobs/JobRunner.h"
+
+#include <QDialog>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QRadioButton;
+
+namespace dipwright {
+
+class PictureView;
+
+class CalibrationDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit CalibrationDialog(const ProfileLibrary& library, QWidget* parent = nullptr);
+
+    CalibrationPage page() const; // as it is chosen
+
+signals:
+    void calibrated(const PrinterProfile& profile);
+
+private:
+    QWidget* makePageChoices();
+    QWidget* makeMeasurements();
+    void findPrinters();
+    void chooseQueue(); // of the profile
+    void showPage();
+    void showScale(); // that follows from what is typed
+    void print();
+    void saveFile();
+    void takeOver();
+    void setPrinting(bool printing);
+    void tell(const QString& sentence);
+    void showFailure(std::exception_ptr failure);
+
+    ProfileLibrary library_;
+    PrinterProfile current_;
+    QComboBox *profile_, *printer_, *paper_;
+    QRadioButton *measures_, *verifies_;
+    QDoubleSpinBox *x_, *y_;
+    QLabel *xNominal_, *yNominal_, *scale_, *message_;
+    QProgressBar* progress_;
+    QPushButton *print_, *save_, *take_;
+    PictureView* preview_;
+    bool printing_ = false;
+    JobRunner jobs_; // ends before what it reports to
+};
+
+} // namespace dipwright

@@ -1,0 +1,460 @@
+#include "workbench/printing/PackDialog.h"
+
+#include "pipeline/Pipeline.h"
+#include "printing/PrintReach.h"
+#include "project/FilmSizes.h"
+#include "project/ProjectStore.h"
+#include "workbench/jobs/Messages.h"
+#include "workbench/printing/PrintDialog.h"
+#include "workbench/project/NewProjectDialog.h"
+#include "workbench/widgets/PicturePanel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace dipwright {
+
+namespace {
+
+enum Column { Name, Copies, Columns };
+
+const QString rollFilm = QStringLiteral("roll"), customFilm = QStringLiteral("custom");
+constexpr double mostLength = 3000; // mm
+
+QDoubleSpinBox* lengthBox(const char* name, double least, double most, double value) {
+    auto* box = new QDoubleSpinBox;
+    box->setObjectName(QLatin1String(name));
+    box->setDecimals(1);
+    box->setRange(least, most);
+    box->setValue(value);
+    box->setSuffix(PackDialog::tr(" mm"));
+    box->setKeyboardTracking(false);
+    return box;
+}
+
+QStringList projectsIn(const QMimeData& data) {
+    QStringList paths;
+    for (const QUrl& url : data.urls()) {
+        const QString path = url.toLocalFile();
+        if (path.endsWith(QLatin1String(".dipw"), Qt::CaseInsensitive)) {
+            paths << path;
+        }
+    }
+    return paths;
+}
+
+} // namespace
+
+PackDialog::PackDialog(const SolverRegistry& registry, QWidget* parent)
+    : QDialog(parent), registry_(registry), table_(new QTableWidget(0, Columns)),
+      film_(new QComboBox), feed_(new QComboBox), shown_(new QComboBox),
+      width_(lengthBox("packWidth", 50, mostLength, 210)),
+      length_(lengthBox("packLength", 50, mostLength, 297)),
+      spacing_(lengthBox("packSpacing", 0, 200, 3)),
+      margin_(lengthBox("packMargin", leastPieceMargin, 200, leastPieceMargin)),
+      turn_(new QCheckBox(tr("&Turn pieces where that saves film"))),
+      preview_(new PicturePanel(tr("Film"), tr("Add projects and lay them out."))),
+      told_(new QLabel), progress_(new QProgressBar) {
+    setObjectName(QStringLiteral("packDialog"));
+    setWindowTitle(tr("Several Jobs on One Film"));
+    setAcceptDrops(true);
+    told_->setObjectName(QStringLiteral("packTold"));
+    told_->setWordWrap(true);
+    told_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    told_->setMinimumHeight(80);
+    progress_->setRange(0, 1000);
+    progress_->hide();
+    auto* left = new QVBoxLayout;
+    left->addWidget(makeProjects(), 1);
+    left->addWidget(makeFilm());
+    left->addWidget(told_);
+    left->addWidget(progress_);
+    auto* both = new QHBoxLayout;
+    both->addLayout(left, 3);
+    both->addWidget(makePreview(), 4);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(both, 1);
+    layout->addWidget(makeButtons());
+    connect(&jobs_, &JobRunner::progressed, this, [this](double share, const QString& text) {
+        progress_->setValue(int(share * 1000));
+        if (!text.isEmpty()) {
+            told_->setText(text);
+        }
+    });
+    connect(&jobs_, &JobRunner::busy, this, [this] { enable(); });
+    connect(&jobs_, &JobRunner::idle, this, [this] { enable(); });
+    resize(980, 700);
+    chooseFilm();
+    tell({});
+}
+
+QWidget* PackDialog::makeProjects() {
+    table_->setAccessibleName(tr("Projects on the film"));
+    table_->setHorizontalHeaderLabels({tr("Project"), tr("Copies")});
+    table_->verticalHeader()->hide();
+    table_->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->setTabKeyNavigation(false);
+    table_->setMinimumHeight(140);
+    table_->setToolTip(tr("Project files may be dropped here. They are taken as they are saved."));
+    connect(table_, &QTableWidget::itemSelectionChanged, this, &PackDialog::enable);
+    auto* more = new QPushButton(tr("&Add Projects…"));
+    more->setObjectName(QStringLiteral("packAdd"));
+    remove_ = new QPushButton(tr("&Remove"));
+    remove_->setObjectName(QStringLiteral("packRemove"));
+    connect(more, &QPushButton::clicked, this, &PackDialog::askProjects);
+    connect(remove_, &QPushButton::clicked, this, &PackDialog::removeChosen);
+    auto* buttons = new QHBoxLayout;
+    for (QPushButton* button : {more, remove_}) {
+        button->setAutoDefault(false);
+        buttons->addWidget(button);
+    }
+    buttons->addStretch();
+    auto* box = new QWidget;
+    auto* layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(table_);
+    layout->addLayout(buttons);
+    return box;
+}
+
+QWidget* PackDialog::makeFilm() {
+    film_->setObjectName(QStringLiteral("packFilm"));
+    for (const QString& name : filmSizeNames()) {
+        film_->addItem(name, name);
+    }
+    film_->addItem(tr("Roll"), rollFilm);
+    film_->addItem(tr("Custom"), customFilm);
+    film_->setCurrentText(QStringLiteral("A4"));
+    feed_->addItem(tr("Short edge first"), int(FeedDirection::ShortEdgeFirst));
+    feed_->addItem(tr("Long edge first"), int(FeedDirection::LongEdgeFirst));
+    feed_->setToolTip(tr("Film swells more along its web. Pieces of films that swell differently "
+                         "both ways lie along it as they were computed."));
+    margin_->setToolTip(
+        tr("Bare film round what is inked. A job is computed for its whole film: cut "
+           "out near its ink it behaves otherwise towards the edge."));
+    turn_->setToolTip(tr("By a quarter, and only pieces of films that swell alike both ways."));
+    auto* box = new QWidget;
+    auto* form = new QFormLayout(box);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->addRow(tr("&Film"), film_);
+    form->addRow(tr("&Width"), width_);
+    form->addRow(tr("&Length"), length_);
+    form->addRow(tr("Fe&ed"), feed_);
+    form->addRow(tr("&Spacing"), spacing_);
+    form->addRow(tr("&Bare film"), margin_);
+    form->addRow(turn_);
+    connect(film_, &QComboBox::currentIndexChanged, this, &PackDialog::chooseFilm);
+    connect(feed_, &QComboBox::currentIndexChanged, this, &PackDialog::changed);
+    connect(turn_, &QCheckBox::toggled, this, &PackDialog::changed);
+    for (QDoubleSpinBox* length : {width_, length_, spacing_, margin_}) {
+        connect(length, &QDoubleSpinBox::valueChanged, this, &PackDialog::changed);
+    }
+    return box;
+}
+
+QWidget* PackDialog::makePreview() {
+    preview_->view().setMinimumSize(320, 380);
+    preview_->offerTrueSize();
+    shown_->setObjectName(QStringLiteral("packShown"));
+    shown_->setAccessibleName(tr("Film that is shown"));
+    connect(shown_, &QComboBox::currentIndexChanged, this, &PackDialog::showFilm);
+    auto* box = new QWidget;
+    auto* layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(preview_, 1);
+    layout->addWidget(shown_);
+    return box;
+}
+
+QWidget* PackDialog::makeButtons() {
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    const auto button = [&](const char* name, const QString& text, auto what) {
+        auto* made = buttons->addButton(text, QDialogButtonBox::ActionRole);
+        made->setObjectName(QLatin1String(name));
+        connect(made, &QPushButton::clicked, this, what);
+        return made;
+    };
+    layOut_ = button("packLayOut", tr("La&y Out"), &PackDialog::layOut);
+    layOut_->setToolTip(tr("Dips what has not been dipped yet, and lays it out."));
+    layOut_->setDefault(true);
+    export_ = button("packExport", tr("E&xport…"), &PackDialog::exportFilms);
+    export_->setToolTip(tr("Each film as PDF, PNG and TIFF at true size, and what lies where."));
+    print_ = button("packPrint", tr("&Print…"), &PackDialog::print);
+    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false); // it is no answer to Return
+    connect(buttons, &QDialogButtonBox::rejected, this, &PackDialog::reject);
+    return buttons;
+}
+
+void PackDialog::add(const QStringList& projects) {
+    for (const QString& path : projects) {
+        const int row = table_->rowCount();
+        table_->insertRow(row);
+        auto* name = new QTableWidgetItem(QFileInfo(path).completeBaseName());
+        name->setData(Qt::UserRole, path);
+        name->setToolTip(QDir::toNativeSeparators(path));
+        table_->setItem(row, Name, name);
+        auto* copies = new QSpinBox;
+        copies->setRange(1, 999);
+        copies->setKeyboardTracking(false);
+        copies->setAccessibleName(tr("Copies of %1").arg(name->text()));
+        connect(copies, &QSpinBox::valueChanged, this, &PackDialog::changed);
+        table_->setCellWidget(row, Copies, copies);
+    }
+    changed();
+}
+
+void PackDialog::askProjects() {
+    QFileDialog dialog(this, tr("Add Projects"), {}, projectFileFilter());
+    dialog.setFileMode(QFileDialog::ExistingFiles);
+    if (dialog.exec() == QDialog::Accepted) {
+        add(dialog.selectedFiles());
+    }
+}
+
+void PackDialog::removeChosen() {
+    for (int row = table_->rowCount() - 1; row >= 0; --row) {
+        if (table_->item(row, Name)->isSelected()) {
+            table_->removeRow(row);
+        }
+    }
+    changed();
+}
+
+void PackDialog::dragEnterEvent(QDragEnterEvent* event) {
+    if (!projectsIn(*event->mimeData()).isEmpty()) {
+        event->acceptProposedAction();
+    }
+}
+
+void PackDialog::dropEvent(QDropEvent* event) {
+    add(projectsIn(*event->mimeData()));
+    event->acceptProposedAction();
+}
+
+void PackDialog::chooseFilm() {
+    const QString name = film_->currentData().toString();
+    const bool isNamed = name != rollFilm && name != customFilm;
+    const QSignalBlocker quiet(width_), still(length_);
+    if (isNamed) {
+        width_->setValue(filmSize(name).width());
+        length_->setValue(filmSize(name).height());
+    } else if (name == rollFilm) {
+        width_->setValue(610);
+        length_->setValue(2000);
+    }
+    width_->setEnabled(!isNamed);
+    length_->setEnabled(!isNamed);
+    length_->setToolTip(name == rollFilm ? tr("At most; it is cut off behind the last piece.")
+                                         : QString());
+    feed_->setEnabled(name != rollFilm); // a roll runs along its length
+    changed();
+}
+
+PackSettings PackDialog::settings() const {
+    PackSettings settings;
+    settings.film.size = {width_->value(), length_->value()};
+    settings.film.isRoll = film_->currentData().toString() == rollFilm;
+    settings.film.spacing = Millimetres(spacing_->value());
+    settings.film.margin = Millimetres(margin_->value());
+    settings.feed = FeedDirection(feed_->currentData().toInt());
+    settings.mayTurn = turn_->isChecked();
+    return settings;
+}
+
+std::vector<PackDialog::Wanted> PackDialog::wanted() const {
+    std::vector<Wanted> projects;
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        Wanted project;
+        project.path = table_->item(row, Name)->data(Qt::UserRole).toString();
+        project.copies = qobject_cast<QSpinBox*>(table_->cellWidget(row, Copies))->value();
+        const Dipped dipped = dipped_.value(project.path);
+        if (dipped.written == QFileInfo(project.path).lastModified()) {
+            project.dipped = dipped;
+        }
+        projects.push_back(project);
+    }
+    return projects;
+}
+
+void PackDialog::changed() {
+    laid_ = {};
+    shown_->clear();
+    preview_->clear();
+    const std::vector<Wanted> projects = wanted();
+    if (!projects.empty() && std::all_of(projects.begin(), projects.end(), [](const auto& one) {
+            return one.dipped.result != nullptr;
+        })) {
+        layOut();
+    } else {
+        jobs_.cancelAll();
+        ++asked_;
+        tell({});
+    }
+}
+
+PackDialog::LaidOut PackDialog::laidOut(std::vector<Wanted> projects, const PackSettings& settings,
+                                        const SolverRegistry& registry, const Progress& progress) {
+    std::vector<PieceToPack> pieces;
+    const auto count = double(projects.size());
+    for (std::size_t i = 0; i < projects.size(); ++i) {
+        Wanted& project = projects[i];
+        if (!project.dipped.result) {
+            const auto same =
+                std::find_if(projects.begin(), projects.begin() + std::ptrdiff_t(i),
+                             [&](const auto& one) { return one.path == project.path; });
+            JobOptions options;
+            options.estimatesCertainty = false;
+            project.dipped.written = QFileInfo(project.path).lastModified();
+            project.dipped.result =
+                same != projects.begin() + std::ptrdiff_t(i)
+                    ? same->dipped.result
+                    : std::make_shared<const JobResult>(runJob(
+                          loadProject(project.path), registry, options, nullptr,
+                          progress.part(0.9 * double(i) / count, 0.9 * double(i + 1) / count)));
+        }
+        for (PieceToPack& piece : piecesOf(*project.dipped.result, project.copies, settings)) {
+            pieces.push_back(std::move(piece));
+        }
+    }
+    LaidOut laid;
+    PackSettings reached = settings;
+    reached.film.edges =
+        larger(reached.film.edges,
+               unreachable({}, projects.front().dipped.result->project.profiles.printer));
+    laid.projects = std::move(projects);
+    laid.films = std::make_shared<const PackedFilms>(packedFilms(std::move(pieces), reached));
+    for (std::size_t number = 0; number < laid.films->plan.films.size(); ++number) {
+        progress.cancelToken.throwIfCancelled();
+        laid.previews.push_back(sheetPreview(sheetOf(*laid.films, number)));
+    }
+    return laid;
+}
+
+void PackDialog::layOut() {
+    jobs_.cancelAll();
+    const int asked = ++asked_;
+    jobs_.start(std::make_unique<ValueJob<LaidOut>>(
+        tr("Laying out"),
+        [projects = wanted(), settings = settings(), &registry = registry_](
+            const Progress& progress) { return laidOut(projects, settings, registry, progress); },
+        [this, asked](LaidOut laid) {
+            for (const Wanted& project : laid.projects) {
+                dipped_.insert(project.path, project.dipped);
+            }
+            if (asked == asked_) {
+                take(std::move(laid));
+            }
+        },
+        [this, asked](std::exception_ptr failure) {
+            if (asked == asked_) {
+                showFailure(failure);
+            }
+        }));
+}
+
+void PackDialog::take(LaidOut laid) {
+    laid_ = std::move(laid);
+    const QStringList lines = filmsText(*laid_.films);
+    shown_->clear();
+    shown_->addItems(lines);
+    tell(tr("Films: %1. They are printed at true size.").arg(lines.size()));
+}
+
+void PackDialog::showFilm(int number) {
+    if (number >= 0 && number < int(laid_.previews.size())) {
+        const SheetPreview& film = laid_.previews[std::size_t(number)];
+        preview_->setPicture(film.page, film.size);
+    }
+}
+
+void PackDialog::exportFilms() {
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Export Films to a Folder"));
+    if (folder.isEmpty()) {
+        return;
+    }
+    jobs_.start(std::make_unique<ValueJob<bool>>(
+        tr("Writing the films"),
+        [films = laid_.films, folder](const Progress& progress) {
+            writeFilms(*films, folder, progress);
+            return true;
+        },
+        [this, folder](bool) {
+            tell(tr("Wrote the films to %1").arg(QDir::toNativeSeparators(folder)));
+        },
+        [this](std::exception_ptr failure) { showFailure(failure); }));
+}
+
+// The films as sheets of one result, which is what is printed.
+void PackDialog::print() {
+    auto result = std::make_shared<JobResult>();
+    const Wanted& first = laid_.projects.front();
+    result->project.name = tr("Several jobs");
+    result->project.profiles = first.dipped.result->project.profiles;
+    result->project.film.width = Millimetres(laid_.previews.front().size.width());
+    result->project.film.height = Millimetres(laid_.previews.front().size.height());
+    for (std::size_t number = 0; number < laid_.previews.size(); ++number) {
+        ImmersionResult film;
+        film.immersion.name = tr("Film %1").arg(number + 1);
+        film.sheet = sheetOf(*laid_.films, number);
+        result->immersions.push_back(std::move(film));
+    }
+    DipOutcome outcome;
+    outcome.result = std::move(result);
+    auto* dialog = new PrintDialog(outcome, 0, first.path, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &PrintDialog::printed, this, &PackDialog::printed);
+    dialog->open();
+}
+
+void PackDialog::tell(const QString& text) {
+    told_->setText(!text.isEmpty() ? text
+                   : table_->rowCount() > 0
+                       ? tr("Press Lay Out: projects that have not been dipped "
+                            "here are dipped first.")
+                       : tr("Add projects, or drop their files here."));
+    enable();
+}
+
+void PackDialog::enable() {
+    const bool isBusy = jobs_.isBusy();
+    progress_->setVisible(isBusy);
+    remove_->setEnabled(!table_->selectionModel()->selectedRows().isEmpty());
+    layOut_->setEnabled(table_->rowCount() > 0 && !isBusy);
+    export_->setEnabled(laid_.films != nullptr && !isBusy);
+    print_->setEnabled(laid_.films != nullptr && !isBusy);
+}
+
+void PackDialog::showFailure(std::exception_ptr failure) {
+    tell(sentenceOf(failure));
+}
+
+void PackDialog::reject() {
+    if (jobs_.isBusy()) {
+        ++asked_;
+        jobs_.cancelAll();
+        tell(tr("Cancelled."));
+        return;
+    }
+    QDialog::reject();
+}
+
+} // namespace dipwright

@@ -1,0 +1,23 @@
+// What the next click on the body marks for the join of two dips.
+#pragma once
+
+#include "workbench/widgets/MarkFields.h"
+
+class QCheckBox;
+
+namespace dipwright {
+
+class JoinFields : public MarkFields {
+    Q_OBJECT
+
+public:
+    explicit JoinFields(LengthUnit unit, QWidget* parent = nullptr);
+
+    MarkBrush brush() const override;
+    void setDips(const QString& first, const QString& second); // their names
+
+private:
+    QCheckBox* face_;
+};
+
+} // namespace dipwright

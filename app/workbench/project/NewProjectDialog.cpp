@@ -1,0 +1,281 @@
+#include "workbench/project/NewProjectDialog.h"
+
+#include "model/ModelFormats.h"
+#include "project/FilmSizes.h"
+#include "project/ProfileLibrary.h"
+#include "project/Profiles.h"
+#include "project/Project.h"
+#include "settings/Immersion.h"
+#include "workbench/project/FilmMeasured.h"
+#include "workbench/widgets/Icons.h"
+#include "workbench/widgets/NumberBox.h"
+#include "workbench/widgets/Units.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QToolButton>
+
+namespace dipwright {
+
+namespace {
+
+constexpr int readDelay = 300; // ms after the last letter
+
+enum class Template { One, TopAndBottom, LeftAndRight, Paper };
+
+Immersion immersion(const QString& name, double aboutX, double aboutZ) {
+    Immersion made;
+    made.name = name;
+    made.rotation = {Degrees(aboutX), Degrees(0), Degrees(aboutZ)};
+    return made;
+}
+
+} // namespace
+
+QStringList pictureFilePatterns() {
+    return {QStringLiteral("*.png"), QStringLiteral("*.jpg"),  QStringLiteral("*.jpeg"),
+            QStringLiteral("*.bmp"), QStringLiteral("*.webp"), QStringLiteral("*.tif"),
+            QStringLiteral("*.tiff")};
+}
+
+QString modelFileFilter() {
+    return NewProjectDialog::tr("Models (%1)").arg(modelFilePatterns().join(QLatin1Char(' ')));
+}
+
+QString pictureFileFilter() {
+    return NewProjectDialog::tr("Pictures (%1)").arg(pictureFilePatterns().join(QLatin1Char(' ')));
+}
+
+QString projectFileFilter() {
+    return NewProjectDialog::tr("Dipwright projects (%1)").arg(QStringLiteral("*.dipw"));
+}
+
+NewProjectDialog::NewProjectDialog(const QString& model, const Preferences& preferences,
+                                   QWidget* parent)
+    : QDialog(parent), lengthUnit_(preferences.unit), printerProfile_(preferences.printerProfile),
+      model_(new QLineEdit(model)), texture_(new QLineEdit),
+      byUnit_(new QRadioButton(tr("One unit of the file is"))), unit_(new QComboBox),
+      byEdge_(new QRadioButton(tr("The longest edge is"))), edge_(new NumberBox),
+      film_(new QComboBox), filmProfile_(new QComboBox), template_(new QComboBox),
+      extent_(new QLabel) {
+    setWindowTitle(tr("New Project"));
+    setObjectName(QStringLiteral("newProjectDialog"));
+    setMinimumWidth(540);
+    model_->setPlaceholderText(tr("Choose a file: %1").arg(modelFormatNames()));
+    model_->setAccessibleName(tr("Model"));
+    texture_->setAccessibleName(tr("Texture"));
+    model_->setToolTip(tr("The file of the body that is to be dipped."));
+    texture_->setPlaceholderText(tr("The model's own"));
+    texture_->setToolTip(tr("A picture to wear in place of the model's own texture, or nothing."));
+    for (const QString& name : filmSizeNames()) {
+        film_->addItem(name);
+    }
+    film_->setCurrentText(preferences.filmPreset);
+    film_->setToolTip(tr("The size in which the film comes and is printed."));
+    addFilmProfiles(*filmProfile_, preferences.filmProfile);
+    filmProfile_->setObjectName(QStringLiteral("filmProfile"));
+    filmProfile_->setMinimumContentsLength(30);
+    filmProfile_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    filmProfile_->setToolTip(tr("What is known of the film: how it swells, grows and tears."));
+    template_->addItem(tr("One dip"), int(Template::One));
+    template_->addItem(tr("Two dips: bottom and top"), int(Template::TopAndBottom));
+    template_->addItem(tr("Two dips: left and right"), int(Template::LeftAndRight));
+    template_->addItem(tr("One dip with the film model of 2020, to compare"), int(Template::Paper));
+    template_->setToolTip(tr("How often and from where the body is dipped. All of it can be "
+                             "changed later."));
+
+    auto* form = new QFormLayout;
+    form->setVerticalSpacing(10);
+    form->addRow(tr("&Model"), makeFileRow(model_, tr("Choose a Model"), modelFileFilter()));
+    form->addRow(tr("Te&xture"),
+                 makeFileRow(texture_, tr("Choose a Texture"), pictureFileFilter()));
+    form->addRow(tr("Size"), makeSizeRow());
+    form->addRow(tr("Film &profile"), filmProfile_);
+    form->addRow(tr("&Film"), film_);
+    form->addRow(tr("&Begin with"), template_);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    create_ = buttons->addButton(tr("Create"), QDialogButtonBox::AcceptRole);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(form);
+    layout->addStretch();
+    layout->addSpacing(12);
+    layout->addWidget(buttons);
+    delay_.setSingleShot(true);
+    delay_.setInterval(readDelay);
+    connect(&delay_, &QTimer::timeout, this, &NewProjectDialog::readSizes);
+    connect(model_, &QLineEdit::textChanged, this, &NewProjectDialog::updateButtons);
+    updateButtons();
+}
+
+QWidget* NewProjectDialog::makeFileRow(QLineEdit* line, const QString& title,
+                                       const QString& filter) {
+    auto* browse = new QToolButton;
+    browse->setIcon(icon(QStringLiteral("document-open")));
+    browse->setToolTip(title);
+    browse->setAccessibleName(title);
+    connect(browse, &QToolButton::clicked, this, [this, line, title, filter] {
+        const QString path = QFileDialog::getOpenFileName(
+            this, title, QFileInfo(model_->text()).absolutePath(), filter);
+        if (!path.isEmpty()) {
+            line->setText(path);
+        }
+    });
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(line, 1);
+    layout->addWidget(browse);
+    row->setFocusProxy(line);
+    return row;
+}
+
+QWidget* NewProjectDialog::makeSizeRow() {
+    unit_->addItem(tr("a millimetre"), 1.0);
+    unit_->addItem(tr("a centimetre"), 10.0);
+    unit_->addItem(tr("a metre"), 1000.0);
+    unit_->addItem(tr("an inch"), millimetresPerInch);
+    const double factor = shownPerStored(Unit::Length, lengthUnit_);
+    edge_->setRange(1 * factor, 3000 * factor);
+    edge_->setDecimals(unitDecimals(Unit::Length, lengthUnit_));
+    edge_->setSuffix(unitSuffix(Unit::Length, lengthUnit_));
+    edge_->setValue(90 * factor);
+    edge_->setEnabled(false);
+    edge_->setAccessibleName(tr("Longest edge"));
+    edge_->setToolTip(tr("The model is made larger or smaller until its longest edge measures "
+                         "this."));
+    byEdge_->setToolTip(edge_->toolTip());
+    unit_->setAccessibleName(tr("Unit of the file"));
+    unit_->setToolTip(tr("In which unit the model's file gives its coordinates. The file does not "
+                         "say."));
+    byUnit_->setToolTip(unit_->toolTip());
+    byUnit_->setChecked(true);
+    connect(byEdge_, &QRadioButton::toggled, edge_, &QWidget::setEnabled);
+    connect(byUnit_, &QRadioButton::toggled, unit_, &QWidget::setEnabled);
+    auto* box = new QWidget;
+    auto* grid = new QGridLayout(box);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->addWidget(byUnit_, 0, 0);
+    grid->addWidget(unit_, 0, 1);
+    grid->addWidget(byEdge_, 1, 0);
+    grid->addWidget(edge_, 1, 1);
+    extent_->setObjectName(QStringLiteral("extent"));
+    extent_->setWordWrap(true);
+    grid->addWidget(extent_, 2, 0, 1, 2);
+    grid->setColumnStretch(1, 1);
+    connect(edge_, &QDoubleSpinBox::valueChanged, this, &NewProjectDialog::showExtent);
+    connect(byEdge_, &QRadioButton::toggled, this, &NewProjectDialog::showExtent);
+    connect(unit_, &QComboBox::currentIndexChanged, this, &NewProjectDialog::showExtent);
+    const auto choose = [this] {
+        guesses_ = false;
+        showExtent();
+    };
+    connect(unit_, &QComboBox::activated, this, choose);
+    connect(byEdge_, &QRadioButton::clicked, this, choose);
+    connect(byUnit_, &QRadioButton::clicked, this, choose);
+    return box;
+}
+
+void NewProjectDialog::updateButtons() {
+    create_->setEnabled(QFileInfo(model_->text()).isFile());
+    sizes_.reset();
+    showExtent();
+    delay_.start();
+}
+
+// In the file's units. What cannot be read is told when the project is made of it.
+void NewProjectDialog::readSizes() {
+    jobs_.cancelAll();
+    const QString path = model_->text();
+    if (!QFileInfo(path).isFile()) {
+        return;
+    }
+    extent_->setText(tr("Reading the model …"));
+    jobs_.start(std::make_unique<ValueJob<ImportedModel>>(
+        tr("Reading the model"),
+        [path](const Progress& progress) { return importModel(path, {}, progress); },
+        [this](const ImportedModel& imported) { takeSizes(imported.report.box); },
+        [this](const std::exception_ptr&) { extent_->clear(); }));
+}
+
+void NewProjectDialog::takeSizes(const BoundingBox& box) {
+    sizes_ = box.sizes().cast<double>();
+    if (guesses_) {
+        unit_->setCurrentIndex(unit_->findData(guessedUnit(sizes_->maxCoeff())));
+    }
+    showExtent();
+}
+
+void NewProjectDialog::showExtent() {
+    if (!sizes_) {
+        extent_->clear();
+        return;
+    }
+    const ImportOptions options = importOptions();
+    const Eigen::Vector3d size =
+        *sizes_ * (options.longestEdge ? options.longestEdge->value() / sizes_->maxCoeff()
+                                       : options.unitMillimetres);
+    const QString text =
+        tr("The body is %1 × %2 × %3")
+            .arg(shownLength(size.x(), lengthUnit_), shownLength(size.y(), lengthUnit_),
+                 shownLength(size.z(), lengthUnit_));
+    extent_->setText(guesses_ && byUnit_->isChecked()
+                         ? text + QStringLiteral("; ") + tr("the unit is a guess by its size.")
+                         : text + QStringLiteral("."));
+}
+
+QString NewProjectDialog::model() const {
+    return model_->text();
+}
+
+ImportOptions NewProjectDialog::importOptions() const {
+    ImportOptions options;
+    options.texture = texture_->text();
+    if (byEdge_->isChecked()) {
+        options.longestEdge =
+            Millimetres(edge_->value() / shownPerStored(Unit::Length, lengthUnit_));
+    } else {
+        options.unitMillimetres = unit_->currentData().toDouble();
+    }
+    return options;
+}
+
+std::function<void(Project&)> NewProjectDialog::completion() const {
+    return [film = film_->currentText(), filmProfile = filmProfile_->currentData().toString(),
+            printer = printerProfile_,
+            chosen = Template(template_->currentData().toInt())](Project& project) {
+        const ProfileLibrary profiles;
+        for (const auto& [kind, name] : {std::pair(ProfileKind::Film, filmProfile),
+                                         std::pair(ProfileKind::Printer, printer)}) {
+            if (const auto profile = profiles.found(kind, name)) {
+                applyProfile(project, *profile);
+            }
+        }
+        const QSizeF size = filmSize(film); // whatever the profile's is
+        resizeFilm(project.film, Millimetres(size.width()), Millimetres(size.height()));
+        switch (chosen) {
+        case Template::One:
+            break;
+        case Template::TopAndBottom:
+            project.immersions = {immersion(tr("Bottom"), 0, 0), immersion(tr("Top"), 180, 0)};
+            break;
+        case Template::LeftAndRight:
+            project.immersions = {immersion(tr("Left"), 0, 90), immersion(tr("Right"), 0, -90)};
+            break;
+        case Template::Paper:
+            applyPreset(project, QStringLiteral("paper-2020"));
+            break;
+        }
+    };
+}
+
+} // namespace dipwright

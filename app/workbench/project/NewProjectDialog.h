@@ -1,0 +1,66 @@
+// What a new project needs: a model, its size, the film and how often it is dipped.
+#pragma once
+
+#include "import/trusted/ImportModel.h"
+#include "workbench/document/Preferences.h"
+#include "workbench/jobs/JobRunner.h"
+
+#include <QDialog>
+#include <QTimer>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QRadioButton;
+
+namespace dipwright {
+
+struct Project;
+
+class NewProjectDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    NewProjectDialog(const QString& model, const Preferences& preferences,
+                     QWidget* parent = nullptr);
+
+    QString model() const;
+    ImportOptions importOptions() const;
+    // Gives a project film, preset and immersions as chosen; outlives the dialog.
+    std::function<void(Project&)> completion() const;
+
+private:
+    QWidget* makeFileRow(QLineEdit* line, const QString& title, const QString& filter);
+    QWidget* makeSizeRow();
+    void updateButtons();
+    void readSizes();
+    void takeSizes(const BoundingBox& box);
+    void showExtent();
+
+    LengthUnit lengthUnit_;
+    QString printerProfile_;
+    QLineEdit* model_;
+    QLineEdit* texture_;
+    QRadioButton* byUnit_;
+    QComboBox* unit_;
+    QRadioButton* byEdge_;
+    QDoubleSpinBox* edge_;
+    QComboBox* film_; // its size
+    QComboBox* filmProfile_;
+    QComboBox* template_;
+    QLabel* extent_;
+    QPushButton* create_;
+    QTimer delay_;                         // while a name is typed
+    std::optional<Eigen::Vector3d> sizes_; // of the model in its file's units, once it is read
+    bool guesses_ = true;                  // as long as the user has not chosen
+    JobRunner jobs_;
+};
+
+QString modelFileFilter();
+QString pictureFileFilter();
+QString projectFileFilter();
+QStringList pictureFilePatterns();
+
+} // namespace dipwright

@@ -1,0 +1,459 @@
+#include "workbench/project/PropertyPanel.h"
+
+#include "base/Error.h"
+#include "pipeline/DeeperDip.h"
+#include "project/Profiles.h"
+#include "workbench/accuracy/ZoneFields.h"
+#include "workbench/document/ModelEdits.h"
+#include "workbench/document/ProjectValue.h"
+#include "workbench/jobs/SolverListing.h"
+#include "workbench/project/JoinFields.h"
+#include "workbench/project/PropertySpecs.h"
+#include "workbench/widgets/Icons.h"
+#include "workbench/widgets/NumberBox.h"
+#include "workbench/widgets/ShippedNames.h"
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace dipwright {
+
+namespace {
+
+constexpr int leastWidth = 290;
+
+} // namespace
+
+PropertyPanel::PropertyPanel(const SolverRegistry& registry, QWidget* parent)
+    : QScrollArea(parent), registry_(registry) {
+    setObjectName(QStringLiteral("propertyPanel"));
+    setAccessibleName(tr("Properties"));
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+}
+
+void PropertyPanel::setDocument(Document* document) {
+    document_ = document;
+    if (document) {
+        connect(document, &Document::projectChanged, this, &PropertyPanel::refresh);
+    }
+    rebuild();
+}
+
+void PropertyPanel::setLengthUnit(LengthUnit unit) {
+    lengthUnit_ = unit;
+    rebuild();
+}
+
+void PropertyPanel::showNode(const ProjectNode& node) {
+    if (node != node_) {
+        node_ = node;
+        rebuild();
+    }
+}
+
+void PropertyPanel::rebuild() {
+    setProperty("part", int(node_.part)); // by which the guide is opened at the right place
+    refreshers_.clear();
+    emit brushChanged({});
+    emit shownPrintChanged({});
+    auto* page = new QWidget;
+    auto* form = new QFormLayout(page);
+    form->setContentsMargins(10, 8, 10, 10);
+    form->setVerticalSpacing(8);
+    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    if (document_) {
+        if (node_.part == ProjectPart::Model) {
+            addModelFacts(*form);
+        } else if (node_.part == ProjectPart::Process) {
+            addPreset(*form);
+            addSolver(*form);
+        } else if (node_.part == ProjectPart::Film) {
+            addProfile(*form, ProfileKind::Film, tr("Film profile"),
+                       tr("A film that was measured once: size, swell, relaxation and sides."));
+            addProfile(*form, ProfileKind::Tank, tr("Tank profile"),
+                       tr("A tank: its barriers hold the film's sides."));
+        } else if (node_.part == ProjectPart::Sheet) {
+            addProfile(*form, ProfileKind::Printer, tr("Printer profile"),
+                       tr("A printer that was measured once: its scale, margins, colours, ink "
+                          "limit and resolution."));
+        }
+        for (const PropertySection& section : propertySections(node_)) {
+            addSection(*form, section);
+        }
+    }
+    if (document_ && node_.part == ProjectPart::Share) {
+        addJoinFields(*form);
+        addPrintFields(*form);
+    }
+    if (document_ && node_.part == ProjectPart::Tolerance) {
+        addZoneFields(*form);
+        addTellTolerances(*form);
+    }
+    setWidget(page);
+    refresh();
+    // It scrolls down only: nothing is cut off at the side.
+    setMinimumWidth(std::max(leastWidth, page->minimumSizeHint().width() +
+                                             verticalScrollBar()->sizeHint().width()));
+}
+
+void PropertyPanel::refresh() {
+    if (!document_) {
+        return;
+    }
+    if (node_.part == ProjectPart::Immersion &&
+        node_.immersion >= document_->project().immersions.size()) {
+        return; // the tree is about to select something else
+    }
+    for (const auto& refresher : refreshers_) {
+        refresher();
+    }
+}
+
+void PropertyPanel::addSection(QFormLayout& form, const PropertySection& section) {
+    if (!section.title.isEmpty()) {
+        QWidget* heading = addHeading(form, section.title);
+        refreshers_.push_back([this, &form, heading, specs = section.specs] {
+            form.setRowVisible(heading, std::ranges::any_of(specs, [this](const auto& spec) {
+                                   return !spec.relevant || spec.relevant(document_->project());
+                               }));
+        });
+    }
+    for (const PropertySpec& spec : section.specs) {
+        addField(form, spec);
+        if (spec.path == QLatin1String("film.points")) {
+            addFilmFacts(form);
+        }
+    }
+}
+
+QWidget* PropertyPanel::addHeading(QFormLayout& form, const QString& text) {
+    auto* heading = new QLabel(text);
+    QFont font = heading->font();
+    font.setBold(true);
+    heading->setFont(font);
+    heading->setContentsMargins(0, form.rowCount() > 0 ? 8 : 0, 0, 0);
+    form.addRow(heading);
+    return heading;
+}
+
+void PropertyPanel::addField(QFormLayout& form, const PropertySpec& spec) {
+    PropertyField* field = PropertyField::make(spec, valueRule(spec.path), lengthUnit_, nullptr);
+    auto* label = new QLabel(spec.label);
+    label->setBuddy(field);
+    label->setToolTip(spec.help);
+    QWidget* row = field;
+    if (spec.parts.size() > 1) { // its boxes take the panel's whole width
+        row = new QWidget;
+        auto* stack = new QVBoxLayout(row);
+        stack->setContentsMargins(0, 0, 0, 0);
+        stack->setSpacing(4);
+        stack->addWidget(label);
+        stack->addWidget(field);
+        form.addRow(row);
+    } else {
+        form.addRow(label, field);
+    }
+    connect(field, &PropertyField::edited, this, [this, spec, field](const QJsonValue& value) {
+        edit(tr("Change %1").arg(spec.label), spec.path,
+             [&](Project& project) { setValueAt(project, spec.path, value); });
+        field->show(valueAt(document_->project(), spec.path));
+    });
+    connect(field, &PropertyField::left, this, [this] {
+        if (document_) {
+            document_->endMerge();
+        }
+    });
+    refreshers_.push_back([this, &form, row, field, spec] {
+        field->show(valueAt(document_->project(), spec.path));
+        if (spec.relevant) {
+            form.setRowVisible(row, spec.relevant(document_->project()));
+        }
+    });
+}
+
+void PropertyPanel::edit(const QString& text, const QString& mergeKey,
+                         const std::function<void(Project&)>& change) {
+    try {
+        document_->edit(text, mergeKey, change);
+    } catch (const Error& error) {
+        emit failed(error.sentence());
+    }
+}
+
+void PropertyPanel::addModelFacts(QFormLayout& form) {
+    auto* facts = new QLabel;
+    facts->setWordWrap(true);
+    facts->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    form.addRow(facts);
+    refreshers_.push_back([this, facts] {
+        const Project& project = document_->project();
+        const TexturedMesh& model = *project.model;
+        const Eigen::Vector3f size = boundingBox(model.mesh).sizes();
+        const QLocale locale;
+        QStringList lines{
+            project.modelOrigin.source.isEmpty()
+                ? tr("Embedded in the project")
+                : tr("From %1").arg(QFileInfo(project.modelOrigin.source).fileName()),
+            tr("%1 × %2 × %3")
+                .arg(shownLength(size.x(), lengthUnit_), shownLength(size.y(), lengthUnit_),
+                     shownLength(size.z(), lengthUnit_)),
+            tr("Triangles: %1").arg(locale.toString(qulonglong(model.mesh.triangles.size()))),
+            tr("Volume: %1 cm³").arg(locale.toString(volume(model.mesh) / 1000, 'f', 1)),
+            isClosed(model.mesh) ? tr("Closed surface") : tr("Surface with openings")};
+        for (const QImage& texture : model.textures) {
+            lines.append(
+                tr("Texture of %1 × %2 pixels").arg(texture.width()).arg(texture.height()));
+        }
+        if (model.textures.empty()) {
+            lines.append(tr("No texture: drop a picture on the window to put one on"));
+        }
+        facts->setText(lines.join(QLatin1Char('\n')));
+    });
+    addModelSize(form);
+    const auto addButton = [this, &form](const QString& iconName, const QString& text,
+                                         const QString& help, void (PropertyPanel::*asked)()) {
+        auto* button = new QPushButton(icon(iconName), text);
+        button->setToolTip(help);
+        connect(button, &QPushButton::clicked, this, asked);
+        form.addRow(button);
+    };
+    addButton(QStringLiteral("reload"), tr("Reload from Disk"),
+              tr("Reads the model's file again and keeps all settings."),
+              &PropertyPanel::reloadModelAsked);
+    addButton(QStringLiteral("replace"), tr("Replace Model…"),
+              tr("Takes another model. Rotations and offsets start anew."),
+              &PropertyPanel::replaceModelAsked);
+    addButton(QStringLiteral("texture"), tr("Replace Texture…"),
+              tr("Puts another picture on the model."), &PropertyPanel::replaceTextureAsked);
+}
+
+void PropertyPanel::addModelSize(QFormLayout& form) {
+    auto* edge = new NumberBox;
+    const double shown = shownPerStored(Unit::Length, lengthUnit_);
+    edge->setObjectName(QStringLiteral("modelSize"));
+    edge->setAccessibleName(tr("Longest edge"));
+    edge->setDecimals(unitDecimals(Unit::Length, lengthUnit_));
+    edge->setRange(leastLongestEdge.value() * shown, mostLongestEdge.value() * shown);
+    edge->setSuffix(unitSuffix(Unit::Length, lengthUnit_));
+    edge->setKeyboardTracking(false);
+    edge->setToolTip(tr("Makes the body larger or smaller, with what is marked on it."));
+    form.addRow(tr("Longest edge"), edge);
+    connect(edge, &QDoubleSpinBox::valueChanged, this,
+            [this, shown](double value) { resizeModel(*document_, Millimetres(value / shown)); });
+    connect(edge, &QDoubleSpinBox::editingFinished, this, [this] {
+        if (document_) {
+            document_->endMerge();
+        }
+    });
+    refreshers_.push_back([this, edge, shown] {
+        const QSignalBlocker quiet(edge);
+        edge->setValue(longestEdgeOf(document_->project().model->mesh) * shown);
+    });
+}
+
+void PropertyPanel::addFilmFacts(QFormLayout& form) {
+    auto* facts = new QLabel;
+    facts->setObjectName(QStringLiteral("filmFacts"));
+    facts->setWordWrap(true);
+    facts->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    form.addRow(facts);
+    refreshers_.push_back([this, facts] {
+        facts->setText(
+            filmFacts_.text(document_->project(), document_->result().get(), lengthUnit_));
+    });
+}
+
+template <typename Mark>
+void PropertyPanel::addMarkFields(QFormLayout& form, const QString& heading, MarkFields& fields) {
+    addHeading(form, heading);
+    form.addRow(&fields);
+    connect(&fields, &MarkFields::changed, this,
+            [this, &fields] { emit brushChanged(fields.brush()); });
+    connect(&fields, &MarkFields::removeLastAsked, this,
+            [this] { removeLastMark<Mark>(*document_); });
+    connect(&fields, &MarkFields::removeAllAsked, this, [this] { removeMarks<Mark>(*document_); });
+}
+
+void PropertyPanel::addJoinFields(QFormLayout& form) {
+    auto* fields = new JoinFields(lengthUnit_);
+    addMarkFields<ShareMark>(form, tr("Where the join runs"), *fields);
+    refreshers_.push_back([this, fields] {
+        const Project& project = document_->project();
+        if (project.immersions.size() > 1) {
+            fields->setDips(project.immersions[0].name, project.immersions[1].name);
+        }
+        fields->setEnabled(project.share.enabled);
+        fields->setMarkCount(project.share.marks.size());
+    });
+}
+
+void PropertyPanel::addZoneFields(QFormLayout& form) {
+    auto* fields = new ZoneFields(lengthUnit_);
+    addMarkFields<ZoneMark>(form, tr("Zones on the body"), *fields);
+    refreshers_.push_back(
+        [this, fields] { fields->setMarkCount(document_->project().tolerance.marks.size()); });
+}
+
+void PropertyPanel::addTellTolerances(QFormLayout& form) {
+    auto* tell = new QPushButton(icon(QStringLiteral("tolerance")), tr("Tell Tolerances…"));
+    tell->setObjectName(QStringLiteral("tellTolerances"));
+    tell->setToolTip(tr("Dips with everything off, one by one and all at once, and says how far "
+                        "the colours land off their places."));
+    connect(tell, &QPushButton::clicked, this, &PropertyPanel::tolerancesAsked);
+    form.addRow(tell);
+}
+
+void PropertyPanel::addPrintFields(QFormLayout& form) {
+    addHeading(form, tr("The print, and if the second film lies off"));
+    auto* note = new QLabel(tr("Shown with “Print on the Body”; changes no sheet."));
+    note->setWordWrap(true);
+    form.addRow(note);
+    const bool isDippedWhole = !document_->project().process.depth;
+    auto* fields = new PrintFields(lengthUnit_, isDippedWhole ? Millimetres(0) : mostDeeper);
+    form.addRow(fields);
+    connect(fields, &PrintFields::changed, this,
+            [this, fields] { emit shownPrintChanged(fields->print()); });
+    refreshers_.push_back([this, fields] {
+        const std::vector<Immersion>& dips = document_->project().immersions;
+        if (dips.size() > 1) {
+            fields->setDips(dips[0].name, dips[1].name);
+        }
+    });
+}
+
+void PropertyPanel::addPreset(QFormLayout& form) {
+    auto* box = new QComboBox;
+    box->addItem(tr("Production"), QStringLiteral("production"));
+    box->addItem(tr("Paper of 2020"), QStringLiteral("paper-2020"));
+    box->addItem(tr("Custom"), QString());
+    const QString help = tr("Production is the accurate film model and the default. Paper of 2020 "
+                            "is the published model, for comparison.");
+    box->setToolTip(help);
+    box->setWhatsThis(help);
+    box->setAccessibleName(tr("Preset"));
+    auto* label = new QLabel(tr("Preset"));
+    label->setBuddy(box);
+    form.addRow(label, box);
+    connect(box, &QComboBox::activated, this, [this, box](int index) {
+        const QString preset = box->itemData(index).toString();
+        if (!preset.isEmpty()) {
+            edit(tr("Apply Preset"), {},
+                 [&preset](Project& project) { applyPreset(project, preset); });
+        }
+        refresh();
+    });
+    refreshers_.push_back([this, box] {
+        const Project& project = document_->project();
+        for (int index = 0; index < box->count(); ++index) {
+            const QString preset = box->itemData(index).toString();
+            Project applied = project;
+            if (!preset.isEmpty()) {
+                applyPreset(applied, preset);
+            }
+            if (applied == project) {
+                box->setCurrentIndex(index);
+                return;
+            }
+        }
+    });
+}
+
+void PropertyPanel::addProfile(QFormLayout& form, ProfileKind kind, const QString& name,
+                               const QString& help) {
+    auto* box = new QComboBox;
+    box->setObjectName(profileKindName(kind) + QStringLiteral("Profile"));
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(8);
+    box->setToolTip(help);
+    box->setWhatsThis(help);
+    box->setAccessibleName(name);
+    auto* label = new QLabel(name);
+    label->setBuddy(box);
+    form.addRow(label, box);
+    connect(box, &QComboBox::activated, this, [this, box, kind, name](int index) {
+        const QString chosen = box->itemData(index).toString();
+        edit(tr("Choose %1").arg(name), {}, [&](Project& project) {
+            if (!chosen.isEmpty()) {
+                applyProfile(project, profiles_.profile(kind, chosen));
+            }
+        });
+    });
+    refreshers_.push_back([this, box, kind] {
+        const ProjectProfiles& profiles = document_->project().profiles;
+        const QString used = kind == ProfileKind::Film && profiles.film   ? profiles.film->name
+                             : kind == ProfileKind::Tank && profiles.tank ? profiles.tank->name
+                             : kind == ProfileKind::Printer && profiles.printer
+                                 ? profiles.printer->name
+                                 : QString();
+        box->clear();
+        if (used.isEmpty()) {
+            box->addItem(tr("None"), QString());
+        }
+        for (const ProfileEntry& entry : profiles_.profiles(kind)) {
+            box->addItem(shownName(entry.name), entry.name);
+        }
+        if (box->findData(used) < 0) {
+            box->addItem(shownName(used), used); // the project's own copy
+        }
+        box->setCurrentIndex(box->findData(used));
+    });
+}
+
+void PropertyPanel::listSolvers(QComboBox& box, const std::vector<SolverInfo>& solvers) {
+    box.clear();
+    box.addItem(tr("Best available"), QStringLiteral("auto"));
+    for (const SolverInfo& solver : solvers) {
+        const bool mayRun = solver.available || solver.reason.isEmpty(); // or is not known yet
+        const QString name = shownName(solver.name);
+        box.addItem(mayRun ? name : tr("%1 (not available)").arg(name), solver.id);
+        box.setItemData(box.count() - 1, mayRun ? solver.device : shownName(solver.reason),
+                        Qt::ToolTipRole);
+    }
+}
+
+void PropertyPanel::addSolver(QFormLayout& form) {
+    auto* box = new QComboBox;
+    box->setObjectName(QStringLiteral("process.solver"));
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(8);
+    const QString help = tr("What computes the dip. “Best available” takes a GPU where there is "
+                            "one.");
+    box->setToolTip(help);
+    box->setWhatsThis(help);
+    box->setAccessibleName(tr("Solver"));
+    auto* label = new QLabel(tr("Solver"));
+    label->setBuddy(box);
+    form.addRow(label, box);
+    connect(box, &QComboBox::activated, this, [this, box](int index) {
+        edit(tr("Choose Solver"), {}, [&](Project& project) {
+            setValueAt(project, QStringLiteral("process.solver"), box->itemData(index).toString());
+        });
+    });
+    const auto refresh = [this, box] {
+        if (!document_) {
+            return; // this page is about to go
+        }
+        const QString id = document_->project().process.solver;
+        if (box->findData(id) < 0) {
+            box->addItem(tr("%1 (not installed)").arg(id), id);
+        }
+        box->setCurrentIndex(box->findData(id));
+    };
+    refreshers_.push_back(refresh);
+    const auto show = [box, refresh](const std::vector<SolverInfo>& solvers) {
+        listSolvers(*box, solvers);
+        refresh();
+    };
+    new SolverListing(registry_, show, box);
+}
+
+} // namespace dipwright

@@ -1,0 +1,77 @@
+// The values of what is selected in the project tree, each with unit, range and explanation.
+#pragma once
+
+#include "project/ProfileLibrary.h"
+#include "solver/SolverRegistry.h"
+#include "workbench/document/MarkEdits.h"
+#include "workbench/project/FilmFacts.h"
+#include "workbench/project/PrintFields.h"
+#include "workbench/project/ProjectTree.h"
+#include "workbench/project/PropertyField.h"
+
+#include <QScrollArea>
+
+class QComboBox;
+class QFormLayout;
+
+namespace dipwright {
+
+struct Project;
+
+class MarkFields;
+struct PropertySection;
+
+class PropertyPanel : public QScrollArea {
+    Q_OBJECT
+
+public:
+    // The registry names the solvers to choose from; it must outlive the panel.
+    explicit PropertyPanel(const SolverRegistry& registry, QWidget* parent = nullptr);
+
+    void setDocument(Document* document); // may be null
+    void setLengthUnit(LengthUnit unit);
+    void showNode(const ProjectNode& node);
+    void refresh(); // profiles have changed
+
+signals:
+    void failed(const QString& sentence);
+    void reloadModelAsked();
+    void replaceModelAsked();
+    void replaceTextureAsked();
+    // How far the second film lies off, in the view only.
+    void shownPrintChanged(const dipwright::ShownPrint& print);
+    // What a click on the body marks.
+    void brushChanged(const dipwright::MarkBrush& brush);
+    void tolerancesAsked();
+
+private:
+    void rebuild();
+    void addSection(QFormLayout& form, const PropertySection& section);
+    QWidget* addHeading(QFormLayout& form, const QString& text);
+    void addField(QFormLayout& form, const PropertySpec& spec);
+    void addModelFacts(QFormLayout& form);
+    void addModelSize(QFormLayout& form);
+    void addFilmFacts(QFormLayout& form);
+    template <typename Mark>
+    void addMarkFields(QFormLayout& form, const QString& heading, MarkFields& fields);
+    void addJoinFields(QFormLayout& form);
+    void addPrintFields(QFormLayout& form);
+    void addZoneFields(QFormLayout& form);
+    void addTellTolerances(QFormLayout& form);
+    void addPreset(QFormLayout& form);
+    void addSolver(QFormLayout& form);
+    static void listSolvers(QComboBox& box, const std::vector<SolverInfo>& solvers);
+    void addProfile(QFormLayout& form, ProfileKind kind, const QString& name, const QString& help);
+    void edit(const QString& text, const QString& mergeKey,
+              const std::function<void(Project&)>& change);
+
+    const SolverRegistry& registry_;
+    ProfileLibrary profiles_;
+    FilmFacts filmFacts_;
+    Document* document_ = nullptr;
+    LengthUnit lengthUnit_ = LengthUnit::Millimetre;
+    ProjectNode node_;
+    std::vector<std::function<void()>> refreshers_; // of what is shown now
+};
+
+} // namespace dipwright

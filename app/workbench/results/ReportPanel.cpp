@@ -1,0 +1,205 @@
+#include "workbench/results/ReportPanel.h"
+
+#include "pipeline/SmallerFilm.h"
+#include "texture/ReverseTexture.h"
+#include "workbench/widgets/ShippedNames.h"
+
+#include <QCoreApplication>
+#include <QLabel>
+#include <QLocale>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <span>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(ReportPanel)
+};
+
+constexpr std::size_t mostPlaces = 8; // not reached, that are listed one by one
+
+class Table {
+public:
+    void row(const QString& name, const QString& value) {
+        html_ += QStringLiteral("<tr><td style='padding:3px 16px 3px 0'>%1</td>"
+                                "<td style='padding:3px 0' align='right'>%2</td></tr>")
+                     .arg(name.toHtmlEscaped(), value.toHtmlEscaped());
+    }
+    QString html() const {
+        return QStringLiteral("<table width='100%' cellspacing='0'>%1</table>").arg(html_);
+    }
+
+private:
+    QString html_;
+};
+
+QString heading(const QString& text) {
+    return QStringLiteral("<h3 style='margin-bottom:4px'>%1</h3>").arg(text.toHtmlEscaped());
+}
+
+QString number(double value, int decimals) {
+    return QLocale().toString(value, 'f', decimals);
+}
+
+QString percent(double share) {
+    return Text::tr("%1 %").arg(number(share * 100, 1));
+}
+
+QString shareHtml(const JobResult& result, LengthUnit unit) {
+    const BodyShare& share = *result.share;
+    const auto area = [&](double squareMillimetres) {
+        return QStringLiteral("%1 · %2").arg(shownArea(squareMillimetres, unit),
+                                             percent(squareMillimetres / share.areas.total()));
+    };
+    Table table;
+    table.row(Text::tr("Painted by %1 alone").arg(result.immersions[0].immersion.name),
+              area(share.areas.first));
+    table.row(Text::tr("Painted by %1 alone").arg(result.immersions[1].immersion.name),
+              area(share.areas.second));
+    table.row(Text::tr("In the overlap, by both"), area(share.areas.both));
+    table.row(Text::tr("Reached by neither"), area(share.areas.none));
+    table.row(Text::tr("Width of the overlap"), Text::tr("%1 to %2")
+                                                    .arg(shownLength(share.overlap.least, unit),
+                                                         shownLength(share.overlap.most, unit)));
+    table.row(Text::tr("Overlap that is too narrow for %1 off")
+                  .arg(shownLength(result.project.share.registrationError.value(), unit)),
+              percent(share.narrow));
+    table.row(Text::tr("Length of the join"), shownLength(share.cost.length, unit));
+    const std::size_t listed = std::min(share.unpainted.size(), mostPlaces);
+    for (const UnpaintedPlace& place : std::span(share.unpainted).first(listed)) {
+        table.row(Text::tr("Not reached at %1").arg(shownPlace(place.place, unit)),
+                  shownArea(place.area, unit));
+    }
+    if (listed < share.unpainted.size()) {
+        table.row(Text::tr("Smaller places not reached"),
+                  QLocale().toString(qulonglong(share.unpainted.size() - listed)));
+    }
+    return heading(Text::tr("Join")) + table.html();
+}
+
+QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
+    const DippedFilm& film = result.laid->film();
+    const Distribution stretch = distribution(result.laid->painted().constraints);
+    const Distribution area = distribution(result.laid->painted().areas);
+    std::size_t adhered = 0;
+    for (std::size_t point = 0; point < film.states.size(); ++point) {
+        adhered += film.adhered(point);
+    }
+    const QLocale locale;
+    Table table;
+    table.row(Text::tr("Body painted"), percent(result.coverage->share));
+    const Coverage& coverage = *result.coverage;
+    table.row(
+        Text::tr("Of that, by marked film"),
+        QStringLiteral("%1 · %2").arg(
+            shownArea(coverage.marked.any, unit),
+            percent(coverage.paintedArea > 0 ? coverage.marked.any / coverage.paintedArea : 0)));
+    for (const solver::PointMark mark : filmMarks) {
+        if (coverage.marked.of(mark) > 0) {
+            table.row(markText(mark), shownArea(coverage.marked.of(mark), unit));
+        }
+    }
+    table.row(Text::tr("Film points on the body"),
+              Text::tr("%1 of %2")
+                  .arg(locale.toString(qulonglong(adhered)),
+                       locale.toString(qulonglong(film.states.size()))));
+    table.row(Text::tr("Stretch, mean and largest"),
+              QStringLiteral("%1 · %2").arg(number(stretch.mean, 3), number(stretch.maximum, 3)));
+    table.row(Text::tr("Area stretch, smallest and largest"),
+              QStringLiteral("%1 · %2").arg(number(area.minimum, 3), number(area.maximum, 3)));
+    table.row(Text::tr("Texture read back, mean and 95 %"),
+              QStringLiteral("%1 · %2").arg(shownLength(result.readBack.mean, unit),
+                                            shownLength(result.readBack.percentile95, unit)));
+    table.row(Text::tr("Film triangles across texture seams"),
+              locale.toString(qulonglong(result.texture->seamTriangles)));
+    table.row(Text::tr("Colour short of ink"),
+              shownArea(result.inkShortfall.value_or(result.texture->shortfallArea), unit));
+    table.row(Text::tr("Air trapped"), shownArea(result.coverage->trappedAir.area, unit));
+    table.row(Text::tr("Simulated in"), Text::tr("%1 s").arg(number(film.wallSeconds, 2)));
+    table.row(Text::tr("Steps"), locale.toString(qlonglong(film.steps)));
+    table.row(Text::tr("Steps without equilibrium"),
+              locale.toString(qlonglong(film.equilibrium.stepsWithout)));
+    return heading(result.immersion.name) + table.html();
+}
+
+// Nothing where none would do.
+QString smallerFilmHtml(const JobResult& result, LengthUnit unit) {
+    const std::optional<SmallerFilm> smaller = smallerFilm(result);
+    if (!smaller) {
+        return {};
+    }
+    constexpr int fewer = -2; // decimals: a format's size is known
+    return QStringLiteral("<p>%1 <a href='smaller-film'>%2</a></p>")
+        .arg(Text::tr("Most of the film stays empty: %1, %2 × %3, is enough.")
+                 .arg(smaller->format, shownLength(smaller->width.value(), unit, fewer),
+                      shownLength(smaller->height.value(), unit, fewer))
+                 .toHtmlEscaped(),
+             Text::tr("Take this film").toHtmlEscaped());
+}
+
+} // namespace
+
+ReportPanel::ReportPanel(QWidget* parent)
+    : QWidget(parent), text_(new QTextBrowser),
+      hint_(new QLabel(tr("Run the dip to see its figures."))) {
+    text_->setFrameShape(QFrame::NoFrame);
+    text_->setObjectName(QStringLiteral("report"));
+    text_->setAccessibleName(tr("Report"));
+    text_->setOpenLinks(false);
+    connect(text_, &QTextBrowser::anchorClicked, this, &ReportPanel::smallerFilmTaken);
+    hint_->setAlignment(Qt::AlignCenter);
+    hint_->setWordWrap(true);
+    hint_->setForegroundRole(QPalette::PlaceholderText);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->addWidget(text_);
+    layout->addWidget(hint_);
+    text_->hide();
+}
+
+void ReportPanel::setResult(std::shared_ptr<const JobResult> result, LengthUnit unit) {
+    result_ = std::move(result);
+    unit_ = unit;
+    show();
+}
+
+void ReportPanel::setTolerances(const QStringList& sentences) {
+    tolerances_ = sentences;
+    show();
+}
+
+void ReportPanel::show() {
+    text_->setVisible(result_ != nullptr);
+    hint_->setVisible(!result_);
+    if (!result_) {
+        return;
+    }
+    Table whole;
+    whole.row(tr("Body painted altogether"), percent(result_->coverageTotal));
+    whole.row(tr("Film used"), percent(filmUsed(*result_)));
+    whole.row(tr("Solver"), shownName(result_->solver.name));
+    whole.row(tr("Device"), result_->solver.device);
+    QString html = whole.html() + smallerFilmHtml(*result_, unit_);
+    for (const QString& note : result_->notes) {
+        html += QStringLiteral("<p><b>%1</b></p>").arg(note.toHtmlEscaped());
+    }
+    if (result_->share) {
+        html += shareHtml(*result_, unit_);
+    }
+    if (!tolerances_.isEmpty()) {
+        html += heading(tr("Tolerances"));
+    }
+    for (const QString& sentence : tolerances_) {
+        html += QStringLiteral("<p>%1</p>").arg(sentence.toHtmlEscaped());
+    }
+    for (const ImmersionResult& immersion : result_->immersions) {
+        html += immersionHtml(immersion, unit_);
+    }
+    text_->setHtml(html);
+}
+
+} // namespace dipwright

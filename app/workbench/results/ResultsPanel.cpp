@@ -1,0 +1,202 @@
+#include "workbench/results/ResultsPanel.h"
+
+#include "results/Results.h"
+#include "workbench/accuracy/CertaintyPanel.h"
+#include "workbench/results/ReportPanel.h"
+#include "workbench/results/StretchPanel.h"
+#include "workbench/widgets/PicturePanel.h"
+
+#include <QAction>
+#include <QPainter>
+
+namespace dipwright {
+
+namespace {
+
+constexpr int leastWidth = 350;                // a window of 1024 pixels has room for all panels
+constexpr double proofPixelsPerMillimetre = 8; // the proof has no size of its own
+constexpr double sharesOpacity = 0.6;          // over the sheet, which is to be seen below
+
+// The page with the shares of the two dips over its film.
+QImage sharedSheet(const SheetPreview& sheet, const JobResult& result, std::size_t immersion) {
+    const double perMillimetre = sheet.page.width() / sheet.size.width();
+    const QRectF film(sheet.film.topLeft() * perMillimetre, sheet.film.size() * perMillimetre);
+    QImage page = sheet.page.convertToFormat(QImage::Format_RGB32);
+    QPainter painter(&page);
+    painter.setOpacity(sharesOpacity);
+    painter.drawImage(film, sharePicture(*result.immersions[immersion].laid, *result.share,
+                                         immersion, film.size().toSize()));
+    return page;
+}
+
+QString sharesLegend(const JobResult& result) {
+    QStringList lines;
+    for (const ShareLine& line : shareLines(*result.share, {result.immersions[0].immersion.name,
+                                                            result.immersions[1].immersion.name})) {
+        // What is bare would not be seen on a bright window.
+        const bool bare = line.colour == painterColour(Painter::None);
+        lines.append(bare ? QStringLiteral("□ ") + line.text.toHtmlEscaped()
+                          : QStringLiteral("<span style='color:%1'>■</span> %2")
+                                .arg(line.colour.name(), line.text.toHtmlEscaped()));
+    }
+    return lines.join(QStringLiteral("<br>"));
+}
+
+} // namespace
+
+ResultsPanel::ResultsPanel(QWidget* parent)
+    : QTabWidget(parent), certainty_(new CertaintyPanel), stretch_(new StretchPanel),
+      texture_(new PicturePanel(tr("Reverse texture"),
+                                tr("Run the dip to see the image that goes on the film."))),
+      proof_(new PicturePanel(tr("Proof"), tr("Run the dip to see the body as it will come out."))),
+      sheet_(new PicturePanel(tr("Sheet"), tr("Run the dip to see the page as it prints."))),
+      report_(new ReportPanel) {
+    setObjectName(QStringLiteral("results"));
+    setDocumentMode(true);
+    setUsesScrollButtons(true);
+    setMinimumWidth(leastWidth);
+    sheet_->offerTrueSize();
+    proofShares_ = offer(*proof_, tr("Who Paints What"), QStringLiteral("proofShares"),
+                         tr("The shares of the two dips, from six sides and on both films"));
+    sheetShares_ = offer(*sheet_, tr("Who Paints What"), QStringLiteral("sheetShares"),
+                         tr("The shares of the two dips, over the sheet of this one"));
+    proofWithoutWhite_ =
+        offer(*proof_, tr("Without White"), QStringLiteral("proofWithoutWhite"),
+              tr("The ink on the part's own colour, as it were without the white"));
+    connect(proofShares_, &QAction::toggled, this, &ResultsPanel::showProof);
+    connect(proofWithoutWhite_, &QAction::toggled, this, &ResultsPanel::showProof);
+    connect(sheetShares_, &QAction::toggled, this, &ResultsPanel::showSheet);
+    addTab(certainty_, tr("Verdict"));
+    addTab(stretch_, tr("Stretch"));
+    addTab(texture_, tr("Texture"));
+    addTab(proof_, tr("Proof"));
+    addTab(sheet_, tr("Sheet"));
+    addTab(report_, tr("Report"));
+    setTabToolTip(0, tr("Whether to print the sheet, and where to look first"));
+    setTabToolTip(1, tr("How much the film has stretched, and where"));
+    setTabToolTip(2, tr("The reverse texture: the image that goes on the film"));
+    setTabToolTip(3, tr("The body as it will come out"));
+    setTabToolTip(4, tr("The page as it prints"));
+    setTabToolTip(5, tr("The figures of the last run"));
+
+    connect(certainty_, &CertaintyPanel::placeChosen, this, &ResultsPanel::placeChosen);
+    connect(stretch_, &StretchPanel::hovered, this, &ResultsPanel::hovered);
+    connect(stretch_, &StretchPanel::hoverLeft, this, &ResultsPanel::hoverLeft);
+    connect(&texture_->view(), &PictureView::hovered, this, [this](QPointF printed) {
+        const FilmSettings& film = outcome_.result->project.film;
+        hoverShare(printed.x() / film.width.value(), printed.y() / film.height.value());
+    });
+    connect(&sheet_->view(), &PictureView::hovered, this, [this](QPointF page) {
+        const QRectF film = outcome_.sheets[immersion_].film;
+        hoverShare((page.x() - film.x()) / film.width(), (page.y() - film.y()) / film.height());
+    });
+    for (PicturePanel* panel : {texture_, sheet_}) {
+        connect(&panel->view(), &PictureView::hoverLeft, this, &ResultsPanel::hoverLeft);
+    }
+}
+
+void ResultsPanel::hoverShare(double across, double down) {
+    const solver::FilmGrid& grid = outcome_.readings[immersion_]->film().grid;
+    emit hovered({float((across - 0.5) * grid.width), float((down - 0.5) * grid.depth)});
+}
+
+void ResultsPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion) {
+    outcome_ = outcome;
+    immersion_ = immersion;
+    report_->setResult(outcome.result, unit_);
+    certainty_->setOutcome(outcome, immersion, unit_);
+    if (immersion >= outcome.readings.size()) {
+        stretch_->setReading(nullptr);
+        for (PicturePanel* panel : {texture_, proof_, sheet_}) {
+            panel->clear();
+        }
+        return;
+    }
+    stretch_->setReading(outcome.readings[immersion]);
+    const FilmSettings& film = outcome.result->project.film;
+    texture_->setPicture(outcome.result->immersions[immersion].texture->image,
+                         {film.width.value(), film.height.value()});
+    proofShares_->setVisible(!outcome.result->coverage.isNull());
+    proofWithoutWhite_->setVisible(!outcome.result->proofWithoutWhite.isNull());
+    sheetShares_->setVisible(outcome.result->share != nullptr);
+    showProof();
+    showSheet();
+}
+
+QAction* ResultsPanel::offer(PicturePanel& panel, const QString& text, const QString& name,
+                             const QString& help) {
+    auto* other = new QAction(text, this);
+    other->setObjectName(name);
+    other->setCheckable(true);
+    other->setVisible(false);
+    other->setToolTip(help);
+    panel.addButton(other);
+    return other;
+}
+
+void ResultsPanel::showProof() {
+    const bool hasShares = outcome_.result && !outcome_.result->coverage.isNull();
+    if (outcome_.result) {
+        const JobResult& result = *outcome_.result;
+        const bool isBare = proofWithoutWhite_->isChecked() && !result.proofWithoutWhite.isNull();
+        const QImage& picture = hasShares && proofShares_->isChecked() ? result.coverage
+                                : isBare                               ? result.proofWithoutWhite
+                                                                       : result.proof;
+        proof_->setPicture(picture, QSizeF(picture.size()) / proofPixelsPerMillimetre);
+    }
+}
+
+void ResultsPanel::showSheet() {
+    if (immersion_ >= outcome_.sheets.size()) {
+        return;
+    }
+    const SheetPreview& sheet = outcome_.sheets[immersion_];
+    const bool shared = outcome_.result->share && sheetShares_->isChecked();
+    sheet_->setPicture(shared ? sharedSheet(sheet, *outcome_.result, immersion_) : sheet.page,
+                       sheet.size);
+    sheet_->setLegend(shared ? sharesLegend(*outcome_.result) : QString());
+}
+
+void ResultsPanel::setLengthUnit(LengthUnit unit) {
+    unit_ = unit;
+    report_->setResult(outcome_.result, unit);
+    certainty_->setOutcome(outcome_, immersion_, unit);
+}
+
+void ResultsPanel::setFreshness(const Freshness& freshness) {
+    const QString mark = QStringLiteral(" •");
+    const std::array<bool, 5> fresh{freshness.dip, freshness.dip, freshness.texture,
+                                    freshness.texture, freshness.sheet};
+    for (int tab = 0; tab < int(fresh.size()); ++tab) {
+        QString text = tabText(tab);
+        text.remove(mark);
+        setTabText(tab, fresh[std::size_t(tab)] ? text : text + mark);
+    }
+}
+
+void ResultsPanel::showReading(const std::optional<FilmReadoutPoint>& point) {
+    stretch_->showReading(point);
+    if (!point) {
+        texture_->view().setCursorAt({});
+        sheet_->view().setCursorAt({});
+        return;
+    }
+    const solver::FilmGrid& grid = outcome_.readings[immersion_]->film().grid;
+    const FilmSettings& film = outcome_.result->project.film;
+    const QRectF page = outcome_.sheets[immersion_].film;
+    const double across = double(point->rest.x()) / grid.width + 0.5;
+    const double down = double(point->rest.y()) / grid.depth + 0.5;
+    texture_->view().setCursorAt(QPointF(across * film.width.value(), down * film.height.value()));
+    sheet_->view().setCursorAt(page.topLeft() +
+                               QPointF(across * page.width(), down * page.height()));
+}
+
+void ResultsPanel::addTextureAction(QAction* action) {
+    texture_->addButton(action);
+}
+
+void ResultsPanel::addSheetAction(QAction* action) {
+    sheet_->addButton(action);
+}
+
+} // namespace dipwright

@@ -1,0 +1,62 @@
+// The results of the last dip in tabs: the verdict, stretch, reverse texture, proof, sheet and
+// report, with one cursor that is shown in all of them.
+#pragma once
+
+#include "workbench/dip/DipJob.h"
+#include "workbench/document/Document.h"
+#include "workbench/widgets/Units.h"
+
+#include <QTabWidget>
+
+class QAction;
+
+namespace dipwright {
+
+class CertaintyPanel;
+class PicturePanel;
+class ReportPanel;
+class StretchPanel;
+
+class ResultsPanel : public QTabWidget {
+    Q_OBJECT
+
+public:
+    explicit ResultsPanel(QWidget* parent = nullptr);
+
+    void setOutcome(const DipOutcome& outcome, std::size_t immersion); // may hold none
+    void setLengthUnit(LengthUnit unit);
+    void setFreshness(const Freshness& freshness); // marks the tabs
+    void showReading(const std::optional<FilmReadoutPoint>& point);
+    // Buttons over the pictures.
+    void addTextureAction(QAction* action);
+    void addSheetAction(QAction* action);
+    StretchPanel& stretch() { return *stretch_; }
+    ReportPanel& report() { return *report_; }
+
+signals:
+    void hovered(Eigen::Vector2f rest); // a place on the floating film
+    void hoverLeft();
+    void placeChosen(Eigen::Vector2f rest); // to be led to
+
+private:
+    void hoverShare(double across, double down);
+    QAction* offer(PicturePanel& panel, const QString& text, const QString& name,
+                   const QString& help);
+    void showProof();
+    void showSheet();
+
+    DipOutcome outcome_;
+    std::size_t immersion_ = 0;
+    LengthUnit unit_ = LengthUnit::Millimetre;
+    CertaintyPanel* certainty_;
+    StretchPanel* stretch_;
+    PicturePanel* texture_;
+    PicturePanel* proof_;
+    QAction* proofWithoutWhite_;
+    QAction* proofShares_; // who paints what, in place of the proof …
+    PicturePanel* sheet_;
+    QAction* sheetShares_; // … and over the sheet
+    ReportPanel* report_;
+};
+
+} // namespace dipwright

@@ -1,0 +1,51 @@
+#include "workbench/results/StateFigures.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(StateFigures)
+};
+
+} // namespace
+
+QString StateFigure::text() const {
+    return value ? words(*value) : Text::tr("no result");
+}
+
+QString differenceText(const StateFigure& first, const StateFigure& second) {
+    if (!first.value || !second.value) {
+        return {};
+    }
+    if (first.text() == second.text()) {
+        return Text::tr("the same");
+    }
+    const double more = *second.value - *first.value;
+    const QString number = (more > 0 ? QChar(u'+') : QChar(u'−')) + first.words(std::abs(more));
+    return (more > 0) == first.isMoreBetter ? Text::tr("%1, better").arg(number)
+                                            : Text::tr("%1, worse").arg(number);
+}
+
+std::vector<StateFigure> stateFigures(const QJsonObject& measures, LengthUnit unit) {
+    const auto figure = [&](const QString& name, const char* key, bool isMoreBetter,
+                            const std::function<QString(double)>& words) {
+        const QJsonValue value = measures.value(QLatin1String(key));
+        return StateFigure{name, value.isDouble() ? std::optional(value.toDouble()) : std::nullopt,
+                           words, isMoreBetter};
+    };
+    return {figure(Text::tr("Body painted altogether"), "painted", true,
+                   [](double share) {
+                       return Text::tr("%1 %").arg(QLocale().toString(100 * share, 'f', 1));
+                   }),
+            figure(Text::tr("Largest stretch of 95 % of the film on the body"), "stretch", false,
+                   [](double stretch) { return QLocale().toString(stretch, 'f', 3); }),
+            figure(Text::tr("Area that is not certain"), "uncertain_mm2", false,
+                   [unit](double area) { return shownArea(area, unit); })};
+}
+
+} // namespace dipwright

@@ -1,0 +1,89 @@
+#include "workbench/view/BodyMenu.h"
+
+#include "workbench/document/MarkEdits.h"
+#include "workbench/view/BodyHandles.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMenu>
+
+namespace dipwright {
+
+BodyMenu::BodyMenu(DipView& view, const DipScene& scene, const DipSession& session,
+                   QActionGroup& turns, QActionGroup& moves, QObject* parent)
+    : QObject(parent), view_(view), scene_(scene), session_(session), turns_(turns), moves_(moves) {
+    connect(&view, &DipView::menuAsked, this, &BodyMenu::show);
+    connect(&turns, &QActionGroup::triggered, this, [this](QAction* action) { turn(*action); });
+    connect(&moves, &QActionGroup::triggered, this, [this](QAction* action) { move(*action); });
+}
+
+void BodyMenu::show(const ViewRay& ray, const QPoint& place) {
+    if (!session_.document()) {
+        return;
+    }
+    auto* menu = new QMenu(&view_);
+    menu->setObjectName(QStringLiteral("bodyMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const std::optional<SurfacePoint> spot = scene_.modelSurface(ray);
+    const auto add = [&](const char* name, const QString& text, auto what) {
+        QAction* action = menu->addAction(text, this, [spot, what] { what(*spot); });
+        action->setObjectName(QLatin1String(name));
+        action->setEnabled(spot.has_value());
+    };
+    add("layFaceDown", tr("&Lay This Face Down"),
+        [this](const SurfacePoint& point) { layDown(point.triangle); });
+    add("faceMustBeGood", tr("This Face Must Be &Good (Zone A)"),
+        [this](const SurfacePoint& point) { markGood(point); });
+    menu->addSeparator();
+    menu->addMenu(tr("&Turn"))->addActions(turns_.actions());
+    menu->addMenu(tr("&Move"))->addActions(moves_.actions());
+    menu->popup(place);
+}
+
+void BodyMenu::edit(const QString& text, const std::function<void(Immersion&)>& change) {
+    if (Document* document = session_.document()) {
+        document->edit(text, {},
+                       [&](Project& project) { change(project.immersions[session_.immersion()]); });
+    }
+}
+
+void BodyMenu::turn(const QAction& action) {
+    const auto step = action.data().value<BodyStep>();
+    edit(tr("Turn Body"), [&](Immersion& immersion) {
+        immersion = turned(immersion, step.axis, step.way * ringStep);
+    });
+}
+
+void BodyMenu::move(const QAction& action) {
+    const auto step = action.data().value<BodyStep>();
+    edit(tr("Move Body"), [&](Immersion& immersion) {
+        Millimetres& offset = immersion.offset[step.axis == 0 ? 0 : 1];
+        if (step.way == 0) {
+            immersion.offset = {};
+        } else {
+            offset = offset + Millimetres(step.way * arrowStep);
+        }
+    });
+}
+
+void BodyMenu::layDown(std::uint32_t triangle) {
+    const Eigen::Vector3d outward = triangleNormal(scene_.model()->mesh, triangle).cast<double>();
+    if (!outward.isZero()) {
+        edit(tr("Lay Face Down"),
+             [&](Immersion& immersion) { immersion = laidDown(immersion, outward); });
+    }
+}
+
+void BodyMenu::markGood(const SurfacePoint& place) {
+    ZoneMark mark;
+    mark.zone = Zone::A;
+    mark.extent = ZoneExtent::Face;
+    const Eigen::Vector3f point = position(scene_.model()->mesh, place);
+    for (int axis = 0; axis < 3; ++axis) {
+        mark.place[std::size_t(axis)] = Millimetres(double(point[axis]));
+    }
+    addMark(*session_.document(), mark);
+    session_.document()->endMerge();
+}
+
+} // namespace dipwright

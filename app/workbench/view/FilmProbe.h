@@ -1,0 +1,39 @@
+// Reads off the film under the cursor, in the view and over the results, and says what is there.
+#pragma once
+
+#include "workbench/dip/DipSession.h"
+#include "workbench/view/DipScene.h"
+#include "workbench/widgets/Units.h"
+
+namespace dipwright {
+
+class ResultsPanel;
+
+class FilmProbe : public QObject {
+    Q_OBJECT
+
+public:
+    FilmProbe(const DipSession& session, DipView& view, const DipScene& scene,
+              ResultsPanel& results, QObject* parent = nullptr);
+
+    void setLengthUnit(LengthUnit unit) { unit_ = unit; }
+    // Looks at the body where film that rested there lies, and reads it; the end is to be shown.
+    void leadTo(const Eigen::Vector2f& rest);
+
+signals:
+    void read(const QString& description); // empty: there is nothing under the cursor
+
+private:
+    void readAlong(const ViewRay& ray);
+    void show(const std::optional<FilmReadoutPoint>& point);
+    QString describe(const FilmReadoutPoint& point) const;
+    QString describeBody(const Eigen::Vector3f& place) const;
+
+    const DipSession& session_;
+    DipView& view_;
+    const DipScene& scene_;
+    ResultsPanel& results_;
+    LengthUnit unit_ = LengthUnit::Millimetre;
+};
+
+} // namespace dipwright

@@ -1,0 +1,38 @@
+// A picture with its zoom buttons, and the buttons of what can be done with it.
+#pragma once
+
+#include "workbench/widgets/PictureView.h"
+
+class QAction;
+class QLabel;
+class QToolBar;
+
+namespace dipwright {
+
+class PicturePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    PicturePanel(const QString& name, const QString& hint, QWidget* parent = nullptr);
+
+    PictureView& view() { return *view_; }
+    void setPicture(const QImage& picture, QSizeF millimetres);
+    void clear();
+    // Under the picture; rich text, empty: none.
+    void setLegend(const QString& text);
+    // Placed right of the zoom buttons; enabled while there is a picture.
+    void addButton(QAction* action);
+    void offerTrueSize();
+
+private:
+    void takeFocus(QAction* action);
+
+    QString hint_;
+    PictureView* view_;
+    QToolBar* bar_;
+    QLabel* zoomLabel_;
+    QLabel* legend_;
+    QList<QAction*> buttons_;
+};
+
+} // namespace dipwright

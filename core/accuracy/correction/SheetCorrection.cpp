@@ -1,0 +1,230 @@
+#include "accuracy/correction/SheetCorrection.h"
+
+#include "base/WideGamut.h"
+#include "parallel/ParallelFor.h"
+#include "texture/LinearLight.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QPainter>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::SheetCorrection)
+};
+
+constexpr double stepsInReach = 8; // so that what lies between them is off by a five hundredth
+
+// The error on a grid over the sheet, bilinear between.
+class DenseError {
+public:
+    DenseError(const RepeatingError& error, double width, double height)
+        : columns_(stepsOver(width, error.reach())), rows_(stepsOver(height, error.reach())),
+          values_(std::size_t(columns_ + 1) * std::size_t(rows_ + 1)) {
+        parallelFor(std::size_t(0), values_.size(), [&](std::size_t number) {
+            const int column = int(number) % (columns_ + 1), row = int(number) / (columns_ + 1);
+            values_[number] = error.at(
+                {width * (double(column) / columns_ - 0.5), height * (double(row) / rows_ - 0.5)});
+        });
+    }
+
+    // Shares of the width and height, 0 … 1.
+    Eigen::Vector2d at(double right, double down) const {
+        const double x = std::clamp(right, 0.0, 1.0) * columns_;
+        const double y = std::clamp(down, 0.0, 1.0) * rows_;
+        const int column = std::min(int(x), columns_ - 1), row = std::min(int(y), rows_ - 1);
+        const double u = x - column, v = y - row;
+        return (1 - v) * ((1 - u) * value(column, row) + u * value(column + 1, row)) +
+               v * ((1 - u) * value(column, row + 1) + u * value(column + 1, row + 1));
+    }
+
+private:
+    static int stepsOver(double length, double reach) {
+        return std::clamp(int(std::ceil(length / (reach / stepsInReach))), 1, 500);
+    }
+    const Eigen::Vector2d& value(int column, int row) const {
+        return values_[std::size_t(row) * std::size_t(columns_ + 1) + std::size_t(column)];
+    }
+
+    int columns_, rows_;
+    std::vector<Eigen::Vector2d> values_;
+};
+
+// Colours of an image between its pixels, where there is nothing past its edges.
+class Between {
+public:
+    explicit Between(const QImage& image) : image_(image), code_(image) {}
+
+    // Writes the pixel for a place, in pixels from the corner.
+    void write(uchar* pixel, double x, double y) const {
+        const int column = int(std::floor(x - 0.5)), row = int(std::floor(y - 0.5));
+        const double u = x - 0.5 - column, v = y - 0.5 - row;
+        Eigen::Array4d sum = Eigen::Array4d::Zero(); // light times alpha, and alpha
+        for (int corner = 0; corner < 4; ++corner) {
+            const bool right = corner % 2 != 0, down = corner / 2 != 0;
+            add(sum, column + int(right), row + int(down),
+                (right ? u : 1 - u) * (down ? v : 1 - v));
+        }
+        const int alpha = int(std::lround(sum[3]));
+        if (alpha <= 0) {
+            std::fill_n(pixel, code_.bytes(), uchar(0));
+            return;
+        }
+        const Eigen::Array3d light = sum.head<3>() / sum[3];
+        code_.write(pixel, light.cast<float>(), std::min(alpha, code_.opaque()));
+    }
+
+private:
+    void add(Eigen::Array4d& sum, int column, int row, double share) const {
+        if (share == 0 || column < 0 || row < 0 || column >= image_.width() ||
+            row >= image_.height()) {
+            return;
+        }
+        const uchar* pixel = image_.constScanLine(row) + column * code_.bytes();
+        const double weight = share * code_.alpha(pixel);
+        sum.head<3>() += weight * code_.light(pixel).cast<double>();
+        sum[3] += weight;
+    }
+
+    const QImage& image_;
+    PixelCode code_;
+};
+
+// On a picture of the sheet.
+void arrow(QPainter& painter, const QPointF& from, const QPointF& by, const QColor& colour,
+           double thickness) {
+    painter.setPen(QPen(colour, thickness, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(from, from + by);
+    const double length = std::hypot(by.x(), by.y());
+    if (length > 0) {
+        const double head = std::min(length / 3, 3 * thickness);
+        const QPointF back = -by / length * head, across(-back.y(), back.x());
+        painter.drawLine(from + by, from + by + back + across / 2);
+        painter.drawLine(from + by, from + by + back - across / 2);
+    }
+}
+
+} // namespace
+
+bool isCorrected(const AsBuilt& built, int dip) {
+    return built.corrects && built.strength > 0 &&
+           std::any_of(built.places.begin(), built.places.end(),
+                       [dip](const BuiltPlace& place) { return place.dip == dip; });
+}
+
+QImage correctedImage(const QImage& filmImage, Millimetres width, Millimetres height,
+                      const RepeatingError& error, double strength) {
+    const QImage from =
+        isWide(filmImage) ? filmImage : filmImage.convertToFormat(QImage::Format_RGBA8888);
+    const std::ptrdiff_t pixelBytes = PixelCode(from).bytes();
+    QImage to(from.size(), from.format());
+    to.setColorSpace(from.colorSpace());
+    to.setDotsPerMeterX(from.dotsPerMeterX());
+    to.setDotsPerMeterY(from.dotsPerMeterY());
+    const DenseError dense(error, width.value(), height.value());
+    const Between colours(from);
+    const Eigen::Array2d pixelsPerMillimetre(from.width() / width.value(),
+                                             from.height() / height.value());
+    uchar* const bits = to.bits();
+    const auto stride = to.bytesPerLine();
+    parallelFor(0, to.height(), [&](int row) {
+        uchar* pixel = bits + row * stride;
+        for (int column = 0; column < to.width(); ++column, pixel += pixelBytes) {
+            const Eigen::Array2d place(column + 0.5, row + 0.5);
+            const Eigen::Array2d by = dense.at(place.x() / to.width(), place.y() / to.height());
+            const Eigen::Array2d at = place + strength * by * pixelsPerMillimetre;
+            colours.write(pixel, at.x(), at.y());
+        }
+    });
+    return to;
+}
+
+Eigen::Vector2d printedAt(const Eigen::Vector2d& place, const RepeatingError& error,
+                          double strength) {
+    constexpr int rounds = 20; // each a tenth of the one before, of an error as smooth as it is
+    Eigen::Vector2d at = place;
+    for (int round = 0; round < rounds; ++round) {
+        at = place - strength * error.at(at);
+    }
+    return at;
+}
+
+QString repeatingSentence(const RepeatingError& error, int dip) {
+    const auto number = [](double value, int decimals) {
+        return QLocale().toString(value, 'f', decimals);
+    };
+    double most = 0;
+    for (const RepeatedPlace& place : error.places()) {
+        most = std::max(most, error.at(place.sheet).norm());
+    }
+    if (error.parts() < 2) {
+        return Text::tr(
+                   "Dip %1: %2 places on one part, off by up to %3 mm. What of this repeats is "
+                   "told by three parts or more.")
+            .arg(dip)
+            .arg(error.places().size())
+            .arg(number(most, 2));
+    }
+    return Text::tr(
+               "Dip %1: %2 places on %3 parts. Up to %4 mm repeat, much the same within %5 mm; "
+               "a place scatters by %6 mm, a whole part by %7 mm.")
+        .arg(dip)
+        .arg(error.places().size())
+        .arg(error.parts())
+        .arg(number(most, 2), number(error.reach(), 0), number(error.scatter(), 2),
+             number(error.partScatter(), 2));
+}
+
+QImage correctionPicture(const RepeatingError& error, Millimetres width, Millimetres height,
+                         double strength, int pixels) {
+    const double scale = 0.88 * pixels / height.value(); // pixels a millimetre of the sheet
+    const double unit = pixels / 100.0;
+    QImage picture(int(width.value() * scale + 8 * unit), pixels, QImage::Format_RGB32);
+    picture.fill(Qt::white);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF sheet(4 * unit, 8 * unit, width.value() * scale, height.value() * scale);
+    painter.setPen(QPen(QColor(150, 155, 160), unit / 6));
+    painter.drawRect(sheet);
+    double longest = 1e-3;
+    for (const RepeatedPlace& place : error.places()) {
+        longest = std::max(longest, place.mean.norm());
+    }
+    const double times = std::pow(10, std::floor(std::log10(height.value() / 12 / longest)));
+    const auto placed = [&](const Eigen::Vector2d& place) {
+        return sheet.center() + scale * QPointF(place.x(), place.y());
+    };
+    constexpr int across = 15;
+    for (int i = 0; i < across * across * 2; ++i) {
+        const Eigen::Vector2d place(width.value() * ((i % across + 0.5) / across - 0.5),
+                                    height.value() * ((i / across + 0.5) / (2 * across) - 0.5));
+        const Eigen::Vector2d by = times * strength * error.at(place);
+        arrow(painter, placed(place), scale * QPointF(by.x(), by.y()), QColor(150, 175, 205),
+              unit / 7);
+    }
+    for (const RepeatedPlace& place : error.places()) {
+        const Eigen::Vector2d by = times * place.mean;
+        arrow(painter, placed(place.sheet), scale * QPointF(by.x(), by.y()), QColor(190, 40, 60),
+              unit / 5);
+        painter.drawEllipse(placed(place.sheet), unit / 4, unit / 4);
+    }
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setPixelSize(std::max(8, int(1.8 * unit)));
+    painter.setFont(font);
+    painter.setPen(QColor(40, 44, 50));
+    painter.drawText(QPointF(4 * unit, 4 * unit),
+                     Text::tr("Red: how far off, the mean of parts measured (%1), %2 times as long")
+                         .arg(error.parts())
+                         .arg(QLocale().toString(times, 'f', 0)));
+    painter.drawText(QPointF(4 * unit, 6.8 * unit),
+                     Text::tr("Blue: what the next sheet is corrected by"));
+    return picture;
+}
+
+} // namespace dipwright

@@ -1,0 +1,221 @@
+#include "accuracy/tolerance/Contributors.h"
+
+#include "dip/Pose.h"
+#include "geometry/TriangleMesh.h"
+
+#include <QCoreApplication>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Tolerance)
+};
+
+constexpr double percent = 0.01; // of what is told in per cent
+
+// Turned further by a rotation about fixed axes, to the last digit.
+std::array<Degrees, 3> turned(const std::array<Degrees, 3>& angles, const Eigen::Matrix3d& by) {
+    const Eigen::Vector3d zyx = (by * rotationMatrix(angles)).eulerAngles(2, 1, 0);
+    const auto degrees = [](double angle) { return Degrees(angle * 180 / pi); };
+    return {degrees(zyx[2]), degrees(zyx[1]), degrees(zyx[0])};
+}
+
+void scale(solver::FilmGrid& grid, double factor) {
+    grid.width *= factor;
+    grid.depth *= factor;
+    for (std::vector<double>* places : {&grid.columnPlaces, &grid.rowPlaces}) {
+        for (double& place : *places) {
+            place *= factor;
+        }
+    }
+}
+
+// Turns the body about the centre of its bounding box, which goes the same way as ever. So the dip
+// begins earlier or later where the body's lowest point is lower or higher.
+void turn(ChangedDip& dip, const TriangleMesh& body, const Eigen::Vector3d& degrees) {
+    const double angle = degrees.norm() * pi / 180;
+    if (angle == 0) {
+        return;
+    }
+    const BoundingBox box = boundingBox(body);
+    const Eigen::Vector3d centre = (box.min().cast<double>() + box.max().cast<double>()) / 2;
+    const double before = (poseTransform(body, dip.immersion) * centre).y();
+    const Eigen::AngleAxisd by(angle, degrees.normalized());
+    dip.immersion.rotation = turned(dip.immersion.rotation, by.toRotationMatrix());
+    const Eigen::Isometry3d toPose = poseTransform(body, dip.immersion);
+    using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    Eigen::Map<RowMajor>(dip.setup.motion.rotation.data()) = toPose.linear();
+    Eigen::Map<Eigen::Vector3d>(dip.setup.motion.start.data()) =
+        toPose.translation() + poseToWorld(dip.immersion, 0);
+    dip.setup.motion.travel += (toPose * centre).y() - before;
+}
+
+} // namespace
+
+double toleranceOf(const ToleranceSettings& settings, Contributor contributor) {
+    switch (contributor) {
+    case Contributor::PositionX:
+        return settings.position[0].value();
+    case Contributor::PositionZ:
+        return settings.position[1].value();
+    case Contributor::TurnX:
+        return settings.turn[0].value();
+    case Contributor::TurnY:
+        return settings.turn[1].value();
+    case Contributor::TurnZ:
+        return settings.turn[2].value();
+    case Contributor::FilmPositionX:
+        return settings.filmPosition[0].value();
+    case Contributor::FilmPositionZ:
+        return settings.filmPosition[1].value();
+    case Contributor::FilmTurn:
+        return settings.filmTurn.value();
+    case Contributor::Swell:
+        return settings.swell / percent;
+    case Contributor::WaterLevel:
+        return settings.waterLevel.value();
+    case Contributor::Speed:
+        return settings.speed / percent;
+    case Contributor::Relaxation:
+        break;
+    }
+    return settings.relaxation / percent;
+}
+
+QString contributorText(Contributor contributor) {
+    switch (contributor) {
+    case Contributor::PositionX:
+        return Text::tr("Body along X");
+    case Contributor::PositionZ:
+        return Text::tr("Body along Z");
+    case Contributor::TurnX:
+        return Text::tr("Body about X");
+    case Contributor::TurnY:
+        return Text::tr("Body about Y");
+    case Contributor::TurnZ:
+        return Text::tr("Body about Z");
+    case Contributor::FilmPositionX:
+        return Text::tr("Film along X");
+    case Contributor::FilmPositionZ:
+        return Text::tr("Film along Z");
+    case Contributor::FilmTurn:
+        return Text::tr("Film about Y");
+    case Contributor::Swell:
+        return Text::tr("Swell");
+    case Contributor::WaterLevel:
+        return Text::tr("Water level");
+    case Contributor::Speed:
+        return Text::tr("Speed");
+    case Contributor::Relaxation:
+        break;
+    }
+    return Text::tr("Relaxation");
+}
+
+QString contributorUnit(Contributor contributor) {
+    switch (contributor) {
+    case Contributor::TurnX:
+    case Contributor::TurnY:
+    case Contributor::TurnZ:
+    case Contributor::FilmTurn:
+        return QStringLiteral("°");
+    case Contributor::Swell:
+    case Contributor::Speed:
+    case Contributor::Relaxation:
+        return QStringLiteral("%");
+    default:
+        return QStringLiteral("mm");
+    }
+}
+
+QString contributorKey(Contributor contributor) {
+    static const std::array<const char*, contributorCount> keys{
+        "position_x",      "position_z", "turn_x", "turn_y",      "turn_z", "film_position_x",
+        "film_position_z", "film_turn",  "swell",  "water_level", "speed",  "relaxation"};
+    return QString::fromLatin1(keys.at(std::size_t(contributor)));
+}
+
+DipChange changeBy(Contributor contributor, const Immersion& immersion) {
+    DipChange change = DipChange::Zero();
+    switch (contributor) {
+    case Contributor::PositionX:
+        of(change, Freedom::X) = 1;
+        break;
+    case Contributor::PositionZ:
+        of(change, Freedom::Z) = 1;
+        break;
+    case Contributor::TurnX:
+        of(change, Freedom::TurnX) = 1;
+        break;
+    case Contributor::TurnY:
+        of(change, Freedom::TurnY) = 1;
+        break;
+    case Contributor::TurnZ:
+        of(change, Freedom::TurnZ) = 1;
+        break;
+    case Contributor::FilmPositionX:
+        of(change, Freedom::X) = -1;
+        break;
+    case Contributor::FilmPositionZ:
+        of(change, Freedom::Z) = -1;
+        break;
+    case Contributor::FilmTurn:
+        of(change, Freedom::TurnY) = -1;
+        of(change, Freedom::X) = -radians(Degrees(1)) * immersion.offset[1].value();
+        of(change, Freedom::Z) = radians(Degrees(1)) * immersion.offset[0].value();
+        break;
+    case Contributor::Swell:
+        of(change, Freedom::Swell) = percent;
+        break;
+    case Contributor::WaterLevel:
+        of(change, Freedom::WaterLevel) = 1;
+        break;
+    case Contributor::Speed:
+        of(change, Freedom::Speed) = percent;
+        break;
+    case Contributor::Relaxation:
+        of(change, Freedom::Relaxation) = percent;
+        break;
+    }
+    return change;
+}
+
+ChangedDip changed(const NominalDip& dip, const DipChange& change) {
+    ChangedDip result{dip.immersion, dip.setup};
+    solver::DipSetup& setup = result.setup;
+    const double x = of(change, Freedom::X), z = of(change, Freedom::Z);
+    result.immersion.offset[0] = result.immersion.offset[0] + Millimetres(x);
+    result.immersion.offset[1] = result.immersion.offset[1] + Millimetres(z);
+    setup.motion.start[0] += x;
+    setup.motion.start[2] += z;
+    turn(result, dip.model.mesh,
+         {of(change, Freedom::TurnX), of(change, Freedom::TurnY), of(change, Freedom::TurnZ)});
+    // As long as the body comes down at all.
+    setup.motion.travel =
+        std::max(setup.motion.travel + of(change, Freedom::WaterLevel), startHeight);
+    scale(setup.film, 1 + of(change, Freedom::Swell));
+    setup.motion.speed *= 1 + of(change, Freedom::Speed);
+    setup.settings.relaxationTime *= 1 + of(change, Freedom::Relaxation);
+    return result;
+}
+
+bool matters(Freedom freedom, const solver::Settings& settings) {
+    const bool isProduction = solver::isProductionFilm(settings.lattice, settings.support);
+    const bool relaxes =
+        isProduction && settings.relaxationTime > 0 && std::isfinite(settings.relaxationTime);
+    switch (freedom) {
+    case Freedom::Relaxation:
+        return relaxes;
+    case Freedom::Speed:
+        return !isProduction || relaxes || (settings.growthRate > 0 && settings.growthLimit > 0);
+    default:
+        return true;
+    }
+}
+
+} // namespace dipwright

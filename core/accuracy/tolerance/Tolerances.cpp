@@ -1,0 +1,394 @@
+#include "accuracy/tolerance/Tolerances.h"
+
+#include "accuracy/tolerance/ChangedDips.h"
+#include "accuracy/tolerance/ColourShift.h"
+#include "accuracy/tolerance/Draws.h"
+#include "base/Error.h"
+#include "dip/Dip.h"
+#include "geometry/SurfaceSamples.h"
+#include "parallel/ParallelFor.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Tolerance)
+};
+
+constexpr double wantedPlaces = 40'000; // of the body, and pieces that it is cut into
+constexpr double deviations = 2;        // that a tolerance stands for
+constexpr double leastEffect = 1e-12;   // mm, degrees or shares: less is exact, and has no square
+constexpr std::size_t mostWorst = 5;
+constexpr float worstApart = 10; // mm
+
+bool isFinite(const Eigen::Vector2f& film) {
+    return std::isfinite(film.x());
+}
+
+// What each contributor's tolerance is to each way in which a dip can be off: a column a
+// contributor, a row a Freedom; all 0 where that changes nothing.
+using Effects = Eigen::Matrix<double, int(freedomCount), Eigen::Dynamic>;
+
+// The film that the places touch in other dips.
+class OtherDips {
+public:
+    OtherDips(const TolerancedDip& dip, const ColourPlaces& places)
+        : dip_(dip), places_(places),
+          setup_(dipSetup(dip.own->body(), dip.field, dip.immersion, dip.film, dip.process)) {}
+
+    const solver::Settings& settings() const { return setup_.settings; }
+
+    // Of each of the changes, in their order, as soon as it is there: done(number, touched film).
+    template <typename Done>
+    void run(const std::vector<DipChange>& changes, const Progress& progress,
+             const Done& done) const {
+        std::vector<ChangedDip> others;
+        for (const DipChange& change : changes) {
+            others.push_back(changed({dip_.model, dip_.immersion, setup_}, change));
+        }
+        const DippedBody body{dip_.model, dip_.immersion, dip_.process,
+                              std::shared_ptr<const PosedBody>(dip_.own, &dip_.own->body())};
+        layDips(body, others, dip_.module, progress,
+                [&](std::size_t number, std::shared_ptr<const LaidFilm> laid) {
+                    const double swell = 1 + of(changes[number], Freedom::Swell);
+                    done(number, places_.touched(*laid, swell));
+                });
+    }
+
+private:
+    const TolerancedDip& dip_;
+    const ColourPlaces& places_;
+    solver::DipSetup setup_;
+};
+
+// What happens to the colours when a dip is off in one way.
+struct Sensitivity {
+    std::vector<Eigen::Vector3f> shifts; // a place each, mm, for as much as was tried
+    std::size_t lost = 0, gained = 0;    // places, the larger of both ways
+};
+
+Sensitivity sensitivity(const ColourPlaces& places, std::size_t compared,
+                        const std::vector<Eigen::Vector2f>& more,
+                        const std::vector<Eigen::Vector2f>& less) {
+    Sensitivity found;
+    found.shifts.assign(places.count(), Eigen::Vector3f::Zero());
+    parallelFor(std::size_t(0), places.count(), [&](std::size_t place) {
+        if (!places.isPainted(place)) {
+            return;
+        }
+        const bool hasMore = isFinite(more[place]), hasLess = isFinite(less[place]);
+        Eigen::Vector3f& shift = found.shifts[place];
+        if (hasMore) {
+            shift += places.shiftNear(place, more[place]);
+        }
+        if (hasLess) {
+            shift -= places.shiftNear(place, less[place]);
+        }
+        shift /= hasMore && hasLess ? 2.0f : 1.0f;
+    });
+    std::array<std::size_t, 2> lost{}, gained{};
+    for (std::size_t place = 0; place < compared; ++place) {
+        const std::array<bool, 2> isThere{isFinite(more[place]), isFinite(less[place])};
+        for (std::size_t way = 0; way < 2; ++way) {
+            lost[way] += places.isPainted(place) && !isThere[way] ? 1 : 0;
+            gained[way] += places.isBare(place) && isThere[way] ? 1 : 0;
+        }
+    }
+    found.lost = std::max(lost[0], lost[1]);
+    found.gained = std::max(gained[0], gained[1]);
+    return found;
+}
+
+std::vector<Contribution> contributionsOf(const ToleranceSettings& settings) {
+    std::vector<Contribution> contributions;
+    for (std::size_t number = 0; number < contributorCount; ++number) {
+        Contribution contribution;
+        contribution.contributor = contributorAt(number);
+        contribution.tolerance = toleranceOf(settings, contribution.contributor);
+        if (contribution.tolerance > 0) {
+            contributions.push_back(contribution);
+        }
+    }
+    return contributions;
+}
+
+Effects effectsOf(const std::vector<Contribution>& contributions, const Immersion& immersion,
+                  const solver::Settings& settings) {
+    Effects effects(int(freedomCount), Eigen::Index(contributions.size()));
+    for (std::size_t column = 0; column < contributions.size(); ++column) {
+        effects.col(Eigen::Index(column)) = contributions[column].tolerance *
+                                            changeBy(contributions[column].contributor, immersion);
+    }
+    for (std::size_t row = 0; row < freedomCount; ++row) {
+        if (!matters(Freedom(row), settings)) {
+            effects.row(Eigen::Index(row)).setZero();
+        }
+    }
+    return (effects.array().abs() < leastEffect).select(0, effects);
+}
+
+// Off by as much as all contributors together make it, each way; one that makes nothing of it is
+// left alone.
+std::vector<Sensitivity> sensitivities(const OtherDips& dips, const ColourPlaces& places,
+                                       std::size_t compared, const DipChange& steps,
+                                       const Progress& progress) {
+    std::vector<DipChange> changes;
+    std::vector<std::size_t> freedoms;
+    for (std::size_t freedom = 0; freedom < freedomCount; ++freedom) {
+        const double step = steps[Eigen::Index(freedom)];
+        if (step > 0) {
+            freedoms.push_back(freedom);
+            for (const double way : {step, -step}) {
+                changes.emplace_back(DipChange::Zero());
+                changes.back()[Eigen::Index(freedom)] = way;
+            }
+        }
+    }
+    std::vector<Sensitivity> found(freedomCount);
+    std::vector<Eigen::Vector2f> more;
+    dips.run(changes, progress, [&](std::size_t number, std::vector<Eigen::Vector2f> touched) {
+        if (number % 2 == 0) {
+            more = std::move(touched);
+        } else {
+            found[freedoms[number / 2]] = sensitivity(places, compared, more, touched);
+        }
+    });
+    return found;
+}
+
+// What each of the contributors does, each off by its tolerance.
+class Linear {
+public:
+    Linear(const std::vector<Sensitivity>& sensitivities, const Effects& effects,
+           const DipChange& steps)
+        : sensitivities_(sensitivities), effects_(effects), steps_(steps) {}
+
+    float square(std::size_t contribution, std::size_t place) const {
+        Eigen::Vector3f shift = Eigen::Vector3f::Zero();
+        each(contribution, [&](const Sensitivity& sensitivity, double part) {
+            shift += float(part) * sensitivity.shifts[place];
+        });
+        return shift.squaredNorm();
+    }
+    float square(std::size_t place) const {
+        float sum = 0;
+        for (Eigen::Index column = 0; column < effects_.cols(); ++column) {
+            sum += square(std::size_t(column), place);
+        }
+        return sum;
+    }
+    // Numbers of places.
+    void border(std::size_t contribution, double& lost, double& gained) const {
+        each(contribution, [&](const Sensitivity& sensitivity, double part) {
+            lost += std::abs(part) * double(sensitivity.lost);
+            gained += std::abs(part) * double(sensitivity.gained);
+        });
+    }
+
+private:
+    template <typename Take>
+    void each(std::size_t contribution, const Take& take) const {
+        for (std::size_t freedom = 0; freedom < freedomCount; ++freedom) {
+            const double effect = effects_(Eigen::Index(freedom), Eigen::Index(contribution));
+            if (effect != 0) {
+                take(sensitivities_[freedom], effect / steps_[Eigen::Index(freedom)]);
+            }
+        }
+    }
+
+    const std::vector<Sensitivity>& sensitivities_;
+    const Effects& effects_;
+    const DipChange& steps_;
+};
+
+// Fills in all but the worst places and the samples. `area`: mm² that a place stands for.
+DipTolerances combined(const ColourPlaces& places, std::size_t compared, std::size_t filmPoints,
+                       const Linear& linear, std::vector<Contribution> contributions, double area) {
+    DipTolerances result;
+    result.contributions = std::move(contributions);
+    std::vector<float> spread(places.count(), unpaintedPlace);
+    parallelFor(std::size_t(0), places.count(), [&](std::size_t place) {
+        if (places.isPainted(place)) {
+            spread[place] = std::sqrt(linear.square(place));
+        }
+    });
+    result.places.assign(spread.begin(), spread.begin() + std::ptrdiff_t(compared));
+    const auto film = spread.end() - std::ptrdiff_t(filmPoints);
+    result.pieces.assign(spread.begin() + std::ptrdiff_t(compared), film);
+    result.filmPoints.assign(film, spread.end());
+    for (float& point : result.filmPoints) {
+        point = std::max(point, 0.0f);
+    }
+    std::vector<float> painted = result.places;
+    std::erase(painted, unpaintedPlace);
+    for (std::size_t number = 0; number < result.contributions.size(); ++number) {
+        Contribution& contribution = result.contributions[number];
+        std::vector<float>& squares = result.squares.emplace_back(compared, 0.0f);
+        std::vector<float> alone;
+        double shares = 0;
+        for (std::size_t place = 0; place < compared; ++place) {
+            if (!places.isPainted(place)) {
+                continue;
+            }
+            squares[place] = linear.square(number, place);
+            alone.push_back(std::sqrt(squares[place]));
+            shares += spread[place] > 0 ? squares[place] / (spread[place] * spread[place]) : 0;
+        }
+        contribution.spread = spreadOf(std::move(alone));
+        contribution.share = shares;
+        linear.border(number, contribution.lost, contribution.gained);
+        contribution.lost *= area;
+        contribution.gained *= area;
+    }
+    const double all = std::accumulate(
+        result.contributions.begin(), result.contributions.end(), 0.0,
+        [](double sum, const Contribution& contribution) { return sum + contribution.share; });
+    for (Contribution& contribution : result.contributions) {
+        contribution.share /= all > 0 ? all : 1;
+    }
+    result.spread = spreadOf(std::move(painted));
+    return result;
+}
+
+std::vector<WorstPlace> worstPlaces(const TriangleMesh& model,
+                                    const std::vector<SurfacePoint>& places,
+                                    const DipTolerances& tolerances) {
+    std::vector<std::size_t> order(places.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return tolerances.places[a] > tolerances.places[b];
+    });
+    std::vector<WorstPlace> worst;
+    for (const std::size_t place : order) {
+        if (worst.size() == mostWorst || tolerances.places[place] <= 0) {
+            break;
+        }
+        const Eigen::Vector3f at = position(model, places[place]);
+        const bool isApart = std::all_of(worst.begin(), worst.end(), [&](const WorstPlace& other) {
+            return (other.place - at).norm() >= worstApart;
+        });
+        if (isApart) {
+            worst.push_back(worstAt(tolerances, place, at));
+        }
+    }
+    return worst;
+}
+
+SampledSpread sampled(const OtherDips& dips, const ColourPlaces& places,
+                      const std::vector<float>& linear, const Effects& effects,
+                      const ToleranceSettings& settings, const Progress& progress) {
+    const Eigen::MatrixXd draws =
+        evenDraws(settings.samples, int(effects.cols()), settings.seed) / deviations;
+    std::vector<DipChange> changes;
+    for (Eigen::Index row = 0; row < draws.rows(); ++row) {
+        changes.emplace_back(effects * draws.row(row).transpose());
+    }
+    std::vector<float> sums(linear.size(), 0.0f); // below 0: not painted in one of them
+    dips.run(changes, progress, [&](std::size_t, const std::vector<Eigen::Vector2f>& touched) {
+        parallelFor(std::size_t(0), sums.size(), [&](std::size_t place) {
+            if (linear[place] < 0 || sums[place] < 0) {
+                return;
+            }
+            const auto shift =
+                isFinite(touched[place]) ? places.shift(place, touched[place]) : std::nullopt;
+            sums[place] = shift ? sums[place] + shift->squaredNorm() : unpaintedPlace;
+        });
+    });
+    std::vector<float> spread, wanted;
+    for (std::size_t place = 0; place < sums.size(); ++place) {
+        if (linear[place] >= 0 && sums[place] >= 0) {
+            spread.push_back(float(deviations) * std::sqrt(sums[place] / float(changes.size())));
+            wanted.push_back(linear[place]);
+        }
+    }
+    return {int(changes.size()), spreadOf(std::move(spread)).percentile95,
+            spreadOf(std::move(wanted)).percentile95};
+}
+
+} // namespace
+
+WorstPlace worstAt(const DipTolerances& tolerances, std::size_t place,
+                   const Eigen::Vector3f& position) {
+    WorstPlace worst{position, double(tolerances.places[place])};
+    float most = 0;
+    for (std::size_t number = 0; number < tolerances.contributions.size(); ++number) {
+        if (tolerances.squares[number][place] > most) {
+            most = tolerances.squares[number][place];
+            worst.contributor = tolerances.contributions[number].contributor;
+        }
+    }
+    return worst;
+}
+
+Spread spreadOf(std::vector<float> values) {
+    if (values.empty()) {
+        return {};
+    }
+    std::sort(values.begin(), values.end());
+    const auto ranked = [&](double share) { // nearest rank
+        const double rank = std::ceil(share * double(values.size()));
+        return double(values[std::size_t(std::max(rank, 1.0)) - 1]);
+    };
+    return {ranked(0.5), ranked(0.95), double(values.back())};
+}
+
+bool SampledSpread::agrees() const {
+    return std::abs(percentile95 - linear) <= sampledTolerance * linear;
+}
+
+std::vector<SurfacePoint> tolerancePlaces(const TexturedMesh& model) {
+    return evenSamples(model.mesh, surfaceArea(model.mesh) / wantedPlaces);
+}
+
+RefinedMesh toleranceMesh(const TexturedMesh& model) {
+    return {model.mesh, edgeForTriangles(model.mesh, wantedPlaces)};
+}
+
+DipTolerances dipTolerances(const TolerancedDip& dip, const ToleranceSettings& settings,
+                            const Progress& progress) {
+    const std::vector<SurfacePoint> compared = tolerancePlaces(dip.model);
+    std::vector<SurfacePoint> all = compared;
+    const RefinedMesh fine = toleranceMesh(dip.model);
+    for (std::size_t piece = 0; piece < fine.mesh().triangles.size(); ++piece) {
+        all.push_back(fine.middle(piece));
+    }
+    const std::vector<SurfacePoint>& filmPoints = dip.own->contact().surface;
+    all.insert(all.end(), filmPoints.begin(), filmPoints.end());
+    const ColourPlaces places(*dip.own, all, dip.isPainted);
+    const OtherDips dips(dip, places);
+
+    const std::vector<Contribution> contributions = contributionsOf(settings);
+    const Effects effects = effectsOf(contributions, dip.immersion, dips.settings());
+    const DipChange steps = effects.rowwise().norm();
+    const double ways = 2 * double((steps.array() > 0).count());
+    const double linearDone = ways > 0 ? ways / (ways + settings.samples) : 1;
+    const std::vector<Sensitivity> found =
+        sensitivities(dips, places, compared.size(), steps, progress.part(0, linearDone));
+    const Linear linear(found, effects, steps);
+    DipTolerances result =
+        combined(places, compared.size(), filmPoints.size(), linear, contributions,
+                 surfaceArea(dip.model.mesh) / double(std::max<std::size_t>(compared.size(), 1)));
+    result.worst = worstPlaces(dip.model.mesh, compared, result);
+    if (settings.samples > 0 && ways > 0) {
+        result.sampled =
+            sampled(dips, places, result.places, effects, settings, progress.part(linearDone, 1));
+    }
+    return result;
+}
+
+QString sampledText(const SampledSpread& sampled, const std::function<QString(double)>& length) {
+    const QString text =
+        sampled.agrees()
+            ? Text::tr("%1 dips with everything off at once come to ±%2 in place of ±%3.")
+            : Text::tr("%1 dips with everything off at once come to ±%2 in place of ±%3: what the "
+                       "contributors do cannot simply be added here.");
+    return text.arg(sampled.dips).arg(length(sampled.percentile95), length(sampled.linear));
+}
+
+} // namespace dipwright

@@ -1,0 +1,169 @@
+#include "accuracy/tolerance/Zones.h"
+
+#include "geometry/SurfaceSpot.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Tolerance)
+};
+
+QString percent(double share) {
+    return QLocale().toString(100 * share, 'f', 1);
+}
+
+// The dip in which a place is off the most; null where none paints it.
+const DipTolerances* worstDip(const std::vector<const DipTolerances*>& dips, std::size_t place) {
+    const DipTolerances* worst = nullptr;
+    float most = unpaintedPlace;
+    for (const DipTolerances* dip : dips) {
+        if (dip->places[place] > most) {
+            most = dip->places[place];
+            worst = dip;
+        }
+    }
+    return worst;
+}
+
+// What is told of a zone, place by place.
+struct ZoneSum {
+    std::vector<float> spread;
+    std::size_t unpainted = 0, within = 0;
+    std::array<double, contributorCount> shares{};
+    WorstPlace worst;
+    float most = unpaintedPlace;
+
+    void add(const DipTolerances& dip, std::size_t place, const Eigen::Vector3f& at, double limit) {
+        const float here = dip.places[place];
+        spread.push_back(here);
+        within += double(here) <= limit ? 1 : 0;
+        for (std::size_t number = 0; here > 0 && number < dip.contributions.size(); ++number) {
+            shares[std::size_t(dip.contributions[number].contributor)] +=
+                double(dip.squares[number][place] / (here * here));
+        }
+        if (here > most) {
+            most = here;
+            worst = worstAt(dip, place, at);
+        }
+    }
+};
+
+} // namespace
+
+ZonedBody::ZonedBody(std::shared_ptr<const TexturedMesh> model)
+    : model_(std::move(model)), fine_(toleranceMesh(*model_)), query_(fine_.mesh()),
+      zones_(fine_.mesh().triangles.size(), Zone::C) {}
+
+void ZonedBody::setMarks(const std::vector<ZoneMark>& marks) {
+    if (marks.size() < marks_.size() || !std::equal(marks_.begin(), marks_.end(), marks.begin())) {
+        zones_.assign(zones_.size(), Zone::C);
+        marks_.clear();
+    }
+    for (std::size_t number = marks_.size(); number < marks.size(); ++number) {
+        obey(marks[number]);
+    }
+    marks_ = marks;
+}
+
+void ZonedBody::obey(const ZoneMark& mark) {
+    const Eigen::Vector3f place(float(mark.place[0].value()), float(mark.place[1].value()),
+                                float(mark.place[2].value()));
+    const SurfacePoint middle = query_.closest(place).point;
+    if (!middle.isValid()) {
+        return;
+    }
+    const auto material = [&](std::uint32_t piece) {
+        return model_->material[fine_.middle(piece).triangle];
+    };
+    switch (mark.extent) {
+    case ZoneExtent::Spot:
+        set(trianglesWithin(fine_.mesh(), middle, float(mark.radius.value())), mark.zone);
+        break;
+    case ZoneExtent::Face:
+        set(faceRound(fine_.mesh(), middle.triangle), mark.zone);
+        break;
+    case ZoneExtent::Material:
+        for (std::uint32_t piece = 0; piece < zones_.size(); ++piece) {
+            if (material(piece) == material(middle.triangle)) {
+                zones_[piece] = mark.zone;
+            }
+        }
+        break;
+    }
+}
+
+void ZonedBody::set(const std::vector<std::uint32_t>& triangles, Zone zone) {
+    for (const std::uint32_t triangle : triangles) {
+        zones_[triangle] = zone;
+    }
+}
+
+Zone ZonedBody::at(const SurfacePoint& place) const {
+    return zones_[fine_.onFine(place).triangle];
+}
+
+std::vector<ZoneVerdict> zoneVerdicts(std::shared_ptr<const TexturedMesh> model,
+                                      const std::vector<const DipTolerances*>& dips,
+                                      const ToleranceSettings& settings) {
+    const TriangleMesh& mesh = model->mesh;
+    const std::vector<SurfacePoint> places = tolerancePlaces(*model);
+    ZonedBody zones(model);
+    zones.setMarks(settings.marks);
+    std::array<ZoneSum, zoneCount> sums;
+    for (std::size_t place = 0; place < places.size(); ++place) {
+        const auto zone = std::size_t(zones.at(places[place]));
+        if (const DipTolerances* dip = worstDip(dips, place)) {
+            sums[zone].add(*dip, place, position(mesh, places[place]),
+                           settings.limits[zone].value());
+        } else {
+            ++sums[zone].unpainted;
+        }
+    }
+    const double area = surfaceArea(mesh) / double(std::max<std::size_t>(places.size(), 1));
+    std::vector<ZoneVerdict> verdicts;
+    for (std::size_t zone = 0; zone < zoneCount; ++zone) {
+        ZoneSum& sum = sums[zone];
+        const std::size_t painted = sum.spread.size();
+        if (painted + sum.unpainted == 0) {
+            continue;
+        }
+        ZoneVerdict verdict;
+        verdict.zone = Zone(zone);
+        verdict.limit = settings.limits[zone].value();
+        verdict.area = area * double(painted);
+        verdict.unpainted = area * double(sum.unpainted);
+        verdict.within = painted > 0 ? double(sum.within) / double(painted) : 0;
+        verdict.spread = spreadOf(std::move(sum.spread));
+        verdict.worst = sum.worst;
+        const auto largest = std::max_element(sum.shares.begin(), sum.shares.end());
+        verdict.contributor = contributorAt(std::size_t(largest - sum.shares.begin()));
+        verdicts.push_back(verdict);
+    }
+    return verdicts;
+}
+
+QString zoneName(Zone zone) {
+    return QString(QChar(u'A' + ushort(zone)));
+}
+
+QString zoneText(const ZoneVerdict& verdict, const std::function<QString(double)>& length) {
+    if (verdict.area == 0) {
+        return Text::tr("Zone %1 is not painted.").arg(zoneName(verdict.zone));
+    }
+    const QString text =
+        verdict.holds()
+            ? Text::tr("Zone %1 keeps its limit: %2 % of what is painted is within ±%3, 95 % "
+                       "within ±%4. Most of it comes from: %5.")
+            : Text::tr("Zone %1 does not keep its limit: %2 % of what is painted is within ±%3, "
+                       "95 % only within ±%4. Most of it comes from: %5.");
+    return text.arg(zoneName(verdict.zone), percent(verdict.within), length(verdict.limit),
+                    length(verdict.spread.percentile95), contributorText(verdict.contributor));
+}
+
+} // namespace dipwright

@@ -1,0 +1,175 @@
+#include "dip/FilmThatPaints.h"
+
+#include "dip/ContactLimit.h"
+#include "geometry/CornerNormals.h"
+#include "parallel/ParallelFor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+// Shares of an edge's length that its middle may lie off the surface. Outside the body it spans a
+// hollow that the film does not follow, which a long edge does not make any shallower; inside, it
+// goes round an edge of the body, up to where it would go through the body.
+constexpr float spannedHollow = 0.15f;
+constexpr float cutEdge = 0.5f;
+// Twice the area over the longest edge squared, of film so folded that it has no side.
+constexpr float flat = 1e-3f;
+// Cosines between the film's and the body's outward normals.
+constexpr float turnedAway = 0.1f;    // film against the face it lies on
+constexpr float foldedAcross = -0.9f; // two faces under one film triangle
+
+// The solver has found that the point touches, be it at a contact distance.
+SurfacePoint surfacePoint(const Eigen::Vector3f& position, const Eigen::Vector3f& filmNormal,
+                          const SurfaceQuery& query, float cell) {
+    const ClosestPoint closest = query.closest(position);
+    // Along a slanting normal a ray may pass by the surface that the film touches.
+    const float reach = 2 * closest.distance + 0.005f * cell;
+    const RayHit below = query.hit(position, filmNormal, reach);
+    const RayHit above = query.hit(position, -filmNormal, reach);
+    const RayHit& along = below.distance <= above.distance ? below : above;
+    return along.point.isValid() ? along.point : closest.point;
+}
+
+// The point midway between the neighbours, along the grid's rows and columns, of a point that
+// missed; invalid unless all four are on the body.
+SurfacePoint filledPoint(const DippedFilm& film, const PosedBody& body,
+                         const std::vector<SurfacePoint>& located, std::size_t point) {
+    const auto columns = std::size_t(film.grid.columns);
+    const std::size_t column = point % columns;
+    const std::size_t row = point / columns;
+    const bool inside =
+        column > 0 && column + 1 < columns && row > 0 && row + 1 < std::size_t(film.grid.rows);
+    if (!inside || film.states[point] == solver::PointState::Trapped) {
+        return {};
+    }
+    Eigen::Vector3f middle = Eigen::Vector3f::Zero();
+    for (const std::size_t neighbour : {point - 1, point + 1, point - columns, point + columns}) {
+        if (!located[neighbour].isValid()) {
+            return {};
+        }
+        middle += position(body.mesh, located[neighbour]) / 4;
+    }
+    return body.query.closest(middle, cellOfPoint(film.grid, point)).point;
+}
+
+std::vector<SurfacePoint> locatePoints(const DippedFilm& film, const SurfaceQuery& query) {
+    const std::vector<Eigen::Vector3f> normals =
+        vertexNormals(TriangleMesh{film.positions, filmTriangles(film.grid)});
+    std::vector<SurfacePoint> points(film.positions.size());
+    parallelFor(std::size_t(0), points.size(), [&](std::size_t point) {
+        if (film.adhered(point)) {
+            points[point] = surfacePoint(film.positions[point], normals[point], query,
+                                         cellOfPoint(film.grid, point));
+        }
+    });
+    return points;
+}
+
+class PaintTest {
+public:
+    PaintTest(const PosedBody& body, const CornerNormals& normals,
+              const std::vector<SurfacePoint>& surface, const ProcessSettings& process)
+        : mesh_(body.mesh), normals_(normals), query_(body.query), surface_(surface),
+          steepest_(float(std::sin(radians(process.overhang)))) {}
+
+    // `cell`: the side of the triangle's cell.
+    bool isPainted(const FilmTriangle& triangle, float cell) const {
+        return std::all_of(triangle.begin(), triangle.end(),
+                           [&](std::uint32_t point) { return surface_[point].isValid(); }) &&
+               !isFoldedAcross(triangle) && isOnSurface(triangle, float(touchedHollow) * cell);
+    }
+
+private:
+    Eigen::Vector3f bodyNormal(std::uint32_t point) const {
+        return triangleNormal(mesh_, surface_[point].triangle);
+    }
+    bool isFoldedAcross(const FilmTriangle& triangle) const {
+        const std::array<Eigen::Vector3f, 3> normals = {
+            bodyNormal(triangle[0]), bodyNormal(triangle[1]), bodyNormal(triangle[2])};
+        return normals[0].dot(normals[1]) < foldedAcross ||
+               normals[1].dot(normals[2]) < foldedAcross ||
+               normals[2].dot(normals[0]) < foldedAcross;
+    }
+    bool isOnSurface(const FilmTriangle& triangle, float deepest) const {
+        const Eigen::Vector3f a = position(mesh_, surface_[triangle[0]]);
+        const Eigen::Vector3f b = position(mesh_, surface_[triangle[1]]);
+        const Eigen::Vector3f c = position(mesh_, surface_[triangle[2]]);
+        const Eigen::Vector3f turn = (b - a).cross(c - a);
+        const float longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+        if (turn.norm() < flat * longest * longest) {
+            return false;
+        }
+        // The film's ink side, up at first, lies against the body: its normal points into it.
+        const Eigen::Vector3f intoBody = turn.normalized();
+        const ClosestPoint under = query_.closest((a + b + c) / 3, cutEdge * longest);
+        if (!under.point.isValid()) {
+            return false;
+        }
+        const Eigen::Vector3f outward = triangleNormal(mesh_, under.point.triangle);
+        return outward.dot(intoBody) < -turnedAway &&
+               normalAt(normals_, under.point).y() <= steepest_ &&
+               !spansHollow((a + b + c) / 3, intoBody, longest, deepest) &&
+               !spansHollow((a + b) / 2, intoBody, (b - a).norm(), deepest) &&
+               !spansHollow((b + c) / 2, intoBody, (c - b).norm(), deepest) &&
+               !spansHollow((c + a) / 2, intoBody, (a - c).norm(), deepest);
+    }
+    // Whether a place of the film between two or three that are on the body, `length` apart, is
+    // not: it is farther off than a share of that, or than `deepest`.
+    bool spansHollow(const Eigen::Vector3f& place, const Eigen::Vector3f& intoBody, float length,
+                     float deepest) const {
+        const ClosestPoint under = query_.closest(place, length);
+        const bool outside =
+            under.point.isValid() && (position(mesh_, under.point) - place).dot(intoBody) > 0;
+        return outside && under.distance > std::min(spannedHollow * length, deepest);
+    }
+
+    const TriangleMesh& mesh_;
+    const CornerNormals& normals_;
+    const SurfaceQuery& query_;
+    const std::vector<SurfacePoint>& surface_;
+    float steepest_;
+};
+
+} // namespace
+
+FilmContact filmThatPaints(const DippedFilm& film, const PosedBody& body,
+                           const ProcessSettings& process) {
+    FilmContact contact;
+    const std::vector<SurfacePoint> located = locatePoints(film, body.query);
+    contact.surface = located;
+    for (std::size_t point = 0; point < located.size(); ++point) {
+        if (located[point].isValid()) {
+            ++contact.contactCount;
+            continue;
+        }
+        contact.surface[point] = filledPoint(film, body, located, point);
+        contact.filledCount += contact.surface[point].isValid() ? 1 : 0;
+    }
+
+    const std::vector<FilmTriangle> triangles = filmTriangles(film.grid);
+    const std::vector<PrincipalStretch> stretches = principalStretches(film);
+    const CornerNormals normals = cornerNormals(body.mesh);
+    const PaintTest test(body, normals, contact.surface, process);
+    contact.painted.resize(triangles.size());
+    parallelFor(std::size_t(0), triangles.size(), [&](std::size_t triangle) {
+        const bool torn = stretches[triangle].isTorn(process.tearStretch);
+        contact.painted[triangle] =
+            !torn && test.isPainted(triangles[triangle], cellOfTriangle(film.grid, triangle));
+    });
+    contact.places = film.positions;
+    for (std::size_t point = 0; point < contact.places.size(); ++point) {
+        if (contact.surface[point].isValid()) {
+            contact.places[point] = position(body.mesh, contact.surface[point]);
+        }
+    }
+    if (film.isotropic) {
+        continueToLimit(film, body, normals, process, contact);
+    }
+    return contact;
+}
+
+} // namespace dipwright

@@ -1,0 +1,146 @@
+#include "disk/AtomicFile.h"
+
+#include "base/Bytes.h"
+#include "base/Error.h"
+
+#include <QCoreApplication>
+#include <QCryptographicHash>
+#include <QFileInfo>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(AtomicFile)
+};
+
+constexpr int longestName = 255; // bytes, of a file's name on the usual systems
+const QString newPrefix = QStringLiteral(".~new.");
+const QString lockPrefix = QStringLiteral(".~lock.");
+
+// What a link points to, be it there or not.
+QString linkTarget(const QString& path) {
+    QFileInfo file(path);
+    for (int links = 0; file.isSymLink() && links < 40; ++links) {
+        file = QFileInfo(file.symLinkTarget());
+    }
+    return file.absoluteFilePath();
+}
+
+} // namespace
+
+QString hiddenBeside(const QString& path, Beside what) {
+    const QFileInfo file(path);
+    const QString prefix = what == Beside::Lock ? lockPrefix : newPrefix;
+    QString name = prefix + file.fileName();
+    if (name.toUtf8().size() > longestName) {
+        const QByteArray hash =
+            QCryptographicHash::hash(file.fileName().toUtf8(), QCryptographicHash::Sha1);
+        name = prefix + QString::fromLatin1(hash.toHex());
+    }
+    return file.absolutePath() + QLatin1Char('/') + name;
+}
+
+bool isHiddenBeside(const QString& path) {
+    const QString name = QFileInfo(path).fileName();
+    return name.startsWith(newPrefix) || name.startsWith(lockPrefix);
+}
+
+void removeAbandoned(const QString& temporary) {
+    LockedFile file;
+    if (QFileInfo::exists(temporary) && file.open(temporary) == LockedFile::Outcome::Opened) {
+        file.remove();
+    }
+}
+
+AtomicFile::AtomicFile(const QString& path)
+    : target_(linkTarget(path)), beside_(hiddenBeside(target_, Beside::NewContents)) {}
+
+AtomicFile::~AtomicFile() {
+    if (!file_.remove()) {
+        note_->leave();
+    }
+}
+
+QString AtomicFile::open() {
+    const QFileInfo target(target_);
+    if (target.isDir()) {
+        return Text::tr("it is a folder");
+    }
+    if (target.isSymLink()) {
+        return Text::tr("its links lead to one another");
+    }
+    if (target.exists() && !target.isFile()) { // a pipe or a device, which others have open
+        return Text::tr("it is no plain file");
+    }
+    if (target.exists() && !target.isWritable()) {
+        return Text::tr("it may not be written");
+    }
+    note_ = std::make_unique<UnfinishedWrite>(beside_);
+    switch (file_.open(beside_)) {
+    case LockedFile::Outcome::HeldByAnother:
+        return Text::tr("another program is writing it at this moment, try again");
+    case LockedFile::Outcome::Failed:
+        return file_.errorString();
+    case LockedFile::Outcome::Opened:
+        break;
+    }
+    if (!device().resize(0)) { // what a dead writer has left
+        return device().errorString();
+    }
+    if (target.exists()) {
+        device().setPermissions(target.permissions());
+    }
+    return {};
+}
+
+QString AtomicFile::commit() {
+    if (!syncToDisk(device())) {
+        return Text::tr("it does not reach the disk: %1").arg(device().errorString());
+    }
+    if (!file_.moveOver(target_)) {
+        removeAbandoned(beside_);
+        if (QFileInfo::exists(beside_)) {
+            note_->leave();
+        }
+        return file_.errorString();
+    }
+    syncFolder(QFileInfo(target_).path());
+    note_.reset();
+    return {};
+}
+
+QString replaceFile(const QString& path, const QByteArray& bytes,
+                    const std::function<void()>& lastLook) {
+    AtomicFile file(path);
+    if (QString failure = file.open(); !failure.isEmpty()) {
+        return failure;
+    }
+    if (!writeAll(file.device(), bytes)) {
+        return file.device().errorString();
+    }
+    if (lastLook) {
+        lastLook();
+    }
+    return file.commit();
+}
+
+namespace {
+
+void throwIf(const QString& failure, const QString& path) {
+    if (!failure.isEmpty()) {
+        throw Error(Text::tr("The file cannot be written: %1").arg(failure), path);
+    }
+}
+
+} // namespace
+
+void writeAtomically(const QString& path, const std::function<void(QIODevice&)>& write) {
+    throwIf(replaceFile(path, bytesOf(write)), path);
+}
+
+void checkWritable(const QString& path) {
+    throwIf(AtomicFile(path).open(), path);
+}
+
+} // namespace dipwright

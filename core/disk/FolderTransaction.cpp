@@ -1,0 +1,397 @@
+#include "disk/FolderTransaction.h"
+
+#include "base/Bytes.h"
+#include "base/Error.h"
+#include "disk/AtomicFile.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSet>
+
+#include <optional>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(FolderTransaction)
+};
+
+// In the hidden folder.
+const QString newFiles = QStringLiteral("new/");
+const QString oldFiles = QStringLiteral("old/");
+const QString journalName = QStringLiteral("journal.json"); // there: the new files count
+const QString undoName = QStringLiteral("undo.json");       // there: the old ones do
+constexpr qint64 longestJournal = 1 << 20;
+
+QString folderOf(const QString& name) {
+    return QFileInfo(name).path();
+}
+
+// What of the names is written, and what of them is there. Paths relative to the target.
+struct Journal {
+    QStringList written; // moved in place
+    QStringList there;   // set aside first, to be put back should the moving fail
+};
+
+QByteArray bytesOf(const Journal& journal) {
+    return QJsonDocument(QJsonObject{{"written", QJsonArray::fromStringList(journal.written)},
+                                     {"there", QJsonArray::fromStringList(journal.there)}})
+        .toJson();
+}
+
+QStringList textsOf(const QJsonValue& value) {
+    QStringList texts;
+    for (const QJsonValue& text : value.toArray()) {
+        texts << text.toString();
+    }
+    return texts;
+}
+
+// Empty where it cannot be read.
+std::optional<Journal> journalOf(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    const QJsonDocument json = QJsonDocument::fromJson(file.read(longestJournal));
+    return json.isObject() ? std::optional(Journal{textsOf(json[QLatin1String("written")]),
+                                                   textsOf(json[QLatin1String("there")])})
+                           : std::nullopt;
+}
+
+bool isBelow(const QString& name) {
+    return QDir::isRelativePath(name) && QDir::cleanPath(name) == name &&
+           name != QLatin1String("..") && !name.startsWith(QLatin1String("../")) &&
+           !name.contains(QLatin1Char(':')) && !name.contains(QLatin1Char('\\'));
+}
+
+// A link among the folders of a name, which could lead anywhere.
+bool isLinked(const QDir& target, const QString& name) {
+    for (QString folder = folderOf(name); folder != QLatin1String("."); folder = folderOf(folder)) {
+        if (QFileInfo(target.filePath(folder)).isSymLink()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// The hidden folder of a target, and the moving between the two. Every step can be taken again
+// after it, or one behind it, has been taken already.
+class Work {
+public:
+    explicit Work(const QString& target)
+        : target_(target), work_(target_.filePath(FolderTransaction::workName())) {}
+
+    QString path(const QString& name) const { return work_.filePath(name); }
+    bool has(const QString& name) const { return work_.exists(name); }
+    // Moves in place what is written, and sets aside what is there instead.
+    bool forward(const Journal& journal) const {
+        const QSet<QString> written(journal.written.begin(), journal.written.end());
+        for (const QString& name : journal.there) {
+            const bool isDue = has(newFiles + name) || !written.contains(name);
+            if (isDue && !has(oldFiles + name) && target_.exists(name) &&
+                !moveOver(target_.filePath(name), path(oldFiles + name))) {
+                return false;
+            }
+        }
+        return std::all_of(journal.written.begin(), journal.written.end(),
+                           [&](const QString& name) {
+                               return !has(newFiles + name) || bring(path(newFiles + name), name);
+                           });
+    }
+    // Puts back what was set aside, and removes what has come in place beside it.
+    bool backward(const Journal& journal) const {
+        const QSet<QString> there(journal.there.begin(), journal.there.end());
+        for (const QString& name : journal.written) {
+            if (!there.contains(name) && !has(newFiles + name)) {
+                QFile::remove(target_.filePath(name));
+            }
+        }
+        return std::all_of(journal.there.begin(), journal.there.end(), [&](const QString& name) {
+            return !has(oldFiles + name) || bring(path(oldFiles + name), name);
+        });
+    }
+    // Back to the old files from wherever forward() failed. False: the journal stays, for the next
+    // start.
+    bool undo(const Journal& journal) {
+        const bool isUndone =
+            !has(journalName) || (moveOver(path(journalName), path(undoName)) && backward(journal));
+        settle(journal);
+        if (isUndone) {
+            remove();
+        }
+        return isUndone;
+    }
+    // The folders are on the disk, and empty ones gone.
+    void settle(const Journal& journal) const {
+        for (const QString& name : journal.written + journal.there) {
+            if (folderOf(name) != QLatin1String(".")) {
+                syncFolder(target_.filePath(folderOf(name)));
+                target_.rmdir(folderOf(name));
+            }
+        }
+        syncFolder(target_.path());
+    }
+    // The journal first: without it there is nothing more to do here.
+    void remove() {
+        QFile::remove(path(journalName));
+        QFile::remove(path(undoName));
+        if (!isUnderWay() && !isLink()) {
+            removeEmptyFolders();
+            work_.removeRecursively();
+        }
+    }
+    bool isThere() const { return work_.exists(); }
+    // Somebody's who shares the folder: what it leads to is not ours to empty.
+    bool isLink() const { return QFileInfo(work_.path()).isSymLink(); }
+    bool isUnderWay() const { return has(journalName) || has(undoName); }
+    // Whatever a dead process has left, of files with these names; empty: with any. False, with
+    // nothing touched, where its journal cannot be read or names others.
+    bool putRight(const QStringList& names = {}) {
+        const bool isBack = has(undoName);
+        if (isBack || has(journalName)) {
+            const auto journal = journalOf(path(isBack ? undoName : journalName));
+            if (!journal || !isOurs(*journal, names)) {
+                return false;
+            }
+            const bool done = isBack ? backward(*journal) : forward(*journal);
+            settle(*journal);
+            if (!done) {
+                return false;
+            }
+        }
+        remove();
+        return !isUnderWay();
+    }
+
+private:
+    // Those that were made in the target for what did not come into them.
+    void removeEmptyFolders() const {
+        for (const QString& folder :
+             QDir(path(newFiles)).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+            target_.rmdir(folder);
+        }
+    }
+    // To its place, whose folder may have been emptied by an earlier try, and gone.
+    bool bring(const QString& from, const QString& name) const {
+        return target_.mkpath(folderOf(name)) && moveOver(from, target_.filePath(name));
+    }
+    // A folder from a stranger may hold a journal that names what is no result, to have it removed
+    // or replaced.
+    bool isOurs(const Journal& journal, const QStringList& names) const {
+        const QStringList all = journal.written + journal.there;
+        return std::all_of(all.begin(), all.end(), [&](const QString& file) {
+            return isBelow(file) && !isLinked(target_, file) && !isLinked(work_, newFiles + file) &&
+                   !isLinked(work_, oldFiles + file) && (names.isEmpty() || names.contains(file));
+        });
+    }
+
+    QDir target_, work_;
+};
+
+// Those missing, the innermost last.
+QStringList missingFolders(QString path) {
+    QStringList missing;
+    while (!QFileInfo::exists(path)) {
+        missing.prepend(path);
+        const QString parent = QFileInfo(path).absolutePath();
+        if (parent == path) {
+            break;
+        }
+        path = parent;
+    }
+    return missing;
+}
+
+QString lockedName(const QString& target) {
+    return target + QStringLiteral("/results");
+}
+
+} // namespace
+
+QString FolderTransaction::workName() {
+    return QStringLiteral(".dipwright-results");
+}
+
+FolderTransaction::FolderTransaction(const QString& target, const QStringList& names)
+    : target_(QDir::cleanPath(QDir().absoluteFilePath(target))), names_(names) {
+    const QStringList missing = missingFolders(target_);
+    const QString home = missing.isEmpty() ? target_ : QFileInfo(missing.first()).path();
+    if (!QFileInfo(home).isDir()) {
+        throw Error(Text::tr("The results cannot be written, %1 is not a folder").arg(home),
+                    target_);
+    }
+    if (missing.isEmpty()) {
+        refuseOthers();
+    }
+    note_ = std::make_unique<UnfinishedWrite>(target_ + QLatin1Char('/') + workName(), missing);
+    made_ = missing;
+    try {
+        lockTarget();
+    } catch (const Error&) {
+        if (Work work(target_); lock_.isHeld() && !work.isUnderWay()) {
+            work.remove();
+        }
+        lock_.release();
+        for (; !made_.isEmpty(); made_.removeLast()) {
+            QDir().rmdir(made_.last());
+        }
+        throw;
+    }
+}
+
+// Makes it, and empties the hidden folder in it.
+void FolderTransaction::lockTarget() {
+    QDir().mkpath(target_);
+    const LockState state = lock_.acquire(lockedName(target_));
+    if (!state.acquired) {
+        throw Error(Text::tr("Another program is writing results there (%1); wait for it, or "
+                             "choose another folder")
+                        .arg(holderText(state)),
+                    target_);
+    }
+    Work work(target_);
+    if (!work.putRight(names_)) {
+        throw Error(Text::tr("Earlier results there were not completed and cannot be now; close "
+                             "what has files there open, or move %1 out of it")
+                        .arg(workName()),
+                    target_);
+    }
+    QFile trial(work.path(QStringLiteral("trial")));
+    if (!lock_.isHeld() || !QDir().mkpath(work.path(newFiles)) ||
+        !QDir().mkpath(work.path(oldFiles)) || !trial.open(QIODevice::WriteOnly)) {
+        throw Error(Text::tr("The folder cannot be written, choose another"), target_);
+    }
+}
+
+FolderTransaction::~FolderTransaction() {
+    if (!lock_.isHeld()) {
+        return; // committed
+    }
+    Work work(target_);
+    if (!work.isUnderWay()) {
+        work.remove();
+    }
+    if (work.isThere()) {
+        note_->leave();
+    }
+    lock_.release();
+    for (; !made_.isEmpty(); made_.removeLast()) {
+        QDir().rmdir(made_.last()); // where nothing came into them
+    }
+}
+
+bool FolderTransaction::putRight(const QString& target) {
+    FileLock lock;
+    const QFileInfo work(target + QLatin1Char('/') + workName());
+    if (!work.isDir() || work.isSymLink()) {
+        return true; // nothing of ours
+    }
+    return lock.acquire(lockedName(target)).acquired && lock.isHeld() && Work(target).putRight() &&
+           !Work(target).isThere();
+}
+
+void FolderTransaction::write(const QString& name, const QByteArray& contents) const {
+    const Work work(target_);
+    QFile file(work.path(newFiles + name));
+    // The folder for new files is made once: made again where somebody has moved it away it would
+    // lack what was written before.
+    if (!work.has(newFiles) || !QDir().mkpath(QFileInfo(file).path()) ||
+        !file.open(QIODevice::WriteOnly) || !writeAll(file, contents) || !syncToDisk(file)) {
+        throw Error(Text::tr("The results cannot be written: %1").arg(file.errorString()), target_);
+    }
+    const std::lock_guard lock(writing_);
+    written_.insert(name);
+}
+
+QByteArray FolderTransaction::written(const QString& name) const {
+    QFile file(Work(target_).path(newFiles + name));
+    if (!file.exists()) {
+        return {};
+    }
+    if (!file.open(QIODevice::ReadOnly)) {
+        throw Error(Text::tr("The results cannot be read again: %1").arg(file.errorString()),
+                    target_);
+    }
+    return file.readAll();
+}
+
+// Nothing that stands in the way of a file, or of its folder, is the results' to remove.
+void FolderTransaction::refuseOthers() const {
+    const auto refuse = [this](const QString& name) {
+        throw Error(Text::tr("%1 is in the way of the results; move it, or choose another folder")
+                        .arg(name),
+                    target_);
+    };
+    const QFileInfo work(target_ + QLatin1Char('/') + workName());
+    if (work.isSymLink() || (work.exists() && !work.isDir())) {
+        refuse(workName());
+    }
+    for (const QString& name : names_) {
+        const QFileInfo file(target_ + QLatin1Char('/') + name);
+        const QFileInfo folder(file.path());
+        if (file.isDir() || isLinked(QDir(target_), name) || (folder.exists() && !folder.isDir())) {
+            refuse(file.isDir() ? file.fileName() : folder.fileName());
+        }
+    }
+}
+
+void FolderTransaction::commit() {
+    refuseOthers();
+    const QDir target(target_);
+    Work work(target_);
+    Journal journal;
+    QSet<QString> folders;
+    for (const QString& name : names_) {
+        const bool isWritten = work.has(newFiles + name);
+        if (isWritten != written_.contains(name)) {
+            throw Error(Text::tr("Somebody has moved or removed files of %1 while the results were "
+                                 "written, and they are not complete; leave it alone and try again")
+                            .arg(workName()),
+                        target_);
+        }
+        const bool isThere = target.exists(name);
+        if (isWritten) {
+            journal.written << name;
+        }
+        if (isThere) {
+            journal.there << name;
+        }
+        if (isWritten || isThere) {
+            folders.insert(folderOf(name));
+        }
+    }
+    bool good = true;
+    for (const QString& folder : folders) { // before anything counts: it is what takes space
+        good = good && target.mkpath(folder) && QDir().mkpath(work.path(oldFiles + folder));
+        syncFolder(work.path(newFiles + folder));
+    }
+    syncFolder(work.path(newFiles));
+    const QString failure = replaceFile(work.path(journalName), bytesOf(journal));
+    if (!good || !failure.isEmpty()) {
+        work.undo(journal);
+        throw Error(Text::tr("The results cannot be written: %1").arg(failure), target_);
+    }
+    if (!work.forward(journal)) {
+        throw Error(work.undo(journal)
+                        ? Text::tr("The results cannot be moved into the folder, is a file there "
+                                   "in use?")
+                        : Text::tr("The results are only in part moved into the folder; close "
+                                   "what has files there open, and start the program again, which "
+                                   "moves the rest"),
+                    target_);
+    }
+    work.settle(journal);
+    work.remove();
+    if (work.isThere()) {
+        note_->leave();
+    }
+    lock_.release();
+}
+
+} // namespace dipwright

@@ -1,0 +1,58 @@
+#include "disk/ZipWriter.h"
+
+#include "base/Error.h"
+
+#include <QCoreApplication>
+#include <quazip.h>
+#include <quazipfile.h>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Archive)
+};
+
+} // namespace
+
+ZipWriter::ZipWriter() {
+    buffer_.open(QIODevice::ReadWrite);
+    zip_ = std::make_unique<QuaZip>(&buffer_);
+    zip_->setAutoClose(false);
+    zip_->setUtf8Enabled(true);
+    zip_->setDataDescriptorWritingEnabled(false);
+    zip_->open(QuaZip::mdCreate);
+}
+
+ZipWriter::~ZipWriter() = default;
+
+void ZipWriter::add(const QString& name, const QByteArray& contents, Packing packing) {
+    QuaZipNewInfo info(name);
+    info.dateTime = QDateTime(QDate(1980, 1, 1), QTime(0, 0));
+    const bool stored = packing == Packing::Stored;
+    QuaZipFile entry(zip_.get());
+    const bool written = entry.open(QIODevice::WriteOnly, info, nullptr, 0, stored ? 0 : Z_DEFLATED,
+                                    stored ? 0 : Z_DEFAULT_COMPRESSION) &&
+                         entry.write(contents) == contents.size();
+    entry.close();
+    if (!written || entry.getZipError() != ZIP_OK) {
+        throw Error(Text::tr("The file cannot be packed"), name);
+    }
+    ++entries_;
+    unpackedBytes_ += contents.size();
+}
+
+QByteArray ZipWriter::finish() {
+    zip_->close();
+    const bool closed = zip_->getZipError() == ZIP_OK;
+    // Read again, lest anything but a whole file replace the one on the disk: QuaZip brings its
+    // own minizip, and where the system's was loaded before it, nothing is packed here and all is
+    // said to be well.
+    if (!closed || !zip_->open(QuaZip::mdUnzip) || zip_->getEntriesCount() != entries_) {
+        throw Error(Text::tr("The file cannot be packed"), {});
+    }
+    zip_->close();
+    return buffer_.data();
+}
+
+} // namespace dipwright

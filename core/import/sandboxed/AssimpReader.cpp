@@ -1,0 +1,241 @@
+#include "import/sandboxed/AssimpReader.h"
+
+#include "base/Budgets.h"
+#include "import/sandboxed/GltfCheck.h"
+#include "import/sandboxed/MaterialFileCheck.h"
+#include "import/sandboxed/SceneConversion.h"
+#include "import/sandboxed/StlBytes.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QRegularExpression>
+
+#include <assimp/BaseImporter.h>
+#include <assimp/Importer.hpp>
+#include <assimp/MemoryIOWrapper.h>
+#include <assimp/ProgressHandler.hpp>
+#include <assimp/importerdesc.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <map>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
+};
+
+// A file in memory, as assimp reads it.
+class FileStream : public Assimp::MemoryIOStream {
+public:
+    explicit FileStream(QByteArray bytes)
+        : MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes.constData()),
+                         std::size_t(bytes.size())),
+          bytes_(std::move(bytes)) {}
+
+private:
+    QByteArray bytes_; // shares its data with the one given
+};
+
+// The names in one of an OBJ file's "mtllib a.mtl b.mtl". Those may hold spaces, too.
+QStringList materialFileNames(const QString& line) {
+    static const QRegularExpression between(QStringLiteral("(?<=\\.mtl)\\s+"),
+                                            QRegularExpression::CaseInsensitiveOption);
+    return line.split(between, Qt::SkipEmptyParts);
+}
+
+// All that assimp sees of the disk: the model file and those that it names, of which it remembers
+// the missing and what is wrong with them.
+class ModelFileSystem : public Assimp::IOSystem {
+public:
+    ModelFileSystem(const ModelSource& source, std::string modelName, QByteArray modelBytes)
+        : source_(source), modelName_(std::move(modelName)), modelBytes_(std::move(modelBytes)) {}
+
+    bool Exists(const char* name) const override { return modelName_ == name || find(name); }
+    char getOsSeparator() const override { return '/'; }
+    Assimp::IOStream* Open(const char* name, const char* /*mode*/) override {
+        const bool isModel = modelName_ == name;
+        if (isModel && !model_) {
+            return model_ = new FileStream(modelBytes_);
+        }
+        const auto bytes = isModel ? std::optional(modelBytes_) : find(name);
+        if (modelName_.ends_with(".obj")) { // names its materials' files as it likes
+            return openMaterials(QString::fromUtf8(name), bytes);
+        }
+        if (!bytes) {
+            remember(QString::fromUtf8(name));
+        }
+        return bytes ? new FileStream(*bytes) : nullptr;
+    }
+    void Close(Assimp::IOStream* stream) override {
+        model_ = stream == model_ ? nullptr : model_;
+        delete stream;
+    }
+
+    const QStringList& missing() const { return missing_; }
+    const QString& fault() const { return fault_; } // empty: none
+    const QStringList& warnings() const { return warnings_; }
+
+private:
+    // One file, or all those there that the name is made of.
+    Assimp::IOStream* openMaterials(const QString& name, const std::optional<QByteArray>& whole) {
+        QByteArray materials;
+        const QByteArray between(8, '\n'); // assimp refuses shorter files
+        bool isThere = false;
+        for (const QString& part : whole ? QStringList{name} : materialFileNames(name)) {
+            const auto bytes = whole ? whole : find(part.toUtf8().constData());
+            if (!bytes) {
+                remember(part);
+                continue;
+            }
+            isThere = true;
+            const MaterialFile file = materialFile(*bytes, QFileInfo(part).fileName());
+            materials += file.bytes + between;
+            fault_ = fault_.isEmpty() ? file.fault : fault_;
+            warnings_ += file.warnings;
+            warnings_.removeDuplicates(); // a file may be named again and again
+        }
+        return isThere && fault_.isEmpty() ? new FileStream(materials) : nullptr;
+    }
+
+    void remember(const QString& name) {
+        const QString missing = QFileInfo(name).fileName();
+        // Having failed with the name in the model, readers also try the model's own name.
+        const bool isSecondTry =
+            !missing_.isEmpty() &&
+            QFileInfo(missing).completeBaseName() == QFileInfo(source_.path).completeBaseName();
+        if (!missing_.contains(missing) && !isSecondTry) {
+            missing_.push_back(missing);
+        }
+    }
+
+    // Loaders ask whether a file is there and then open it.
+    std::optional<QByteArray> find(const char* name) const {
+        const auto known = found_.find(name);
+        return known != found_.end()
+                   ? known->second
+                   : found_.emplace(name, source_.files.read(QString::fromUtf8(name)))
+                         .first->second;
+    }
+
+    const ModelSource& source_;
+    std::string modelName_;
+    QByteArray modelBytes_;
+    mutable std::map<std::string, std::optional<QByteArray>> found_;
+    QStringList missing_, warnings_;
+    QString fault_;
+    Assimp::IOStream* model_ = nullptr; // while it is open: it may name itself as another file
+};
+
+QByteArray bytesForAssimp(const QString& format, const ModelSource& source, QStringList& warnings) {
+    if (format == QStringLiteral("stl")) {
+        return stlForAssimp(source);
+    }
+    const bool isGltf = format == QStringLiteral("gltf") || format == QStringLiteral("glb");
+    if (isGltf) {
+        checkGltf(source, warnings);
+    }
+    return isGltf || format == QStringLiteral("obj") ? withoutByteOrderMark(source.bytes)
+                                                     : source.bytes;
+}
+
+class ReadingProgress : public Assimp::ProgressHandler {
+public:
+    explicit ReadingProgress(const Progress& progress) : progress_(progress) {}
+    bool Update(float share) override {
+        progress_(std::clamp(double(share), 0.0, 1.0), Text::tr("Reading the model"));
+        return true;
+    }
+
+private:
+    const Progress& progress_;
+};
+
+// assimp's name for the loader of a format; null where none is allowed.
+const char* loaderOf(const QString& format) {
+    static const std::map<QString, const char*> loaders{
+        {QStringLiteral("obj"), "Wavefront Object Importer"},
+        {QStringLiteral("stl"), "Stereolithography (STL) Importer"},
+        {QStringLiteral("gltf"), "glTF2 Importer"},
+        {QStringLiteral("glb"), "glTF2 Importer"},
+        {QStringLiteral("dae"), "Collada Importer"},
+        {QStringLiteral("fbx"), "Autodesk FBX Importer"},
+        {QStringLiteral("3ds"), "Discreet 3DS Importer"}};
+    const auto found = loaders.find(format);
+    return found == loaders.end() ? nullptr : found->second;
+}
+
+void keepOnly(const char* loader, Assimp::Importer& importer) {
+    for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+        if (qstrcmp(importer.GetImporterInfo(i)->mName, loader) != 0) {
+            const std::unique_ptr<Assimp::BaseImporter> unused(importer.GetImporter(i));
+            importer.UnregisterLoader(unused.get());
+        }
+    }
+}
+
+// Before assimp cuts polygons into triangles, and before anything goes down its nodes.
+void checkScene(const aiScene& scene, const ModelSource& source) {
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+        const aiMesh& mesh = *scene.mMeshes[m];
+        for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+            requireWithin(Budget::PolygonCorners, mesh.mFaces[f].mNumIndices, source.path);
+        }
+    }
+    std::vector<std::pair<const aiNode*, qint64>> open{{scene.mRootNode, 0}};
+    while (!open.empty()) {
+        const auto [node, depth] = open.back();
+        open.pop_back();
+        requireWithin(Budget::Nesting, depth, source.path);
+        for (unsigned child = 0; node && child < node->mNumChildren; ++child) {
+            open.emplace_back(node->mChildren[child], depth + 1);
+        }
+    }
+}
+
+} // namespace
+
+TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStringList& warnings,
+                          const Progress& progress) {
+    const char* loader = loaderOf(format);
+    if (!loader) {
+        source.throwDamaged(Text::tr("its format is none of those that are read"));
+    }
+    const Progress readingPart = progress.part(0, 0.8);
+    Assimp::Importer importer;
+    keepOnly(loader, importer);
+    // By a name without a place, with which assimp finds the loader and a material file beside it.
+    const std::string name =
+        (QFileInfo(source.path).completeBaseName() + u'.' + format).toStdString();
+    auto* files = new ModelFileSystem(source, name, bytesForAssimp(format, source, warnings));
+    importer.SetIOHandler(files);                                  // takes this over
+    importer.SetProgressHandler(new ReadingProgress(readingPart)); // and this
+    const aiScene* scene = importer.ReadFile(name, 0);
+    if (scene) {
+        checkScene(*scene, source);
+        scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_TransformUVCoords);
+    }
+    progress.cancelToken.throwIfCancelled();
+    if (!scene && std::string(importer.GetErrorString()) == std::bad_alloc().what()) {
+        throw std::bad_alloc(); // of which it only tells
+    }
+    if (!files->fault().isEmpty() || !scene) {
+        source.throwDamaged(files->fault().isEmpty()
+                                ? QString::fromUtf8(importer.GetErrorString()).simplified()
+                                : files->fault());
+    }
+    for (const QString& missing : files->missing()) {
+        warnings.push_back(
+            Text::tr("The file %1, which the model names, was not found").arg(missing));
+    }
+    if (source.withTextures) {
+        warnings += files->warnings();
+    }
+    return convertScene(*scene, source, format.startsWith(QStringLiteral("gl")), warnings,
+                        progress.part(0.8, 1));
+}
+
+} // namespace dipwright

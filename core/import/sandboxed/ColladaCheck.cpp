@@ -1,0 +1,100 @@
+#include "import/sandboxed/ColladaCheck.h"
+
+#include <QCoreApplication>
+#include <QHash>
+#include <QXmlStreamReader>
+#include <algorithm>
+#include <vector>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
+};
+
+struct Accessor {
+    QString array;
+    double end = 0; // values of the array that it needs; may be absurd
+};
+
+double number(const QXmlStreamAttributes& attributes, const char* name, double otherwise) {
+    const QLatin1String key(name);
+    return attributes.hasAttribute(key) ? attributes.value(key).toDouble() : otherwise;
+}
+
+qsizetype wordCount(const QString& text) {
+    qsizetype words = 0;
+    bool inWord = false;
+    for (const QChar letter : text) {
+        words += !letter.isSpace() && !inWord;
+        inWord = !letter.isSpace();
+    }
+    return words;
+}
+
+bool isWholeNumbers(const QString& text, bool areSigned) {
+    return std::all_of(text.begin(), text.end(), [&](QChar letter) {
+        return letter.isSpace() || (letter >= u'0' && letter <= u'9') ||
+               (areSigned && letter == u'-');
+    });
+}
+
+// Elements that hold indices; at another word assimp reads on for ever.
+const QStringList indexLists{QStringLiteral("p"), QStringLiteral("h"), QStringLiteral("v"),
+                             QStringLiteral("vcount")};
+// The one of them, of weights, where −1 means a value and not a mistake.
+const QString signedIndexList = QStringLiteral("v");
+
+} // namespace
+
+bool isCollada(const QByteArray& begin) {
+    return begin.contains("<COLLADA");
+}
+
+void checkCollada(const ModelSource& source) {
+    QHash<QString, double> lengths; // of arrays, by name
+    std::vector<Accessor> accessors;
+    QXmlStreamReader xml(source.bytes);
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement) {
+            continue;
+        }
+        const QXmlStreamAttributes attributes = xml.attributes();
+        // assimp makes room for so many at once.
+        if (number(attributes, "count", 0) > double(source.bytes.size())) {
+            source.throwDamaged(Text::tr("it counts more values than it can hold, in line %1")
+                                    .arg(xml.lineNumber()));
+        }
+        if (xml.name().endsWith(QLatin1String("_array"))) {
+            const double count = number(attributes, "count", 0);
+            const auto words = double(wordCount(xml.readElementText()));
+            lengths.insert(attributes.value(QLatin1String("id")).toString(),
+                           std::min(count, words));
+        } else if (indexLists.contains(xml.name())) {
+            const bool areSigned = xml.name() == signedIndexList;
+            if (!isWholeNumbers(xml.readElementText(QXmlStreamReader::SkipChildElements),
+                                areSigned)) {
+                source.throwDamaged(Text::tr("there is no number where one should be, in line %1")
+                                        .arg(xml.lineNumber()));
+            }
+        } else if (xml.name() == QLatin1String("accessor")) {
+            accessors.push_back(
+                {attributes.value(QLatin1String("source")).mid(1).toString(),
+                 number(attributes, "offset", 0) +
+                     number(attributes, "count", 0) * number(attributes, "stride", 1)});
+        }
+    }
+    if (xml.hasError()) {
+        source.throwDamaged(xml.errorString());
+    }
+    for (const Accessor& accessor : accessors) {
+        if (!(accessor.end >= 0 && accessor.end <= lengths.value(accessor.array))) {
+            source.throwDamaged(
+                Text::tr("its array %1 has fewer values than are read").arg(accessor.array));
+        }
+    }
+}
+
+} // namespace dipwright

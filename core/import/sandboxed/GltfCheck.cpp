@@ -1,0 +1,155 @@
+#include "import/sandboxed/GltfCheck.h"
+
+#include "base/Budgets.h"
+#include "import/sandboxed/MaterialFileCheck.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QtEndian>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
+};
+
+const QString draco = QStringLiteral("KHR_draco_mesh_compression");
+const QString textureTransform = QStringLiteral("KHR_texture_transform");
+
+// A binary file (glTF 2.0, "Binary glTF Layout") begins with three numbers, and then a chunk with
+// its length and kind, which is the JSON.
+QByteArray jsonOf(const QByteArray& file) {
+    constexpr qsizetype head = 12, chunkHead = 8;
+    if (!file.startsWith("glTF") || file.size() < head + chunkHead) {
+        return file;
+    }
+    return file.mid(head + chunkHead, qFromLittleEndian<quint32>(file.constData() + head));
+}
+
+QJsonObject documentOf(const ModelSource& source) {
+    QJsonParseError fault;
+    const QJsonDocument document =
+        QJsonDocument::fromJson(withoutByteOrderMark(jsonOf(source.bytes)), &fault);
+    if (fault.error == QJsonParseError::DeepNesting) {
+        requireWithin(Budget::Nesting, mostOf(Budget::Nesting) + 1, source.path);
+    }
+    return document.object();
+}
+
+// Those of materials add light and gloss; colours and where they lie are read without them.
+bool isRead(const QString& extension) {
+    return extension.startsWith(QStringLiteral("KHR_materials_")) ||
+           extension == QStringLiteral("KHR_lights_punctual") || extension == textureTransform ||
+           extension == draco;
+}
+
+[[noreturn]] void throwNotRead(const ModelSource& source, const QString& extension) {
+    source.throwDamaged(
+        Text::tr("it needs the glTF extension %1, which is not read (export it without that)")
+            .arg(extension));
+}
+
+QJsonObject accessor(const QJsonObject& model, const QJsonValue& index) {
+    return model[u"accessors"].toArray().at(index.toInt(-1)).toObject();
+}
+
+// What shows a material's colour as a picture; empty for none.
+QJsonObject textureOf(const QJsonObject& material) {
+    const QJsonObject usual = material[u"pbrMetallicRoughness"].toObject();
+    const QJsonObject older =
+        material[u"extensions"].toObject()[u"KHR_materials_pbrSpecularGlossiness"].toObject();
+    const QJsonValue texture = usual[u"baseColorTexture"];
+    return texture.isObject() ? texture.toObject() : older[u"diffuseTexture"].toObject();
+}
+
+// Of a primitive: where its points and the places of its picture are. There may be more texture
+// coordinates, for light or gloss.
+QStringList placesOf(const QJsonObject& primitive, const QJsonObject& model) {
+    const QJsonValue material = model[u"materials"].toArray().at(primitive[u"material"].toInt(-1));
+    const int set = textureOf(material.toObject())[u"texCoord"].toInt();
+    return {QStringLiteral("POSITION"), QStringLiteral("NORMAL"),
+            QStringLiteral("TEXCOORD_%1").arg(set)};
+}
+
+constexpr int wideIndices = 5125, floats = 5126; // componentType
+
+void checkPrimitive(const QJsonObject& primitive, const QJsonObject& model,
+                    const ModelSource& source) {
+    const QJsonObject attributes = primitive[u"attributes"].toObject();
+    for (const QString& place : placesOf(primitive, model)) {
+        if (accessor(model, attributes[place])[u"componentType"].toInt(floats) != floats) {
+            source.throwDamaged(
+                Text::tr("its points or texture coordinates are whole numbers, which are not read "
+                         "(export it with float coordinates, without quantization)"));
+        }
+    }
+    // assimp 5.2 unpacks these indices and then forgets them.
+    if (primitive[u"extensions"].toObject().contains(draco) &&
+        accessor(model, primitive[u"indices"])[u"componentType"].toInt() == wideIndices) {
+        throwNotRead(source, draco);
+    }
+}
+
+bool lacksPicture(const QJsonObject& texture, const QJsonObject& model) {
+    const QJsonValue named = model[u"textures"].toArray().at(texture[u"index"].toInt(-1));
+    return named.isObject() && !named.toObject().contains(u"source");
+}
+
+// assimp 5.2 follows an offset, turns and scales about another point than is meant, and does not
+// go to other texture coordinates.
+bool isMovedOtherwise(const QJsonObject& texture) {
+    const QJsonObject transform = texture[u"extensions"].toObject()[textureTransform].toObject();
+    const QJsonArray scale = transform[u"scale"].toArray();
+    return transform[u"rotation"].toDouble() != 0 || scale.at(0).toDouble(1) != 1 ||
+           scale.at(1).toDouble(1) != 1 ||
+           (transform.contains(u"texCoord") &&
+            transform[u"texCoord"].toInt() != texture[u"texCoord"].toInt());
+}
+
+void checkTextures(const QJsonObject& model, const ModelSource& source, QStringList& warnings) {
+    bool lacks = false, isMoved = false;
+    for (const QJsonValue& material : model[u"materials"].toArray()) {
+        const QJsonObject texture = textureOf(material.toObject());
+        lacks |= lacksPicture(texture, model);
+        isMoved |= isMovedOtherwise(texture);
+    }
+    if (isMoved && model[u"extensionsRequired"].toArray().contains(textureTransform)) {
+        throwNotRead(source, textureTransform);
+    }
+    if (isMoved) {
+        warnings.push_back(
+            Text::tr("The model scales or turns a texture (KHR_texture_transform), which is not "
+                     "followed rightly; apply that to the texture coordinates in a modelling "
+                     "program"));
+    }
+    if (lacks) {
+        warnings.push_back(
+            Text::tr("A texture of the model is without a picture or in a format that is not read, "
+                     "and its material's colour is used instead; export it with PNG or JPEG"));
+    }
+}
+
+} // namespace
+
+void checkGltf(const ModelSource& source, QStringList& warnings) {
+    const QJsonObject model = documentOf(source);
+    for (const QJsonValue& extension : model[u"extensionsRequired"].toArray()) {
+        if (!isRead(extension.toString())) {
+            throwNotRead(source, extension.toString());
+        }
+    }
+    for (const QJsonValue& mesh : model[u"meshes"].toArray()) {
+        for (const QJsonValue& primitive : mesh.toObject()[u"primitives"].toArray()) {
+            checkPrimitive(primitive.toObject(), model, source);
+        }
+    }
+    if (source.withTextures) {
+        checkTextures(model, source, warnings);
+    }
+}
+
+} // namespace dipwright

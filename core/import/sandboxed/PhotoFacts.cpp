@@ -1,0 +1,80 @@
+#include "import/sandboxed/PhotoFacts.h"
+
+#include "import/sandboxed/PictureFile.h"
+
+#include <QtEndian>
+
+namespace dipwright {
+
+namespace {
+
+enum Tag : quint16 { ExifFolder = 0x8769, Taken = 0x9003, FocalLength35 = 0xa405 };
+
+// The TIFF structure in which the tags are: a TIFF file itself, or a segment of a JPEG.
+QByteArray tagsOf(const QByteArray& file) {
+    if (file.startsWith("II") || file.startsWith("MM")) {
+        return file;
+    }
+    if (!file.startsWith("\xff\xd8")) {
+        return {};
+    }
+    for (auto marker = nextJpegMarker(file, 0); marker && marker->kind != jpegScan;
+         marker = nextJpegMarker(file, marker->end)) {
+        if (marker->kind == 0xe1 && marker->segment.startsWith(QByteArrayView("Exif\0\0", 6))) {
+            return marker->segment.mid(6);
+        }
+    }
+    return {};
+}
+
+class Tags {
+public:
+    explicit Tags(QByteArray bytes)
+        : bytes_(std::move(bytes)), isLittle_(bytes_.startsWith("II")) {}
+
+    // 0 where the bytes end before it does, or begin after it.
+    template <typename Number>
+    Number number(qint64 at) const {
+        if (at < 0 || at + qint64(sizeof(Number)) > bytes_.size()) {
+            return 0;
+        }
+        return isLittle_ ? qFromLittleEndian<Number>(bytes_.constData() + at)
+                         : qFromBigEndian<Number>(bytes_.constData() + at);
+    }
+
+    // Where the value of that tag of a folder is, or the place of a longer one; -1: nowhere.
+    qint64 value(qint64 folder, Tag tag) const {
+        const int entries = folder > 0 ? number<quint16>(folder) : 0;
+        for (qint64 at = folder + 2; at < folder + 2 + 12LL * entries; at += 12) {
+            if (number<quint16>(at) == tag) {
+                return at + 8;
+            }
+        }
+        return -1;
+    }
+
+    QByteArray text(qint64 value) const {
+        constexpr qint64 longest = 64;
+        const qint64 length = number<quint32>(value - 4), at = number<quint32>(value);
+        const bool isThere = length > 4 && length <= longest && at + length <= bytes_.size();
+        return isThere ? bytes_.mid(at, length) : QByteArray();
+    }
+
+private:
+    QByteArray bytes_;
+    bool isLittle_;
+};
+
+} // namespace
+
+PhotoFacts photoFacts(const QByteArray& file) {
+    constexpr int mostFocalLength = 5000; // mm
+    const Tags tags(tagsOf(file));
+    const auto first = tags.number<quint32>(4);
+    const auto exif = tags.number<quint32>(tags.value(first, ExifFolder));
+    const int focalLength = tags.number<quint16>(tags.value(exif, FocalLength35));
+    return {QString::fromLatin1(tags.text(tags.value(exif, Taken)).left(19)),
+            focalLength <= mostFocalLength ? double(focalLength) : 0};
+}
+
+} // namespace dipwright

@@ -1,0 +1,483 @@
+#include "import/sandboxed/PictureColour.h"
+
+#include "base/Error.h"
+#include "base/WideGamut.h"
+#include "import/sandboxed/PictureFile.h"
+
+#include <QCoreApplication>
+#include <QtEndian>
+
+#include <algorithm>
+#include <csetjmp>
+#include <cstdio>
+#include <cstring>
+#include <jpeglib.h>
+#include <lcms2.h>
+#include <map>
+#include <memory>
+#include <tiffio.h>
+#include <webp/demux.h>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Texture)
+};
+
+constexpr qsizetype largestProfile = 16 << 20; // bytes
+
+[[noreturn]] void throwCutOff(const QString& where) {
+    throw Error(Text::tr("The picture is damaged: its ICC profile is cut off; save it anew"),
+                where);
+}
+
+[[noreturn]] void throwNotFit(const QString& where) {
+    throw Error(Text::tr("The picture's ICC profile is damaged or not for its pixels; save it "
+                         "anew, as sRGB"),
+                where);
+}
+
+// PNG (ISO/IEC 15948), chunk iCCP: name, 0, method 0, zlib stream. libpng drops one of RGB in a
+// grey picture, which is read here.
+QByteArray profileOfPng(const QByteArray& file, const QString& where) {
+    qsizetype at = 8;
+    while (at + 12 <= file.size()) {
+        const auto length = qsizetype(qFromBigEndian<quint32>(file.constData() + at));
+        const QByteArrayView kind(file.constData() + at + 4, 4);
+        if (length > file.size() - at - 12 || kind == "IDAT") {
+            break;
+        }
+        if (kind == "iCCP") {
+            const QByteArray chunk = file.mid(at + 8, length);
+            const qsizetype stream = chunk.indexOf('\0') + 2;
+            // Qt wants the length beforehand, of which it takes more where that is not enough.
+            QByteArray packed(4, '\0');
+            qToBigEndian(quint32(4096), packed.data());
+            const QByteArray profile =
+                stream < 2 ? QByteArray() : qUncompress(packed + chunk.mid(stream));
+            if (profile.isEmpty()) {
+                throwNotFit(where);
+            }
+            return profile;
+        }
+        at += 12 + length;
+    }
+    return {};
+}
+
+// JPEG, segments APP2 (ICC.1, annex B.4): "ICC_PROFILE", 0, number from 1, count, part. Some
+// programs number from 0 or give no count, which libjpeg refuses.
+QByteArray profileOfJpeg(const QByteArray& file, const QString& where) {
+    std::map<int, QByteArray> parts;
+    int count = 0;
+    for (auto marker = nextJpegMarker(file, 0); marker && marker->kind != jpegScan;
+         marker = nextJpegMarker(file, marker->end)) {
+        const QByteArray& segment = marker->segment;
+        if (marker->kind == 0xe2 && segment.size() >= 14 &&
+            segment.startsWith(QByteArrayView("ICC_PROFILE\0", 12))) {
+            parts[uchar(segment[12])] = segment.mid(14);
+            count = std::max(count, int(uchar(segment[13])));
+        }
+    }
+    const int first = parts.contains(0) ? 0 : 1;
+    const int end = first + std::max(count, int(parts.size()));
+    QByteArray profile;
+    for (int number = first; number < end; ++number) {
+        if (!parts.contains(number)) {
+            throwCutOff(where);
+        }
+        profile += parts[number];
+    }
+    return profile;
+}
+
+// WebP, which says at its begin whether it has a profile.
+QByteArray profileOfWebp(const QByteArray& file, const QString& where) {
+    const WebPData data{reinterpret_cast<const uchar*>(file.constData()), std::size_t(file.size())};
+    const std::unique_ptr<WebPDemuxer, decltype(&WebPDemuxDelete)> webp(WebPDemux(&data),
+                                                                        WebPDemuxDelete);
+    if (!webp || (WebPDemuxGetI(webp.get(), WEBP_FF_FORMAT_FLAGS) & ICCP_FLAG) == 0) {
+        return {}; // what is damaged Qt refuses, which reads by the same library
+    }
+    WebPChunkIterator profile;
+    if (WebPDemuxGetChunk(webp.get(), "ICCP", 1, &profile) == 0) {
+        throwCutOff(where);
+    }
+    return {reinterpret_cast<const char*>(profile.chunk.bytes), qsizetype(profile.chunk.size)};
+}
+
+// A TIFF file in memory, open for libtiff.
+class TiffFile {
+public:
+    explicit TiffFile(const QByteArray& bytes) : bytes_(bytes) {
+        TIFFSetErrorHandler(nullptr); // what is wrong with a file is told in our words
+        TIFFSetWarningHandler(nullptr);
+        tiff_.reset(TIFFClientOpen("picture", "rm", this, read, write, seek, close, size, nullptr,
+                                   nullptr));
+    }
+    TiffFile(const TiffFile&) = delete;
+    TiffFile& operator=(const TiffFile&) = delete;
+
+    TIFF* get() const { return tiff_.get(); }
+    // A tag of one number; 0 where the file is none or does not say.
+    template <typename Number>
+    Number number(ttag_t tag) const {
+        Number value = 0;
+        if (tiff_) {
+            TIFFGetFieldDefaulted(tiff_.get(), tag, &value);
+        }
+        return value;
+    }
+
+private:
+    static TiffFile& self(thandle_t handle) { return *static_cast<TiffFile*>(handle); }
+    static tmsize_t read(thandle_t handle, void* target, tmsize_t count) {
+        TiffFile& file = self(handle);
+        count = std::clamp<tmsize_t>(tmsize_t(file.bytes_.size()) - file.at_, 0, count);
+        std::memcpy(target, file.bytes_.constData() + file.at_, std::size_t(count));
+        file.at_ += count;
+        return count;
+    }
+    static tmsize_t write(thandle_t, void*, tmsize_t) { return -1; }
+    static toff_t seek(thandle_t handle, toff_t offset, int from) {
+        TiffFile& file = self(handle);
+        const tmsize_t base = from == SEEK_SET   ? 0
+                              : from == SEEK_CUR ? file.at_
+                                                 : tmsize_t(file.bytes_.size());
+        file.at_ = std::clamp<tmsize_t>(base + tmsize_t(offset), 0, tmsize_t(file.bytes_.size()));
+        return toff_t(file.at_);
+    }
+    static int close(thandle_t) { return 0; }
+    static toff_t size(thandle_t handle) { return toff_t(self(handle).bytes_.size()); }
+
+    struct Close {
+        void operator()(TIFF* tiff) const { TIFFClose(tiff); }
+    };
+    const QByteArray& bytes_;
+    tmsize_t at_ = 0;
+    std::unique_ptr<TIFF, Close> tiff_;
+};
+
+QByteArray profileOfTiff(const QByteArray& file) {
+    const TiffFile tiff(file);
+    std::uint32_t length = 0;
+    void* profile = nullptr;
+    if (!tiff.get() || !TIFFGetField(tiff.get(), TIFFTAG_ICCPROFILE, &length, &profile)) {
+        return {};
+    }
+    return {static_cast<const char*>(profile), qsizetype(length)};
+}
+
+// Whether the first directory of a TIFF file (TIFF 6.0, section 2) has the profile's tag, of which
+// libtiff makes nothing where what it points to is not there.
+bool claimsProfile(const QByteArray& file) {
+    const bool isLittle = file.startsWith('I');
+    const auto number = [&]<typename Number>(qsizetype at, Number) -> Number {
+        if (at < 0 || at + qsizetype(sizeof(Number)) > file.size()) {
+            return 0;
+        }
+        return isLittle ? qFromLittleEndian<Number>(file.constData() + at)
+                        : qFromBigEndian<Number>(file.constData() + at);
+    };
+    const auto directory = qsizetype(number(4, quint32()));
+    const int entries = number(directory, quint16());
+    for (int entry = 0; entry < entries; ++entry) {
+        if (number(directory + 2 + 12 * qsizetype(entry), quint16()) == TIFFTAG_ICCPROFILE) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool isTiff(const QByteArray& file) {
+    return file.startsWith(QByteArrayView("II*\0", 4)) ||
+           file.startsWith(QByteArrayView("MM\0*", 4));
+}
+
+std::optional<InkPicture> inksOfTiff(const QByteArray& file) {
+    const TiffFile tiff(file);
+    const auto samples = tiff.number<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL);
+    const auto bits = tiff.number<std::uint16_t>(TIFFTAG_BITSPERSAMPLE);
+    if (tiff.number<std::uint16_t>(TIFFTAG_PHOTOMETRIC) != PHOTOMETRIC_SEPARATED || samples < 4 ||
+        (bits != 8 && bits != 16) || TIFFIsTiled(tiff.get()) ||
+        tiff.number<std::uint16_t>(TIFFTAG_PLANARCONFIG) != PLANARCONFIG_CONTIG) {
+        return std::nullopt;
+    }
+    InkPicture picture{{int(tiff.number<std::uint32_t>(TIFFTAG_IMAGEWIDTH)),
+                        int(tiff.number<std::uint32_t>(TIFFTAG_IMAGELENGTH))},
+                       {}};
+    const std::size_t rowBytes = std::size_t(picture.size.width()) * samples * bits / 8;
+    std::vector<uchar> row(std::size_t(TIFFScanlineSize(tiff.get())));
+    if (picture.size.isEmpty() || row.size() < rowBytes) {
+        return std::nullopt;
+    }
+    picture.inks.reserve(std::size_t(picture.size.width()) * std::size_t(picture.size.height()));
+    for (int y = 0; y < picture.size.height(); ++y) {
+        if (TIFFReadScanline(tiff.get(), row.data(), std::uint32_t(y), 0) != 1) {
+            return std::nullopt;
+        }
+        for (std::size_t x = 0; x < std::size_t(picture.size.width()); ++x) {
+            std::array<quint16, 4>& inks = picture.inks.emplace_back();
+            for (std::size_t ink = 0; ink < 4; ++ink) {
+                const std::size_t at = x * samples + ink;
+                if (bits == 16) {
+                    std::memcpy(&inks[ink], &row[2 * at], 2); // libtiff has turned the bytes
+                } else {
+                    inks[ink] = quint16(row[at] * 257);
+                }
+            }
+        }
+    }
+    return picture;
+}
+
+struct JpegErrors {
+    jpeg_error_mgr manager; // first: libjpeg knows no more of it
+    std::jmp_buf back;
+};
+
+// Nothing here needs to be taken down by a destructor when libjpeg jumps out. Photoshop and all
+// after it write inks the other way round and say that they do by a marker of their own.
+bool decodeInks(jpeg_decompress_struct& jpeg, JpegErrors& errors, const QByteArray& file,
+                InkPicture& picture, std::vector<uchar>& row) {
+    if (setjmp(errors.back)) { // NOLINT(cert-err52-cpp): the only way that libjpeg has
+        return false;
+    }
+    jpeg_mem_src(&jpeg, reinterpret_cast<const uchar*>(file.constData()),
+                 static_cast<unsigned long>(file.size()));
+    jpeg_read_header(&jpeg, TRUE);
+    if (jpeg.num_components != 4) {
+        return false;
+    }
+    jpeg.out_color_space = JCS_CMYK;
+    jpeg_start_decompress(&jpeg);
+    picture.size = {int(jpeg.output_width), int(jpeg.output_height)};
+    picture.inks.resize(std::size_t(jpeg.output_width) * jpeg.output_height);
+    row.resize(std::size_t(jpeg.output_width) * 4);
+    const bool reversed = jpeg.saw_Adobe_marker != FALSE;
+    std::size_t pixel = 0;
+    while (jpeg.output_scanline < jpeg.output_height) {
+        JSAMPROW start = row.data();
+        jpeg_read_scanlines(&jpeg, &start, 1);
+        for (std::size_t at = 0; at < row.size(); at += 4, ++pixel) {
+            for (std::size_t ink = 0; ink < 4; ++ink) {
+                const int value = row[at + ink];
+                picture.inks[pixel][ink] = quint16((reversed ? 255 - value : value) * 257);
+            }
+        }
+    }
+    return jpeg.err->num_warnings == 0; // a file that is cut off goes on in grey
+}
+
+std::optional<InkPicture> inksOfJpeg(const QByteArray& file) {
+    JpegErrors errors;
+    jpeg_decompress_struct jpeg{};
+    jpeg.err = jpeg_std_error(&errors.manager);
+    errors.manager.error_exit = [](j_common_ptr failed) {
+        std::longjmp(reinterpret_cast<JpegErrors*>(failed->err)->back, 1);
+    };
+    errors.manager.output_message = [](j_common_ptr) {};
+    jpeg_create_decompress(&jpeg);
+    InkPicture picture;
+    std::vector<uchar> row;
+    const bool whole = decodeInks(jpeg, errors, file, picture, row);
+    jpeg_destroy_decompress(&jpeg);
+    return whole ? std::optional(std::move(picture)) : std::nullopt;
+}
+
+struct CloseProfile {
+    void operator()(void* profile) const { cmsCloseProfile(profile); }
+};
+struct DeleteTransform {
+    void operator()(void* transform) const { cmsDeleteTransform(transform); }
+};
+using ProfileHandle = std::unique_ptr<void, CloseProfile>;
+using Transform = std::unique_ptr<void, DeleteTransform>;
+
+// What a picture becomes.
+enum class Target { Srgb, Wide };
+
+ProfileHandle profileFrom(const QByteArray& bytes) {
+    return ProfileHandle(cmsOpenProfileFromMem(bytes.constData(), cmsUInt32Number(bytes.size())));
+}
+
+Transform transformTo(Target target, const QByteArray& profile, cmsUInt32Number pixels,
+                      const QString& where) {
+    const bool wide = target == Target::Wide;
+    const ProfileHandle from = profileFrom(profile);
+    const ProfileHandle to =
+        wide ? profileFrom(wideSpace().iccProfile()) : ProfileHandle(cmsCreate_sRGBProfile());
+    Transform transform(
+        from ? cmsCreateTransform(from.get(), pixels, to.get(), wide ? TYPE_RGBA_16 : TYPE_RGBA_8,
+                                  INTENT_RELATIVE_COLORIMETRIC, cmsFLAGS_HIGHRESPRECALC)
+             : nullptr);
+    if (!transform) {
+        throwNotFit(where);
+    }
+    return transform;
+}
+
+QByteArrayView spaceOf(const QByteArray& profile) {
+    return profile.size() < 20 ? QByteArrayView() : QByteArrayView(profile).sliced(16, 4);
+}
+
+QImage emptyTexture(QSize size, Target target) {
+    const bool wide = target == Target::Wide;
+    QImage texture(size, wide ? QImage::Format_RGBA64 : QImage::Format_RGBA8888);
+    if (texture.isNull()) {
+        throw std::bad_alloc();
+    }
+    texture.fill(Qt::white); // lcms2 writes colours and leaves alpha as it is
+    if (wide) {
+        texture.setColorSpace(wideSpace());
+    }
+    return texture;
+}
+
+cmsUInt32Number numbersOf(const InkPicture&, const QByteArray&) {
+    return TYPE_CMYK_16;
+}
+cmsUInt32Number numbersOf(const QImage&, const QByteArray& profile) {
+    return spaceOf(profile) == "GRAY" ? TYPE_GRAY_16 : TYPE_RGB_16;
+}
+
+// One row at a time: a large picture is not held once more in sixteen bits.
+void convertRow(cmsHTRANSFORM transform, const InkPicture& picture, int y, QImage& row, Target) {
+    const auto width = std::size_t(row.width());
+    cmsDoTransform(transform, &picture.inks[std::size_t(y) * width], row.bits(),
+                   cmsUInt32Number(width));
+}
+void convertRow(cmsHTRANSFORM transform, const QImage& picture, int y, QImage& row, Target target) {
+    const bool grey = T_COLORSPACE(cmsGetTransformInputFormat(transform)) == PT_GRAY;
+    const auto width = std::size_t(row.width());
+    const QImage source = picture.copy(0, y, row.width(), 1).convertToFormat(QImage::Format_RGBA64);
+    const auto* pixel = reinterpret_cast<const quint16*>(source.constBits());
+    std::vector<quint16> numbers;
+    for (std::size_t x = 0; x < width; ++x) {
+        numbers.insert(numbers.end(), pixel + 4 * x, pixel + 4 * x + (grey ? 1 : 3));
+    }
+    uchar* to = row.bits();
+    cmsDoTransform(transform, numbers.data(), to, cmsUInt32Number(width));
+    for (std::size_t x = 0; x < width; ++x) { // lcms2 writes colours and leaves alpha
+        const quint16 alpha = pixel[4 * x + 3];
+        if (target == Target::Wide) {
+            reinterpret_cast<quint16*>(to)[4 * x + 3] = alpha;
+        } else {
+            to[4 * x + 3] = uchar((alpha + 128) / 257);
+        }
+    }
+}
+
+// Numbers of one colour alone would be taken for grey.
+void requireKind(const QImage& picture, const QByteArray& profile, const QString& where) {
+    if (spaceOf(profile) == "GRAY" && !picture.allGray()) {
+        throwNotFit(where);
+    }
+}
+
+QSize sizeOf(const InkPicture& picture) {
+    return picture.size;
+}
+QSize sizeOf(const QImage& picture) {
+    return picture.size();
+}
+
+template <typename Picture>
+QImage converted(const Picture& picture, const QByteArray& profile, const QString& where,
+                 Target target) {
+    const Transform transform = transformTo(target, profile, numbersOf(picture, profile), where);
+    QImage texture = emptyTexture(sizeOf(picture), target);
+    QImage row = emptyTexture({texture.width(), 1}, target);
+    for (int y = 0; y < texture.height(); ++y) {
+        convertRow(transform.get(), picture, y, row, target);
+        std::copy_n(row.constBits(), row.bytesPerLine(), texture.scanLine(y));
+    }
+    return texture;
+}
+
+// Only colours that come out at an end of sRGB's range can be beyond it.
+bool touchesEnds(const uchar* row, int width) {
+    for (const uchar* pixel = row; pixel < row + qsizetype(width) * 4; pixel += 4) {
+        const auto [least, most] = std::minmax({pixel[0], pixel[1], pixel[2]});
+        if (least != most && (least == 0 || most == 255)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+template <typename Picture>
+QImage widerWhereNeeded(const Picture& picture, const QByteArray& profile, const QString& where) {
+    QImage texture = converted(picture, profile, where, Target::Srgb);
+    const Transform toWide = transformTo(Target::Wide, profile, numbersOf(picture, profile), where);
+    QImage row = emptyTexture({texture.width(), 1}, Target::Wide);
+    for (int y = 0; y < texture.height(); ++y) {
+        if (touchesEnds(texture.constScanLine(y), texture.width())) {
+            convertRow(toWide.get(), picture, y, row, Target::Wide);
+            if (!isHeldBySrgb(row)) {
+                texture = QImage(); // first, for there is not room for much
+                return converted(picture, profile, where, Target::Wide);
+            }
+        }
+    }
+    return texture;
+}
+
+QImage withResolutionOf(const QImage& picture, QImage texture) {
+    texture.setDotsPerMeterX(picture.dotsPerMeterX());
+    texture.setDotsPerMeterY(picture.dotsPerMeterY());
+    return texture;
+}
+
+} // namespace
+
+QByteArray embeddedProfile(const QByteArray& file, const QString& where) {
+    const QByteArray profile = file.startsWith("\x89PNG")        ? profileOfPng(file, where)
+                               : file.startsWith("\xff\xd8\xff") ? profileOfJpeg(file, where)
+                               : file.startsWith("RIFF")         ? profileOfWebp(file, where)
+                               : isTiff(file)                    ? profileOfTiff(file)
+                                                                 : QByteArray();
+    if (profile.isEmpty() && isTiff(file) && claimsProfile(file)) {
+        throwCutOff(where);
+    }
+    if (profile.size() > largestProfile) {
+        throw Error(
+            Text::tr("The picture's ICC profile is larger than %1 MB; save it anew, as sRGB")
+                .arg(largestProfile >> 20),
+            where);
+    }
+    return profile;
+}
+
+bool isOfInks(const QByteArray& profile) {
+    return spaceOf(profile) == "CMYK";
+}
+
+std::optional<InkPicture> readInks(const QByteArray& file) {
+    return isTiff(file)                      ? inksOfTiff(file)
+           : file.startsWith("\xff\xd8\xff") ? inksOfJpeg(file)
+                                             : std::nullopt;
+}
+
+QImage textureOf(const InkPicture& picture, const QByteArray& profile, const QString& where) {
+    return widerWhereNeeded(picture, profile, where);
+}
+
+QImage textureOf(const QImage& picture, const QByteArray& profile, const QString& where) {
+    if (profile == wideSpace().iccProfile()) { // a texture that was stored as it is
+        QImage texture = picture.convertToFormat(QImage::Format_RGBA64);
+        texture.setColorSpace(wideSpace());
+        return texture;
+    }
+    requireKind(picture, profile, where);
+    return withResolutionOf(picture, widerWhereNeeded(picture, profile, where));
+}
+
+QImage srgbOf(const QImage& picture, const QByteArray& profile, const QString& where) {
+    requireKind(picture, profile, where);
+    return withResolutionOf(picture, converted(picture, profile, where, Target::Srgb));
+}
+
+} // namespace dipwright

@@ -1,0 +1,90 @@
+#include "import/sandboxed/PictureFile.h"
+
+#include <QtEndian>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace dipwright {
+
+namespace {
+
+constexpr int jpegEnd = 0xd9;
+
+bool standsAlone(int marker) {
+    constexpr int temporary = 0x01, firstRestart = 0xd0;
+    return marker == temporary || (marker >= firstRestart && marker <= jpegEnd);
+}
+
+bool isJpegCutOff(const QByteArray& file) {
+    auto marker = nextJpegMarker(file, 0);
+    while (marker && marker->kind != jpegEnd) {
+        marker = nextJpegMarker(file, marker->end);
+    }
+    return !marker;
+}
+
+template <typename Number>
+Number numberAt(const QByteArray& file, qsizetype at) {
+    return qFromLittleEndian<Number>(file.constData() + at);
+}
+
+// The last row's gap to a multiple of four bytes is left out by some writers.
+bool isBmpCutOff(const QByteArray& file) {
+    constexpr qsizetype fileHeader = 14, longHeader = 40, shortHeader = 12;
+    if (file.size() < fileHeader + shortHeader) {
+        return true;
+    }
+    const auto header = qint64(numberAt<quint32>(file, fileHeader));
+    const bool isShort = header == shortHeader;
+    if (!isShort && file.size() < fileHeader + longHeader) {
+        return true;
+    }
+    constexpr quint32 withRuns8 = 1, withRuns4 = 2;
+    const quint32 packing = isShort ? 0 : numberAt<quint32>(file, 30);
+    if (packing == withRuns8 || packing == withRuns4) {
+        return false; // no length is known beforehand
+    }
+    const qint64 width = isShort ? numberAt<quint16>(file, 18) : numberAt<qint32>(file, 18);
+    const qint64 height = isShort ? numberAt<quint16>(file, 20) : numberAt<qint32>(file, 22);
+    const qint64 rowBits = width * numberAt<quint16>(file, isShort ? 24 : 28);
+    const qint64 begin = std::max(qint64(numberAt<quint32>(file, 10)), fileHeader + header);
+    const qint64 gaplessRow = (rowBits + 7) / 8, row = (rowBits + 31) / 32 * 4;
+    const double rows = double(row) * double(std::abs(height) - 1); // absurd ones, too
+    return double(begin + gaplessRow) + rows > double(file.size());
+}
+
+} // namespace
+
+std::optional<JpegMarker> nextJpegMarker(const QByteArray& file, qsizetype at) {
+    const auto byte = [&](qsizetype place) { return int(uchar(file[place])); };
+    for (at = file.indexOf('\xff', at); at >= 0; at = file.indexOf('\xff', at)) {
+        while (at < file.size() && byte(at) == 0xff) {
+            ++at;
+        }
+        if (at == file.size()) {
+            break;
+        }
+        const int kind = byte(at++);
+        if (kind == 0) { // a byte 0xff of the bits
+            continue;
+        }
+        if (standsAlone(kind)) {
+            return JpegMarker{kind, {}, at};
+        }
+        const qsizetype length = at + 2 <= file.size() ? byte(at) << 8 | byte(at + 1) : 0;
+        if (length < 2 || length > file.size() - at) {
+            break;
+        }
+        return JpegMarker{kind, file.mid(at + 2, length - 2), at + length};
+    }
+    return std::nullopt;
+}
+
+bool isCutOff(const QByteArray& file) {
+    return file.startsWith("\xff\xd8") ? isJpegCutOff(file)
+           : file.startsWith("BM")     ? isBmpCutOff(file)
+                                       : false;
+}
+
+} // namespace dipwright

@@ -1,0 +1,306 @@
+#include "import/trusted/ImportModel.h"
+
+#include "base/Budgets.h"
+#include "import/trusted/ModelFolder.h"
+#include "import/trusted/ReadPictures.h"
+#include "import/trusted/ReaderProcess.h"
+#include "model/MeshRepair.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFileInfo>
+
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
+};
+
+// mm; larger than any dip tank by far.
+constexpr double maximumEdge = 1e5;
+constexpr float maximumTextureCoordinate = 1e5F; // past it a float holds no place in a picture
+
+void checkOptions(const ImportOptions& options) {
+    const double edge = options.longestEdge.value_or(Millimetres(1)).value();
+    if (!(edge > 0) || edge > maximumEdge) {
+        throw Error(
+            Text::tr("The model's size must be more than 0 and at most %1 mm").arg(maximumEdge),
+            QString::number(edge));
+    }
+    if (!(options.unitMillimetres > 0) || !std::isfinite(options.unitMillimetres)) {
+        throw Error(Text::tr("The model's unit must be a positive number of millimetres"),
+                    QString::number(options.unitMillimetres));
+    }
+}
+
+void checkFile(const QString& path) {
+    const QFileInfo file(path);
+    if (!file.exists()) {
+        throw Error(Text::tr("The model file does not exist; check its name"), path);
+    }
+    if (file.isDir()) {
+        throw Error(Text::tr("This is a folder; choose a model file in it"), path);
+    }
+    if (!file.isReadable()) {
+        throw Error(Text::tr("The model file cannot be read; check its permissions"), path);
+    }
+    if (file.size() == 0) {
+        throw Error(Text::tr("The model file is empty; save it anew"), path);
+    }
+}
+
+// Null without a file.
+QImage replacementTexture(const QString& path) {
+    return path.isEmpty() ? QImage() : readPictureFile(path);
+}
+
+void checkPositions(const TriangleMesh& mesh, const QString& path) {
+    std::size_t bad = 0;
+    for (const auto& triangle : mesh.triangles) {
+        for (const auto corner : triangle) {
+            bad += !mesh.positions[corner].allFinite();
+        }
+    }
+    if (bad > 0) {
+        throw Error(
+            Text::tr("%1 corners of the model's triangles are not numbers (NaN or infinite); "
+                     "repair the model and save it anew")
+                .arg(bad),
+            path);
+    }
+}
+
+// What is called while a model is repaired: throws where that is cancelled, or takes longer than a
+// busy machine needs for files of these many bytes.
+std::function<void()> goOnWith(const QString& path, qint64 fileBytes, const Progress& progress) {
+    constexpr int busyMachine = 2; // times the time to compute
+    const qint64 patience = busyMachine * mostOf(Budget::Milliseconds, fileBytes);
+    QElapsedTimer clock;
+    clock.start();
+    return [=, cancelToken = progress.cancelToken] {
+        cancelToken.throwIfCancelled();
+        if (clock.elapsed() > patience) {
+            throw Error(sentenceOf(Budget::Milliseconds, fileBytes), path);
+        }
+    };
+}
+
+void repair(TexturedMesh& model, QStringList& repairs, const QString& path,
+            const std::function<void()>& goOn) {
+    weldPositions(model.mesh);
+    goOn();
+    if (const std::size_t count = removeDegenerateTriangles(model); count > 0) {
+        repairs.push_back(Text::tr("Triangles without area that were removed: %1").arg(count));
+    }
+    // What is closed keeps triangles that are squeezed to lines: all of them may be.
+    if (surfaceArea(model.mesh) == 0) {
+        throw Error(Text::tr("None of the model's triangles has an area; choose another model"),
+                    path);
+    }
+    goOn();
+    if (const std::size_t count = orientTriangles(model); count > 0) {
+        repairs.push_back(Text::tr("Triangles turned that faced the other way than their "
+                                   "neighbours: %1")
+                              .arg(count));
+    }
+    if (const std::size_t count = turnInsideOutParts(model, goOn); count > 0) {
+        repairs.push_back(
+            Text::tr("Parts of the surface turned that were inside out: %1").arg(count));
+    }
+}
+
+[[noreturn]] void throwTooFar(const QString& path) {
+    throw Error(Text::tr("The model lies too far from its origin; move it there and save it anew"),
+                path);
+}
+
+// Coordinates have seven digits: so far away what is left of them for the body itself would crumple
+// it by a two-thousandth of its size.
+void requireNearOrigin(const TriangleMesh& mesh, double longestEdge, const QString& path) {
+    constexpr double farthest = 1e4; // longest edges
+    const Eigen::AlignedBox3f box = boundingBox(mesh);
+    if (box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff() > farthest * longestEdge) {
+        throwTooFar(path);
+    }
+}
+
+void scaleAsAsked(TriangleMesh& mesh, const ImportOptions& options, const QString& path) {
+    const double edge = longestEdgeOf(mesh);
+    if (edge == 0) {
+        throw Error(Text::tr("The model has no extent; choose another model"), path);
+    }
+    requireNearOrigin(mesh, edge, path);
+    const double factor =
+        options.longestEdge ? options.longestEdge->value() / edge : options.unitMillimetres;
+    if (edge * factor > maximumEdge) {
+        throw Error(Text::tr("The model's longest edge would be %1 mm; give the size it is to have")
+                        .arg(edge * factor),
+                    path);
+    }
+    scale(mesh, factor);
+    if (!boundingBox(mesh).sizes().allFinite()) {
+        throwTooFar(path);
+    }
+}
+
+void describe(const TexturedMesh& model, ImportReport& report) {
+    report.triangles = model.mesh.triangles.size();
+    report.closed = isClosed(model.mesh);
+    report.volume = volume(model.mesh);
+    report.box = boundingBox(model.mesh);
+    if (!report.closed) {
+        report.warnings.push_back(
+            Text::tr("The mesh is not closed: what is inside is judged by most of "
+                     "the directions from which it is seen"));
+    }
+    if (const float edge = report.box.sizes().maxCoeff(); edge < 1) {
+        report.warnings.push_back(
+            Text::tr("The model's longest edge is only %1 mm; if its file is not "
+                     "in millimetres, give the size it is to have")
+                .arg(double(edge)));
+    }
+}
+
+bool hasAnyTextureCoordinates(const TexturedMesh& model) {
+    for (std::size_t t = 0; t < model.mesh.triangles.size(); ++t) {
+        if (model.hasTextureCoordinates(t)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void dropUselessTextures(TexturedMesh& model, QStringList& warnings) {
+    if (model.textures.empty() || hasAnyTextureCoordinates(model)) {
+        return;
+    }
+    warnings.push_back(
+        Text::tr("The model has no texture coordinates, so its texture cannot be placed "
+                 "and is not used; its materials' colours are"));
+    model.textures.clear();
+    for (Material& material : model.materials) {
+        material.texture = -1;
+    }
+}
+
+void dropUnusableCoordinates(TexturedMesh& model, QStringList& warnings) {
+    std::size_t dropped = 0;
+    for (auto& corners : model.textureCoordinates) {
+        for (auto& uv : corners) {
+            const bool isUnusable = uv.cwiseAbs().maxCoeff() > maximumTextureCoordinate;
+            dropped += isUnusable;
+            if (isUnusable) {
+                corners.fill(Eigen::Vector2f::Constant(std::nanf("")));
+            }
+        }
+    }
+    if (dropped > 0) {
+        warnings.push_back(
+            Text::tr("%1 texture coordinates are too large to be used; their triangles "
+                     "show the material's colour")
+                .arg(dropped));
+    }
+}
+
+void replaceTextures(TexturedMesh& model, const QImage& texture) {
+    model.textures = {texture};
+    for (Material& material : model.materials) {
+        material.texture = 0;
+    }
+}
+
+// Where files outside the folder were named, that is said, whatever else came of their lack.
+UntrustedModel readModelFile(const QString& path, ModelFolder& folder, bool withTextures,
+                             const Progress& progress) {
+    const auto checkOutside = [&] {
+        if (!folder.outside().isEmpty()) {
+            throw OutsideFiles(folder.outside(), path);
+        }
+    };
+    try {
+        UntrustedModel model = readModelInProcess(path, withTextures, folder, progress);
+        checkOutside();
+        return model;
+    } catch (const Error&) {
+        checkOutside();
+        throw;
+    }
+}
+
+ImportedModel import(const QString& path, const ImportOptions& options, const Progress& progress) {
+    checkOptions(options);
+    checkFile(path);
+    const QImage texture = replacementTexture(options.texture);
+    ImportedModel result;
+    TexturedMesh& model = result.model;
+    ImportReport& report = result.report;
+
+    ModelFolder folder(path, options.allowOutside, options.outsideFiles);
+    UntrustedModel foreign = readModelFile(path, folder, texture.isNull(), progress.part(0, 0.7));
+    model = std::move(foreign.mesh);
+    report.warnings = foreign.warnings;
+    if (model.mesh.triangles.empty()) {
+        throw Error(Text::tr("The model has no triangles; save it with its surface"), path);
+    }
+    if (!texture.isNull()) {
+        replaceTextures(model, texture);
+    }
+    progress(0.7, Text::tr("Checking the model"));
+    checkPositions(model.mesh, path);
+    dropUnusableCoordinates(model, report.warnings);
+    repair(model, report.repairs, path, goOnWith(path, folder.bytesRead(), progress));
+    scaleAsAsked(model.mesh, options, path);
+    dropUselessTextures(model, report.warnings);
+    progress(0.9, Text::tr("Finding the texture's charts"));
+    model.chart = findCharts(model);
+    describe(model, report);
+    progress(1, Text::tr("Checking the model"));
+    return result;
+}
+
+} // namespace
+
+double guessedUnit(double longestEdge) {
+    constexpr double smallest = 10, largest = 1000; // mm, of what is mostly dipped
+    for (const double unit : {1.0, 10.0, 1000.0, millimetresPerInch}) {
+        if (longestEdge * unit >= smallest && longestEdge * unit <= largest) {
+            return unit;
+        }
+    }
+    return 1;
+}
+
+OutsideFiles::OutsideFiles(const QStringList& files, const QString& model)
+    : Error(
+          Text::tr("The model names files that do not belong to its folder, such as %1, and is not "
+                   "read; put them beside it, or allow it to read them (--allow-outside)")
+              .arg(QDir::toNativeSeparators(files.first())),
+          model),
+      files_(files) {}
+
+TexturedMesh withTexture(const TexturedMesh& model, const QString& path) {
+    if (!hasAnyTextureCoordinates(model)) {
+        throw Error(Text::tr("The model has no texture coordinates, so no picture can be placed on "
+                             "it; unwrap it in a modelling program first"),
+                    path);
+    }
+    TexturedMesh other = model;
+    replaceTextures(other, replacementTexture(path));
+    return other;
+}
+
+ImportedModel importModel(const QString& path, const ImportOptions& options,
+                          const Progress& progress) {
+    try {
+        return import(path, options, progress);
+    } catch (const std::bad_alloc&) {
+        throw Error(Text::tr("The model needs more memory than there is; reduce it"), path);
+    }
+}
+
+} // namespace dipwright

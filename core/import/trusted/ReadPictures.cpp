@@ -1,0 +1,74 @@
+#include "import/trusted/ReadPictures.h"
+
+#include "base/Budgets.h"
+#include "base/Error.h"
+#include "base/WideGamut.h"
+#include "import/trusted/ModelFolder.h"
+#include "import/trusted/ReaderProcess.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
+};
+
+// Pictures in memory, by the names that the user knows them by.
+class PicturesInMemory : public UntrustedFiles {
+public:
+    explicit PicturesInMemory(const std::vector<PackedPicture>& pictures) : pictures_(pictures) {}
+
+private:
+    std::optional<QByteArray> fetch(const QString& name) override {
+        for (const PackedPicture& picture : pictures_) {
+            if (picture.where == name) {
+                return picture.bytes;
+            }
+        }
+        return std::nullopt;
+    }
+
+    const std::vector<PackedPicture>& pictures_;
+};
+
+} // namespace
+
+void PictureCount::add(const QImage& picture, qint64 packedBytes, const QString& where) {
+    pixels_ += (isWide(picture) ? 2 : 1) * qint64(picture.width()) * picture.height();
+    packedBytes_ += packedBytes;
+    requireWithin(Budget::Pixels, pixels_, where, packedBytes_);
+}
+
+std::vector<QImage> readPictures(const std::vector<PackedPicture>& pictures) {
+    QStringList names; // each once
+    for (const PackedPicture& picture : pictures) {
+        if (!names.contains(picture.where)) {
+            names << picture.where;
+        }
+    }
+    PicturesInMemory files(pictures);
+    const std::vector<QImage> unpacked = readPicturesInProcess(names, files);
+    std::vector<QImage> images;
+    PictureCount count;
+    for (const PackedPicture& picture : pictures) {
+        images.push_back(unpacked[std::size_t(names.indexOf(picture.where))]);
+        count.add(images.back(), picture.bytes.size(), picture.where);
+    }
+    return images;
+}
+
+QImage readPictureFile(const QString& path) {
+    requireWithin(Budget::FileBytes, QFileInfo(path).size(), path);
+    const auto bytes = readFile(path);
+    if (!bytes) {
+        throw Error(Text::tr("The texture file cannot be read; check its name and permissions"),
+                    path);
+    }
+    return readPictures({{*bytes, path}}).front();
+}
+
+} // namespace dipwright

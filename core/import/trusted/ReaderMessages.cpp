@@ -1,0 +1,94 @@
+#include "import/trusted/ReaderMessages.h"
+
+#include "base/WideGamut.h"
+
+#include <QDataStream>
+#include <QIODevice>
+#include <QtEndian>
+
+namespace dipwright {
+
+namespace {
+
+template <typename Write>
+QByteArray streamed(const Write& write) {
+    QByteArray bytes;
+    QDataStream stream(&bytes, QIODevice::WriteOnly);
+    stream.setVersion(QDataStream::Qt_6_4);
+    stream.setByteOrder(QDataStream::LittleEndian);
+    write(stream);
+    return bytes;
+}
+
+} // namespace
+
+QByteArray headerBytes(ReaderMessage kind, qint64 length) {
+    return streamed([&](QDataStream& stream) { stream << quint8(kind) << quint64(length); });
+}
+
+std::pair<ReaderMessage, qint64> readHeader(const QByteArray& header) {
+    const auto length = qFromLittleEndian<quint64>(header.constData() + 1);
+    return {ReaderMessage(header[0]), qint64(std::min(length, quint64(1) << 62))};
+}
+
+QByteArray jobBytes(const ReaderJob& job) {
+    return streamed([&](QDataStream& stream) {
+        stream << quint8(job.kind) << job.names << job.withTextures << job.language;
+    });
+}
+
+ReaderJob readJob(const QByteArray& bytes) {
+    QDataStream stream(bytes);
+    stream.setVersion(QDataStream::Qt_6_4);
+    stream.setByteOrder(QDataStream::LittleEndian);
+    ReaderJob job;
+    quint8 kind = 0;
+    stream >> kind >> job.names >> job.withTextures >> job.language;
+    job.kind = ReaderJob::Kind(kind);
+    return job;
+}
+
+QByteArray factsBytes(const PhotoFacts& facts) {
+    return streamed(
+        [&](QDataStream& stream) { stream << facts.taken.toUtf8() << facts.focalLength; });
+}
+
+PhotoFacts readFacts(const QByteArray& bytes) {
+    QDataStream stream(bytes);
+    stream.setVersion(QDataStream::Qt_6_4);
+    stream.setByteOrder(QDataStream::LittleEndian);
+    PhotoFacts facts;
+    QByteArray taken;
+    stream >> taken >> facts.focalLength;
+    facts.taken = QString::fromUtf8(taken);
+    return facts;
+}
+
+QByteArray pictureHeaderBytes(const QImage& picture) {
+    return streamed([&](QDataStream& stream) {
+        stream << qint32(picture.width()) << qint32(picture.height())
+               << qint32(picture.dotsPerMeterX()) << qint32(picture.dotsPerMeterY())
+               << qint32(isWide(picture));
+    });
+}
+
+QImage emptyPicture(const QByteArray& header) {
+    QDataStream stream(header);
+    stream.setByteOrder(QDataStream::LittleEndian);
+    qint32 width = 0, height = 0, dotsPerMeterX = 0, dotsPerMeterY = 0, wide = 0;
+    stream >> width >> height >> dotsPerMeterX >> dotsPerMeterY >> wide;
+    if (width <= 0 || height <= 0) {
+        return QImage();
+    }
+    QImage picture(width, height, wide ? QImage::Format_RGBA64 : QImage::Format_RGBA8888);
+    if (wide) {
+        picture.setColorSpace(wideSpace());
+    }
+    if (!picture.isNull() && dotsPerMeterX > 0 && dotsPerMeterY > 0) {
+        picture.setDotsPerMeterX(dotsPerMeterX);
+        picture.setDotsPerMeterY(dotsPerMeterY);
+    }
+    return picture;
+}
+
+} // namespace dipwright

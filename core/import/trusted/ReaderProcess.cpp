@@ -1,0 +1,320 @@
+#include "import/trusted/ReaderProcess.h"
+
+#include "base/Budgets.h"
+#include "base/Error.h"
+#include "base/OneLine.h"
+#include "base/SanitizerFindings.h"
+#include "base/ShippedFolders.h"
+#include "base/SuspendAwareTimer.h"
+#include "model/ModelFormats.h"
+#include "model/StoredModel.h"
+
+#include <QCoreApplication>
+#include <QDataStream>
+#include <QFileInfo>
+#include <QProcess>
+#include <QtEndian>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::ReaderProcess)
+};
+
+constexpr qint64 chunk = 1 << 20;       // of a file on its way
+constexpr qint64 longestText = 1 << 16; // of names and sentences
+constexpr int pollInterval = 50;        // ms until it is asked whether all is cancelled
+
+// Nothing of the user's surroundings goes along but what programs are found and tested by.
+QProcessEnvironment bareEnvironment() {
+    const QProcessEnvironment all = QProcessEnvironment::systemEnvironment();
+    QProcessEnvironment bare;
+    for (const char* name :
+         {"LD_LIBRARY_PATH", "PATH", "SystemRoot", "QT_PLUGIN_PATH", "DIPWRIGHT_READ_UNCONFINED",
+          "ASAN_OPTIONS", "UBSAN_OPTIONS", "TSAN_OPTIONS"}) {
+        const QString key = QString::fromLatin1(name);
+        if (all.contains(key)) {
+            bare.insert(key, all.value(key));
+        }
+    }
+    return bare;
+}
+
+// The sentence of another program, for people to read: one line, no escape bytes, not endless.
+QString plain(const QByteArray& text) {
+    return oneLine(QString::fromUtf8(text.left(longestText))).simplified().left(2000);
+}
+
+class ReaderProcess {
+public:
+    ReaderProcess(const QString& where, UntrustedFiles& files, const Progress& progress)
+        : where_(where), files_(files), progress_(progress) {}
+    // It has handed everything back, or nothing is wanted any more.
+    ~ReaderProcess() {
+        process_.kill();
+        process_.waitForFinished();
+        endOnFinding(process_);
+    }
+
+    void start(const ReaderJob& job) {
+        const QString program = readerProgram();
+        if (program.isEmpty()) {
+            throw Error(Text::tr("The program that reads models and pictures is missing; install "
+                                 "Dipwright anew"),
+                        QStringLiteral("dipwright-reader"));
+        }
+        process_.setProcessEnvironment(bareEnvironment());
+        silence(process_);
+        process_.start(program, {}, QIODevice::ReadWrite);
+        if (!process_.waitForStarted()) {
+            throw Error(Text::tr("The program that reads models and pictures cannot be started: %1")
+                            .arg(process_.errorString()),
+                        program);
+        }
+        waited_ = SuspendAwareTimer();
+        const QByteArray bytes = jobBytes(job);
+        write(headerBytes(ReaderMessage::Job, bytes.size()) + bytes);
+    }
+
+    // Until a message comes that is part of the result, whose length is left to be read.
+    std::pair<ReaderMessage, qint64> nextResult() {
+        while (true) {
+            const auto [kind, length] = readHeader(read(readerHeaderBytes));
+            requireInTime(); // what talks without end is no better than what says nothing
+            switch (kind) {
+            case ReaderMessage::Ask:
+                answer(QString::fromUtf8(readShort(length)));
+                break;
+            case ReaderMessage::Progress:
+                report(readShort(length));
+                break;
+            case ReaderMessage::Failed:
+                fail(readShort(length));
+            case ReaderMessage::Photo:
+            case ReaderMessage::Picture:
+            case ReaderMessage::Model:
+            case ReaderMessage::Mesh:
+                return {kind, length};
+            default:
+                throwNonsense();
+            }
+        }
+    }
+
+    QByteArray read(qint64 length) {
+        if (length > mostOf(Budget::Memory, files_.bytesRead())) {
+            throwNonsense();
+        }
+        QByteArray bytes(length, Qt::Uninitialized);
+        read(bytes.data(), length);
+        return bytes;
+    }
+
+    PhotoFacts readFacts(qint64 length) {
+        PhotoFacts facts = dipwright::readFacts(readShort(length));
+        facts.taken = plain(facts.taken.toUtf8());
+        return facts;
+    }
+
+    QImage readPicture(qint64 length) {
+        QImage picture;
+        if (length > pictureHeaderLength) {
+            const QByteArray header = read(pictureHeaderLength);
+            const auto side = [&](int place) {
+                return qint64(qFromLittleEndian<qint32>(header.constData() + 4 * place));
+            };
+            const bool wide = side(4) != 0;
+            pixels_ += (wide ? 2 : 1) * std::max(side(0), qint64(0)) * std::max(side(1), qint64(0));
+            requireWithin(Budget::Pixels, pixels_, where_, files_.bytesRead());
+            picture = emptyPicture(header);
+        }
+        if (picture.isNull() || length != pictureHeaderLength + picture.sizeInBytes()) {
+            throwNonsense();
+        }
+        read(reinterpret_cast<char*>(picture.bits()), picture.sizeInBytes());
+        return picture;
+    }
+
+    [[noreturn]] void throwNonsense() const {
+        throw Error(Text::tr("The file makes its reader hand back what cannot be, and is not read; "
+                             "save it anew"),
+                    where_);
+    }
+
+private:
+    void read(char* bytes, qint64 length) {
+        while (length > 0) {
+            const qint64 got = process_.read(bytes, length);
+            if (got > 0) {
+                bytes += got;
+                length -= got;
+            } else {
+                process_.waitForReadyRead(pollInterval);
+                checkAlive();
+            }
+        }
+    }
+
+    void write(const QByteArray& bytes) {
+        process_.write(bytes);
+        while (process_.bytesToWrite() > 0) {
+            requireInTime();
+            if (!process_.waitForBytesWritten(pollInterval)) {
+                checkAlive();
+            }
+        }
+    }
+
+    QByteArray readShort(qint64 length) {
+        if (length > longestText) {
+            throwNonsense();
+        }
+        return read(length);
+    }
+
+    void answer(const QString& name) {
+        const auto bytes = files_.read(name);
+        if (!bytes) {
+            write(headerBytes(ReaderMessage::NoFile, 0));
+            return;
+        }
+        write(headerBytes(ReaderMessage::File, bytes->size()));
+        for (qint64 begin = 0; begin < bytes->size(); begin += chunk) {
+            write(bytes->mid(begin, chunk));
+        }
+    }
+
+    void report(const QByteArray& bytes) {
+        double share = 0;
+        QByteArray text;
+        QDataStream stream(bytes);
+        stream >> share >> text;
+        progress_(share >= 0 && share <= 1 ? share : 0, plain(text));
+    }
+
+    [[noreturn]] void fail(const QByteArray& bytes) {
+        QByteArray message, where;
+        QDataStream stream(bytes);
+        stream >> message >> where;
+        throw Error(plain(message), plain(where));
+    }
+
+    void requireInTime() {
+        const std::chrono::milliseconds patience(patienceWith(files_.bytesRead()));
+        if (waited_.look() > patience) {
+            throwOutOfTime();
+        }
+    }
+
+    [[noreturn]] void throwOutOfTime() const {
+        throw Error(sentenceOf(Budget::Milliseconds, files_.bytesRead()), where_);
+    }
+
+    // While not all has come: whether there is still something to wait for.
+    void checkAlive() {
+        progress_.cancelToken.throwIfCancelled();
+        requireInTime();
+        if (process_.bytesAvailable() > 0) {
+            return;
+        }
+        const bool isOver = process_.state() == QProcess::NotRunning;
+        if (isOver && process_.exitStatus() == QProcess::NormalExit &&
+            process_.exitCode() == readerOutOfTime) {
+            throwOutOfTime();
+        }
+        if (isOver) {
+            throw Error(Text::tr("The file makes its reader crash and is not read; save it anew, a "
+                                 "model as %1, a picture as PNG")
+                            .arg(anyModelFormat()),
+                        where_);
+        }
+    }
+
+    QString where_;
+    UntrustedFiles& files_;
+    const Progress& progress_;
+    QProcess process_;
+    SuspendAwareTimer waited_;
+    qint64 pixels_ = 0;
+};
+
+//: The code of the language of this translation: de, pt_BR …
+QString language() {
+    return Text::tr("en");
+}
+
+} // namespace
+
+qint64 patienceWith(qint64 fileBytes) {
+    constexpr int busyMachine = 10; // times the time to compute
+    return busyMachine * mostOf(Budget::Milliseconds, fileBytes);
+}
+
+UntrustedModel readModelInProcess(const QString& path, bool withTextures, UntrustedFiles& files,
+                                  const Progress& progress) {
+    ReaderProcess reader(path, files, progress);
+    reader.start({ReaderJob::Kind::Model, {path}, withTextures, language()});
+    UntrustedModel model;
+    std::vector<QImage> pictures;
+    while (true) {
+        const auto [kind, length] = reader.nextResult();
+        if (kind == ReaderMessage::Picture) {
+            pictures.push_back(reader.readPicture(length));
+        } else if (kind == ReaderMessage::Model) {
+            const QByteArray warnings = reader.read(length);
+            for (const QByteArray& warning : warnings.split('\n')) {
+                if (!warning.isEmpty()) {
+                    model.warnings << plain(warning);
+                }
+            }
+        } else if (kind != ReaderMessage::Mesh) {
+            reader.throwNonsense();
+        } else {
+            StoredModel stored = readUncheckedModel(reader.read(length), path);
+            if (stored.pictures.size() != pictures.size()) {
+                reader.throwNonsense();
+            }
+            model.mesh = std::move(stored.model);
+            model.mesh.textures = std::move(pictures);
+            return model;
+        }
+    }
+}
+
+std::vector<QImage> readPicturesInProcess(const QStringList& names, UntrustedFiles& files) {
+    if (names.isEmpty()) {
+        return {};
+    }
+    const Progress quiet;
+    ReaderProcess reader(names.first(), files, quiet);
+    reader.start({ReaderJob::Kind::Pictures, names, true, language()});
+    std::vector<QImage> pictures;
+    while (qsizetype(pictures.size()) < names.size()) {
+        const auto [kind, length] = reader.nextResult();
+        if (kind != ReaderMessage::Picture) {
+            reader.throwNonsense();
+        }
+        pictures.push_back(reader.readPicture(length));
+    }
+    return pictures;
+}
+
+ReadPhoto readPhotoInProcess(const QString& name, UntrustedFiles& files, const Progress& progress) {
+    ReaderProcess reader(name, files, progress);
+    reader.start({ReaderJob::Kind::Photos, {name}, true, language()});
+    ReadPhoto photo;
+    const auto expect = [&](ReaderMessage expected) {
+        const auto [kind, length] = reader.nextResult();
+        if (kind != expected) {
+            reader.throwNonsense();
+        }
+        return length;
+    };
+    photo.facts = reader.readFacts(expect(ReaderMessage::Photo));
+    photo.picture = reader.readPicture(expect(ReaderMessage::Picture));
+    return photo;
+}
+
+} // namespace dipwright

@@ -1,0 +1,224 @@
+#include "pipeline/DipCache.h"
+
+#include "base/Bytes.h"
+#include "base/Error.h"
+#include "base/ProgramName.h"
+#include "base/Sha256.h"
+#include "dip/FilmUnderBody.h"
+#include "disk/AtomicFile.h"
+#include "disk/ZipWriter.h"
+#include "film/FilmGrid.h"
+#include "pipeline/CachedDip.h"
+#include "pipeline/SolverChoice.h"
+#include "project/ZipReader.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QRegularExpression>
+#include <algorithm>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(DipCache)
+};
+
+// Raised when a dip of the same inputs comes out otherwise within one version of the program, or is
+// stored in another way.
+constexpr quint32 keptVersion = 1;
+constexpr int mostDips = 1000;
+constexpr qint64 entryBytes = 256; // of a zip, for an entry's name and place, at most
+
+template <typename Value>
+QByteArrayView bytesOf(const std::vector<Value>& values) {
+    return {reinterpret_cast<const char*>(values.data()), qsizetype(values.size() * sizeof(Value))};
+}
+
+// Of all that a dip depends on (DipInputs), the version of program and solver among it.
+class DipKeys {
+public:
+    explicit DipKeys(const Project& project) {
+        Sha256 hash;
+        hash.add(bytesOf(project.model->mesh.positions));
+        hash.add(bytesOf(project.model->mesh.triangles));
+        const QJsonObject values = toJson(project);
+        QJsonObject process = values[QLatin1String("process")].toObject();
+        process.remove(QStringLiteral("solver")); // that may be "auto"
+        common_ = {{QStringLiteral("kept"), int(keptVersion)},
+                   {QStringLiteral("program"), programVersion()},
+                   {QStringLiteral("mesh"), QString::fromLatin1(hash.result().toHex())},
+                   {QStringLiteral("film"), values[QLatin1String("film")]},
+                   {QStringLiteral("process"), process},
+                   {QStringLiteral("field"), project.fieldResolution}};
+    }
+
+    QString of(const Immersion& immersion, const SolverInfo& solver) const {
+        QJsonArray pose;
+        for (const Degrees angle : immersion.rotation) {
+            pose.append(angle.value());
+        }
+        for (const Millimetres offset : immersion.offset) {
+            pose.append(offset.value());
+        }
+        QJsonObject all = common_;
+        all[QLatin1String("pose")] = pose;
+        all[QLatin1String("solver")] = QJsonArray{solver.id, solver.version};
+        return sha256Hex(QJsonDocument(all).toJson(QJsonDocument::Compact));
+    }
+
+private:
+    QJsonObject common_;
+};
+
+// Entries are NUMBER-KEY.dip, numbered by age.
+QString keyOf(const QString& entry) {
+    static const QRegularExpression pattern(QStringLiteral("^\\d{4}-([0-9a-f]{64})\\.dip$"));
+    return pattern.match(entry).captured(1);
+}
+
+QString entryOf(int number, const QString& key) {
+    return QStringLiteral("%1-%2.dip").arg(number, 4, 10, QLatin1Char('0')).arg(key);
+}
+
+// Fills in what was kept of the film and its certainty.
+void restore(ImmersionResult& dip, const Project& project, const QByteArray& bytes,
+             const QString& where) {
+    const FilmSettings& settings = project.film;
+    const solver::FilmGrid grid =
+        isGraded(settings)
+            ? filmUnderBody(settings, undersideOf(*dip.body, project.process), dip.immersion.offset)
+            : filmGrid(settings);
+    CachedDip kept =
+        readCachedDip(bytes, grid, settings.lattice == solver::Lattice::Isotropic, where);
+    if (!isStable(kept.film, dipTravel(project.process, *dip.body)) ||
+        std::find(kept.film.states.begin(), kept.film.states.end(), solver::PointState::Adhered) ==
+            kept.film.states.end()) {
+        throw damagedDips(where);
+    }
+    dip.certainty = kept.certainty;
+    dip.laid = layFilm(dip.body, std::move(kept.film), project.process);
+}
+
+// What is in a file of kept dips, by key, the oldest first.
+std::vector<std::pair<QString, QByteArray>> readAll(const QString& path) {
+    std::vector<std::pair<QString, QByteArray>> dips;
+    try {
+        ZipReader archive(path);
+        QStringList entries = archive.names().values();
+        entries.sort();
+        for (const QString& entry : entries) {
+            if (const QString key = keyOf(entry); !key.isEmpty()) {
+                dips.emplace_back(key, archive.read(entry));
+            }
+        }
+    } catch (const Error&) {
+        dips.clear(); // missing, or not to be saved
+    }
+    return dips;
+}
+
+// Those of the project's immersions; empty where not all of them are there. Whatever is wrong with
+// the archive is damage.
+std::vector<QByteArray> readWanted(const QString& path, const DipKeys& keys, const Project& project,
+                                   const SolverInfo& solver) {
+    std::vector<QByteArray> dips;
+    try {
+        ZipReader archive(path);
+        QMap<QString, QString> entries; // by key
+        for (const QString& entry : archive.names()) {
+            entries.insert(keyOf(entry), entry);
+        }
+        for (const Immersion& immersion : project.immersions) {
+            const QString entry = entries.value(keys.of(immersion, solver));
+            if (entry.isEmpty()) {
+                return {};
+            }
+            dips.push_back(archive.read(entry));
+        }
+    } catch (const Error&) {
+        throw damagedDips(path);
+    }
+    return dips;
+}
+
+} // namespace
+
+QString dipCacheFile(const QString& project) {
+    const QFileInfo file(project);
+    const QString name =
+        file.suffix() == QLatin1String("dipw") ? file.completeBaseName() : file.fileName();
+    return file.path() + QLatin1Char('/') + name + QStringLiteral(".dips");
+}
+
+void cacheDips(const JobResult& result, const QString& project, qint64 most) {
+    const QString path = dipCacheFile(project);
+    const DipKeys keys(result.project);
+    std::vector<std::pair<QString, QByteArray>> dips = readAll(path);
+    bool isNew = false;
+    for (const ImmersionResult& dip : result.immersions) {
+        if (dip.solver.id != result.chosenSolver) {
+            continue;
+        }
+        const QString key = keys.of(dip.immersion, dip.solver);
+        QByteArray bytes = cachedDip({dip.laid->film(), dip.certainty});
+        const auto known = std::find_if(dips.begin(), dips.end(),
+                                        [&](const auto& other) { return other.first == key; });
+        isNew = isNew || known == dips.end() || known->second != bytes;
+        if (known != dips.end()) {
+            dips.erase(known);
+        }
+        dips.emplace_back(key, std::move(bytes));
+    }
+    if (!isNew) {
+        return;
+    }
+    auto oldest = dips.end();
+    for (qint64 bytes = entryBytes; oldest != dips.begin(); --oldest) {
+        bytes += std::prev(oldest)->second.size() + entryBytes;
+        if (bytes > most || dips.end() - oldest >= mostDips) {
+            break;
+        }
+    }
+    dips.erase(dips.begin(), oldest);
+    if (dips.empty()) {
+        return; // not even one has room
+    }
+    ZipWriter archive;
+    for (std::size_t number = 0; number < dips.size(); ++number) {
+        archive.add(entryOf(int(number), dips[number].first), dips[number].second,
+                    ZipWriter::Packing::Stored);
+    }
+    if (const QString failure = replaceFile(path, archive.finish()); !failure.isEmpty()) {
+        throw Error(Text::tr("The dips cannot be kept: %1").arg(failure), path);
+    }
+}
+
+std::shared_ptr<const JobResult> cachedDips(const Project& project, const SolverRegistry& registry,
+                                            const QString& path, const Progress& progress) {
+    const QString file = dipCacheFile(path);
+    if (!project.model || !QFileInfo::exists(file)) {
+        return nullptr;
+    }
+    auto result = std::make_shared<JobResult>();
+    result->project = project;
+    result->wantedSolver = project.process.solver;
+    const SolverInfo solver =
+        chooseSolver(result->wantedSolver, registry, progress.cancelToken).solver;
+    result->chosenSolver = solver.id;
+    const std::vector<QByteArray> kept = readWanted(file, DipKeys(project), project, solver);
+    for (std::size_t number = 0; number < kept.size(); ++number) {
+        progress(double(number) / double(kept.size()), Text::tr("Reading the kept dips"));
+        ImmersionResult& dip = result->immersions.emplace_back();
+        dip.immersion = project.immersions[number];
+        dip.solver = solver;
+        dip.inputs.texture.dip = dipInputs(project, number, solver.id);
+        dip.body = std::make_shared<const PosedBody>(posedBody(project.model->mesh, dip.immersion));
+        restore(dip, project, kept[number], file);
+    }
+    return kept.empty() ? nullptr : result;
+}
+
+} // namespace dipwright

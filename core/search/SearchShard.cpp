@@ -1,0 +1,118 @@
+#include "search/SearchShard.h"
+
+#include "search/JudgedPose.h"
+
+#include "base/Error.h"
+
+#include <QCoreApplication>
+#include <QDataStream>
+#include <QIODevice>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(PoseSearch)
+};
+
+constexpr quint32 signature = 0x44505350; // "DPSP"
+constexpr qint32 partVersion = 1;
+constexpr int longestKey = 64, mostParts = 1000;
+constexpr qint32 mostPoses = 2000, mostSamples = 100'000;
+constexpr qsizetype mostBytes = 2'000'000'000;
+
+Error damaged(const QString& where) {
+    return {Text::tr("This is not a part of a pose search, or it is damaged; make it again"),
+            where};
+}
+
+void write(QDataStream& out, const JudgedPose& pose) {
+    for (const Degrees angle : pose.immersion.rotation) {
+        out << angle.value();
+    }
+    for (const Millimetres offset : pose.immersion.offset) {
+        out << offset.value();
+    }
+    out << pose.trappedAir << pose.filmUsed << qint32(pose.samples.size());
+    for (const PaintedSample& sample : pose.samples) {
+        out << quint16(sample.larger) << quint16(sample.smaller) << quint8(sample.marks);
+    }
+}
+
+std::shared_ptr<const JudgedPose> read(QDataStream& in, const QString& where) {
+    JudgedPose pose;
+    const auto number = [&](double most) {
+        double value = 0;
+        in >> value;
+        if (!(std::abs(value) <= most)) {
+            throw damaged(where);
+        }
+        return value;
+    };
+    for (Degrees& angle : pose.immersion.rotation) {
+        angle = Degrees(number(360));
+    }
+    for (Millimetres& offset : pose.immersion.offset) {
+        offset = Millimetres(number(1e6));
+    }
+    pose.trappedAir = number(2);
+    pose.filmUsed = number(2);
+    qint32 count = 0;
+    in >> count;
+    if (in.status() != QDataStream::Ok || count < 0 || count > mostSamples) {
+        throw damaged(where);
+    }
+    for (qint32 index = 0; index < count && in.status() == QDataStream::Ok; ++index) {
+        quint16 larger = 0, smaller = 0;
+        quint8 marks = 0;
+        in >> larger >> smaller >> marks;
+        pose.samples.push_back({larger, smaller, marks});
+    }
+    return std::make_shared<const JudgedPose>(std::move(pose));
+}
+
+} // namespace
+
+QByteArray shardFile(const SearchShard& part) {
+    QByteArray body;
+    QDataStream out(&body, QIODevice::WriteOnly);
+    out.setVersion(QDataStream::Qt_6_0);
+    out << signature << partVersion << part.key << qint32(part.number) << qint32(part.count)
+        << qint32(part.poses.size());
+    for (const auto& pose : part.poses) {
+        write(out, *pose);
+    }
+    return body;
+}
+
+SearchShard shardFromFile(const QByteArray& file, const QString& where) {
+    if (file.size() > mostBytes) {
+        throw damaged(where);
+    }
+    QDataStream in(file);
+    in.setVersion(QDataStream::Qt_6_0);
+    quint32 found = 0;
+    qint32 version = 0, number = 0, count = 0, poses = 0;
+    SearchShard part;
+    in >> found >> version;
+    if (found != signature || version != partVersion) {
+        throw damaged(where);
+    }
+    in >> part.key >> number >> count >> poses;
+    if (in.status() != QDataStream::Ok || part.key.size() > longestKey || number < 1 ||
+        number > count || count > mostParts || poses < 0 || poses > mostPoses) {
+        throw damaged(where);
+    }
+    part.number = number;
+    part.count = count;
+    for (qint32 pose = 0; pose < poses; ++pose) {
+        part.poses.push_back(read(in, where));
+    }
+    if (in.status() != QDataStream::Ok || !in.atEnd()) {
+        throw damaged(where);
+    }
+    return part;
+}
+
+} // namespace dipwright

@@ -1,0 +1,391 @@
+#include "sheet/packing/FilmPacking.h"
+
+#include "base/Error.h"
+#include "base/WideGamut.h"
+#include "sheet/page/PieceInk.h"
+#include "sheet/page/SheetLayout.h"
+#include "texture/StretchPlane.h"
+
+#include <QCoreApplication>
+#include <QTransform>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <tuple>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Sheet)
+};
+
+QString nameOf(const PieceToPack& piece) {
+    return QStringLiteral("%1, %2").arg(piece.sheet.job.project, piece.sheet.job.immersion);
+}
+
+// The smallest box with all pixels of a picture that print, each `bytes` long.
+template <typename Prints>
+QRect printedBox(const QImage& image, int bytes, Prints isPrinted) {
+    int left = image.width(), right = -1, top = -1, bottom = -1;
+    for (int y = 0; y < image.height(); ++y) {
+        const uchar* row = image.constScanLine(y);
+        int x = 0;
+        while (x < image.width() && !isPrinted(row + bytes * qsizetype(x))) {
+            ++x;
+        }
+        if (x == image.width()) {
+            continue;
+        }
+        left = std::min(left, x);
+        for (x = image.width() - 1; x > right && !isPrinted(row + bytes * qsizetype(x));) {
+            --x;
+        }
+        right = std::max(right, x);
+        top = top < 0 ? y : top;
+        bottom = y;
+    }
+    return {QPoint(left, top), QPoint(right, bottom)};
+}
+
+// Of all plates, spots too.
+QRect inkedBox(const Sheet& sheet) {
+    QRect box = printedBox(sheet.image.convertToFormat(QImage::Format_RGBA8888), 4, prints);
+    for (const SheetPlate& plate : sheet.plates) {
+        const QRect spot = printedBox(plate.tint, 1, [](const uchar* tint) { return *tint != 0; });
+        box = !spot.isValid() ? box : !box.isValid() ? spot : box.united(spot);
+    }
+    return box;
+}
+
+// The plates of all pieces, without their tints; white is the last before the four inks or after
+// them.
+std::vector<SheetPlate> platesOf(const std::vector<PieceToPack>& pieces) {
+    std::vector<SheetPlate> plates;
+    std::vector<SheetPlate> white;
+    for (const PieceToPack& piece : pieces) {
+        const SheetSettings& settings = piece.sheet.settings;
+        for (SheetPlate plate : piece.sheet.plates) {
+            plate.tint = {};
+            const bool isWhite =
+                settings.white != WhiteLayer::None && plate.name == settings.whiteName;
+            std::vector<SheetPlate>& kind = isWhite ? white : plates;
+            const auto known = std::find_if(kind.begin(), kind.end(), [&](const SheetPlate& other) {
+                return other.name == plate.name;
+            });
+            if (known == kind.end()) {
+                kind.push_back(plate);
+            } else if (known->first != plate.first || known->alternate != plate.alternate) {
+                throw Error(Text::tr("Its spot ink %1 is printed otherwise than that of another "
+                                     "job; give them one colour and order")
+                                .arg(plate.name),
+                            nameOf(piece));
+            }
+        }
+    }
+    plates.insert(plates.end(), white.begin(), white.end());
+    return plates;
+}
+
+// A printer lays its white before all colours or after them.
+void refuseMixedWhite(const std::vector<PieceToPack>& pieces) {
+    const Sheet* first = nullptr;
+    for (const PieceToPack& piece : pieces) {
+        if (piece.sheet.settings.white == WhiteLayer::None || piece.sheet.plates.empty()) {
+            continue;
+        }
+        if (first && (first->settings.white != piece.sheet.settings.white ||
+                      first->settings.whiteName != piece.sheet.settings.whiteName)) {
+            throw Error(Text::tr("Its white is printed otherwise than that of %1; give them one "
+                                 "kind of white and one name for it")
+                            .arg(first->job.project),
+                        nameOf(piece));
+        }
+        first = &piece.sheet;
+    }
+}
+
+// How a piece is laid out round its picture, in pixels, upright.
+struct PieceLayout {
+    QSize size;
+    QRect picture;
+};
+
+class Pixels {
+public:
+    explicit Pixels(DotsPerInch resolution) : unit_(pixelsPerMillimetre(resolution)) {}
+    int of(double millimetres) const { return int(std::ceil(millimetres * unit_ - 1e-9)); }
+    double unit() const { return unit_; }
+
+private:
+    double unit_; // pixels a mm
+};
+
+PieceLayout layoutOf(const PieceToPack& piece, QSize picture, const PackingFilm& film) {
+    const Pixels pixels(piece.sheet.settings.resolution);
+    const int margin = pixels.of(std::max(film.margin.value(), leastPieceMargin));
+    const bool hasFoot = piece.sheet.settings.jobLine;
+    const int width =
+        std::max(picture.width() + 2 * margin, hasFoot ? pixels.of(leastPieceWidth) : 0);
+    const int height = picture.height() + 2 * margin + (hasFoot ? pixels.of(pieceFoot) : 0);
+    return {{width, height}, {{(width - picture.width()) / 2, margin}, picture}};
+}
+
+void checkPieces(const std::vector<PieceToPack>& pieces) {
+    int count = 0;
+    for (const PieceToPack& piece : pieces) {
+        count += piece.copies;
+        if (piece.sheet.settings.resolution.value() !=
+            pieces.front().sheet.settings.resolution.value()) {
+            throw Error(Text::tr("Its sheet has %1 dpi and that of %2 has %3; give them one "
+                                 "resolution")
+                            .arg(piece.sheet.settings.resolution.value())
+                            .arg(nameOf(pieces.front()))
+                            .arg(pieces.front().sheet.settings.resolution.value()),
+                        nameOf(piece));
+        }
+    }
+    if (count < 1 || count > mostPieces) {
+        throw Error(
+            Text::tr("%1 pieces are to be packed; choose 1 to %2").arg(count).arg(mostPieces),
+            QStringLiteral("copies"));
+    }
+}
+
+// The film's pixels where pieces may lie.
+QRect roomOf(const PackingFilm& film, QSize size, DotsPerInch resolution) {
+    const Pixels pixels(resolution);
+    return QRect({0, 0}, size)
+        .adjusted(pixels.of(film.edges.left()), pixels.of(film.edges.top()),
+                  -pixels.of(film.edges.right()), -pixels.of(film.edges.bottom()));
+}
+
+void refuseLarge(const PieceToPack& piece, QSize size, const QRect& room) {
+    const double unit = Pixels(piece.sheet.settings.resolution).unit();
+    const auto mm = [unit](int pixels) { return QString::number(pixels / unit, 'f', 1); };
+    throw Error(
+        Text::tr("With its marks it takes %1 × %2 mm, and the film leaves %3 × %4 mm within "
+                 "its edges; take a larger film")
+            .arg(mm(size.width()), mm(size.height()), mm(room.width()), mm(room.height())),
+        nameOf(piece));
+}
+
+PlannedFilm plannedFilm(const std::vector<PackPlace>& places,
+                        const std::vector<std::pair<std::size_t, int>>& copies, const QRect& room) {
+    PlannedFilm film;
+    for (const PackPlace& place : places) {
+        const auto [piece, copy] = copies[place.item];
+        film.pieces.push_back({piece, copy, place.box.translated(room.topLeft()), place.turned});
+    }
+    std::sort(
+        film.pieces.begin(), film.pieces.end(), [](const PlannedPiece& a, const PlannedPiece& b) {
+            return std::tuple(a.box.top(), a.box.left()) < std::tuple(b.box.top(), b.box.left());
+        });
+    return film;
+}
+
+// A roll is cut off behind its last piece.
+void finish(PlannedFilm& planned, const PackingFilm& film, QSize most, DotsPerInch resolution) {
+    const Pixels pixels(resolution);
+    planned.pixels = most;
+    planned.size = film.size;
+    double area = 0;
+    int bottom = 0;
+    for (const PlannedPiece& piece : planned.pieces) {
+        area += double(piece.box.width()) * piece.box.height();
+        bottom = std::max(bottom, piece.box.bottom() + 1);
+    }
+    if (film.isRoll) {
+        planned.pixels.setHeight(std::min(most.height(), bottom + pixels.of(film.edges.bottom())));
+        planned.size.setHeight(planned.pixels.height() / pixels.unit());
+    }
+    planned.used = area / (double(planned.pixels.width()) * planned.pixels.height());
+}
+
+void copyPixels(QImage& page, QPoint place, const QImage& picture) {
+    const qsizetype bytes = page.depth() / 8;
+    for (int row = 0; row < picture.height(); ++row) {
+        std::memcpy(page.scanLine(place.y() + row) + place.x() * bytes, picture.constScanLine(row),
+                    std::size_t(picture.width() * bytes));
+    }
+}
+
+// A box within an upright piece as it lies on the page.
+QRect onPage(const QRect& box, const PlannedPiece& piece) {
+    return (piece.turned
+                ? QRect(piece.box.width() - box.bottom() - 1, box.left(), box.height(), box.width())
+                : box)
+        .translated(piece.box.topLeft());
+}
+
+SheetPiece sheetPiece(const PieceToPack& piece, const PlannedPiece& planned,
+                      const PieceLayout& layout, const QRect& inked, QPointF pixel) {
+    const double unit = Pixels(piece.sheet.settings.resolution).unit();
+    const QPointF ownMiddle(piece.sheet.image.width() / 2.0 - inked.left(),
+                            piece.sheet.image.height() / 2.0 - inked.top());
+    SheetPiece result;
+    result.corner = {planned.box.left() * pixel.x(), planned.box.top() * pixel.y()};
+    result.size = QSizeF(layout.size) / unit;
+    result.picture = {QPointF(layout.picture.topLeft()) / unit,
+                      QSizeF(layout.picture.size()) / unit};
+    result.middle = (QPointF(layout.picture.topLeft()) + ownMiddle) / unit;
+    result.turned = planned.turned;
+    result.job = piece.sheet.job;
+    result.dip = piece.dip;
+    result.copy = planned.copy;
+    result.copies = piece.copies;
+    result.marks = piece.sheet.settings.marks;
+    result.jobLine = piece.sheet.settings.jobLine;
+    return result;
+}
+
+// Of what lies on it, and where.
+JobLine filmJob(const Sheet& sheet, const PlannedFilm& film, std::size_t number,
+                std::size_t count) {
+    QStringList projects, jobs;
+    for (std::size_t i = 0; i < sheet.pieces.size(); ++i) {
+        const SheetPiece& piece = sheet.pieces[i];
+        const PlannedPiece& planned = film.pieces[i];
+        if (!projects.contains(piece.job.project)) {
+            projects << piece.job.project;
+        }
+        jobs << QStringLiteral("%1@%2;%3%4")
+                    .arg(pieceCode(piece))
+                    .arg(planned.box.left())
+                    .arg(planned.box.top())
+                    .arg(planned.turned ? QStringLiteral("t") : QString());
+    }
+    const auto mm = [](double length) { return QString::number(length, 'f', 0); };
+    return {projects.join(QStringLiteral(", ")),
+            Text::tr("Film %1 of %2, pieces: %3").arg(number + 1).arg(count).arg(jobs.size()),
+            sheet.pieces.front().job.date,
+            Text::tr("%1 × %2 mm").arg(mm(film.size.width()), mm(film.size.height())),
+            QStringLiteral("1:1"),
+            hashOfJobs(jobs)};
+}
+
+} // namespace
+
+FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& film) {
+    checkPieces(pieces);
+    refuseMixedWhite(pieces);
+    const DotsPerInch resolution = pieces.front().sheet.settings.resolution;
+    const Pixels pixels(resolution);
+    const double longest =
+        film.isRoll ? std::floor(mostSheetPixels / pixels.unit()) : film.size.height();
+    const QSize most = sheetPixels(Millimetres(film.size.width()),
+                                   Millimetres(std::min(film.size.height(), longest)), resolution);
+    const QRect room = roomOf(film, most, resolution);
+    const int spacing = pixels.of(film.spacing.value());
+    const QSize between(spacing, spacing); // behind each piece, and once behind the room
+    FilmPlan plan;
+    std::vector<PackItem> items;
+    std::vector<std::pair<std::size_t, int>> copies;
+    for (std::size_t number = 0; number < pieces.size(); ++number) {
+        const PieceToPack& piece = pieces[number];
+        const QRect inked = inkedBox(piece.sheet);
+        if (inked.isEmpty()) {
+            throw Error(Text::tr("There is no ink on its sheet"), nameOf(piece));
+        }
+        plan.inked.push_back(inked);
+        const QSize size = layoutOf(piece, inked.size(), film).size;
+        if (!fits({size, piece.turning}, room.size())) {
+            refuseLarge(piece, size, room);
+        }
+        for (int copy = 1; copy <= piece.copies; ++copy) {
+            items.push_back({size + between, piece.turning});
+            copies.emplace_back(number, copy);
+        }
+    }
+    for (std::vector<PackPlace>& places : packed(items, room.size() + between)) {
+        for (PackPlace& place : places) {
+            place.box.setSize(place.box.size() - between);
+        }
+        plan.films.push_back(plannedFilm(places, copies, room));
+        finish(plan.films.back(), film, most, resolution);
+    }
+    if (plan.films.size() > std::size_t(mostFilms)) {
+        throw Error(Text::tr("This takes %1 films; choose fewer copies, up to %2 films")
+                        .arg(plan.films.size())
+                        .arg(mostFilms),
+                    QStringLiteral("copies"));
+    }
+    return plan;
+}
+
+namespace {
+
+// By which printers of inks compensate all of them: none where they are not of one mind.
+std::optional<InkSettings> commonInk(const std::vector<PieceToPack>& pieces) {
+    const std::optional<WantedInk>& first = pieces.front().sheet.wanted;
+    const bool isCommon =
+        first && std::all_of(pieces.begin(), pieces.end(), [&](const PieceToPack& piece) {
+            return piece.sheet.wanted && piece.sheet.wanted->settings == first->settings;
+        });
+    return isCommon ? std::optional(first->settings) : std::nullopt;
+}
+
+} // namespace
+
+Sheet filmSheet(const std::vector<PieceToPack>& pieces, const PackingFilm& film,
+                const FilmPlan& plan, std::size_t number) {
+    const PlannedFilm& planned = plan.films[number];
+    const bool wide = std::any_of(pieces.begin(), pieces.end(), [](const PieceToPack& piece) {
+        return isWide(piece.sheet.image);
+    });
+    Sheet sheet;
+    sheet.filmWidth = Millimetres(planned.size.width());
+    sheet.filmHeight = Millimetres(planned.size.height());
+    sheet.settings = pieces.front().sheet.settings;
+    sheet.settings.paper = QStringLiteral("film");
+    sheet.settings.landscape = false;
+    sheet.image = QImage(planned.pixels, wide ? QImage::Format_RGBA64 : QImage::Format_RGBA8888);
+    sheet.image.fill(Qt::transparent);
+    sheet.image.setColorSpace(wide ? wideSpace() : pieces.front().sheet.image.colorSpace());
+    for (const PieceToPack& piece : pieces) {
+        if (piece.sheet.settings.white != WhiteLayer::None) {
+            sheet.settings.white = piece.sheet.settings.white;
+            sheet.settings.whiteName = piece.sheet.settings.whiteName;
+        }
+    }
+    sheet.plates = platesOf(pieces);
+    for (SheetPlate& plate : sheet.plates) {
+        plate.tint = QImage(planned.pixels, QImage::Format_Grayscale8);
+        plate.tint.fill(0);
+    }
+    if (const std::optional<InkSettings> ink = commonInk(pieces)) {
+        sheet.wanted = WantedInk{sheet.image, unstretched(planned.pixels), *ink};
+    }
+    const QPointF pixel(planned.size.width() / planned.pixels.width(),
+                        planned.size.height() / planned.pixels.height());
+    for (const PlannedPiece& one : planned.pieces) {
+        const PieceToPack& piece = pieces[one.piece];
+        const QRect& inked = plan.inked[one.piece];
+        const PieceLayout layout = layoutOf(piece, inked.size(), film);
+        const QPoint place = onPage(layout.picture, one).topLeft();
+        const auto lay = [&](QImage& plate, const QImage& part) {
+            const QImage turned = one.turned ? part.transformed(QTransform().rotate(90)) : part;
+            copyPixels(plate, place, turned.convertToFormat(plate.format()));
+        };
+        const auto layColours = [&](QImage& plate, const QImage& picture) {
+            lay(plate, wide ? inWide(picture.copy(inked)) : picture.copy(inked));
+        };
+        layColours(sheet.image, piece.sheet.image);
+        for (const SheetPlate& own : piece.sheet.plates) {
+            const auto plate =
+                std::find_if(sheet.plates.begin(), sheet.plates.end(),
+                             [&](const SheetPlate& other) { return other.name == own.name; });
+            lay(plate->tint, own.tint.copy(inked));
+        }
+        if (sheet.wanted) {
+            layColours(sheet.wanted->image, piece.sheet.wanted->image);
+            lay(sheet.wanted->stretch, piece.sheet.wanted->stretch.copy(inked));
+        }
+        sheet.pieces.push_back(sheetPiece(piece, one, layout, inked, pixel));
+    }
+    sheet.job = filmJob(sheet, planned, number, plan.films.size());
+    return sheet;
+}
+
+} // namespace dipwright

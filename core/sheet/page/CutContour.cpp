@@ -1,0 +1,213 @@
+#include "sheet/page/CutContour.h"
+
+#include "sheet/page/InkDistance.h"
+
+#include <QPolygonF>
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace dipwright {
+namespace {
+
+constexpr double finestPlace = 0.1; // mm
+constexpr double mostPlaces = 4000; // along a side
+constexpr double straight = 0.02;   // mm that a point may lie off the line without it
+
+// A film's places by whether any of their pixels has ink, with a rim of bare ones.
+struct InkedPlaces {
+    double size = finestPlace; // mm
+    QSize grid;
+    std::vector<unsigned char> inked;
+
+    InkedPlaces(const QImage& image, QSizeF film)
+        : size(std::max(finestPlace, std::max(film.width(), film.height()) / mostPlaces)),
+          grid(int(std::ceil(film.width() / size)) + 2, int(std::ceil(film.height() / size)) + 2),
+          inked(std::size_t(grid.width()) * std::size_t(grid.height()), 0) {
+        const QImage pixels = image.convertToFormat(QImage::Format_RGBA8888);
+        const double across = film.width() / image.width() / size;
+        const double down = film.height() / image.height() / size;
+        for (int y = 0; y < pixels.height(); ++y) {
+            const uchar* pixel = pixels.constScanLine(y);
+            for (int x = 0; x < pixels.width(); ++x, pixel += 4) {
+                if (pixel[3] != 0 && (pixel[0] & pixel[1] & pixel[2]) != 255) {
+                    mark(QRectF(x * across, y * down, across, down));
+                }
+            }
+        }
+    }
+
+private:
+    // Every place that a pixel lies on.
+    void mark(const QRectF& pixel) {
+        for (int y = int(pixel.top()); y < pixel.bottom() && y + 2 < grid.height(); ++y) {
+            for (int x = int(pixel.left()); x < pixel.right() && x + 2 < grid.width(); ++x) {
+                inked[std::size_t(1 + y) * std::size_t(grid.width()) + std::size_t(1 + x)] = 1;
+            }
+        }
+    }
+};
+
+// Follows the line on which a height over a grid is `level`, with what is lower to its left
+// (marching squares, https://doi.org/10.1145/37402.37422).
+class LevelLine {
+public:
+    LevelLine(const std::vector<float>& heights, QSize grid, float level)
+        : heights_(heights), grid_(grid), level_(level) {
+        for (int y = 0; y + 1 < grid.height(); ++y) {
+            for (int x = 0; x + 1 < grid.width(); ++x) {
+                addCell(x, y);
+            }
+        }
+    }
+
+    std::vector<QPolygonF> loops() const {
+        std::vector<QPolygonF> found;
+        std::unordered_map<qint64, bool> seen;
+        for (const qint64 first : starts_) {
+            QPolygonF loop;
+            for (qint64 edge = first; !std::exchange(seen[edge], true); edge = next_.at(edge)) {
+                loop << place(edge);
+            }
+            if (loop.size() > 2) {
+                found.push_back(loop);
+            }
+        }
+        return found;
+    }
+
+private:
+    // Edges between neighbours: twice the first one's place, one more where it goes down.
+    qint64 edge(int x, int y, bool down) const {
+        return 2 * (qint64(y) * grid_.width() + x) + (down ? 1 : 0);
+    }
+    float height(qint64 place) const { return heights_[std::size_t(place)]; }
+    QPointF place(qint64 edge) const {
+        const qint64 at = edge / 2;
+        const bool down = edge % 2 == 1;
+        const float a = height(at);
+        const float b = height(at + (down ? grid_.width() : 1));
+        const double share = std::clamp(double((level_ - a) / (b - a)), 0.0, 1.0);
+        return {double(at % grid_.width()) + (down ? 0 : share),
+                double(at / grid_.width()) + (down ? share : 0)};
+    }
+    void addCell(int x, int y) {
+        const qint64 at = qint64(y) * grid_.width() + x;
+        const bool low[4] = {height(at) <= level_, height(at + 1) <= level_,
+                             height(at + 1 + grid_.width()) <= level_,
+                             height(at + grid_.width()) <= level_};
+        // Clockwise from the top; between corners i and i + 1.
+        const qint64 sides[4] = {edge(x, y, false), edge(x + 1, y, true), edge(x, y + 1, false),
+                                 edge(x, y, true)};
+        // From each side on which one gets to higher places, clockwise, to the next on which one
+        // gets back to lower ones: two corners that touch stay apart.
+        for (int side = 0; side < 4; ++side) {
+            if (!low[side] || low[(side + 1) % 4]) {
+                continue;
+            }
+            int back = (side + 1) % 4;
+            while (low[back] || !low[(back + 1) % 4]) {
+                back = (back + 1) % 4;
+            }
+            next_[sides[side]] = sides[back];
+            starts_.push_back(sides[side]);
+        }
+    }
+
+    const std::vector<float>& heights_;
+    QSize grid_;
+    float level_;
+    std::unordered_map<qint64, qint64> next_;
+    std::vector<qint64> starts_; // in an order of their own
+};
+
+double doubleArea(const QPolygonF& loop) {
+    double sum = 0;
+    for (qsizetype i = 0; i < loop.size(); ++i) {
+        const QPointF& a = loop[i];
+        const QPointF& b = loop[(i + 1) % loop.size()];
+        sum += a.x() * b.y() - b.x() * a.y();
+    }
+    return sum;
+}
+
+// Keeps of an open line what it needs (Douglas and Peucker, 1973).
+void keepNeeded(const QPolygonF& line, qsizetype first, qsizetype last, double tolerance,
+                QPolygonF& kept) {
+    const QPointF way = line[last] - line[first];
+    const double length = std::hypot(way.x(), way.y());
+    double most = 0;
+    qsizetype farthest = first;
+    for (qsizetype i = first + 1; i < last; ++i) {
+        const QPointF off = line[i] - line[first];
+        const double distance = length > 0
+                                    ? std::abs(way.x() * off.y() - way.y() * off.x()) / length
+                                    : std::hypot(off.x(), off.y());
+        if (distance > most) {
+            most = distance;
+            farthest = i;
+        }
+    }
+    if (most > tolerance) {
+        keepNeeded(line, first, farthest, tolerance, kept);
+        keepNeeded(line, farthest, last, tolerance, kept);
+    } else {
+        kept << line[last];
+    }
+}
+
+QPolygonF simplified(QPolygonF loop, double tolerance) {
+    loop << loop.first();
+    QPolygonF kept{loop.first()};
+    const qsizetype half = loop.size() / 2;
+    keepNeeded(loop, 0, half, tolerance, kept);
+    keepNeeded(loop, half, loop.size() - 1, tolerance, kept);
+    return kept;
+}
+
+} // namespace
+
+QPainterPath cutContour(const Sheet& sheet, const SheetLayout& layout) {
+    QPainterPath path;
+    const SheetSettings& settings = sheet.settings;
+    if (settings.cutLine == CutLine::Film) {
+        for (const SheetPiece& piece : layout.pieces) {
+            path.addRect(piece.box());
+        }
+        if (layout.pieces.empty()) {
+            path.addRect(layout.film);
+        }
+    }
+    if (settings.cutLine != CutLine::Ink) {
+        return path;
+    }
+    const InkedPlaces places(sheet.image, layout.film.size());
+    std::vector<float> distances = distancesTo(places.inked, places.grid);
+    for (int y = 0; y < places.grid.height(); ++y) {
+        for (int x = 0; x < places.grid.width(); ++x) {
+            if (x == 0 || y == 0 || x + 1 == places.grid.width() || y + 1 == places.grid.height()) {
+                distances[std::size_t(y) * std::size_t(places.grid.width()) + std::size_t(x)] =
+                    1e9f; // the rim, so that every line is closed
+            }
+        }
+    }
+    // Ink reaches half a place beyond its middle.
+    const auto level = float(settings.cutDistance.value() / places.size + 0.5);
+    const QTransform toPage = QTransform::fromScale(places.size, places.size) *
+                              QTransform::fromTranslate(layout.film.x() - places.size / 2,
+                                                        layout.film.y() - places.size / 2);
+    for (const QPolygonF& loop : LevelLine(distances, places.grid, level).loops()) {
+        if (doubleArea(loop) > 0) { // not the edge of a hole
+            QPolygonF onPage = toPage.map(simplified(loop, straight / places.size));
+            for (QPointF& point : onPage) {
+                point.setX(std::clamp(point.x(), layout.film.left(), layout.film.right()));
+                point.setY(std::clamp(point.y(), layout.film.top(), layout.film.bottom()));
+            }
+            path.addPolygon(onPage);
+            path.closeSubpath();
+        }
+    }
+    return path;
+}
+
+} // namespace dipwright

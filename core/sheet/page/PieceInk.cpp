@@ -1,0 +1,100 @@
+#include "sheet/page/PieceInk.h"
+
+#include "sheet/page/QrCode.h"
+#include "sheet/page/SheetInk.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Sheet)
+};
+
+constexpr double markOff = 3.5; // mm of a mark's centre from the picture's edges
+constexpr double codeSide = 11; // mm
+constexpr double type = 2.2, lineHeight = 3.4;
+constexpr double tick = 3; // mm
+
+void paintMarksOf(QPainter& painter, const SheetPiece& piece) {
+    const QRectF centres = piece.picture.adjusted(-markOff, -markOff, markOff, markOff);
+    bool first = true;
+    for (const QPointF& corner :
+         {centres.topLeft(), centres.topRight(), centres.bottomLeft(), centres.bottomRight()}) {
+        paintMark(painter, {corner}, first);
+        first = false;
+    }
+}
+
+// Over the middle of its own film, where the body's place counts from, as far as that lies here.
+void paintMiddle(QPainter& painter, const SheetPiece& piece) {
+    const QRectF& picture = piece.picture;
+    const QPointF& middle = piece.middle;
+    QPainterPath ticks;
+    const auto line = [&](QPointF from, QPointF along) {
+        ticks.moveTo(from);
+        ticks.lineTo(from + along);
+    };
+    if (middle.x() > picture.left() && middle.x() < picture.right()) {
+        line({middle.x(), picture.top() - 1}, {0, -tick});
+        line({middle.x(), picture.bottom() + 1}, {0, tick});
+    }
+    if (middle.y() > picture.top() && middle.y() < picture.bottom()) {
+        line({picture.left() - 1, middle.y()}, {-tick, 0});
+        line({picture.right() + 1, middle.y()}, {tick, 0});
+    }
+    SheetInk(painter, false).stroke(ticks);
+}
+
+void paintLine(QPainter& painter, QPointF baseline, double width, const QString& text) {
+    const QFontMetricsF metrics(sheetFont(type));
+    SheetInk(painter, false)
+        .text(baseline, type, metrics.elidedText(text, Qt::ElideRight, width / typeUnit));
+}
+
+void paintFoot(QPainter& painter, const SheetPiece& piece) {
+    const QRectF foot(1, piece.size.height() - pieceFoot, piece.size.width() - 2, pieceFoot - 1);
+    paintQrCode(painter, {foot.topLeft(), QSizeF(codeSide, codeSide)}, pieceCode(piece));
+    const JobLine& job = piece.job;
+    const QString lines[]{
+        Text::tr("Job %1").arg(job.hash.simplified()),
+        Text::tr("Dip %1, copy %2 of %3").arg(piece.dip).arg(piece.copy).arg(piece.copies),
+        Text::tr("%1 · %2 · %3 · Film %4 · Scale %5")
+            .arg(job.project.simplified(), job.immersion.simplified(), job.date.simplified(),
+                 job.film.simplified(), job.scale.simplified())};
+    const QPointF start = foot.topLeft() + QPointF(codeSide + 1, lineHeight - 0.4);
+    for (int line = 0; line < 3; ++line) {
+        paintLine(painter, start + QPointF(0, line * lineHeight), foot.right() - start.x(),
+                  lines[line]);
+    }
+}
+
+} // namespace
+
+QString pieceCode(const SheetPiece& piece) {
+    return QStringLiteral("%1/%2/%3").arg(piece.job.hash).arg(piece.dip).arg(piece.copy);
+}
+
+void paintPiece(QPainter& painter, const SheetPiece& piece) {
+    painter.save();
+    painter.translate(piece.corner);
+    if (piece.turned) {
+        painter.translate(piece.size.height(), 0);
+        painter.rotate(90);
+    }
+    painter.setPen(QPen(Qt::black, hairline, Qt::DashLine));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRectF({0, 0}, piece.size));
+    if (piece.marks) {
+        paintMarksOf(painter, piece);
+        paintMiddle(painter, piece);
+    }
+    if (piece.jobLine) {
+        paintFoot(painter, piece);
+    }
+    painter.restore();
+}
+
+} // namespace dipwright

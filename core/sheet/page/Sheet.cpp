@@ -1,0 +1,94 @@
+#include "sheet/page/Sheet.h"
+
+#include "base/Error.h"
+#include "base/Sha256.h"
+#include "base/WideGamut.h"
+#include "sheet/page/CutContour.h"
+#include "sheet/page/SheetInk.h"
+#include "sheet/pdf/InkedPages.h"
+
+#include <QColorSpace>
+#include <QCoreApplication>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Sheet)
+};
+
+} // namespace
+
+QSize sheetPixels(Millimetres width, Millimetres height, DotsPerInch resolution) {
+    const double columns = std::round(width.value() * pixelsPerMillimetre(resolution));
+    const double rows = std::round(height.value() * pixelsPerMillimetre(resolution));
+    if (!(columns >= 1 && rows >= 1 && columns <= mostSheetPixels && rows <= mostSheetPixels)) {
+        throw Error(
+            Text::tr("A film of %1 × %2 mm at %3 dpi does not make an image of 1 to %4 pixels "
+                     "a side; choose another resolution or film size")
+                .arg(width.value())
+                .arg(height.value())
+                .arg(resolution.value())
+                .arg(mostSheetPixels),
+            QStringLiteral("sheet.dpi"));
+    }
+    return {int(columns), int(rows)};
+}
+
+QImage onPaper(const QImage& filmImage) {
+    const bool wide = isWide(filmImage);
+    QImage page(filmImage.size(), wide ? QImage::Format_RGBX64 : QImage::Format_RGB888);
+    page.fill(Qt::white);
+    QPainter painter(&page);
+    painter.drawImage(0, 0, filmImage);
+    painter.end();
+    page.setColorSpace(wide ? wideSpace() : QColorSpace(QColorSpace::SRgb));
+    return page;
+}
+
+QImage flattened(const QImage& filmImage) {
+    QImage page = inSrgb(onPaper(filmImage));
+    page.setColorSpace(QColorSpace::SRgb);
+    return page;
+}
+
+QString hashOfJobs(const QStringList& jobs) {
+    constexpr int letters = 12;
+    return sha256Hex(jobs.join(u' ').toLatin1()).left(letters);
+}
+
+void paintSheet(QPainter& painter, const Sheet& sheet) {
+    const SheetLayout layout = sheetLayout(sheet);
+    painter.save();
+    painter.setRenderHint(QPainter::LosslessImageRendering);
+    painter.drawImage(layout.film, flattened(sheet.image));
+    if (takesSpots(painter)) {
+        const SpotInk cutter{sheet.settings.cutName, {0, 1, 0, 0}}; // magenta where it is not known
+        strokeCut(painter, cutContour(sheet, layout), hairline, cutter,
+                  sheet.settings.cutBleed.value());
+    }
+    paintMarks(painter, layout);
+    painter.restore();
+}
+
+void correctScale(QPainter& painter, QSizeF paper, const PrintCorrection& correction) {
+    const QPointF middle(paper.width() / 2, paper.height() / 2);
+    painter.translate(middle);
+    painter.scale(1 / correction.scaleX, 1 / correction.scaleY);
+    painter.translate(-middle);
+}
+
+void paintCorrectedSheet(QPainter& painter, const Sheet& sheet, const PrintCorrection& correction) {
+    const QSizeF page = pageSize(sheet);
+    painter.save();
+    correctScale(painter, correction.acrossPaper ? page.transposed() : page, correction);
+    if (correction.acrossPaper) {
+        painter.translate(page.height(), 0);
+        painter.rotate(90);
+    }
+    paintSheet(painter, sheet);
+    painter.restore();
+}
+
+} // namespace dipwright

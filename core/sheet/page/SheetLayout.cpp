@@ -1,0 +1,279 @@
+#include "sheet/page/SheetLayout.h"
+
+#include "base/Error.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QPageSize>
+#include <QTransform>
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::Sheet)
+};
+
+constexpr double stripClearance = 2; // mm between two things
+constexpr double jobLineDepth = 3.5;
+constexpr double jobLineType = 2.2;
+constexpr int longestName = 40; // letters of a project's name on the job line
+
+QSizeF paperSize(const SheetSettings& settings, QSizeF film) {
+    const QString& paper = settings.paper;
+    if (paper == u"film") {
+        return film;
+    }
+    if (paper == u"custom") {
+        return {settings.customWidth.value(), settings.customHeight.value()};
+    }
+    const QPageSize::PageSizeId id = paper == u"A4"       ? QPageSize::A4
+                                     : paper == u"A3"     ? QPageSize::A3
+                                     : paper == u"Letter" ? QPageSize::Letter
+                                                          : QPageSize::Custom;
+    if (id == QPageSize::Custom) {
+        throw Error(
+            Text::tr("Unknown paper \"%1\"; choose film, A4, A3, Letter or custom").arg(paper),
+            QStringLiteral("sheet.paper"));
+    }
+    const QSizeF portrait = QPageSize::size(id, QPageSize::Millimeter);
+    return settings.landscape ? portrait.transposed() : portrait;
+}
+
+// Tells whether the film image has colour in a part of the page.
+class Paint {
+public:
+    Paint(const QImage& image, const QRectF& film)
+        : image_(image.convertToFormat(QImage::Format_RGBA8888)), film_(film) {}
+
+    double share(const QRectF& box) const {
+        const QRect pixels = pixelBox(box.intersected(film_));
+        if (pixels.isEmpty()) {
+            return 0;
+        }
+        qint64 painted = 0;
+        for (int y = pixels.top(); y <= pixels.bottom(); ++y) {
+            const uchar* pixel = image_.constScanLine(y) + qsizetype(pixels.left()) * 4;
+            for (int x = 0; x < pixels.width(); ++x, pixel += 4) {
+                painted += prints(pixel);
+            }
+        }
+        return double(painted) / (double(pixels.width()) * pixels.height());
+    }
+
+private:
+    QRect pixelBox(const QRectF& box) const {
+        if (box.isEmpty()) {
+            return {};
+        }
+        const QTransform toPixels =
+            QTransform::fromTranslate(-film_.x(), -film_.y()) *
+            QTransform::fromScale(image_.width() / film_.width(), image_.height() / film_.height());
+        return toPixels.mapRect(box).toAlignedRect().intersected(image_.rect());
+    }
+    QImage image_;
+    QRectF film_;
+};
+
+// Finds places along the page's edges for strips that neither meet each other nor the paint.
+class Places {
+public:
+    Places(const SheetLayout& layout, double clearance, const Paint& paint)
+        : page_(layout.page), clearance_(clearance), paint_(paint) {
+        for (const SheetMark& mark : layout.marks) {
+            taken_.push_back(mark.box());
+        }
+        for (const SheetPiece& piece : layout.pieces) {
+            taken_.push_back(piece.box());
+        }
+    }
+
+    double longest() const { return std::max(page_.width(), page_.height()) - 2 * clearance_; }
+
+    // Edges in the order of preference: 0 top, 1 right, 2 bottom, 3 left.
+    std::optional<SheetStrip> take(QSizeF size, const std::array<int, 4>& edges) {
+        std::optional<SheetStrip> best;
+        double bestShare = 2;
+        for (int edge : edges) {
+            for (double along : {0.5, 0.0, 1.0, 0.25, 0.75}) {
+                SheetStrip strip = stripAt(edge, along, size);
+                if (!isFree(strip.box())) {
+                    continue;
+                }
+                const double share = paint_.share(strip.box());
+                if (share < bestShare) {
+                    strip.overPaint = share > 0;
+                    best = strip;
+                    bestShare = share;
+                }
+            }
+        }
+        if (best) {
+            taken_.push_back(best->box());
+        }
+        return best;
+    }
+
+private:
+    bool isFree(const QRectF& box) const {
+        const QRectF page(QPointF(0, 0), page_);
+        const double c = clearance_ - 1e-6;
+        const QRectF wide =
+            box.adjusted(-stripClearance, -stripClearance, stripClearance, stripClearance);
+        return page.adjusted(c, c, -c, -c).contains(box) &&
+               std::none_of(taken_.begin(), taken_.end(),
+                            [&](const QRectF& other) { return wide.intersects(other); });
+    }
+
+    SheetStrip stripAt(int edge, double along, QSizeF size) const {
+        const double w = page_.width();
+        const double h = page_.height();
+        const double reserve = clearance_ + 2 * markReach + stripClearance;
+        const bool upright = edge % 2 == 1;
+        const double room = (upright ? h : w) - size.width() - 2 * reserve;
+        const double start = room < 0 ? reserve + room / 2 : reserve + room * along;
+        switch (edge) {
+        case 0:
+            return {{start, clearance_}, 0, size};
+        case 1:
+            return {{w - clearance_, start}, 90, size};
+        case 2:
+            return {{start, h - clearance_ - size.height()}, 0, size};
+        default:
+            return {{clearance_, h - start}, -90, size};
+        }
+    }
+
+    QSizeF page_;
+    double clearance_; // from the page's edge
+    const Paint& paint_;
+    std::vector<QRectF> taken_;
+};
+
+// Outside the film where the paper has the room, so that they also show where to cut; else inside.
+std::vector<SheetMark> placeMarks(const QRectF& film, double clearance, const Paint& paint) {
+    const double inset = clearance + markReach;
+    const bool outside = std::min(film.left(), film.top()) >= 2 * inset;
+    const QRectF centres = outside ? film.adjusted(-inset, -inset, inset, inset)
+                                   : film.adjusted(inset, inset, -inset, -inset);
+    if (centres.width() < 4 * markReach || centres.height() < 4 * markReach) {
+        return {};
+    }
+    std::vector<SheetMark> marks;
+    for (const QPointF& corner :
+         {centres.topLeft(), centres.topRight(), centres.bottomLeft(), centres.bottomRight()}) {
+        SheetMark mark{corner};
+        mark.overPaint = paint.share(mark.box()) > 0;
+        marks.push_back(mark);
+    }
+    return marks;
+}
+
+std::optional<SheetStrip> placeRuler(Places& places) {
+    const double room = places.longest() - 2 * rulerEnd;
+    for (int length = std::min(100, int(room / 10) * 10); length >= 20; length -= 10) {
+        const QSizeF size(length + 2 * rulerEnd, rulerDepth);
+        if (auto strip = places.take(size, {2, 0, 3, 1})) {
+            return strip;
+        }
+    }
+    return std::nullopt;
+}
+
+QString shortened(const QString& name) {
+    const QString text = name.simplified();
+    return text.size() <= longestName ? text : text.left(longestName - 1) + u'…';
+}
+
+// From all that is to say to what a tiny sheet has room for.
+QStringList jobLineTexts(const JobLine& job) {
+    const QString hash = job.hash.simplified();
+    return {Text::tr("%1 · %2 · %3 · Film %4 · Scale %5 · Job %6")
+                .arg(shortened(job.project), shortened(job.immersion), job.date.simplified(),
+                     shortened(job.film), shortened(job.scale), hash),
+            Text::tr("%1 · Job %2").arg(shortened(job.immersion), hash), hash};
+}
+
+void placeJobLine(SheetLayout& layout, Places& places, const JobLine& job) {
+    const QFontMetricsF metrics(sheetFont(jobLineType));
+    for (const QString& text : jobLineTexts(job)) {
+        const double natural = metrics.horizontalAdvance(text) * typeUnit;
+        for (double type = jobLineType; type > 1.2; type *= 0.85) {
+            const QSizeF size(natural * type / jobLineType, jobLineDepth);
+            if ((layout.jobLine = places.take(size, {0, 2, 3, 1}))) {
+                layout.jobLineText = text;
+                layout.jobLineHeight = type;
+                return;
+            }
+        }
+    }
+}
+
+} // namespace
+
+QRectF SheetStrip::box() const {
+    return QTransform::fromTranslate(origin.x(), origin.y())
+        .rotate(angle)
+        .mapRect(QRectF({0, 0}, size));
+}
+
+QRectF SheetMark::box() const {
+    return {centre.x() - markReach, centre.y() - markReach, 2 * markReach, 2 * markReach};
+}
+
+QSizeF pageSize(const Sheet& sheet) {
+    const QSizeF film(sheet.filmWidth.value(), sheet.filmHeight.value());
+    const QSizeF page = paperSize(sheet.settings, film);
+    constexpr double tolerance = 0.01;
+    if (page.width() < film.width() - tolerance || page.height() < film.height() - tolerance) {
+        throw Error(
+            Text::tr("The paper of %1 × %2 mm is smaller than the film of %3 × %4 mm; choose "
+                     "larger paper, turn it or make the film smaller")
+                .arg(page.width())
+                .arg(page.height())
+                .arg(film.width())
+                .arg(film.height()),
+            QStringLiteral("sheet.paper"));
+    }
+    return page;
+}
+
+SheetLayout sheetLayout(const Sheet& sheet) {
+    SheetLayout layout;
+    layout.page = pageSize(sheet);
+    const QSizeF film(sheet.filmWidth.value(), sheet.filmHeight.value());
+    layout.film = QRectF(QPointF((layout.page.width() - film.width()) / 2,
+                                 (layout.page.height() - film.height()) / 2),
+                         film);
+    const Paint paint(sheet.image, layout.film);
+    const double clearance = sheet.clearance.value();
+    layout.pieces = sheet.pieces;
+    if (sheet.settings.marks && sheet.pieces.empty()) {
+        layout.marks = placeMarks(layout.film, clearance, paint);
+    }
+    Places places(layout, clearance, paint);
+    if (sheet.settings.ruler) {
+        layout.ruler = placeRuler(places);
+    }
+    if (sheet.settings.jobLine) {
+        placeJobLine(layout, places, sheet.job);
+    }
+    return layout;
+}
+
+QFont sheetFont(double height) {
+    QFont font;
+    font.setFamilies({QStringLiteral("DejaVu Sans"), QStringLiteral("Noto Sans"),
+                      QStringLiteral("Arial"), QStringLiteral("Helvetica")});
+    font.setStyleHint(QFont::SansSerif);
+    font.setHintingPreference(QFont::PreferNoHinting);
+    // Spaced letters are not joined: the "ff" of a job number stays two letters that are found.
+    constexpr double leastSpacing = 0.05; // units
+    font.setLetterSpacing(QFont::AbsoluteSpacing, leastSpacing);
+    font.setPixelSize(std::max(1, int(std::lround(height / typeUnit))));
+    return font;
+}
+
+} // namespace dipwright

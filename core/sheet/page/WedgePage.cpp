@@ -1,0 +1,116 @@
+#include "sheet/page/WedgePage.h"
+
+#include "base/Error.h"
+#include "sheet/page/DrawnPage.h"
+#include "sheet/page/Sheet.h"
+#include "sheet/page/SheetInk.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::WedgePage)
+};
+
+constexpr double margin = 12;     // mm
+constexpr double headHeight = 46; // mm over the first row, for words and tones
+constexpr double nameWidth = 20;  // mm left of a row
+constexpr double gap = 8;         // mm between rows, for what is written by hand
+constexpr double mostPatch = 14;  // mm
+constexpr double leastPatch = 8;  // mm: a densitometer's opening and some room round it
+
+double patchSize(const WedgePage& page) {
+    std::size_t most = 1;
+    for (const WedgeRow& row : page.rows) {
+        most = std::max(most, row.patches.size());
+    }
+    const double wide = (page.paper.width() - 2 * margin - nameWidth) / double(most);
+    // Under the rows the upright ruler must have its room as well.
+    const double high = (page.paper.height() - headHeight - 2 * margin - rulerDepth) /
+                            double(std::max<std::size_t>(page.rows.size(), 1)) -
+                        gap;
+    const double size = std::min({wide, high, mostPatch});
+    const double rulers = wedgeRuler + 2 * rulerEnd;
+    if (size < leastPatch || page.paper.width() < rulers + 2 * margin ||
+        page.paper.height() < headHeight + rulers + margin) {
+        throw Error(Text::tr("Paper of %1 × %2 mm has no room for the wedge; take a larger one")
+                        .arg(page.paper.width())
+                        .arg(page.paper.height()),
+                    QStringLiteral("paper"));
+    }
+    return size;
+}
+
+QString titleOf() {
+    return Text::tr("Ink wedge: print this on the film as a sheet is printed");
+}
+
+void paintWords(const SheetInk& ink, const WedgePage& page) {
+    const QString open = QString(16, QLatin1Char('_'));
+    const auto given = [&](const QString& text) { return text.isEmpty() ? open : text; };
+    const QStringList words{
+        Text::tr("1. Zero the densitometer on unprinted film. Read every patch before the dip."),
+        Text::tr("2. Stretch the film: on a body, or floating, by hand. Measure both rulers; %1 mm "
+                 "is no stretch.")
+            .arg(wedgeRuler),
+        Text::tr("3. Read every patch again. Best at three or four stretches up to the job's."),
+        Text::tr("Date %1   Lot %2").arg(given(page.date), given(page.lot))};
+    double y = margin + 3;
+    ink.text({margin, y}, 4.5, titleOf());
+    for (const QString& text : words) {
+        y += 6;
+        ink.text({margin, y}, 3, text);
+    }
+}
+
+void paintWedge(QPainter& painter, const WedgePage& page) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    const SheetInk ink(painter, false);
+    paintWords(ink, page);
+    const double size = patchSize(page);
+    const double left = margin + nameWidth;
+    for (int column = 0; column < page.tones.size(); ++column) {
+        ink.text({left + column * size + 1, headHeight - 2}, 2.4, page.tones[column]);
+    }
+    double top = headHeight;
+    for (const WedgeRow& row : page.rows) {
+        ink.text({margin, top + size / 2 + 1}, 3, row.name);
+        double x = left;
+        for (const QColor& patch : row.patches) {
+            painter.fillRect(QRectF(x, top, size, size), patch);
+            x += size;
+        }
+        top += size + gap;
+    }
+    const QSizeF ruler(wedgeRuler + 2 * rulerEnd, rulerDepth);
+    paintRuler(painter, {{left, top}, 0, ruler, false});
+    // Upright beside the rows, read from its bottom to its top.
+    const double bottom = std::min(headHeight + ruler.width(), page.paper.height() - margin / 2);
+    paintRuler(painter, {{margin / 2, bottom}, -90, ruler, false});
+}
+
+DrawnPage drawnPage(const WedgePage& page) {
+    patchSize(page);
+    return {titleOf(),
+            page.paper,
+            page.scaleX,
+            page.scaleY,
+            [page](QPainter& painter) { paintWedge(painter, page); },
+            page.inks,
+            page.inksName};
+}
+
+} // namespace
+
+void writeWedgePdf(const WedgePage& page, QIODevice& device) {
+    writeDrawnPdf(drawnPage(page), device);
+}
+
+void writeWedgePng(const WedgePage& page, DotsPerInch resolution, QIODevice& device) {
+    writeDrawnPng(drawnPage(page), resolution, device);
+}
+
+} // namespace dipwright

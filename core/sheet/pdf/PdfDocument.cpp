@@ -1,0 +1,121 @@
+#include "sheet/pdf/PdfDocument.h"
+
+#include "base/Error.h"
+#include "base/ProgramName.h"
+#include "sheet/pdf/DrawnPdf.h"
+#include "sheet/pdf/InkedPages.h"
+#include "sheet/pdf/PdfX.h"
+
+#include <QColorSpace>
+#include <qpdf/QPDF.hh>
+#include <qpdf/QPDFPageDocumentHelper.hh>
+#include <qpdf/QPDFWriter.hh>
+
+namespace dipwright {
+namespace {
+
+// The box is measured from Qt's upper left corner, where the drawing starts; in points.
+void setExactBox(QPDFObjectHandle page, QSizeF size) {
+    const double top = page.getKey("/MediaBox").getArrayAsRectangle().ury;
+    for (const char* box : {"/MediaBox", "/TrimBox"}) {
+        page.replaceKey(
+            box, QPDFObjectHandle::newFromRectangle({0, top - size.height(), size.width(), top}));
+    }
+}
+
+// What the pages' colours are numbers of. Of PDF/X it is only where the document is; an intent for
+// the eye else, of the kind that archives have, as a screen's colours are no printer's.
+void addOutputIntent(QPDF& pdf, const QByteArray& profile, const PdfSettings& settings) {
+    QPDFObjectHandle stream = QPDFObjectHandle::newStream(&pdf, profile.toStdString());
+    stream.getDict().replaceKey("/N", QPDFObjectHandle::newInteger(settings.inks ? 4 : 3));
+    const QPDFObjectHandle name =
+        QPDFObjectHandle::newUnicodeString(settings.outputName.toStdString());
+    QPDFObjectHandle intent = QPDFObjectHandle::parse("<< /Type /OutputIntent >>");
+    intent.replaceKey(
+        "/S", QPDFObjectHandle::newName(isOutputDevice(profile) ? "/GTS_PDFX" : "/GTS_PDFA1"));
+    intent.replaceKey("/OutputConditionIdentifier", name);
+    intent.replaceKey("/Info", name);
+    intent.replaceKey("/DestOutputProfile", stream);
+    QPDFObjectHandle intents = QPDFObjectHandle::newArray();
+    intents.appendItem(pdf.makeIndirectObject(intent));
+    pdf.getRoot().replaceKey("/OutputIntents", intents);
+}
+
+QByteArray written(QPDF& pdf) {
+    QPDFWriter writer(pdf);
+    writer.setOutputMemory();
+    writer.setDeterministicID(true);
+    writer.setStreamDataMode(qpdf_s_preserve);
+    writer.setMinimumPDFVersion("1.6"); // the first with PrintScaling
+    writer.write();
+    const std::shared_ptr<Buffer> bytes = writer.getBufferSharedPointer();
+    return {reinterpret_cast<const char*>(bytes->getBuffer()), qsizetype(bytes->getSize())};
+}
+
+// In RGB, drawn by Qt.
+void addDrawnPages(QPDF& pdf, const std::vector<PdfPage>& pages, const QByteArray& drawn) {
+    pdf.processMemoryFile("drawn.pdf", drawn.constData(), std::size_t(drawn.size()));
+    const std::vector<QPDFPageObjectHelper> drawnPages = QPDFPageDocumentHelper(pdf).getAllPages();
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        setExactBox(drawnPages.at(i).getObjectHandle(), inPoints(pages[i].size));
+    }
+}
+
+// What Qt says of a document that it has drawn.
+void addInformation(QPDF& pdf, const QString& title) {
+    const auto text = [](const QString& words) {
+        return QPDFObjectHandle::newUnicodeString(words.toStdString());
+    };
+    QPDFObjectHandle info = QPDFObjectHandle::newDictionary();
+    info.replaceKey("/Title", text(title));
+    info.replaceKey("/Creator", text(QStringLiteral("Dipwright ") + programVersion()));
+    info.replaceKey("/Producer", text(QStringLiteral("Dipwright")));
+    pdf.getTrailer().replaceKey("/Info", pdf.makeIndirectObject(info));
+}
+
+} // namespace
+
+QByteArray pdfDocument(const std::vector<PdfPage>& pages, const PdfSettings& settings) {
+    const QByteArray drawn = settings.inks ? QByteArray() : drawnPdf(pages, settings.title);
+    QPDF pdf; // reads what is drawn as it needs it
+    if (settings.inks) {
+        pdf.emptyPDF();
+        addInkedPages(pdf, pages, *settings.inks);
+        addInformation(pdf, settings.title);
+    } else {
+        addDrawnPages(pdf, pages, drawn);
+    }
+    const QByteArray profile = settings.outputProfile.isEmpty()
+                                   ? QColorSpace(QColorSpace::SRgb).iccProfile()
+                                   : settings.outputProfile;
+    addOutputIntent(pdf, profile, settings);
+    pdf.getRoot().replaceKey("/ViewerPreferences",
+                             QPDFObjectHandle::parse("<< /PrintScaling /None >>"));
+    QPDFObjectHandle info = pdf.getTrailer().getKey("/Info");
+    info.removeKey("/CreationDate");
+    info.removeKey("/ModDate");
+    info.replaceKey("/Trapped", QPDFObjectHandle::newName("/False"));
+    if (isOutputDevice(profile)) {
+        declarePdfX(pdf, settings);
+    }
+    return written(pdf);
+}
+
+QByteArray repeatedPdf(const QByteArray& document, int copies) {
+    QPDF pdf;
+    try {
+        pdf.processMemoryFile("document.pdf", document.constData(), std::size_t(document.size()));
+    } catch (const std::exception& failure) {
+        throw Error(QString::fromUtf8(failure.what()), QStringLiteral("PDF"));
+    }
+    QPDFPageDocumentHelper helper(pdf);
+    const std::vector<QPDFPageObjectHelper> pages = helper.getAllPages();
+    for (int copy = 1; copy < copies; ++copy) {
+        for (const QPDFPageObjectHelper& page : pages) {
+            helper.addPage(QPDFPageObjectHelper(page).shallowCopyPage(), false);
+        }
+    }
+    return written(pdf);
+}
+
+} // namespace dipwright

@@ -1,0 +1,88 @@
+#include "sheet/prepress/PlateCompensation.h"
+
+#include "parallel/ParallelFor.h"
+#include "texture/StretchPlane.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+constexpr int steps = 256; // of a stretch, from the least to the most; linear between
+constexpr float visibleDensity = 0.05f;
+constexpr FilmInk inkOrder[4] = {FilmInk::Cyan, FilmInk::Magenta, FilmInk::Yellow, FilmInk::Black};
+
+float stretchAt(int step) {
+    return areaStretchOf(std::uint16_t(step * 65535 / steps));
+}
+
+float stepOf(float areaStretch) {
+    return float(stretchCode(areaStretch)) * steps / 65535;
+}
+
+} // namespace
+
+float PlateCompensation::OneInk::density(double amount) const {
+    const int below = std::clamp(int(amount), 0, 254);
+    const auto share = float(amount - below);
+    return densities[std::size_t(below)] +
+           share * (densities[std::size_t(below) + 1] - densities[std::size_t(below)]);
+}
+
+// The least amount that is as dense; full ink where none is.
+double PlateCompensation::OneInk::amount(float density) const {
+    const auto above = std::lower_bound(densities.begin(), densities.end(), density);
+    if (above == densities.begin() || above == densities.end()) {
+        return above == densities.end() ? 255 : 0;
+    }
+    const float low = *(above - 1);
+    return double(above - densities.begin()) - 1 + double((density - low) / (*above - low));
+}
+
+PlateCompensation::PlateCompensation(const PrinterColour& colour, const InkSettings& settings) {
+    for (int ink = 0; ink < 4; ++ink) {
+        inks_.push_back({Thinning(settings.law, inkOrder[ink]), colour.inkDensities(ink), {}});
+    }
+    parallelFor(0, 4, [&](int ink) { fill(inks_[std::size_t(ink)], float(settings.limit)); });
+}
+
+void PlateCompensation::fill(OneInk& ink, float limit) const {
+    ink.printed.reserve(256 * (steps + 1));
+    for (int wanted = 0; wanted < 256; ++wanted) {
+        const float shows = ink.densities[std::size_t(wanted)];
+        for (int step = 0; step <= steps; ++step) {
+            if (shows <= 0) {
+                ink.printed.push_back(float(wanted)); // it is not seen, on stretched film neither
+                continue;
+            }
+            const float density = shows * ink.law.byShown(std::log(shows), stretchAt(step));
+            const auto amount = float(ink.amount(std::min(density, std::max(limit, shows))));
+            ink.printed.push_back(density > shows ? std::max(amount, float(wanted)) : amount);
+        }
+    }
+}
+
+std::uint8_t PlateCompensation::printed(int ink, std::uint8_t wanted, float areaStretch) const {
+    const float step = stepOf(areaStretch);
+    const int below = std::min(int(step), steps - 1);
+    const float* const amounts =
+        &inks_[std::size_t(ink)].printed[std::size_t(wanted) * (steps + 1) + std::size_t(below)];
+    const float amount = amounts[0] + (step - float(below)) * (amounts[1] - amounts[0]);
+    return std::uint8_t(std::lround(amount));
+}
+
+double PlateCompensation::shown(int ink, double printed, float areaStretch) const {
+    const OneInk& one = inks_[std::size_t(ink)];
+    const float density = one.density(printed);
+    return density > 0 ? one.amount(density / one.law.byPrinted(std::log(density), areaStretch))
+                       : printed;
+}
+
+bool PlateCompensation::fallsShort(int ink, std::uint8_t wanted, std::uint8_t printed,
+                                   float areaStretch) const {
+    const OneInk& one = inks_[std::size_t(ink)];
+    return one.density(wanted) - one.density(shown(ink, printed, areaStretch)) > visibleDensity;
+}
+
+} // namespace dipwright

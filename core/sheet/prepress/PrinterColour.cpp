@@ -1,0 +1,281 @@
+#include "sheet/prepress/PrinterColour.h"
+
+#include "base/Error.h"
+#include "base/WideGamut.h"
+#include "parallel/ParallelFor.h"
+
+#include <QColorSpace>
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+#include <lcms2.h>
+#include <vector>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::PrinterColour)
+};
+
+struct CloseProfile {
+    void operator()(void* profile) const { cmsCloseProfile(profile); }
+};
+using ProfileHandle = std::unique_ptr<void, CloseProfile>;
+
+struct DeleteTransform {
+    void operator()(void* transform) const { cmsDeleteTransform(transform); }
+};
+using TransformHandle = std::unique_ptr<void, DeleteTransform>;
+
+TransformHandle required(cmsHTRANSFORM transform, const QString& where) {
+    if (!transform) {
+        throw Error(
+            Text::tr("The ICC profile cannot be used for printing, choose the printer's output "
+                     "profile"),
+            where);
+    }
+    return TransformHandle(transform);
+}
+
+constexpr cmsUInt32Number cmsIntent(RenderingIntent intent) {
+    switch (intent) {
+    case RenderingIntent::Perceptual:
+        return INTENT_PERCEPTUAL;
+    case RenderingIntent::RelativeColorimetric:
+        return INTENT_RELATIVE_COLORIMETRIC;
+    case RenderingIntent::Saturation:
+        return INTENT_SATURATION;
+    case RenderingIntent::AbsoluteColorimetric:
+        break;
+    }
+    return INTENT_ABSOLUTE_COLORIMETRIC;
+}
+
+QImage withAlphaOf(const QImage& picture, const QImage& opaque) {
+    if (!picture.hasAlphaChannel()) {
+        return opaque;
+    }
+    const QImage alpha = picture.convertToFormat(QImage::Format_Alpha8);
+    QImage result = opaque.convertToFormat(QImage::Format_RGBA8888);
+    for (int y = 0; y < result.height(); ++y) {
+        uchar* pixel = result.scanLine(y);
+        for (int x = 0; x < result.width(); ++x) {
+            pixel[4 * x + 3] = alpha.constScanLine(y)[x];
+        }
+    }
+    return result;
+}
+
+// What pictures of one kind of numbers go through.
+struct FromPicture {
+    TransformHandle toPrinter;
+    TransformHandle wanted; // to Lab
+};
+
+QImage opaque(const QImage& picture) {
+    return picture.convertToFormat(isWide(picture) ? QImage::Format_RGBX64 : QImage::Format_RGB888);
+}
+
+} // namespace
+
+struct PrinterColour::Data {
+    QByteArray icc;
+    ProfileHandle printer;
+    bool cmyk = false;
+    FromPicture fromSrgb;     // RGB888
+    FromPicture fromWide;     // RGBX64
+    TransformHandle toScreen; // from the printer, to sRGB, relative to the paper
+    TransformHandle printed;  // from the printer, to Lab
+
+    int channels() const { return cmyk ? 4 : 3; }
+    const FromPicture& from(const QImage& opaque) const {
+        return isWide(opaque) ? fromWide : fromSrgb;
+    }
+
+    // A row of an opaque picture as the printer's bytes.
+    std::vector<uchar> printerRow(const QImage& opaque, int y) const {
+        std::vector<uchar> row(std::size_t(opaque.width()) * std::size_t(channels()));
+        cmsDoTransform(from(opaque).toPrinter.get(), opaque.constScanLine(y), row.data(),
+                       cmsUInt32Number(opaque.width()));
+        return row;
+    }
+};
+
+PrinterColour::PrinterColour(const QByteArray& iccProfile, RenderingIntent intent, bool blackPoint,
+                             const QString& where)
+    : data_(std::make_unique<Data>()) {
+    Data& d = *data_;
+    d.icc = iccProfile;
+    d.printer.reset(
+        cmsOpenProfileFromMem(iccProfile.constData(), cmsUInt32Number(iccProfile.size())));
+    if (!d.printer) {
+        throw Error(Text::tr("This is not an ICC profile, or it is damaged"), where);
+    }
+    // The header's word, and not cmsGetColorSpace: that returns an enumeration, of which any other
+    // word is no value.
+    const QByteArray space = iccProfile.mid(16, 4);
+    if (space != "RGB " && space != "CMYK") {
+        throw Error(
+            Text::tr("The ICC profile is not of an RGB or CMYK printer, choose the printer's "
+                     "output profile"),
+            where);
+    }
+    d.cmyk = space == "CMYK";
+    const ProfileHandle screen(cmsCreate_sRGBProfile());
+    const QByteArray wideIcc = wideSpace().iccProfile();
+    const ProfileHandle wide(
+        cmsOpenProfileFromMem(wideIcc.constData(), cmsUInt32Number(wideIcc.size())));
+    const ProfileHandle lab(cmsCreateLab4Profile(nullptr));
+    const cmsUInt32Number device = d.cmyk ? TYPE_CMYK_8 : TYPE_RGB_8;
+    // Without the one-pixel cache a transform may be used by several threads at once.
+    const cmsUInt32Number blackPointFlag = blackPoint ? cmsFLAGS_BLACKPOINTCOMPENSATION : 0u;
+    const cmsUInt32Number relative = INTENT_RELATIVE_COLORIMETRIC;
+    const auto way = [&](const ProfileHandle& from, cmsUInt32Number pixels, cmsUInt32Number flags) {
+        return FromPicture{required(cmsCreateTransform(from.get(), pixels, d.printer.get(), device,
+                                                       cmsIntent(intent), flags | blackPointFlag),
+                                    where),
+                           required(cmsCreateTransform(from.get(), pixels, lab.get(), TYPE_Lab_DBL,
+                                                       relative, flags),
+                                    where)};
+    };
+    d.fromSrgb = way(screen, TYPE_RGB_8, cmsFLAGS_NOCACHE);
+    // Tables in between are too coarse for sixteen bits.
+    d.fromWide = way(wide, TYPE_RGBA_16, cmsFLAGS_NOCACHE | cmsFLAGS_NOOPTIMIZE);
+    d.toScreen = required(cmsCreateTransform(d.printer.get(), device, screen.get(), TYPE_RGB_8,
+                                             relative, cmsFLAGS_NOCACHE),
+                          where);
+    d.printed = required(cmsCreateTransform(d.printer.get(), device, lab.get(), TYPE_Lab_DBL,
+                                            relative, cmsFLAGS_NOCACHE),
+                         where);
+}
+
+PrinterColour::~PrinterColour() = default;
+
+bool PrinterColour::isCmyk() const {
+    return data_->cmyk;
+}
+
+QString PrinterColour::description() const {
+    std::vector<char> text(256, '\0');
+    cmsGetProfileInfoASCII(data_->printer.get(), cmsInfoDescription, "en", "US", text.data(),
+                           cmsUInt32Number(text.size() - 1));
+    return QString::fromLatin1(text.data());
+}
+
+const QByteArray& PrinterColour::iccProfile() const {
+    return data_->icc;
+}
+
+QImage PrinterColour::rgb(const QImage& picture) const {
+    Q_ASSERT(!isCmyk());
+    const QImage source = opaque(picture);
+    QImage result(source.size(), QImage::Format_RGB888); // its numbers are the printer's
+    uchar* const bits = result.bits();
+    parallelFor(0, source.height(), [&, stride = result.bytesPerLine()](int y) {
+        const std::vector<uchar> row = data_->printerRow(source, y);
+        std::copy(row.begin(), row.end(), bits + y * stride);
+    });
+    return withAlphaOf(picture, result);
+}
+
+QByteArray PrinterColour::cmyk(const QImage& picture) const {
+    Q_ASSERT(isCmyk());
+    const QImage source = opaque(picture);
+    const qsizetype stride = qsizetype(source.width()) * 4;
+    QByteArray result(stride * source.height(), Qt::Uninitialized);
+    char* const bytes = result.data();
+    parallelFor(0, source.height(), [&](int y) {
+        const std::vector<uchar> row = data_->printerRow(source, y);
+        std::copy(row.begin(), row.end(), bytes + y * stride);
+    });
+    return result;
+}
+
+std::array<float, 256> PrinterColour::inkDensities(int ink) const {
+    Q_ASSERT(isCmyk() && ink >= 0 && ink < 4);
+    constexpr double leastLight = 1e-4;
+    // Wide colour's primaries in linear light; luminance alone for black.
+    const cmsCIExyY white{0.3127, 0.3290, 1};
+    const cmsCIExyYTRIPLE primaries{{0.708, 0.292, 1}, {0.170, 0.797, 1}, {0.131, 0.046, 1}};
+    const std::unique_ptr<cmsToneCurve, void (*)(cmsToneCurve*)> linear(
+        cmsBuildGamma(nullptr, 1), [](cmsToneCurve* curve) { cmsFreeToneCurve(curve); });
+    cmsToneCurve* curves[3] = {linear.get(), linear.get(), linear.get()};
+    const ProfileHandle light(cmsCreateRGBProfile(&white, &primaries, curves));
+    const TransformHandle shown = required(
+        cmsCreateTransform(data_->printer.get(), TYPE_CMYK_8, light.get(), TYPE_RGB_FLT,
+                           INTENT_RELATIVE_COLORIMETRIC, cmsFLAGS_NOCACHE | cmsFLAGS_NOOPTIMIZE),
+        description());
+    std::array<float, 256> densities{};
+    double bare = 1;
+    for (int amount = 0; amount < 256; ++amount) {
+        std::array<uchar, 4> inks{};
+        inks[std::size_t(ink)] = uchar(amount);
+        std::array<float, 3> rgb{};
+        cmsDoTransform(shown.get(), inks.data(), rgb.data(), 1);
+        const double through =
+            ink < 3 ? double(rgb[std::size_t(ink)])
+                    : 0.2627 * double(rgb[0]) + 0.6780 * double(rgb[1]) + 0.0593 * double(rgb[2]);
+        bare = amount == 0 ? std::max(through, leastLight) : bare;
+        const double density = -std::log10(std::max(through / bare, leastLight));
+        densities[std::size_t(amount)] =
+            std::max(float(density), amount == 0 ? 0.0f : densities[std::size_t(amount) - 1]);
+    }
+    return densities;
+}
+
+QImage PrinterColour::softProof(const QImage& picture) const {
+    const QImage source = opaque(picture);
+    QImage proof(source.size(), QImage::Format_RGB888);
+    uchar* const bits = proof.bits();
+    parallelFor(0, source.height(), [&, stride = proof.bytesPerLine()](int y) {
+        const std::vector<uchar> row = data_->printerRow(source, y);
+        cmsDoTransform(data_->toScreen.get(), row.data(), bits + y * stride,
+                       cmsUInt32Number(source.width()));
+    });
+    return withAlphaOf(picture, proof);
+}
+
+QImage PrinterColour::screen(const QByteArray& cmyk, QSize size) const {
+    Q_ASSERT(isCmyk() && cmyk.size() == qsizetype(size.width()) * size.height() * 4);
+    QImage shown(size, QImage::Format_RGB888);
+    uchar* const bits = shown.bits();
+    parallelFor(0, size.height(), [&, stride = shown.bytesPerLine()](int y) {
+        cmsDoTransform(data_->toScreen.get(), cmyk.constData() + qsizetype(y) * size.width() * 4,
+                       bits + y * stride, cmsUInt32Number(size.width()));
+    });
+    return shown;
+}
+
+GamutWarning PrinterColour::gamutWarning(const QImage& picture, double tolerance) const {
+    const QImage source = opaque(picture);
+    const QImage alpha = picture.convertToFormat(QImage::Format_Alpha8);
+    const auto width = std::size_t(source.width());
+    GamutWarning warning;
+    warning.mask = QImage(source.size(), QImage::Format_Grayscale8);
+    warning.mask.fill(0);
+    std::vector<cmsCIELab> wanted(width);
+    std::vector<cmsCIELab> printed(width);
+    qint64 counted = 0;
+    qint64 outside = 0;
+    for (int y = 0; y < source.height(); ++y) {
+        const std::vector<uchar> row = data_->printerRow(source, y);
+        cmsDoTransform(data_->from(source).wanted.get(), source.constScanLine(y), wanted.data(),
+                       cmsUInt32Number(width));
+        cmsDoTransform(data_->printed.get(), row.data(), printed.data(), cmsUInt32Number(width));
+        for (std::size_t x = 0; x < width; ++x) {
+            if (alpha.constScanLine(y)[x] == 0) {
+                continue;
+            }
+            ++counted;
+            if (cmsDeltaE(&wanted[x], &printed[x]) > tolerance) {
+                warning.mask.scanLine(y)[x] = 255;
+                ++outside;
+            }
+        }
+    }
+    warning.share = counted > 0 ? double(outside) / double(counted) : 0;
+    return warning;
+}
+
+} // namespace dipwright

@@ -1,0 +1,203 @@
+#include "sheet/prepress/Separation.h"
+
+#include "parallel/ParallelFor.h"
+#include "sheet/page/InkDistance.h"
+#include "sheet/prepress/PlateCompensation.h"
+#include "sheet/prepress/PrinterColour.h"
+#include "texture/Bleed.h"
+#include "texture/StretchPlane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace dipwright {
+
+void limitInk(QByteArray& cmyk, double mostInk) {
+    const int most = int(std::floor(mostInk * 255));
+    auto* const pixels = reinterpret_cast<uchar*>(cmyk.data());
+    parallelFor(0, int(cmyk.size() / 4), [&](int pixel) {
+        uchar* const ink = pixels + qsizetype(pixel) * 4;
+        const int colours = ink[0] + ink[1] + ink[2];
+        if (colours + ink[3] <= most) {
+            return;
+        }
+        ink[3] = uchar(std::min<int>(ink[3], most));
+        for (int channel = 0; channel < 3 && colours > 0; ++channel) {
+            ink[channel] = uchar(ink[channel] * (most - ink[3]) / colours); // rounded down
+        }
+    });
+}
+
+QImage choked(const QImage& tint, double choke) {
+    if (choke <= 0) {
+        return tint;
+    }
+    const auto width = std::size_t(tint.width());
+    std::vector<unsigned char> bare(width * std::size_t(tint.height()));
+    for (int y = 0; y < tint.height(); ++y) {
+        const uchar* row = tint.constScanLine(y);
+        std::transform(row, row + width, bare.begin() + std::ptrdiff_t(width) * y,
+                       [](uchar value) { return uchar(value == 0); });
+    }
+    const std::vector<float> distances = distancesTo(bare, tint.size());
+    QImage smaller = tint;
+    for (int y = 0; y < tint.height(); ++y) {
+        uchar* row = smaller.scanLine(y);
+        for (std::size_t x = 0; x < width; ++x) {
+            // The bare place ends half a pixel from its middle.
+            if (distances[std::size_t(y) * width + x] - 0.5 < choke) {
+                row[x] = 0;
+            }
+        }
+    }
+    return smaller;
+}
+
+namespace {
+
+std::vector<SpotPlate> spotsOf(const Sheet& sheet, const PrinterColour& colour) {
+    std::vector<SpotPlate> spots;
+    for (const SheetPlate& plate : sheet.plates) {
+        SpotPlate spot{{plate.name, {}}, plate.first, {}};
+        if (plate.alternate.isValid()) {
+            QImage pixel(1, 1, QImage::Format_RGB888);
+            pixel.fill(plate.alternate);
+            const QByteArray inks = colour.cmyk(pixel);
+            std::transform(inks.begin(), inks.end(), spot.ink.alternate.begin(),
+                           [](char ink) { return uchar(ink) / 255.0; });
+        }
+        for (int y = 0; y < plate.tint.height(); ++y) {
+            spot.tint.append(reinterpret_cast<const char*>(plate.tint.constScanLine(y)),
+                             plate.tint.width());
+        }
+        spots.push_back(spot);
+    }
+    return spots;
+}
+
+QImage tintOf(const QImage& picture) {
+    QImage tint(picture.size(), QImage::Format_Grayscale8);
+    for (int y = 0; y < tint.height(); ++y) {
+        const uchar* pixel = picture.constScanLine(y);
+        for (int x = 0; x < tint.width(); ++x) {
+            tint.scanLine(y)[x] = pixel[4 * x];
+        }
+    }
+    return tint;
+}
+
+// A plate with what it has at its edges continued by `radius` pixels.
+QImage continuedTint(const QImage& tint, double radius) {
+    QImage picture(tint.size(), QImage::Format_RGBA8888);
+    for (int y = 0; y < tint.height(); ++y) {
+        const uchar* value = tint.constScanLine(y);
+        uchar* pixel = picture.scanLine(y);
+        for (int x = 0; x < tint.width(); ++x, pixel += 4) {
+            std::fill_n(pixel, 4, value[x]);
+            pixel[3] = value[x] != 0 ? 255 : 0;
+        }
+    }
+    continueColour(picture, radius);
+    return tintOf(picture);
+}
+
+// All plates of the sheet continued past the line along which is cut.
+Sheet withCutBleed(const Sheet& sheet) {
+    const SheetSettings& settings = sheet.settings;
+    if (settings.cutLine != CutLine::Ink || settings.cutBleed.value() <= 0) {
+        return sheet;
+    }
+    const double radius = (settings.cutDistance + settings.cutBleed).value() * sheet.image.width() /
+                          sheet.filmWidth.value();
+    Sheet wider = sheet;
+    continueColour(wider.image, radius);
+    for (SheetPlate& plate : wider.plates) {
+        plate.tint = continuedTint(plate.tint, radius);
+    }
+    if (wider.wanted) {
+        QImage stretch = pictureOfStretch(wider.wanted->stretch, wider.wanted->image);
+        continueColour(stretch, radius);
+        wider.wanted->stretch = stretchOfPicture(stretch);
+        continueColour(wider.wanted->image, radius);
+    }
+    return wider;
+}
+
+// Calls work(inks, stretch) of every pixel in four bytes each, a row a thread.
+template <typename Work>
+void forPixels(QByteArray& cmyk, const QImage& stretch, const Work& work) {
+    auto* const bytes = reinterpret_cast<uchar*>(cmyk.data());
+    parallelFor(0, stretch.height(), [&](int y) {
+        const auto* codes = reinterpret_cast<const std::uint16_t*>(stretch.constScanLine(y));
+        const qsizetype first = qsizetype(y) * stretch.width();
+        for (int x = 0; x < stretch.width(); ++x) {
+            work(first + x, bytes + 4 * (first + x), areaStretchOf(codes[x]));
+        }
+    });
+}
+
+// Where all of the picture's inks are compensated, each by itself.
+struct PerInk {
+    QByteArray wanted, printed; // four bytes a pixel
+    PlateCompensation law;
+
+    PerInk(const WantedInk& film, const PrintCorrection& correction)
+        : wanted(correction.colour->cmyk(onPaper(film.image))), printed(wanted),
+          law(*correction.colour, film.settings) {
+        forPixels(printed, film.stretch, [&](qsizetype, uchar* inks, float stretch) {
+            for (int ink = 0; ink < 4; ++ink) {
+                inks[ink] = law.printed(ink, inks[ink], stretch);
+            }
+        });
+        if (correction.totalInk) {
+            limitInk(printed, *correction.totalInk);
+        }
+    }
+};
+
+} // namespace
+
+std::array<char, 4> bareInks(const PrinterColour& colour) {
+    QImage pixel(1, 1, QImage::Format_RGB888);
+    pixel.fill(Qt::white);
+    const QByteArray inks = colour.cmyk(pixel);
+    return {inks[0], inks[1], inks[2], inks[3]};
+}
+
+Plates separate(const Sheet& original, const PrintCorrection& correction) {
+    const Sheet sheet = withCutBleed(original);
+    Plates plates{sheet.image.size(), {}, spotsOf(sheet, *correction.colour)};
+    if (sheet.wanted) {
+        plates.cmyk = PerInk(*sheet.wanted, correction).printed;
+        return plates;
+    }
+    plates.cmyk = correction.colour->cmyk(onPaper(sheet.image));
+    if (correction.totalInk) {
+        limitInk(plates.cmyk, *correction.totalInk);
+    }
+    return plates;
+}
+
+double inkShortfall(const Sheet& sheet, const PrintCorrection& correction) {
+    if (!sheet.wanted || !correction.colour || !correction.colour->isCmyk()) {
+        return 0;
+    }
+    PerInk inks(*sheet.wanted, correction);
+    const QImage& stretch = sheet.wanted->stretch;
+    std::vector<double> rows(std::size_t(stretch.height()), 0);
+    const auto* wanted = reinterpret_cast<const uchar*>(inks.wanted.constData());
+    forPixels(inks.printed, stretch, [&](qsizetype pixel, const uchar* printed, float grown) {
+        for (int ink = 0; ink < 4; ++ink) {
+            if (inks.law.fallsShort(ink, wanted[4 * pixel + ink], printed[ink], grown)) {
+                rows[std::size_t(pixel / stretch.width())] += double(grown);
+                break;
+            }
+        }
+    });
+    const double pixelArea = sheet.filmWidth.value() * sheet.filmHeight.value() /
+                             (double(stretch.width()) * stretch.height());
+    return pixelArea * std::accumulate(rows.begin(), rows.end(), 0.0);
+}
+
+} // namespace dipwright

@@ -1,0 +1,187 @@
+// What repeats in the parts of a job, told from chance, and taken off the next sheet.
+#include "accuracy/correction/SheetCorrection.h"
+
+#include <QtTest>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace dipwright;
+
+namespace {
+
+const Millimetres width(210), height(297);
+
+// The tank: what nobody has put into the simulation, about 1 mm.
+Eigen::Vector2d tank(const Eigen::Vector2d& at) {
+    return {0.7 + 0.35 * std::sin(at.x() / 40) + 0.2 * std::cos(at.y() / 45),
+            -0.4 + 0.3 * std::cos((at.x() - at.y()) / 60)};
+}
+
+// 48 places of the film as it was made, 16 mm apart.
+std::vector<Eigen::Vector2d> places() {
+    std::vector<Eigen::Vector2d> places;
+    for (int row = 0; row < 8; ++row) {
+        for (int column = 0; column < 6; ++column) {
+            places.emplace_back(16 * (column - 2.5), 16 * (row - 3.5));
+        }
+    }
+    return places;
+}
+
+// Dips a part with the sheet as it is corrected now, and keeps what is seen of it: each place's
+// scatter, along each axis, and that of the part as a whole.
+void dip(AsBuilt& built, double scatter, double whole, std::mt19937& random) {
+    std::normal_distribution<double> off(0, 1);
+    const RepeatingError error(built, 1);
+    built.parts.push_back({QStringLiteral("2026-11-22"), QStringLiteral("Ada"), {}, 0});
+    const Eigen::Vector2d moved = whole * Eigen::Vector2d(off(random), off(random));
+    for (const Eigen::Vector2d& place : places()) {
+        const Eigen::Vector2d printed =
+            isCorrected(built, 1) ? printedAt(place, error, built.strength) : place;
+        const Eigen::Vector2d lies =
+            tank(printed) + moved + scatter * Eigen::Vector2d(off(random), off(random));
+        BuiltPlace seen;
+        seen.part = int(built.parts.size());
+        seen.sheet = {Millimetres(printed.x()), Millimetres(printed.y())};
+        seen.model = {Millimetres(place.x()), Millimetres(0), Millimetres(place.y())};
+        seen.off = {Millimetres(lies.x()), Millimetres(lies.y())};
+        built.places.push_back(seen);
+    }
+}
+
+// Root mean square of how far film lies from where it is meant to lie in a next part that does not
+// scatter; half way between the places that were seen.
+double nextResidual(const AsBuilt& built) {
+    const RepeatingError error(built, 1);
+    double sum = 0;
+    for (const Eigen::Vector2d& place : places()) {
+        const Eigen::Vector2d between = 0.9 * (place + Eigen::Vector2d(8, 8));
+        const Eigen::Vector2d printed =
+            isCorrected(built, 1) ? printedAt(between, error, built.strength) : between;
+        sum += (printed + tank(printed) - between).squaredNorm();
+    }
+    return std::sqrt(sum / double(places().size()));
+}
+
+double fallen(int parts, double scatter, double whole, int seed) {
+    std::mt19937 random{std::uint32_t(seed)};
+    AsBuilt built;
+    const double before = nextResidual(built);
+    built.corrects = true;
+    for (int part = 0; part < parts; ++part) {
+        dip(built, scatter, whole, random);
+    }
+    return 1 - nextResidual(built) / before;
+}
+
+double worstFallen(int parts, double scatter, double whole) {
+    double worst = 1;
+    for (int seed = 1; seed <= 20; ++seed) {
+        worst = std::min(worst, fallen(parts, scatter, whole, seed));
+    }
+    qInfo("parts %d, scatter %.2f mm, of parts %.2f mm: falls by %.1f %% at least", parts, scatter,
+          whole, 100 * worst);
+    return worst;
+}
+
+} // namespace
+
+class SheetCorrectionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whatRepeatsFallsAfterOnePart() {
+        QVERIFY(worstFallen(1, 0, 0) > 0.95);
+        QVERIFY(worstFallen(1, 0.2, 0) > 0.70);
+    }
+
+    void andFurtherAfterThree() {
+        QVERIFY(worstFallen(3, 0.2, 0) > 0.85);
+        worstFallen(3, 0.2, 0.2);
+        worstFallen(10, 0.2, 0);
+    }
+
+    void theNextPartStaysCorrectedAsItIsCorrectedAgain() {
+        QVERIFY(fallen(6, 0.05, 0, 3) > 0.9); // each but the first on a corrected sheet
+    }
+
+    void scatterIsToldAndNotCorrected() {
+        std::mt19937 random{5};
+        std::normal_distribution<double> off(0, 0.3);
+        AsBuilt built;
+        for (int part = 1; part <= 4; ++part) {
+            for (const Eigen::Vector2d& place : places()) {
+                BuiltPlace seen;
+                seen.part = part;
+                seen.sheet = {Millimetres(place.x()), Millimetres(place.y())};
+                seen.model = {Millimetres(place.x()), Millimetres(0), Millimetres(place.y())};
+                seen.off = {Millimetres(off(random)), Millimetres(off(random))};
+                built.places.push_back(seen);
+            }
+        }
+        const RepeatingError error(built, 1);
+        QCOMPARE(error.parts(), 4);
+        QVERIFY(std::abs(error.scatter() / 0.3 - 1) < 0.1);
+        double most = 0, mean = 0;
+        for (const RepeatedPlace& place : error.places()) {
+            most = std::max(most, error.at(place.sheet).norm());
+            mean = std::max(mean, place.mean.norm());
+        }
+        qInfo("means up to %.3f mm, corrected by %.3f mm at most", mean, most);
+        QVERIFY(most < 0.1 && mean > 0.3);
+    }
+
+    void beyondThePlacesNothingRunsAway() {
+        std::mt19937 random{6};
+        AsBuilt built;
+        dip(built, 0.1, 0, random);
+        const RepeatingError error(built, 1);
+        QVERIFY(error.at({100, 140}).norm() < 2);
+        QVERIFY(error.at({5000, 5000}).norm() < 2);
+        QVERIFY(RepeatingError(built, 2).isNothing());
+        built.corrects = true;
+        QVERIFY(isCorrected(built, 1));
+        QVERIFY(!isCorrected(built, 2));
+        built.strength = 0;
+        QVERIFY(!isCorrected(built, 1));
+    }
+
+    // A dot moves against the error, by as much.
+    void thePictureMovesAgainstTheError() {
+        AsBuilt built;
+        for (int i = 0; i < 12; ++i) {
+            BuiltPlace seen;
+            seen.sheet = {Millimetres(20 * (i % 4) - 30), Millimetres(20 * (i / 4) - 20)};
+            seen.model = {Millimetres(i), Millimetres(0), Millimetres(0)};
+            seen.off = {Millimetres(3), Millimetres(-2)};
+            built.places.push_back(seen);
+        }
+        const RepeatingError error(built, 1);
+        QImage film(420, 594, QImage::Format_RGBA8888); // two pixels a millimetre
+        film.fill(Qt::transparent);
+        film.setPixelColor(250, 300, QColor(200, 40, 10));
+        const QImage moved = correctedImage(film, width, height, error, 1);
+        QCOMPARE(moved.size(), film.size());
+        QVERIFY(moved.pixelColor(244, 304).alpha() > 200);
+        QCOMPARE(moved.pixelColor(250, 300).alpha(), 0);
+        const QColor half = correctedImage(film, width, height, error, 0.5).pixelColor(247, 302);
+        QVERIFY(half.alpha() > 200 && std::abs(half.red() - 200) < 3);
+        QCOMPARE(correctedImage(film, width, height, error, 0), film);
+    }
+
+    void itsPictureIsDrawn() {
+        std::mt19937 random{7};
+        AsBuilt built;
+        dip(built, 0.1, 0, random);
+        const QImage picture = correctionPicture(RepeatingError(built, 1), width, height, 1, 900);
+        QCOMPARE(picture.height(), 900);
+        if (qEnvironmentVariableIsSet("DIPWRIGHT_PICTURES")) {
+            picture.save(qEnvironmentVariable("DIPWRIGHT_PICTURES") +
+                         QStringLiteral("/correction.png"));
+        }
+    }
+};
+
+QTEST_MAIN(SheetCorrectionTest)
+#include "SheetCorrectionTest.moc"

@@ -1,0 +1,156 @@
+// Which place of a body is in which zone, and what is told of a zone.
+#include "accuracy/tolerance/Zones.h"
+#include "DippedByHand.h"
+#include "geometry/Shapes.h"
+
+#include <QtTest>
+
+using namespace dipwright;
+
+namespace {
+
+constexpr double radius = 30; // mm
+
+ZoneMark markAt(Zone zone, ZoneExtent extent, const Eigen::Vector3d& place, double size = 5) {
+    ZoneMark mark{zone, {}, extent, Millimetres(size)};
+    for (int axis = 0; axis < 3; ++axis) {
+        mark.place[std::size_t(axis)] = Millimetres(place[axis]);
+    }
+    return mark;
+}
+
+double shareOf(Zone zone, const std::vector<Zone>& zones) {
+    return double(std::count(zones.begin(), zones.end(), zone)) / double(zones.size());
+}
+
+// A dip that is off by as much everywhere, by one contributor.
+DipTolerances evenlyOff(std::size_t places, float spread, Contributor contributor) {
+    DipTolerances dip;
+    Contribution contribution;
+    contribution.contributor = contributor;
+    dip.contributions = {contribution};
+    dip.places.assign(places, spread);
+    dip.squares = {std::vector<float>(places, spread * spread)};
+    return dip;
+}
+
+std::vector<Zone> zonesOf(const std::shared_ptr<const TexturedMesh>& model,
+                          const std::vector<ZoneMark>& marks,
+                          const std::vector<SurfacePoint>& places) {
+    ZonedBody body(model);
+    body.setMarks(marks);
+    std::vector<Zone> zones;
+    for (const SurfacePoint& place : places) {
+        zones.push_back(body.at(place));
+    }
+    return zones;
+}
+
+} // namespace
+
+class ZonesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void unmarkedIsTheLastZone() {
+        const std::vector<SurfacePoint> places = tolerancePlaces(*ball_);
+        QCOMPARE(shareOf(Zone::C, zonesOf(ball_, {}, places)), 1.0);
+    }
+
+    void aSpotReachesItsRadiusAlongTheSurface() {
+        const std::vector<SurfacePoint> places = tolerancePlaces(*ball_);
+        const auto zones =
+            zonesOf(ball_, {markAt(Zone::A, ZoneExtent::Spot, {0, -radius, 0}, 20)}, places);
+        const double cap = (1 - std::cos(20 / radius)) / 2; // of the ball's surface
+        QVERIFY2(std::abs(shareOf(Zone::A, zones) / cap - 1) < 0.05,
+                 qPrintable(QString::number(shareOf(Zone::A, zones) / cap)));
+    }
+
+    void aFaceGoesToItsEdges() {
+        const auto box = std::make_shared<const TexturedMesh>(
+            test::plainModel(boxMesh({40, 20, 60}), Qt::white));
+        const std::vector<SurfacePoint> places = tolerancePlaces(*box);
+        const auto zones = zonesOf(box, {markAt(Zone::B, ZoneExtent::Face, {5, -10, 3})}, places);
+        for (std::size_t place = 0; place < places.size(); ++place) {
+            const bool isBelow = triangleNormal(box->mesh, places[place].triangle).y() < -0.9f;
+            QCOMPARE(zones[place], isBelow ? Zone::B : Zone::C);
+        }
+    }
+
+    void aMaterialIsMarkedWhereverItIs() {
+        TexturedMesh two = *ball_;
+        two.materials.push_back(two.materials.front());
+        for (std::size_t triangle = 0; triangle < two.material.size(); ++triangle) {
+            const bool isFar = position(two.mesh, middleOf(std::uint32_t(triangle))).x() > 10;
+            two.material[triangle] = isFar ? 1 : 0;
+        }
+        const std::vector<SurfacePoint> places = tolerancePlaces(two);
+        const auto zones = zonesOf(std::make_shared<const TexturedMesh>(two),
+                                   {markAt(Zone::A, ZoneExtent::Material, {radius, 0, 0})}, places);
+        for (std::size_t place = 0; place < places.size(); ++place) {
+            QCOMPARE(zones[place], two.material[places[place].triangle] == 1 ? Zone::A : Zone::C);
+        }
+    }
+
+    void marksThatAreTakenBackLeaveWhatWasThere() {
+        const std::vector<ZoneMark> marks{markAt(Zone::B, ZoneExtent::Spot, {0, -radius, 0}, 20),
+                                          markAt(Zone::A, ZoneExtent::Spot, {radius, 0, 0}, 10)};
+        ZonedBody body(ball_), again(ball_);
+        body.setMarks(marks);
+        body.setMarks({marks[0]});
+        again.setMarks({marks[0]});
+        QCOMPARE(body.zones(), again.zones());
+        body.setMarks(marks);
+        again.setMarks({});
+        again.setMarks(marks);
+        QCOMPARE(body.zones(), again.zones());
+    }
+
+    void laterMarksCountOverEarlierOnes() {
+        const std::vector<SurfacePoint> places = tolerancePlaces(*ball_);
+        const Eigen::Vector3d below(0, -radius, 0);
+        const auto zones = zonesOf(ball_,
+                                   {markAt(Zone::A, ZoneExtent::Material, below),
+                                    markAt(Zone::B, ZoneExtent::Material, below)},
+                                   places);
+        QCOMPARE(shareOf(Zone::B, zones), 1.0);
+    }
+
+    void aZoneKeepsItsLimitWhereAlmostAllOfItDoes() {
+        const std::vector<SurfacePoint> places = tolerancePlaces(*ball_);
+        ToleranceSettings settings;
+        settings.marks = {markAt(Zone::A, ZoneExtent::Spot, {0, -radius, 0}, 20)};
+        DipTolerances dip = evenlyOff(places.size(), 0.5f, Contributor::TurnX);
+        const auto verdicts = zoneVerdicts(ball_, {&dip}, settings);
+        QCOMPARE(verdicts.size(), std::size_t(2)); // A and the rest
+        QCOMPARE(verdicts[0].zone, Zone::A);
+        QVERIFY(!verdicts[0].holds()); // 0.3 mm
+        QCOMPARE(verdicts[0].within, 0.0);
+        QCOMPARE(verdicts[0].contributor, Contributor::TurnX);
+        QCOMPARE(verdicts[0].worst.spread, 0.5);
+        QCOMPARE(verdicts[1].zone, Zone::C);
+        QVERIFY(verdicts[1].holds()); // 1.5 mm
+        QVERIFY(std::abs(verdicts[0].area + verdicts[1].area - surfaceArea(ball_->mesh)) < 1);
+    }
+
+    void ofTwoDipsTheWorseCountsAndWhatNeitherPaintsIsTold() {
+        const std::vector<SurfacePoint> places = tolerancePlaces(*ball_);
+        DipTolerances one = evenlyOff(places.size(), 0.2f, Contributor::Swell);
+        DipTolerances other = evenlyOff(places.size(), 1, Contributor::FilmTurn);
+        for (std::size_t place = 0; place < places.size(); place += 2) {
+            one.places[place] = other.places[place] = unpaintedPlace;
+        }
+        const auto verdicts = zoneVerdicts(ball_, {&one, &other}, {});
+        QCOMPARE(verdicts.size(), std::size_t(1));
+        QCOMPARE(verdicts[0].spread.median, 1.0);
+        QCOMPARE(verdicts[0].contributor, Contributor::FilmTurn);
+        QVERIFY(std::abs(verdicts[0].unpainted / verdicts[0].area - 1) < 0.01);
+    }
+
+private:
+    const std::shared_ptr<const TexturedMesh> ball_ = std::make_shared<const TexturedMesh>(
+        test::plainModel(sphereMesh(radius, 60, 120), Qt::white));
+};
+
+QTEST_APPLESS_MAIN(ZonesTest)
+#include "ZonesTest.moc"

@@ -1,0 +1,33 @@
+// What counts of a wait, with a clock of the test's own.
+#include "base/SuspendAwareTimer.h"
+
+#include <QTest>
+
+using namespace dipwright;
+using namespace std::chrono_literals;
+
+class SuspendAwareTimerTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void looksAddUp() {
+        SuspendAwareTimer waited(start_);
+        for (int look = 1; look <= 100; ++look) {
+            QVERIFY(waited.look(start_ + look * 20ms) == look * 20ms);
+        }
+        QVERIFY(waited.look(start_ + 2s) == 2s); // and time that stands still adds nothing
+    }
+
+    void aNightAsleepIsNoHang() {
+        SuspendAwareTimer waited(start_);
+        QVERIFY(waited.look(start_ + 500ms) == 500ms);
+        QVERIFY(waited.look(start_ + 8h) <= 500ms + SuspendAwareTimer::longestGap);
+        QVERIFY(waited.look(start_ + 8h + 500ms) <= 1s + SuspendAwareTimer::longestGap);
+    }
+
+private:
+    SuspendAwareTimer::Clock::time_point start_ = SuspendAwareTimer::Clock::now();
+};
+
+QTEST_GUILESS_MAIN(SuspendAwareTimerTest)
+#include "SuspendAwareTimerTest.moc"

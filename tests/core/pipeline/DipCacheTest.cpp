@@ -1,0 +1,290 @@
+// Dips kept beside a project: the same sheets as dipped anew, for as long as nothing that they
+// depend on has changed, within their room, and never worse than none.
+#include "pipeline/DipCache.h"
+#include "TestFolders.h"
+
+#include "TestFiles.h"
+#include "WholeSample.h"
+#include "base/Error.h"
+#include "geometry/Shapes.h"
+#include "pipeline/Pipeline.h"
+
+#include <QGuiApplication>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <random>
+
+using namespace dipwright;
+using namespace dipwright::test;
+
+namespace {
+
+Project ballJob() {
+    auto model = std::make_shared<TexturedMesh>();
+    model->mesh = sphereMesh(15, 20, 40);
+    model->textureCoordinates.resize(model->mesh.triangles.size());
+    model->material.resize(model->mesh.triangles.size(), 0);
+    QImage picture(8, 8, QImage::Format_RGBA8888);
+    picture.fill(QColor(200, 80, 20));
+    model->textures = {picture};
+    model->materials = {{QStringLiteral("ball"), Qt::white, 0}};
+    model->chart = findCharts(*model);
+    Project project;
+    project.name = QStringLiteral("ball");
+    project.model = model;
+    project.film.width = project.film.height = Millimetres(90);
+    project.film.columns = project.film.rows = 31;
+    project.film.growthRate = 0.01;
+    project.film.growthLimit = 0.05;
+    project.fieldResolution = 64;
+    project.sheet.resolution = DotsPerInch(72);
+    project.process.solver = QStringLiteral("pbd-cpu");
+    project.immersions.resize(2);
+    project.immersions[1].rotation = {Degrees(180), Degrees(0), Degrees(0)};
+    return project;
+}
+
+void compareFilms(const LaidFilm& now, const LaidFilm& before) {
+    QVERIFY(now.film().grid == before.film().grid);
+    QVERIFY(now.film().positions == before.film().positions);
+    QVERIFY(now.film().states == before.film().states);
+    QVERIFY(now.film().marks == before.film().marks);
+    QVERIFY(now.film().grown == before.film().grown);
+    QVERIFY(!now.film().grown.empty());
+    QCOMPARE(now.film().steps, before.film().steps);
+}
+
+} // namespace
+
+class DipCacheTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        registry_ = std::make_unique<SolverRegistry>(QStringList{pluginFolder()});
+        job_ = ballJob();
+        result_ = runJob(job_, *registry_, {}, nullptr, {});
+        path_ = folder_.filePath(QStringLiteral("ball.dipw"));
+        file_ = folder_.filePath(QStringLiteral("ball.dips"));
+    }
+    void init() { QFile::remove(file_); }
+
+    void theyLieBesideTheProject() {
+        QCOMPARE(dipCacheFile(QStringLiteral("/jobs/cow.dipw")), QStringLiteral("/jobs/cow.dips"));
+        QCOMPARE(dipCacheFile(QStringLiteral("/jobs/v1.2.dipw")),
+                 QStringLiteral("/jobs/v1.2.dips"));
+        QCOMPARE(dipCacheFile(QStringLiteral("/jobs/cow")), QStringLiteral("/jobs/cow.dips"));
+        QVERIFY(!cachedDips(job_, *registry_, path_, {}));
+        cacheDips(result_, path_);
+        QCOMPARE(filesBelow(folder_.path()), QStringList{QStringLiteral("ball.dips")});
+    }
+
+    void theSheetsAreThoseOfAFreshRun() {
+        cacheDips(result_, path_);
+        Project opened = job_; // the file's model is another object
+        opened.model = std::make_shared<const TexturedMesh>(*job_.model);
+        const auto kept = cachedDips(opened, *registry_, path_, {});
+        QVERIFY(kept);
+        JobOptions options;
+        bool isDipped = false;
+        options.observer = [&](std::size_t, const FilmFrame&) { isDipped = true; };
+        const JobResult now = runJob(opened, *registry_, options, kept.get(), {});
+        QVERIFY(!isDipped);
+        QCOMPARE(now.immersions.size(), result_.immersions.size());
+        for (std::size_t number = 0; number < now.immersions.size(); ++number) {
+            const ImmersionResult& dip = now.immersions[number];
+            const ImmersionResult& before = result_.immersions[number];
+            compareFilms(*dip.laid, *before.laid);
+            QCOMPARE(dip.sheet.image, before.sheet.image);
+            QCOMPARE(dip.sheet.job.hash, before.sheet.job.hash);
+            QCOMPARE(dip.coverage->share, before.coverage->share);
+            QCOMPARE(dip.readBack.samples, before.readBack.samples);
+            QCOMPARE(int(dip.verdict.advice), int(before.verdict.advice));
+            QCOMPARE(dip.certainty->offBy.percentile95, before.certainty->offBy.percentile95);
+        }
+        QCOMPARE(now.proof, result_.proof);
+        QCOMPARE(now.coverageTotal, result_.coverageTotal);
+    }
+
+    void aDipWithOtherInputsIsAnother_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("value");
+        const auto row = [](const char* path, const char* value) {
+            QTest::newRow(path) << QString(path) << QString(value);
+        };
+        row("immersions[0].rotation_deg", "0;10;0");
+        row("immersions[1].offset_mm", "3;4");
+        row("body.sdf_resolution", "65");
+        row("film.swell", "1.1x1.1");
+        row("film.points", "32x31");
+        row("film.growth_limit", "0.2");
+        row("film.gathering_stretch", "0.75");
+        row("film.edges.left", "pinned");
+        row("process.overhang_deg", "30");
+        row("process.depth_mm", "12");
+        row("sheet.dpi", "100");
+        row("ink.limit", "1.5");
+        row("ink.tones", "cyan 0.3 0.5 0.1 2.5");
+        row("process.solver", "auto");
+    }
+
+    // What a run would dip anew is not found, and what it would take over is.
+    void aDipWithOtherInputsIsAnother() {
+        QFETCH(QString, path);
+        QFETCH(QString, value);
+        cacheDips(result_, path_);
+        Project changed = job_;
+        setByPath(changed, path, value);
+        QVERIFY(changed != job_);
+        bool isSame = true;
+        for (std::size_t number = 0; number < job_.immersions.size(); ++number) {
+            isSame = isSame && dipInputs(changed, number, result_.chosenSolver) ==
+                                   dipInputs(job_, number, result_.chosenSolver);
+        }
+        QCOMPARE(cachedDips(changed, *registry_, path_, {}) != nullptr, isSame);
+    }
+
+    void aBodyOfAnotherShapeIsAnother() {
+        cacheDips(result_, path_);
+        auto dented = std::make_shared<TexturedMesh>(*job_.model);
+        dented->mesh.positions.front().y() += 0.001F;
+        Project changed = job_;
+        changed.model = dented;
+        QVERIFY(!cachedDips(changed, *registry_, path_, {}));
+    }
+
+    void whatASolverTookOverIsNotKept() {
+        JobResult other = result_;
+        other.immersions[1].solver.id = QStringLiteral("another");
+        cacheDips(other, path_);
+        QVERIFY(!cachedDips(job_, *registry_, path_, {}));
+    }
+
+    void theOldestGoWhereThereIsNoRoom() {
+        cacheDips(result_, path_);
+        const qint64 bytes = QFileInfo(file_).size();
+        JobResult turned = result_;
+        turned.project.immersions[0].offset = {Millimetres(1), Millimetres(0)};
+        turned.immersions[0].immersion = turned.project.immersions[0];
+        cacheDips(turned, path_);
+        QVERIFY(cachedDips(job_, *registry_, path_, {}));
+        QVERIFY(cachedDips(turned.project, *registry_, path_, {}));
+        turned.project.immersions[0].offset = {Millimetres(2), Millimetres(0)};
+        turned.immersions[0].immersion = turned.project.immersions[0];
+        cacheDips(turned, path_, bytes + 1000);
+        QVERIFY(QFileInfo(file_).size() <= bytes + 1000);
+        QVERIFY(cachedDips(turned.project, *registry_, path_, {}));
+        QVERIFY(!cachedDips(job_, *registry_, path_, {}));
+    }
+
+    void whatHasNoRoomAtAllIsNotWritten() {
+        cacheDips(result_, path_, 1000);
+        QVERIFY(!QFile::exists(file_));
+    }
+
+    void whatIsThereIsNotWrittenAgain() {
+        cacheDips(result_, path_);
+        QFile file(file_);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        const QDateTime old = QDateTime::fromSecsSinceEpoch(1000);
+        QVERIFY(file.setFileTime(old, QFileDevice::FileModificationTime));
+        file.close();
+        cacheDips(result_, path_);
+        QCOMPARE(QFileInfo(file_).lastModified(), old);
+    }
+
+    void aFileThatIsCutOffIsRefusedOrPassedOver() {
+        cacheDips(result_, path_);
+        const QByteArray whole = bytesOf(file_);
+        for (qsizetype length = 0; length < whole.size(); length += whole.size() / 60 + 1) {
+            writeFile(file_, whole.first(length));
+            QVERIFY_EXCEPTION_THROWN(cachedDips(job_, *registry_, path_, {}), Error);
+        }
+        cacheDips(result_, path_); // over it
+        QVERIFY(cachedDips(job_, *registry_, path_, {}));
+    }
+
+    void damageIsNoticed() {
+        cacheDips(result_, path_);
+        const QByteArray whole = bytesOf(file_);
+        std::mt19937 random(1);
+        for (int round = 0; round < sampleOf(40, 200); ++round) {
+            QByteArray damaged = whole;
+            for (int flips = 0; flips < 3; ++flips) {
+                damaged[qsizetype(random() % std::uint32_t(whole.size()))] ^=
+                    char(1U << (random() % 8));
+            }
+            writeFile(file_, damaged);
+            try {
+                const auto kept = cachedDips(job_, *registry_, path_, {});
+                if (kept) { // nothing but a name or a date of the zip's
+                    compareFilms(*kept->immersions[0].laid, *result_.immersions[0].laid);
+                    compareFilms(*kept->immersions[1].laid, *result_.immersions[1].laid);
+                }
+            } catch (const Error&) {
+                continue;
+            }
+        }
+    }
+
+    void valuesOutOfRangeAreRefused() {
+        const auto isRefused = [&](const std::function<void(DippedFilm&)>& change) {
+            DippedFilm film = result_.immersions[0].laid->film();
+            change(film);
+            JobResult forged = result_;
+            forged.immersions[0].laid = std::make_shared<const LaidFilm>(
+                result_.immersions[0].body, std::move(film), result_.immersions[0].laid->contact());
+            QFile::remove(file_);
+            cacheDips(forged, path_);
+            try {
+                cachedDips(job_, *registry_, path_, {});
+            } catch (const Error&) {
+                return true;
+            }
+            return false;
+        };
+        QVERIFY(!isRefused([](DippedFilm&) {}));
+        QVERIFY(isRefused([](DippedFilm& film) {
+            film.positions[40].x() = std::numeric_limits<float>::quiet_NaN();
+        }));
+        QVERIFY(isRefused([](DippedFilm& film) {
+            film.positions[40].z() = std::numeric_limits<float>::infinity();
+        }));
+        QVERIFY(isRefused([](DippedFilm& film) { film.positions[40].y() = 5e5F; })); // not stable
+        QVERIFY(isRefused([](DippedFilm& film) { film.states[7] = solver::PointState(9); }));
+        QVERIFY(isRefused([](DippedFilm& film) { film.marks[7] = 64; }));
+        QVERIFY(isRefused([](DippedFilm& film) { film.grown[3] = -1; }));
+        QVERIFY(isRefused([](DippedFilm& film) { film.steps = -1; }));
+        QVERIFY(isRefused([](DippedFilm& film) { // no film on the body at all
+            std::fill(film.states.begin(), film.states.end(), solver::PointState::Free);
+        }));
+    }
+
+    void anythingElseBesideTheProjectIsRefused() {
+        writeFile(file_, "not a zip");
+        QVERIFY_EXCEPTION_THROWN(cachedDips(job_, *registry_, path_, {}), Error);
+        QFile::remove(file_);
+        QVERIFY(QDir().mkdir(file_));
+        QVERIFY_EXCEPTION_THROWN(cachedDips(job_, *registry_, path_, {}), Error);
+        QVERIFY_EXCEPTION_THROWN(cacheDips(result_, path_), Error);
+        QVERIFY(QDir().rmdir(file_));
+    }
+
+private:
+    std::unique_ptr<SolverRegistry> registry_;
+    Project job_;
+    JobResult result_;
+    QTemporaryDir folder_;
+    QString path_, file_;
+};
+
+int main(int argc, char** argv) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QGuiApplication application(argc, argv);
+    DipCacheTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "DipCacheTest.moc"
