@@ -88,14 +88,16 @@ private slots:
             subject.immersions[1].rotation[0] = Degrees(180);
             return search(subject, sidesOnly(2)).current->measures[Measure::Narrow];
         };
-        QVERIFY2(narrow(0.05) < 0.1, qPrintable(QString::number(narrow(0.05))));
-        QVERIFY2(narrow(10) > 0.9, qPrintable(QString::number(narrow(10))));
+        const double ofGoodDips = narrow(0.05), ofBadDips = narrow(10);
+        QVERIFY2(ofGoodDips < 0.1, qPrintable(QString::number(ofGoodDips)));
+        QVERIFY2(ofBadDips > 0.9, qPrintable(QString::number(ofBadDips)));
     }
 
     void theRankingFallsAndIsTheSameEveryTimeForAnyNumberOfThreads() {
         SearchSettings settings;
         settings.directions = 300;
         settings.simulated = 8;
+        settings.finer = 3;
         settings.refined = settings.confirmed = 1;
         const SearchResult once = search(board_, settings);
         for (std::size_t rank = 2; rank < once.ranking.size(); ++rank) {
@@ -161,6 +163,7 @@ private slots:
 
     void partsThatDoNotBelongAreRefused() {
         SearchSettings settings = sidesOnly(1);
+        settings.finer = 1;
         const SearchShard one = searchShard(board_, settings, module(), 1, 2, {});
         QVERIFY_EXCEPTION_THROWN(searchPoses(board_, settings, module(), {one}, {}, {}), Error);
         QVERIFY_EXCEPTION_THROWN(searchPoses(board_, settings, module(), {one, one}, {}, {}),
@@ -237,6 +240,7 @@ private slots:
         settings.directions = 300;
         settings.simulated = 16;
         settings.refined = 1;
+        settings.finer = 4;
         settings.confirmed = 0;
         settings.aims.weights = {{1, 0, 0, 0, 0, 0, 0, 0, 0}};
         settings.aims.zoneWeights = {1, 0, 0};
@@ -288,6 +292,7 @@ private slots:
     void directionsMakeAMap() {
         SearchSettings settings = sidesOnly(1);
         settings.directions = 200;
+        settings.finer = 1;
         const SearchResult result = search(board_, settings);
         QCOMPARE(result.directions.size(), 200U);
         const auto judged =
