@@ -201,9 +201,10 @@ void InstallTest::printsASheet() {
     dipwright::PrivateCups cups;
     QVERIFY2(cups.problem().isEmpty(), qPrintable(cups.problem()));
     QVERIFY(cups.add(dipwright::TestPrinter{"office"}));
-    const QByteArray output = runInstalled(
-        "dipwright-cli", {"print", installed(INSTALLED_SAMPLES "/sphere.dipw"), "--printer",
-                          "office", "--set", "film.points=40x56", "--quiet"});
+    const QByteArray output =
+        runInstalled("dipwright-cli",
+                     {"print", installed(INSTALLED_SAMPLES "/sphere.dipw"), "--printer", "office",
+                      "--set", "film.points=40x40", "--set", "sheet.paper=A4", "--quiet"});
     QTRY_VERIFY2_WITH_TIMEOUT(cups.received("office").size() == 1, output.constData(), 60000);
     QVERIFY(contents(cups.received("office").front()).startsWith("%PDF-"));
 }

@@ -39,6 +39,8 @@ private slots:
     void initTestCase() {
         window_ = std::make_unique<InspectionWindow>(home_.path());
         Project sphere = loadProject(sampleFolder("/sphere.dipw"));
+        sphere.film.width = Millimetres(210);
+        sphere.film.height = Millimetres(297);
         makeCoarse(sphere);
         QVERIFY(window_->open(sphere));
         QVERIFY(window_->driver().run());
