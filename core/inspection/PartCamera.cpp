@@ -66,7 +66,7 @@ struct Start {
 // A. Zisserman, "Multiple View Geometry", 7.1).
 Start pinhole(const PhotoPairs& pairs) {
     Eigen::Matrix<double, 3, 4> camera = linearProjection(pairs.model, pairs.seen);
-    // Of unit length, and with the places before the camera.
+    // Scaled to unit length; the sign puts the places in front of the camera.
     const Eigen::Vector3d mean = pairs.model.rowwise().mean();
     camera /= std::copysign(camera.block<1, 3>(2, 0).norm(), camera.row(2) * mean.homogeneous());
     const Eigen::Vector3d x = camera.block<1, 3>(0, 0), y = camera.block<1, 3>(1, 0),

@@ -37,7 +37,7 @@ QStringList filmsText(const PackedFilms& films);
 // before the work.
 void checkFilmsFolder(const QString& folder);
 // Writes film-N.pdf, .png and .tif of each film and films.json (docs/files-and-commands.md, "Packed
-// films") into `folder`, in place of those of earlier ones, all or none (disk/FolderTransaction.h).
+// films") into `folder`. They replace earlier ones, all or none (disk/FolderTransaction.h).
 // Needs a QGuiApplication. Throws Error or Cancelled.
 void writeFilms(const PackedFilms& films, const QString& folder, const Progress& progress);
 

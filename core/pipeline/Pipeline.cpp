@@ -156,7 +156,7 @@ QImage evenWhite(const QImage& picture, double tint) {
     return white;
 }
 
-// Of the artwork's spot inks. Keeps references to its arguments.
+// Returns how the body looks in each of the artwork's spot inks. Keeps references to its arguments.
 std::vector<SpotAppearance> spotPlates(const TextureInputs& inputs, const Progress& progress) {
     std::vector<SpotAppearance> plates;
     for (const ArtworkLayer& layer : inputs.paint.artwork.spots()) {

@@ -18,11 +18,11 @@ namespace dipwright {
 
 struct Project;
 
-// Of a film, as it is told and as it was measured.
+// The highest growth of a film that may be entered or measured.
 inline constexpr double mostGrowthRate = 1; // 1/s
 inline constexpr double mostGrowth = 1;
 
-// Of FilmEdges: false and true.
+// What FilmEdges calls false and true.
 inline QStringList edgeWords() {
     return {QStringLiteral("free"), QStringLiteral("pinned")};
 }

@@ -27,7 +27,8 @@ public:
     void setBrush(const MarkBrush& brush);
 
 signals:
-    // Of the project as it is, with a sentence for each zone; null and none: not known.
+    // Gives the tolerances of the current project and one sentence for each zone. Null, without
+    // sentences, where they are not known.
     void changed(const std::shared_ptr<const dipwright::JobTolerances>& tolerances,
                  const QStringList& verdicts);
 

@@ -14,7 +14,7 @@ struct PropertySection {
     std::vector<PropertySpec> specs;
 };
 
-// Of a field of the film's material that stands at `path`.
+// Describes the field of the film's material at `path`.
 PropertySpec specOf(const QString& path, const FieldWords& words);
 
 // "Film", "Dipping"; of the project and of an immersion: their own names.

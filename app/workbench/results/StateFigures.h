@@ -29,7 +29,8 @@ struct ComparedState {
 // nothing to compare.
 QString differenceText(const StateFigure& first, const StateFigure& second);
 
-// Of what workbench/document/SnapshotEdits.h measures; where it is empty, without values.
+// Lists the figures that workbench/document/SnapshotEdits.h measures. They have no values where
+// `measures` is empty.
 std::vector<StateFigure> stateFigures(const QJsonObject& measures, LengthUnit unit);
 
 } // namespace dipwright
