@@ -282,6 +282,7 @@ JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
     FolderTransaction results(folder, resultFiles());
     const MotionTemplate motion = options.motion ? *options.motion : motionTemplate();
     filledTemplate({}, motion.text, motion.where); // refused before the job
+    pageSize(Sheet{{}, project.film.width, project.film.height, project.sheet, {}}); // likewise
     Tasks writing;
     JobOptions watched = options;
     watched.finished = [&](std::size_t number, const ImmersionResult& immersion) {

@@ -1,5 +1,4 @@
 // The main job as a value: what is computed anew, what is taken over, who takes over from whom.
-#include "pipeline/JobVerdict.h"
 #include "pipeline/Pipeline.h"
 #include "PluginFolder.h"
 #include "TestFiles.h"
@@ -9,6 +8,7 @@
 #include "disk/FolderTransaction.h"
 #include "geometry/Shapes.h"
 #include "pipeline/DeeperDip.h"
+#include "pipeline/JobVerdict.h"
 #include "pipeline/Report.h"
 #include "pipeline/ValidateJob.h"
 #include "pipeline/WriteResults.h"
