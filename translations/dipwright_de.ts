@@ -1171,6 +1171,14 @@
         <source>The artwork has %1 spot inks, and there is room for %2</source>
         <translation>Die Gestaltung hat %1 Sonderfarben, und Platz ist für %2</translation>
     </message>
+    <message>
+        <source>The sheets take about %1 GB of memory while they are made</source>
+        <translation>Die Bogen brauchen etwa %1 GB Speicher, während sie entstehen</translation>
+    </message>
+    <message>
+        <source>The sheets would take about %1 GB of memory, and this computer has %2 GB: choose a lower resolution or a smaller film</source>
+        <translation>Die Bogen bräuchten etwa %1 GB Speicher, und dieser Rechner hat %2 GB: Wählen Sie eine niedrigere Auflösung oder einen kleineren Film</translation>
+    </message>
 </context>
 <context>
     <name>Png</name>

@@ -1171,6 +1171,14 @@
         <source>The artwork has %1 spot inks, and there is room for %2</source>
         <translation>A arte tem %1 tintas especiais, e há lugar para %2</translation>
     </message>
+    <message>
+        <source>The sheets take about %1 GB of memory while they are made</source>
+        <translation>As folhas ocupam cerca de %1 GB de memória enquanto são feitas</translation>
+    </message>
+    <message>
+        <source>The sheets would take about %1 GB of memory, and this computer has %2 GB: choose a lower resolution or a smaller film</source>
+        <translation>As folhas ocupariam cerca de %1 GB de memória, e este computador tem %2 GB: escolha uma resolução menor ou um filme menor</translation>
+    </message>
 </context>
 <context>
     <name>Png</name>

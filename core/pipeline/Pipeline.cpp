@@ -13,6 +13,7 @@
 #include "pipeline/JobVerdict.h"
 #include "pipeline/LawChanges.h"
 #include "pipeline/PrintedBody.h"
+#include "pipeline/SheetMemory.h"
 #include "pipeline/SolverChoice.h"
 #include "project/Profiles.h"
 #include "results/Results.h"
@@ -507,6 +508,10 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
         throw Error(Text::tr("The project has no model, import one first"), project.name);
     }
     checkSpots(project);
+    checkMemory(project);
+    if (const QString note = memoryNote(project); !note.isEmpty()) {
+        progress(0, note);
+    }
     const Run run{project, registry, options, previous, progress.cancelToken, markedZones(project)};
     JobResult result;
     result.project = project;

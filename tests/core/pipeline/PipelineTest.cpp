@@ -10,6 +10,7 @@
 #include "pipeline/DeeperDip.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/Report.h"
+#include "pipeline/SheetMemory.h"
 #include "pipeline/ValidateJob.h"
 #include "pipeline/WriteResults.h"
 #include "results/Results.h"
@@ -339,6 +340,20 @@ private slots:
                        reason.advice == Advice::DoNotPrint;
             }));
         }
+    }
+
+    void memoryIsToldBeforeTheWork() {
+        Project job = job_;
+        QVERIFY(!validateJob(job, *registry_).join('\n').contains("memory"));
+        job.film.width = Millimetres(700);
+        job.film.height = Millimetres(1000);
+        job.sheet.resolution = DotsPerInch(600);
+        QVERIFY2(validateJob(job, *registry_).join('\n').contains("GB of memory"),
+                 qPrintable(validateJob(job, *registry_).join('\n')));
+        const double both = sheetMemory(job);
+        job.immersions.pop_back();
+        QVERIFY(both > 10e9 && both < 12e9); // 11.3 GB, measured
+        QVERIFY(sheetMemory(job) < both);
     }
 
     void aBodyThatLiesAmissIsToldOf() {
