@@ -3412,108 +3412,12 @@
 <context>
     <name>Verdict</name>
     <message>
-        <source>The dip was not compared with coarser ones, so nothing is known of the numerical error.</source>
-        <translation>Der Tauchvorgang wurde nicht mit gröberen verglichen; vom numerischen Fehler ist daher nichts bekannt.</translation>
-    </message>
-    <message>
-        <source>The dip could not be compared with coarser ones: %1.</source>
-        <translation>Der Tauchvorgang ließ sich nicht mit gröberen vergleichen: %1.</translation>
-    </message>
-    <message>
-        <source>Nothing is painted alike by this dip and by coarser ones.</source>
-        <translation>Nichts wird von diesem Tauchvorgang und von gröberen gleichermaßen bemalt.</translation>
-    </message>
-    <message>
-        <source>95 % of the sheet is off by %1 or less for numerical reasons.</source>
-        <translation>95 % des Bogens liegen aus numerischen Gründen um höchstens %1 daneben.</translation>
-    </message>
-    <message>
-        <source>For numerical reasons 95 % of the sheet may be off by up to %1, where %2 is allowed. Set Film &gt; Cells to %3, turn the body, or dip it twice.</source>
-        <translation>Aus numerischen Gründen können 95 % des Bogens um bis zu %1 daneben liegen, erlaubt sind %2. Setzen Sie Film &gt; Zellen auf %3, drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
-    </message>
-    <message>
-        <source>For numerical reasons 95 % of the sheet may be off by up to %1, where %2 is allowed. Give the film more points (Film &gt; Points), turn the body, or dip it twice.</source>
-        <translation>Aus numerischen Gründen können 95 % des Bogens um bis zu %1 daneben liegen, erlaubt sind %2. Geben Sie dem Film mehr Punkte (Film &gt; Punkte), drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
-    </message>
-    <message>
-        <source>For numerical reasons 95 % of the sheet may be off by up to %1, where %2 is allowed: too far to tell which cells would do. Turn the body, dip it twice, or give the film smaller cells or more points (Film &gt; Cells).</source>
-        <translation>Aus numerischen Gründen können 95 % des Bogens um bis zu %1 daneben liegen, erlaubt sind %2: zu weit, um zu sagen, welche Zellen reichen. Drehen Sie den Körper, tauchen Sie ihn zweimal oder geben Sie dem Film kleinere Zellen oder mehr Punkte (Film &gt; Zellen).</translation>
-    </message>
-    <message>
-        <source>For numerical reasons 95 % of the sheet may be off by up to %1, where %2 is allowed, and most of it comes from the steps. Set Dipping &gt; Step to a smaller value.</source>
-        <translation>Aus numerischen Gründen können 95 % des Bogens um bis zu %1 daneben liegen, erlaubt sind %2; das meiste davon kommt von den Schritten. Setzen Sie Tauchen &gt; Schritt auf einen kleineren Wert.</translation>
-    </message>
-    <message>
-        <source>For numerical reasons %1 % of the painted area may be off by more than %2. Look at the places in the list.</source>
-        <translation>Aus numerischen Gründen können %1 % der bemalten Fläche um mehr als %2 daneben liegen. Sehen Sie die Stellen in der Liste an.</translation>
-    </message>
-    <message>
-        <source>The paint&apos;s border is not certain: %1 % of the body is painted by finer or coarser dips only. Give the film smaller cells (Film &gt; Cells).</source>
-        <translation>Der Rand der Farbe ist nicht sicher: %1 % des Körpers werden nur von feineren oder gröberen Tauchvorgängen bemalt. Geben Sie dem Film kleinere Zellen (Film &gt; Zellen).</translation>
-    </message>
-    <message>
-        <source>%1 steps of the dip ended without equilibrium, with up to %2 % of the elastic forces left. Give the film smaller cells (Film &gt; Cells).</source>
-        <translation>%1 Schritte des Tauchvorgangs endeten ohne Gleichgewicht, mit bis zu %2 % der elastischen Kräfte als Rest. Geben Sie dem Film kleinere Zellen (Film &gt; Zellen).</translation>
-    </message>
-    <message>
-        <source>The film paints nothing of the body. Check the model&apos;s unit, its place over the film, and how deep it goes.</source>
-        <translation>Der Film bemalt nichts vom Körper. Prüfen Sie die Einheit des Modells, seinen Platz über dem Film und wie tief es eintaucht.</translation>
-    </message>
-    <message>
-        <source>Trapped air keeps %1 % of the body dry, where %2 % is allowed: no film reaches it. Turn the body so that the air can leave, or drill a hole for it.</source>
-        <translation>Eingeschlossene Luft hält %1 % des Körpers trocken, erlaubt sind %2 %: Dort kommt kein Film hin. Drehen Sie den Körper so, dass die Luft entweicht, oder bohren Sie ihr ein Loch.</translation>
-    </message>
-    <message>
-        <source>%1 % of the painted area will look too pale, where %2 % is allowed: the film stretches more than Ink &gt; Ink limit can make up for. Turn the body, or choose lighter colours.</source>
-        <translation>%1 % der bemalten Fläche werden zu blass, erlaubt sind %2 %: Der Film dehnt sich mehr, als Farbe &gt; Farbgrenze ausgleichen kann. Drehen Sie den Körper oder wählen Sie hellere Farben.</translation>
-    </message>
-    <message>
-        <source>On %1 % of the painted area the film tore or was pulled off the body, where %2 % is allowed. Turn the body, or dip it twice.</source>
-        <translation>Auf %1 % der bemalten Fläche ist der Film gerissen oder vom Körper abgezogen worden, erlaubt sind %2 %. Drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
-    </message>
-    <message>
-        <source>The painted film comes within %1 of the film&apos;s edge, where %2 is wanted. Take a larger film, or move the body to the film&apos;s middle.</source>
-        <translation>Der bemalende Film kommt dem Rand des Films auf %1 nahe, gewünscht sind %2. Nehmen Sie einen größeren Film oder rücken Sie den Körper in die Mitte des Films.</translation>
-    </message>
-    <message>
-        <source>Neither dip reaches %1 % of the body, where %2 % is allowed. Turn one of the poses.</source>
-        <translation>Kein Tauchvorgang erreicht %1 % des Körpers, erlaubt sind %2 %. Drehen Sie eine der Lagen.</translation>
-    </message>
-    <message>
-        <source>%1 % of the overlap of the dips is too narrow, where %2 % is allowed: the second film shows there if it lies off. Widen Join &gt; Overlap, or turn one of the poses.</source>
-        <translation>%1 % der Überlappung der Tauchvorgänge sind zu schmal, erlaubt sind %2 %: Dort ist der zweite Film zu sehen, wenn er daneben liegt. Verbreitern Sie Fuge &gt; Überlappung oder drehen Sie eine der Lagen.</translation>
-    </message>
-    <message>
-        <source>%1 % is not painted, where %2 % is allowed. Turn the body so that film reaches it.</source>
-        <translation>%1 % sind nicht bemalt, erlaubt sind %2 %. Drehen Sie den Körper so, dass Film dorthin kommt.</translation>
-    </message>
-    <message>
-        <source>What may be off at the tank and the numerical error together leave 95 % only within ±%1, where ±%2 is allowed. Tighten what is listed as off, or turn the body.</source>
-        <translation>Was am Becken daneben sein kann und der numerische Fehler zusammen halten 95 % nur innerhalb von ±%1, erlaubt sind ±%2. Halten Sie genauer ein, was als Abweichung genannt ist, oder drehen Sie den Körper.</translation>
-    </message>
-    <message>
-        <source>The model has neither texture nor artwork: one plain colour is printed.</source>
-        <translation>Das Modell hat weder Textur noch Gestaltung: Gedruckt wird eine einzige Farbe.</translation>
-    </message>
-    <message>
-        <source>Of the model&apos;s file: %1</source>
-        <translation>Zur Datei des Modells: %1</translation>
-    </message>
-    <message>
-        <source>The film&apos;s swell is guessed, not measured: the picture may come out a few per cent too large or too small. Measure the film.</source>
-        <translation>Die Quellung des Films ist geschätzt, nicht gemessen: Das Bild kann einige Prozent zu groß oder zu klein werden. Messen Sie den Film.</translation>
-    </message>
-    <message>
         <source>Not judged</source>
         <translation>Nicht beurteilt</translation>
     </message>
     <message>
         <source>Print it</source>
         <translation>Drucken</translation>
-    </message>
-    <message>
-        <source>Check these points first</source>
-        <translation>Erst diese Punkte prüfen</translation>
     </message>
     <message>
         <source>Do not print</source>
@@ -3528,16 +3432,112 @@
         <translation>Zone %1: %2</translation>
     </message>
     <message>
-        <source>%1 off by more than %2, by up to %3 at its worst point</source>
-        <translation>%1 um mehr als %2 daneben, an der schlimmsten Stelle um bis zu %3</translation>
-    </message>
-    <message>
         <source>%1: %2. %3</source>
         <translation>%1: %2. %3</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The numerical error was not estimated.</source>
+        <translation>Der numerische Fehler wurde nicht geschätzt.</translation>
+    </message>
+    <message>
+        <source>The numerical error could not be estimated: %1.</source>
+        <translation>Der numerische Fehler ließ sich nicht schätzen: %1.</translation>
+    </message>
+    <message>
+        <source>No place is painted both by this dip and by coarser ones.</source>
+        <translation>Keine Stelle wird sowohl von diesem Tauchvorgang als auch von gröberen bemalt.</translation>
+    </message>
+    <message>
+        <source>95 % of the sheet is within %1 (numerical error).</source>
+        <translation>95 % des Bogens liegen innerhalb von %1 (numerischer Fehler).</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set Film &gt; Cells to %3, turn the body, or dip it twice.</source>
+        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Setzen Sie Film &gt; Zellen auf %3, drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set more points (Film &gt; Points), turn the body, or dip it twice.</source>
+        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Setzen Sie mehr Punkte (Film &gt; Punkte), drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Turn the body, dip it twice, or set much smaller cells or more points (Film &gt; Cells).</source>
+        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Drehen Sie den Körper, tauchen Sie ihn zweimal oder setzen Sie viel kleinere Zellen oder mehr Punkte (Film &gt; Zellen).</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Most of it comes from the steps: set a smaller Dipping &gt; Step.</source>
+        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Das meiste davon kommt von den Schritten: Setzen Sie Tauchen &gt; Schritt kleiner.</translation>
+    </message>
+    <message>
+        <source>Numerical error: %1 % of the painted area may be off by more than %2. Check the places in the list.</source>
+        <translation>Numerischer Fehler: %1 % der bemalten Fläche können um mehr als %2 daneben liegen. Prüfen Sie die Stellen in der Liste.</translation>
+    </message>
+    <message>
+        <source>The border of the paint is uncertain: only finer or only coarser dips paint %1 % of the body. Set smaller cells (Film &gt; Cells).</source>
+        <translation>Der Rand der Farbe ist unsicher: %1 % des Körpers bemalen nur feinere oder nur gröbere Tauchvorgänge. Setzen Sie kleinere Zellen (Film &gt; Zellen).</translation>
+    </message>
+    <message>
+        <source>%1 steps of the dip did not reach equilibrium; up to %2 % of the elastic force remained. Set smaller cells (Film &gt; Cells).</source>
+        <translation>%1 Schritte des Tauchvorgangs erreichten kein Gleichgewicht; bis zu %2 % der elastischen Kraft blieben übrig. Setzen Sie kleinere Zellen (Film &gt; Zellen).</translation>
+    </message>
+    <message>
+        <source>The film paints nothing of the body. Check the model&apos;s unit, its place over the film, and the depth of the dip.</source>
+        <translation>Der Film bemalt nichts vom Körper. Prüfen Sie die Einheit des Modells, seinen Platz über dem Film und die Tauchtiefe.</translation>
+    </message>
+    <message>
+        <source>Trapped air keeps %1 % of the body dry; the limit is %2 %. Turn the body so that the air escapes, or drill a vent hole.</source>
+        <translation>Eingeschlossene Luft hält %1 % des Körpers trocken; die Grenze ist %2 %. Drehen Sie den Körper so, dass die Luft entweicht, oder bohren Sie ein Entlüftungsloch.</translation>
+    </message>
+    <message>
+        <source>%1 % of the painted area will be too pale; the limit is %2 %. The film stretches more than Ink &gt; Ink limit can compensate. Turn the body, or choose lighter colours.</source>
+        <translation>%1 % der bemalten Fläche werden zu blass; die Grenze ist %2 %. Der Film dehnt sich mehr, als Farbe &gt; Farbgrenze ausgleichen kann. Drehen Sie den Körper oder wählen Sie hellere Farben.</translation>
+    </message>
+    <message>
+        <source>The film tore or was released on %1 % of the painted area; the limit is %2 %. Turn the body, or dip it twice.</source>
+        <translation>Der Film riss oder löste sich auf %1 % der bemalten Fläche; die Grenze ist %2 %. Drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
+    </message>
+    <message>
+        <source>The painted film comes within %1 of the film&apos;s edge; at least %2 are required. Use a larger film, or move the body to the film&apos;s centre.</source>
+        <translation>Der bemalende Film kommt dem Rand des Films auf %1 nahe; mindestens %2 sind nötig. Nehmen Sie einen größeren Film oder rücken Sie den Körper in die Mitte des Films.</translation>
+    </message>
+    <message>
+        <source>Neither dip reaches %1 % of the body; the limit is %2 %. Turn one of the poses.</source>
+        <translation>Kein Tauchvorgang erreicht %1 % des Körpers; die Grenze ist %2 %. Drehen Sie eine der Lagen.</translation>
+    </message>
+    <message>
+        <source>%1 % of the overlap is too narrow; the limit is %2 %. The second film shows there if it is misplaced. Widen Join &gt; Overlap, or turn one of the poses.</source>
+        <translation>%1 % der Überlappung sind zu schmal; die Grenze ist %2 %. Dort ist der zweite Film zu sehen, wenn er versetzt liegt. Verbreitern Sie Fuge &gt; Überlappung oder drehen Sie eine der Lagen.</translation>
+    </message>
+    <message>
+        <source>%1 % is not painted; the limit is %2 %. Turn the body so that film reaches it.</source>
+        <translation>%1 % sind nicht bemalt; die Grenze ist %2 %. Drehen Sie den Körper so, dass Film dorthin kommt.</translation>
+    </message>
+    <message>
+        <source>Handling and numerical error together: 95 % of the painted area is within ±%1; the limit is ±%2. Tighten the largest contributor, or turn the body.</source>
+        <translation>Handhabung und numerischer Fehler zusammen: 95 % der bemalten Fläche liegen innerhalb von ±%1; die Grenze ist ±%2. Verringern Sie den größten Beitrag oder drehen Sie den Körper.</translation>
+    </message>
+    <message>
+        <source>The model has no texture and no artwork: one plain colour is printed.</source>
+        <translation>Das Modell hat weder Textur noch Gestaltung: Gedruckt wird eine einzige Farbe.</translation>
+    </message>
+    <message>
+        <source>Model: %1</source>
+        <translation>Modell: %1</translation>
+    </message>
+    <message>
+        <source>The film&apos;s swell is guessed, not measured: the picture may be a few per cent too large or too small. Measure the film.</source>
+        <translation>Die Quellung des Films ist geschätzt, nicht gemessen: Das Bild kann einige Prozent zu groß oder zu klein sein. Messen Sie den Film.</translation>
+    </message>
+    <message>
+        <source>Check these places first</source>
+        <translation>Erst diese Stellen prüfen</translation>
+    </message>
+    <message>
+        <source>%1 may be off by more than %2, at most by %3</source>
+        <translation>%1 können um mehr als %2 daneben liegen, höchstens um %3</translation>
     </message>
 </context>
 <context>

@@ -3412,108 +3412,12 @@
 <context>
     <name>Verdict</name>
     <message>
-        <source>The dip was not compared with coarser ones, so nothing is known of the numerical error.</source>
-        <translation>A imersão não foi comparada com outras mais grossas; nada se sabe do erro numérico.</translation>
-    </message>
-    <message>
-        <source>The dip could not be compared with coarser ones: %1.</source>
-        <translation>A imersão não pôde ser comparada com outras mais grossas: %1.</translation>
-    </message>
-    <message>
-        <source>Nothing is painted alike by this dip and by coarser ones.</source>
-        <translation>Nada é pintado ao mesmo tempo por esta imersão e por outras mais grossas.</translation>
-    </message>
-    <message>
-        <source>95 % of the sheet is off by %1 or less for numerical reasons.</source>
-        <translation>95 % da folha desviam %1 ou menos por razões numéricas.</translation>
-    </message>
-    <message>
-        <source>For numerical reasons 95 % of the sheet may be off by up to %1, where %2 is allowed. Set Film &gt; Cells to %3, turn the body, or dip it twice.</source>
-        <translation>Por razões numéricas 95 % da folha podem desviar até %1, onde se permite %2. Ponha Filme &gt; Células em %3, gire o corpo ou mergulhe-o duas vezes.</translation>
-    </message>
-    <message>
-        <source>For numerical reasons 95 % of the sheet may be off by up to %1, where %2 is allowed. Give the film more points (Film &gt; Points), turn the body, or dip it twice.</source>
-        <translation>Por razões numéricas 95 % da folha podem desviar até %1, onde se permite %2. Dê mais pontos ao filme (Filme &gt; Pontos), gire o corpo ou mergulhe-o duas vezes.</translation>
-    </message>
-    <message>
-        <source>For numerical reasons 95 % of the sheet may be off by up to %1, where %2 is allowed: too far to tell which cells would do. Turn the body, dip it twice, or give the film smaller cells or more points (Film &gt; Cells).</source>
-        <translation>Por razões numéricas 95 % da folha podem desviar até %1, onde se permite %2: demais para dizer que células bastam. Gire o corpo, mergulhe-o duas vezes ou dê ao filme células menores ou mais pontos (Filme &gt; Células).</translation>
-    </message>
-    <message>
-        <source>For numerical reasons 95 % of the sheet may be off by up to %1, where %2 is allowed, and most of it comes from the steps. Set Dipping &gt; Step to a smaller value.</source>
-        <translation>Por razões numéricas 95 % da folha podem desviar até %1, onde se permite %2, e a maior parte vem dos passos. Ponha Imersão &gt; Passo num valor menor.</translation>
-    </message>
-    <message>
-        <source>For numerical reasons %1 % of the painted area may be off by more than %2. Look at the places in the list.</source>
-        <translation>Por razões numéricas %1 % da área pintada podem desviar mais de %2. Veja os lugares da lista.</translation>
-    </message>
-    <message>
-        <source>The paint&apos;s border is not certain: %1 % of the body is painted by finer or coarser dips only. Give the film smaller cells (Film &gt; Cells).</source>
-        <translation>A borda da tinta não é certa: %1 % do corpo são pintados apenas por imersões mais finas ou mais grossas. Dê ao filme células menores (Filme &gt; Células).</translation>
-    </message>
-    <message>
-        <source>%1 steps of the dip ended without equilibrium, with up to %2 % of the elastic forces left. Give the film smaller cells (Film &gt; Cells).</source>
-        <translation>%1 passos da imersão terminaram sem equilíbrio, com até %2 % das forças elásticas restantes. Dê ao filme células menores (Filme &gt; Células).</translation>
-    </message>
-    <message>
-        <source>The film paints nothing of the body. Check the model&apos;s unit, its place over the film, and how deep it goes.</source>
-        <translation>O filme não pinta nada do corpo. Verifique a unidade do modelo, o lugar dele sobre o filme e a profundidade.</translation>
-    </message>
-    <message>
-        <source>Trapped air keeps %1 % of the body dry, where %2 % is allowed: no film reaches it. Turn the body so that the air can leave, or drill a hole for it.</source>
-        <translation>Ar preso mantém secos %1 % do corpo, onde se permite %2 %: nenhum filme chega lá. Gire o corpo para que o ar saia, ou faça um furo para ele.</translation>
-    </message>
-    <message>
-        <source>%1 % of the painted area will look too pale, where %2 % is allowed: the film stretches more than Ink &gt; Ink limit can make up for. Turn the body, or choose lighter colours.</source>
-        <translation>%1 % da área pintada ficarão claros demais, onde se permite %2 %: o filme estica mais do que Tinta &gt; Limite de tinta consegue compensar. Gire o corpo ou escolha cores mais claras.</translation>
-    </message>
-    <message>
-        <source>On %1 % of the painted area the film tore or was pulled off the body, where %2 % is allowed. Turn the body, or dip it twice.</source>
-        <translation>Em %1 % da área pintada o filme rasgou ou foi arrancado do corpo, onde se permite %2 %. Gire o corpo ou mergulhe-o duas vezes.</translation>
-    </message>
-    <message>
-        <source>The painted film comes within %1 of the film&apos;s edge, where %2 is wanted. Take a larger film, or move the body to the film&apos;s middle.</source>
-        <translation>O filme que pinta chega a %1 da borda do filme, onde se quer %2. Use um filme maior ou leve o corpo ao meio do filme.</translation>
-    </message>
-    <message>
-        <source>Neither dip reaches %1 % of the body, where %2 % is allowed. Turn one of the poses.</source>
-        <translation>Nenhuma imersão alcança %1 % do corpo, onde se permite %2 %. Gire uma das poses.</translation>
-    </message>
-    <message>
-        <source>%1 % of the overlap of the dips is too narrow, where %2 % is allowed: the second film shows there if it lies off. Widen Join &gt; Overlap, or turn one of the poses.</source>
-        <translation>%1 % da sobreposição das imersões são estreitos demais, onde se permite %2 %: o segundo filme aparece ali se ficar deslocado. Alargue Junção &gt; Sobreposição ou gire uma das poses.</translation>
-    </message>
-    <message>
-        <source>%1 % is not painted, where %2 % is allowed. Turn the body so that film reaches it.</source>
-        <translation>%1 % não são pintados, onde se permite %2 %. Gire o corpo para que o filme chegue lá.</translation>
-    </message>
-    <message>
-        <source>What may be off at the tank and the numerical error together leave 95 % only within ±%1, where ±%2 is allowed. Tighten what is listed as off, or turn the body.</source>
-        <translation>O que pode desviar no tanque e o erro numérico juntos mantêm 95 % só dentro de ±%1, onde se permite ±%2. Mantenha com mais exatidão o que está listado como desvio, ou gire o corpo.</translation>
-    </message>
-    <message>
-        <source>The model has neither texture nor artwork: one plain colour is printed.</source>
-        <translation>O modelo não tem textura nem arte: imprime-se uma só cor.</translation>
-    </message>
-    <message>
-        <source>Of the model&apos;s file: %1</source>
-        <translation>Do arquivo do modelo: %1</translation>
-    </message>
-    <message>
-        <source>The film&apos;s swell is guessed, not measured: the picture may come out a few per cent too large or too small. Measure the film.</source>
-        <translation>O inchamento do filme é estimado, não medido: a imagem pode sair alguns por cento maior ou menor. Meça o filme.</translation>
-    </message>
-    <message>
         <source>Not judged</source>
         <translation>Não avaliado</translation>
     </message>
     <message>
         <source>Print it</source>
         <translation>Pode imprimir</translation>
-    </message>
-    <message>
-        <source>Check these points first</source>
-        <translation>Verifique antes estes pontos</translation>
     </message>
     <message>
         <source>Do not print</source>
@@ -3528,16 +3432,112 @@
         <translation>Zona %1: %2</translation>
     </message>
     <message>
-        <source>%1 off by more than %2, by up to %3 at its worst point</source>
-        <translation>%1 com desvio de mais de %2, de até %3 no pior ponto</translation>
-    </message>
-    <message>
         <source>%1: %2. %3</source>
         <translation>%1: %2. %3</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The numerical error was not estimated.</source>
+        <translation>O erro numérico não foi estimado.</translation>
+    </message>
+    <message>
+        <source>The numerical error could not be estimated: %1.</source>
+        <translation>O erro numérico não pôde ser estimado: %1.</translation>
+    </message>
+    <message>
+        <source>No place is painted both by this dip and by coarser ones.</source>
+        <translation>Nenhum lugar é pintado tanto por esta imersão como por outras mais grossas.</translation>
+    </message>
+    <message>
+        <source>95 % of the sheet is within %1 (numerical error).</source>
+        <translation>95 % da folha ficam dentro de %1 (erro numérico).</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set Film &gt; Cells to %3, turn the body, or dip it twice.</source>
+        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. Ponha Filme &gt; Células em %3, gire o corpo ou mergulhe-o duas vezes.</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set more points (Film &gt; Points), turn the body, or dip it twice.</source>
+        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. Ponha mais pontos (Filme &gt; Pontos), gire o corpo ou mergulhe-o duas vezes.</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Turn the body, dip it twice, or set much smaller cells or more points (Film &gt; Cells).</source>
+        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. Gire o corpo, mergulhe-o duas vezes ou ponha células bem menores ou mais pontos (Filme &gt; Células).</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Most of it comes from the steps: set a smaller Dipping &gt; Step.</source>
+        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. A maior parte vem dos passos: ponha um valor menor em Imersão &gt; Passo.</translation>
+    </message>
+    <message>
+        <source>Numerical error: %1 % of the painted area may be off by more than %2. Check the places in the list.</source>
+        <translation>Erro numérico: %1 % da área pintada podem desviar mais de %2. Verifique os lugares da lista.</translation>
+    </message>
+    <message>
+        <source>The border of the paint is uncertain: only finer or only coarser dips paint %1 % of the body. Set smaller cells (Film &gt; Cells).</source>
+        <translation>A borda da tinta é incerta: %1 % do corpo são pintados só por imersões mais finas ou só por mais grossas. Ponha células menores (Filme &gt; Células).</translation>
+    </message>
+    <message>
+        <source>%1 steps of the dip did not reach equilibrium; up to %2 % of the elastic force remained. Set smaller cells (Film &gt; Cells).</source>
+        <translation>%1 passos da imersão não alcançaram o equilíbrio; restaram até %2 % da força elástica. Ponha células menores (Filme &gt; Células).</translation>
+    </message>
+    <message>
+        <source>The film paints nothing of the body. Check the model&apos;s unit, its place over the film, and the depth of the dip.</source>
+        <translation>O filme não pinta nada do corpo. Verifique a unidade do modelo, o lugar dele sobre o filme e a profundidade da imersão.</translation>
+    </message>
+    <message>
+        <source>Trapped air keeps %1 % of the body dry; the limit is %2 %. Turn the body so that the air escapes, or drill a vent hole.</source>
+        <translation>Ar preso mantém secos %1 % do corpo; o limite é %2 %. Gire o corpo para que o ar saia, ou faça um furo de respiro.</translation>
+    </message>
+    <message>
+        <source>%1 % of the painted area will be too pale; the limit is %2 %. The film stretches more than Ink &gt; Ink limit can compensate. Turn the body, or choose lighter colours.</source>
+        <translation>%1 % da área pintada ficarão claros demais; o limite é %2 %. O filme estica mais do que Tinta &gt; Limite de tinta consegue compensar. Gire o corpo ou escolha cores mais claras.</translation>
+    </message>
+    <message>
+        <source>The film tore or was released on %1 % of the painted area; the limit is %2 %. Turn the body, or dip it twice.</source>
+        <translation>O filme rasgou ou se soltou em %1 % da área pintada; o limite é %2 %. Gire o corpo ou mergulhe-o duas vezes.</translation>
+    </message>
+    <message>
+        <source>The painted film comes within %1 of the film&apos;s edge; at least %2 are required. Use a larger film, or move the body to the film&apos;s centre.</source>
+        <translation>O filme que pinta chega a %1 da borda do filme; são necessários pelo menos %2. Use um filme maior ou leve o corpo ao meio do filme.</translation>
+    </message>
+    <message>
+        <source>Neither dip reaches %1 % of the body; the limit is %2 %. Turn one of the poses.</source>
+        <translation>Nenhuma imersão alcança %1 % do corpo; o limite é %2 %. Gire uma das poses.</translation>
+    </message>
+    <message>
+        <source>%1 % of the overlap is too narrow; the limit is %2 %. The second film shows there if it is misplaced. Widen Join &gt; Overlap, or turn one of the poses.</source>
+        <translation>%1 % da sobreposição são estreitos demais; o limite é %2 %. O segundo filme aparece ali se ficar deslocado. Alargue Junção &gt; Sobreposição ou gire uma das poses.</translation>
+    </message>
+    <message>
+        <source>%1 % is not painted; the limit is %2 %. Turn the body so that film reaches it.</source>
+        <translation>%1 % não são pintados; o limite é %2 %. Gire o corpo para que o filme chegue lá.</translation>
+    </message>
+    <message>
+        <source>Handling and numerical error together: 95 % of the painted area is within ±%1; the limit is ±%2. Tighten the largest contributor, or turn the body.</source>
+        <translation>Manuseio e erro numérico juntos: 95 % da área pintada ficam dentro de ±%1; o limite é ±%2. Reduza a maior contribuição ou gire o corpo.</translation>
+    </message>
+    <message>
+        <source>The model has no texture and no artwork: one plain colour is printed.</source>
+        <translation>O modelo não tem textura nem arte: imprime-se uma só cor.</translation>
+    </message>
+    <message>
+        <source>Model: %1</source>
+        <translation>Modelo: %1</translation>
+    </message>
+    <message>
+        <source>The film&apos;s swell is guessed, not measured: the picture may be a few per cent too large or too small. Measure the film.</source>
+        <translation>O inchamento do filme é estimado, não medido: a imagem pode ficar alguns por cento maior ou menor. Meça o filme.</translation>
+    </message>
+    <message>
+        <source>Check these places first</source>
+        <translation>Verifique antes estes lugares</translation>
+    </message>
+    <message>
+        <source>%1 may be off by more than %2, at most by %3</source>
+        <translation>%1 podem desviar mais de %2, no máximo %3</translation>
     </message>
 </context>
 <context>

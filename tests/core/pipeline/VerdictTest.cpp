@@ -92,7 +92,7 @@ private slots:
     void whereALimbMeetsTheBodyThereIsSomethingToLookAt() {
         const ImmersionResult result = run(thumb());
         qInfo("%s", qPrintable(sentences(result)));
-        QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Check these points first"));
+        QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Check these places first"));
         QVERIFY(!isCertain(fullCheck(thumb())));
         qInfo("%s", qPrintable(sentences(result)));
         QVERIFY(!result.verdict.places.empty() && result.verdict.uncertainArea > 0);
@@ -107,7 +107,7 @@ private slots:
     void filmThatTwoFeetShareIsSomethingToLookAt() {
         const ImmersionResult result = run(onTwoFeet());
         qInfo("%s", qPrintable(sentences(result)));
-        QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Check these points first"));
+        QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Check these places first"));
         if (test::isWholeRun()) { // the thumb has it in every run
             QVERIFY(!isCertain(fullCheck(onTwoFeet())));
         }

@@ -86,7 +86,7 @@ private slots:
         for (const bool isGraded : {false, true}) {
             const QString line = toldOf(4, isGraded);
             QVERIFY2(line.startsWith(QStringLiteral("Top: Do not print")), qPrintable(line));
-            QVERIFY(line.contains(QStringLiteral("smaller cells or more points")));
+            QVERIFY(line.contains(QStringLiteral("much smaller cells or more points")));
             QVERIFY(!line.contains(QStringLiteral("to 0.")));
         }
     }
