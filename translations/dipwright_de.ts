@@ -1779,8 +1779,8 @@
         <translation>Ein anderes Programm hat das Profil geändert, seit es gelesen wurde; nichts ist gespeichert. Sehen Sie nach, was es nun sagt, und ändern Sie es noch einmal</translation>
     </message>
     <message>
-        <source>The profile that is there cannot be read and is not replaced; mend its file or move it away: %1</source>
-        <translation>Das Profil, das dort ist, lässt sich nicht lesen und wird nicht ersetzt; bringen Sie seine Datei in Ordnung oder legen Sie sie woanders hin: %1</translation>
+        <source>The file that is there cannot be read as a profile and is not replaced; mend it, move it away, or choose another name: %1</source>
+        <translation>Die vorhandene Datei ist nicht als Profil lesbar und wird nicht ersetzt; bitte berichtigen, verschieben oder einen anderen Namen wählen: %1</translation>
     </message>
 </context>
 <context>
@@ -9897,13 +9897,6 @@ mm je mm</translation>
     <message>
         <source>it is a pipe or a device; save what it sends as a file, and name that</source>
         <translation>es ist eine Pipe oder ein Gerät; was sie liefert, als Datei speichern und diese angeben</translation>
-    </message>
-</context>
-<context>
-    <name>ProfileLibrary</name>
-    <message>
-        <source>The file that is there cannot be read as a profile and is not replaced; mend it, move it away, or choose another name: %1</source>
-        <translation>Die vorhandene Datei ist nicht als Profil lesbar und wird nicht ersetzt; bitte berichtigen, verschieben oder einen anderen Namen wählen: %1</translation>
     </message>
 </context>
 </TS>

@@ -1779,8 +1779,8 @@
         <translation>Outro programa mudou o perfil desde que foi lido; nada foi salvo. Veja o que ele diz agora e faça de novo</translation>
     </message>
     <message>
-        <source>The profile that is there cannot be read and is not replaced; mend its file or move it away: %1</source>
-        <translation>O perfil que está lá não pode ser lido e não é substituído; corrija o arquivo dele ou mova-o para outro lugar: %1</translation>
+        <source>The file that is there cannot be read as a profile and is not replaced; mend it, move it away, or choose another name: %1</source>
+        <translation>O arquivo existente não pode ser lido como perfil e não é substituído; corrija-o, mova-o ou escolha outro nome: %1</translation>
     </message>
 </context>
 <context>
@@ -9897,13 +9897,6 @@ mm por mm</translation>
     <message>
         <source>it is a pipe or a device; save what it sends as a file, and name that</source>
         <translation>é um pipe ou um dispositivo; salve o que ele envia como arquivo e indique esse arquivo</translation>
-    </message>
-</context>
-<context>
-    <name>ProfileLibrary</name>
-    <message>
-        <source>The file that is there cannot be read as a profile and is not replaced; mend it, move it away, or choose another name: %1</source>
-        <translation>O arquivo existente não pode ser lido como perfil e não é substituído; corrija-o, mova-o ou escolha outro nome: %1</translation>
     </message>
 </context>
 </TS>

@@ -15,8 +15,8 @@ struct Project;
 struct Sheet;
 
 // What is known of it. `Sent` stays where the program ended before it knew. `Failed`: it was not
-// taken, or given up; `Stopped`: the printer stopped, or did not answer, and the job was taken back;
-// `Unknown`: nobody tells, it may be on paper.
+// taken, or given up; `Stopped`: the printer stopped, or did not answer, and the job was taken
+// back; `Unknown`: nobody tells, it may be on paper.
 enum class PrintFate {
     Sent,
     Printed,

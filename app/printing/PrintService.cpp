@@ -25,7 +25,7 @@ struct Text {
 };
 
 constexpr unsigned long pause = 200; // milliseconds, between two questions about a job
-constexpr double sameSize = 0.6; // mm: sizes in whole points differ by as much
+constexpr double sameSize = 0.6;     // mm: sizes in whole points differ by as much
 
 QString plain(double millimetres) {
     return QString::number(millimetres, 'g', 5);
@@ -315,8 +315,8 @@ std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const Jo
         throw NotPrinted(PrintFate::Cancelled, Text::tr("The job was cancelled at the printer"),
                          job.printer);
     case JobState::Failed:
-        throw NotPrinted(PrintFate::Failed,
-                         Text::tr("The printer gave the job up: %1").arg(reason), job.printer);
+        throw NotPrinted(PrintFate::Failed, Text::tr("The printer gave the job up: %1").arg(reason),
+                         job.printer);
     case JobState::Stopped:
         system.cancel(job);
         throw NotPrinted(

@@ -70,8 +70,8 @@ private:
 // a few times a second. Throws NotPrinted when it fails, is cancelled by somebody else, when the
 // printer stops, or has not answered for as long as `patience`: the job is then cancelled, so that
 // it does not come out unasked later. Of a printer that cannot be asked (PrinterInfo::tellsPrinted)
-// a job is left to its queue, with NotPrinted, when that has told nothing new of it for ten times as
-// long. Tells by `progress` what the printer says meanwhile, "out of paper"; cancelled by it:
+// a job is left to its queue, with NotPrinted, when that has told nothing new of it for ten times
+// as long. Tells by `progress` what the printer says meanwhile, "out of paper"; cancelled by it:
 // cancels the job and throws Cancelled. Error where the print system does not answer.
 JobState followJob(PrintSystem& system, const PrintJob& job, const Progress& progress,
                    std::chrono::milliseconds patience = std::chrono::minutes(1));

@@ -84,8 +84,8 @@ bool isBelow(const QString& name) {
 
 // A link among the folders of a name, which could lead anywhere.
 bool isLinked(const QDir& target, const QString& name) {
-    for (QString folder = folderOf(name); folder != QLatin1String("."); folder = folderOf(folder)) {
-        if (QFileInfo(target.filePath(folder)).isSymLink()) {
+    for (auto end = name.indexOf(u'/'); end >= 0; end = name.indexOf(u'/', end + 1)) {
+        if (QFileInfo(target.filePath(name.left(end))).isSymLink()) {
             return true;
         }
     }
@@ -196,8 +196,8 @@ private:
     bool mayGoOn() const { return !mayGoOn_ || mayGoOn_(); }
     // Of the hidden folder, whoever has put how much there.
     void removeAll(const QString& folder) const {
-        QDirIterator entries(folder, QDir::AllEntries | QDir::Hidden | QDir::System |
-                                         QDir::NoDotAndDotDot);
+        QDirIterator entries(folder,
+                             QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot);
         while (entries.hasNext() && mayGoOn()) {
             const QString entry = entries.next();
             const QFileInfo info(entry);
@@ -220,10 +220,12 @@ private:
     // or replaced.
     bool isOurs(const Journal& journal, const QStringList& names) const {
         const QStringList all = journal.written + journal.there;
-        return all.size() <= 2 * mostNames && std::all_of(all.begin(), all.end(), [&](const QString& file) {
-            return mayGoOn() && isBelow(file) && !isLinked(target_, file) && !isLinked(work_, newFiles + file) &&
-                   !isLinked(work_, oldFiles + file) && (names.isEmpty() || names.contains(file));
-        });
+        return all.size() <= 2 * mostNames &&
+               std::all_of(all.begin(), all.end(), [&](const QString& file) {
+                   return mayGoOn() && isBelow(file) && !isLinked(target_, file) &&
+                          !isLinked(work_, newFiles + file) && !isLinked(work_, oldFiles + file) &&
+                          (names.isEmpty() || names.contains(file));
+               });
     }
 
     QDir target_, work_;

@@ -14,7 +14,7 @@
 namespace dipwright {
 namespace {
 
-constexpr qint64 longestNote = 1 << 20; // bytes
+constexpr qint64 longestNote = 1 << 20;  // bytes
 constexpr qint64 longestRecovery = 2000; // milliseconds of a start
 
 QDir noteFolder() {

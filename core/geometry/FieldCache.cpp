@@ -32,8 +32,8 @@ QByteArrayView bytesOf(const std::vector<Value>& values) {
 
 QByteArray contentHash(const TriangleMesh& body, int resolution) {
     Sha256 hash;
-    const std::vector<quint64> sizes = {fieldFileVersion, quint64(resolution), body.positions.size(),
-                                        body.triangles.size()};
+    const std::vector<quint64> sizes = {fieldFileVersion, quint64(resolution),
+                                        body.positions.size(), body.triangles.size()};
     hash.add(bytesOf(sizes));
     hash.add(bytesOf(body.positions));
     hash.add(bytesOf(body.triangles));

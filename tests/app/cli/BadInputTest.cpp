@@ -216,8 +216,7 @@ private slots:
             row("texture", newWith({"--texture", file}));
             row("film image", run + QStringList{"--film-image", file});
             row("template of the motion", run + QStringList{"--motion-template", file});
-            row("parts of a search",
-                {"optimize", job, "--immersions", "1", "--merge", file});
+            row("parts of a search", {"optimize", job, "--immersions", "1", "--merge", file});
             row("picture", {"artwork", "add", job, "picture", file});
         }
     }

@@ -572,9 +572,8 @@ void PrintTest::deviceThatIsNotAskedGetsTheSheetAlone() {
     JobState end = JobState::Waiting;
     const std::unique_ptr<QThread> printing(QThread::create([&] {
         const auto system = cupsPrintSystem();
-        end = followJob(*system,
-                        system->submit(planPrint(*system, chessSheet("Top"), to("plain")).task),
-                        {});
+        end = followJob(
+            *system, system->submit(planPrint(*system, chessSheet("Top"), to("plain")).task), {});
     }));
     printing->start();
     QTRY_VERIFY_WITH_TIMEOUT(printing->isFinished(), 30000);

@@ -145,18 +145,19 @@ bool PrivateCups::startBus() {
 }
 
 bool PrivateCups::startScheduler() {
-    write("cupsd.conf",
-          "LogLevel warn\nListen " + path("socket") +
-              "\nBrowsing Off\nWebInterface No\nDefaultAuthType None\nErrorPolicy stop-printer\nJobRetryInterval 1\n"
-              "<Location />\nOrder allow,deny\nAllow all\n</Location>\n"
-              "<Policy default>\nJobPrivateAccess all\nJobPrivateValues none\n"
-              "SubscriptionPrivateAccess all\nSubscriptionPrivateValues none\n"
-              "<Limit All>\nOrder deny,allow\n</Limit>\n</Policy>\n");
+    write("cupsd.conf", "LogLevel warn\nListen " + path("socket") +
+                            "\nBrowsing Off\nWebInterface No\nDefaultAuthType None\nErrorPolicy "
+                            "stop-printer\nJobRetryInterval 1\n"
+                            "<Location />\nOrder allow,deny\nAllow all\n</Location>\n"
+                            "<Policy default>\nJobPrivateAccess all\nJobPrivateValues none\n"
+                            "SubscriptionPrivateAccess all\nSubscriptionPrivateValues none\n"
+                            "<Limit All>\nOrder deny,allow\n</Limit>\n</Policy>\n");
     write("cups-files.conf", "ServerRoot " + path("root") + "\nRequestRoot " + path("spool") +
                                  "\nCacheDir " + path("cache") + "\nStateDir " + path("state") +
                                  "\nTempDir " + path("tmp") + "\nAccessLog " + path("log/access") +
                                  "\nErrorLog " + path("log/error") + "\nPageLog " +
-                                 path("log/page") + "\nFileDevice Yes\nUser lp\nGroup lp\nSystemGroup lpadmin\n");
+                                 path("log/page") +
+                                 "\nFileDevice Yes\nUser lp\nGroup lp\nSystemGroup lpadmin\n");
     scheduler_.setStandardErrorFile(folder_.filePath("log/cupsd"));
     endWithTheTest(scheduler_);
     scheduler_.start(programPath("cupsd"), {"-f", "-c", folder_.filePath("cupsd.conf"), "-s",

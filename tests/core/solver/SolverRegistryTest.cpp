@@ -120,7 +120,8 @@ void SolverRegistryTest::descriptionsThatAreNoFilesAreNotRead() {
         QVERIFY(QFile::link(target, folder.filePath(QStringLiteral("good.json"))));
         const SolverInfo info = onlySolver(folder);
         QVERIFY(!info.available);
-        QVERIFY2(info.reason.contains(QLatin1String("a pipe or a device")), qPrintable(info.reason));
+        QVERIFY2(info.reason.contains(QLatin1String("a pipe or a device")),
+                 qPrintable(info.reason));
     }
 #endif
 }
