@@ -23,7 +23,8 @@ struct Snapshot {
 
 inline constexpr std::size_t mostSnapshots = 50;
 
-// The newest mostSnapshots of them, the oldest first. Entries that are no snapshots are passed over.
+// The newest mostSnapshots of them, the oldest first. Entries that are no snapshots are passed
+// over.
 std::vector<Snapshot> snapshots(const Project& project);
 // The project with these, in place of those it has; where they are more than mostSnapshots, or
 // than 64 MiB with their pictures, without the oldest. Pictures come from those snapshots and from
