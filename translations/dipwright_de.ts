@@ -8,10 +8,6 @@
         <translation>Diese Datei gibt es nicht</translation>
     </message>
     <message>
-        <source>This is not a file</source>
-        <translation>Das ist keine Datei</translation>
-    </message>
-    <message>
         <source>The file is empty</source>
         <translation>Die Datei ist leer</translation>
     </message>
@@ -1723,8 +1719,8 @@
         <translation>Ein anderes Programm hat das Profil geändert, seit es gelesen wurde; nichts ist gespeichert. Sehen Sie nach, was es nun sagt, und ändern Sie es noch einmal</translation>
     </message>
     <message>
-        <source>The profile that is there cannot be read and is not replaced; mend its file or move it away: %1</source>
-        <translation>Das Profil, das dort ist, lässt sich nicht lesen und wird nicht ersetzt; bringen Sie seine Datei in Ordnung oder legen Sie sie woanders hin: %1</translation>
+        <source>The file that is there cannot be read as a profile and is not replaced; mend it, move it away, or choose another name: %1</source>
+        <translation>Die vorhandene Datei ist nicht als Profil lesbar und wird nicht ersetzt; bitte berichtigen, verschieben oder einen anderen Namen wählen: %1</translation>
     </message>
 </context>
 <context>
@@ -3077,12 +3073,12 @@
         <translation>Andere können %1 schreiben; nehmen Sie ihnen das Recht, oder verschieben Sie das Plugin</translation>
     </message>
     <message>
-        <source>Its description is not a plain file</source>
-        <translation>Seine Beschreibung ist keine gewöhnliche Datei</translation>
-    </message>
-    <message>
         <source>It cannot run here and does not say why; ask whoever made it</source>
         <translation>Er kann hier nicht laufen und sagt nicht, warum; fragen Sie seinen Hersteller</translation>
+    </message>
+    <message>
+        <source>The &quot;priority&quot; in its description has to be a whole number from -%1 to %1</source>
+        <translation>„priority“ in seiner Beschreibung muss eine ganze Zahl von -%1 bis %1 sein</translation>
     </message>
 </context>
 <context>
@@ -7503,10 +7499,6 @@ Dehnung</translation>
         <translation>Der Drucker skaliert Seiten von selbst („%1“), und das Drucksystem gibt nicht an ihn weiter, dass er es nicht soll; stellen Sie in seinem eigenen Menü die Skalierung auf „none“</translation>
     </message>
     <message>
-        <source>The printer does not answer any more; the job is cancelled, see to its power and cable and print the sheet anew</source>
-        <translation>Der Drucker antwortet nicht mehr; der Auftrag ist abgebrochen, sehen Sie nach Strom und Kabel und drucken Sie den Bogen neu</translation>
-    </message>
-    <message>
         <source>%1, lot %2</source>
         <translation>%1, Charge %2</translation>
     </message>
@@ -7565,6 +7557,34 @@ Dehnung</translation>
     <message>
         <source>On %1 mm² of the part the inks fall visibly short: full ink, the ink limit or the total of ink does not make up for the stretch</source>
         <translation>Auf %1 mm² des Teils reichen die Tinten sichtbar nicht: volle Tinte, Farbgrenze oder Gesamtfarbauftrag gleichen die Dehnung nicht aus</translation>
+    </message>
+    <message>
+        <source>Stopped: %1</source>
+        <translation>Angehalten: %1</translation>
+    </message>
+    <message>
+        <source>Not known: %1</source>
+        <translation>Nicht bekannt: %1</translation>
+    </message>
+    <message>
+        <source>the job is cancelled</source>
+        <translation>der Auftrag ist abgebrochen</translation>
+    </message>
+    <message>
+        <source>the job could not be cancelled, remove it from the printer&apos;s queue</source>
+        <translation>der Auftrag ließ sich nicht abbrechen, bitte aus der Warteschlange des Druckers entfernen</translation>
+    </message>
+    <message>
+        <source>The print system has done with the job, but the printer does not answer; look whether the sheet has come out, and print it anew if not</source>
+        <translation>Das Drucksystem hat den Auftrag abgeschlossen, aber der Drucker antwortet nicht; bitte nachsehen, ob das Blatt gedruckt ist, und es sonst neu drucken</translation>
+    </message>
+    <message>
+        <source>The printer does not answer (%1); %2; check its power, its cable and its address in the system, and print the sheet anew</source>
+        <translation>Der Drucker antwortet nicht (%1); %2; bitte Strom, Kabel und seine Adresse im System prüfen und das Blatt neu drucken</translation>
+    </message>
+    <message>
+        <source>Nothing new was heard of job %1 for a long time (%2), and this printer cannot be asked; look at the printer, and remove the job from its queue if it does not print</source>
+        <translation>Von Auftrag %1 ist lange nichts Neues bekannt (%2), und dieser Drucker lässt sich nicht fragen; bitte am Drucker nachsehen und den Auftrag aus der Warteschlange entfernen, falls er nicht druckt</translation>
     </message>
 </context>
 <context>
@@ -10037,6 +10057,17 @@ mm je mm</translation>
     <message>
         <source>Projects to open.</source>
         <translation>Projekte, die geöffnet werden.</translation>
+    </message>
+</context>
+<context>
+    <name>PlainFile</name>
+    <message>
+        <source>it is a folder</source>
+        <translation>es ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>it is a pipe or a device; save what it sends as a file, and name that</source>
+        <translation>es ist eine Pipe oder ein Gerät; was sie liefert, als Datei speichern und diese angeben</translation>
     </message>
 </context>
 </TS>

@@ -8,10 +8,6 @@
         <translation>Esse arquivo não existe</translation>
     </message>
     <message>
-        <source>This is not a file</source>
-        <translation>Isto não é um arquivo</translation>
-    </message>
-    <message>
         <source>The file is empty</source>
         <translation>O arquivo está vazio</translation>
     </message>
@@ -1723,8 +1719,8 @@
         <translation>Outro programa mudou o perfil desde que foi lido; nada foi salvo. Veja o que ele diz agora e faça de novo</translation>
     </message>
     <message>
-        <source>The profile that is there cannot be read and is not replaced; mend its file or move it away: %1</source>
-        <translation>O perfil que está lá não pode ser lido e não é substituído; corrija o arquivo dele ou mova-o para outro lugar: %1</translation>
+        <source>The file that is there cannot be read as a profile and is not replaced; mend it, move it away, or choose another name: %1</source>
+        <translation>O arquivo existente não pode ser lido como perfil e não é substituído; corrija-o, mova-o ou escolha outro nome: %1</translation>
     </message>
 </context>
 <context>
@@ -3077,12 +3073,12 @@
         <translation>Outros podem gravar em %1; tire-lhes esse direito ou mova o plugin</translation>
     </message>
     <message>
-        <source>Its description is not a plain file</source>
-        <translation>A descrição dele não é um arquivo comum</translation>
-    </message>
-    <message>
         <source>It cannot run here and does not say why; ask whoever made it</source>
         <translation>Ele não pode rodar aqui e não diz por quê; pergunte a quem o fez</translation>
+    </message>
+    <message>
+        <source>The &quot;priority&quot; in its description has to be a whole number from -%1 to %1</source>
+        <translation>“priority” na descrição dele tem de ser um número inteiro de -%1 a %1</translation>
     </message>
 </context>
 <context>
@@ -7503,10 +7499,6 @@ estiramento</translation>
         <translation>A impressora redimensiona páginas por si (&quot;%1&quot;), e o sistema de impressão não lhe repassa que não deve; ponha a escala em &quot;none&quot; no menu dela</translation>
     </message>
     <message>
-        <source>The printer does not answer any more; the job is cancelled, see to its power and cable and print the sheet anew</source>
-        <translation>A impressora não responde mais; o trabalho foi cancelado, verifique a energia e o cabo e imprima a folha de novo</translation>
-    </message>
-    <message>
         <source>%1, lot %2</source>
         <translation>%1, lote %2</translation>
     </message>
@@ -7565,6 +7557,34 @@ estiramento</translation>
     <message>
         <source>On %1 mm² of the part the inks fall visibly short: full ink, the ink limit or the total of ink does not make up for the stretch</source>
         <translation>Em %1 mm² da peça as tintas ficam visivelmente aquém: a tinta cheia, o limite de tinta ou o total de tinta não compensa o estiramento</translation>
+    </message>
+    <message>
+        <source>Stopped: %1</source>
+        <translation>Parado: %1</translation>
+    </message>
+    <message>
+        <source>Not known: %1</source>
+        <translation>Não se sabe: %1</translation>
+    </message>
+    <message>
+        <source>the job is cancelled</source>
+        <translation>o trabalho foi cancelado</translation>
+    </message>
+    <message>
+        <source>the job could not be cancelled, remove it from the printer&apos;s queue</source>
+        <translation>não foi possível cancelar o trabalho, remova-o da fila da impressora</translation>
+    </message>
+    <message>
+        <source>The print system has done with the job, but the printer does not answer; look whether the sheet has come out, and print it anew if not</source>
+        <translation>O sistema de impressão concluiu o trabalho, mas a impressora não responde; verifique se a folha saiu e, se não, imprima-a de novo</translation>
+    </message>
+    <message>
+        <source>The printer does not answer (%1); %2; check its power, its cable and its address in the system, and print the sheet anew</source>
+        <translation>A impressora não responde (%1); %2; verifique a energia, o cabo e o endereço dela no sistema e imprima a folha de novo</translation>
+    </message>
+    <message>
+        <source>Nothing new was heard of job %1 for a long time (%2), and this printer cannot be asked; look at the printer, and remove the job from its queue if it does not print</source>
+        <translation>Há muito tempo não há novidade do trabalho %1 (%2), e não é possível perguntar a esta impressora; olhe a impressora e remova o trabalho da fila se ela não imprimir</translation>
     </message>
 </context>
 <context>
@@ -10037,6 +10057,17 @@ mm por mm</translation>
     <message>
         <source>Projects to open.</source>
         <translation>Projetos a abrir.</translation>
+    </message>
+</context>
+<context>
+    <name>PlainFile</name>
+    <message>
+        <source>it is a folder</source>
+        <translation>é uma pasta</translation>
+    </message>
+    <message>
+        <source>it is a pipe or a device; save what it sends as a file, and name that</source>
+        <translation>é um pipe ou um dispositivo; salve o que ele envia como arquivo e indique esse arquivo</translation>
     </message>
 </context>
 </TS>

@@ -69,6 +69,11 @@ void runCommand(const Command& command, const QStringList& arguments, Console& c
     }
     requireValues(parser);
     console.setQuiet(parser.isSet(QStringLiteral("quiet")));
+    if (command.needsFiles()) {
+        const CancelToken cancelToken = console.progress().cancelToken;
+        recoverUnfinishedWrites(cancelToken);
+        cancelToken.throwIfCancelled();
+    }
     command.run(parser, console);
 }
 
@@ -187,7 +192,6 @@ int main(int argc, char* argv[]) {
     const QGuiApplication application(argc, argv);
     QLocale::setDefault(QLocale::c()); // the command line speaks English, and so do its maps
     dipwright::nameProgram();
-    dipwright::recoverUnfinishedWrites();
     dipwright::cli::Console console;
     return dipwright::cli::guardedRun(QCoreApplication::arguments(), console);
 }

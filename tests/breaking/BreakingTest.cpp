@@ -284,7 +284,8 @@ void BreakingTest::whatIsWrittenIsWholeWhateverDies() {
                 place_.run(program, arguments, {at, QString::fromLatin1(how), {}});
             ++breaks;
             if (way == 0) { // what puts it right is broken itself, at first
-                place_.run(cliPath(), {QStringLiteral("solvers")},
+                place_.run(cliPath(),
+                           {QStringLiteral("info"), place_.path(QStringLiteral("job.dipw"))},
                            {1 + breaks % operationsOfAStart, QStringLiteral("EIO"), {}});
             }
             const bool opens = nextStart();
