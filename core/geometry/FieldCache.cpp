@@ -10,6 +10,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include <algorithm>
 #include <span>
 
 namespace dipwright {
@@ -17,7 +18,7 @@ namespace dipwright {
 namespace {
 
 // Raised when what buildDistanceField computes, or how it is stored, changes.
-constexpr quint32 cacheVersion = 1;
+constexpr quint32 cacheVersion = 2;
 constexpr qint64 cacheBytes = qint64(512) << 20;
 
 QString cacheFolder() {
@@ -58,7 +59,7 @@ QByteArray header(const DistanceField& field) {
     return bytes;
 }
 
-std::shared_ptr<const DistanceField> load(const QString& path, int resolution) {
+std::shared_ptr<const DistanceField> load(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) {
         return nullptr;
@@ -77,14 +78,14 @@ std::shared_ptr<const DistanceField> load(const QString& path, int resolution) {
         field->size[axis] = size;
     }
     fields >> field->spacing;
-    const auto edge = std::size_t(resolution);
-    const std::size_t count = edge * edge * edge;
-    const auto bytes = qint64(count) * qint64(sizeof(float));
-    if (version != cacheVersion || field->size != std::array{resolution, resolution, resolution} ||
-        file.size() - file.pos() != bytes) {
+    constexpr int longest = 1 << 20; // so that no count runs over
+    const auto [fewest, most] = std::minmax_element(field->size.begin(), field->size.end());
+    if (version != cacheVersion || *fewest < 2 || *most > longest ||
+        file.size() - file.pos() != qint64(field->sampleCount() * sizeof(float))) {
         return nullptr;
     }
-    field->distance.resize(count);
+    const qint64 bytes = file.size() - file.pos();
+    field->distance.resize(field->sampleCount());
     if (file.read(reinterpret_cast<char*>(field->distance.data()), bytes) != bytes ||
         header(*field) != stored) {
         return nullptr;
@@ -134,12 +135,14 @@ std::shared_ptr<const DistanceField> cachedDistanceField(const TriangleMesh& bod
                                                          const Progress& progress) {
     const QString name = QString::fromLatin1(contentHash(body, resolution).toHex());
     const QString path = QDir(cacheFolder()).filePath(name + QStringLiteral(".field"));
-    if (auto field = load(path, resolution)) {
+    if (auto field = load(path)) {
         markUsed(path);
         return field;
     }
+    const SurfaceQuery query(body);
+    const FieldGrid grid = fieldGrid(body, resolution, thinnestPart(body, query));
     auto field =
-        std::make_shared<const DistanceField>(buildDistanceField(body, resolution, progress));
+        std::make_shared<const DistanceField>(buildDistanceField(body, query, grid, progress));
     store(path, *field);
     return field;
 }

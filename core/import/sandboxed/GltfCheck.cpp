@@ -22,12 +22,27 @@ const QString textureTransform = QStringLiteral("KHR_texture_transform");
 
 // A binary file (glTF 2.0, "Binary glTF Layout") begins with three numbers, and then a chunk with
 // its length and kind, which is the JSON.
+constexpr qsizetype fileHead = 12, chunkHead = 8; // bytes
+
 QByteArray jsonOf(const QByteArray& file) {
-    constexpr qsizetype head = 12, chunkHead = 8;
-    if (!file.startsWith("glTF") || file.size() < head + chunkHead) {
+    if (!file.startsWith("glTF") || file.size() < fileHead + chunkHead) {
         return file;
     }
-    return file.mid(head + chunkHead, qFromLittleEndian<quint32>(file.constData() + head));
+    return file.mid(fileHead + chunkHead, qFromLittleEndian<quint32>(file.constData() + fileHead));
+}
+
+// The file with another document in place of its own.
+QByteArray withDocument(const QByteArray& file, const QJsonObject& document) {
+    QByteArray json = QJsonDocument(document).toJson(QJsonDocument::Compact);
+    if (!file.startsWith("glTF") || file.size() < fileHead + chunkHead) {
+        return json;
+    }
+    json.append((4 - json.size() % 4) % 4, ' '); // chunks end on a whole word
+    const QByteArray further = file.mid(fileHead + chunkHead + jsonOf(file).size());
+    QByteArray whole = file.left(fileHead + chunkHead) + json + further;
+    qToLittleEndian(quint32(whole.size()), whole.data() + fileHead - 4);
+    qToLittleEndian(quint32(json.size()), whole.data() + fileHead);
+    return whole;
 }
 
 QJsonObject documentOf(const ModelSource& source) {
@@ -133,10 +148,29 @@ void checkTextures(const QJsonObject& model, const ModelSource& source, QStringL
     }
 }
 
+// Takes skins without bind matrices off the nodes that wear them; whether there were any. Other
+// skins change nothing either: points are read as they are stored.
+bool takeOffSkins(QJsonObject& model) {
+    const QJsonArray skins = model[u"skins"].toArray();
+    QJsonArray nodes = model[u"nodes"].toArray();
+    bool areAny = false;
+    for (QJsonValueRef node : nodes) {
+        QJsonObject wearer = node.toObject();
+        const QJsonValue skin = skins.at(wearer[u"skin"].toInt(-1));
+        if (skin.isObject() && !skin.toObject().contains(u"inverseBindMatrices")) {
+            wearer.remove(u"skin");
+            node = wearer;
+            areAny = true;
+        }
+    }
+    model[u"nodes"] = nodes;
+    return areAny;
+}
+
 } // namespace
 
-void checkGltf(const ModelSource& source, QStringList& warnings) {
-    const QJsonObject model = documentOf(source);
+QByteArray gltfForAssimp(const ModelSource& source, QStringList& warnings) {
+    QJsonObject model = documentOf(source);
     for (const QJsonValue& extension : model[u"extensionsRequired"].toArray()) {
         if (!isRead(extension.toString())) {
             throwNotRead(source, extension.toString());
@@ -150,6 +184,14 @@ void checkGltf(const ModelSource& source, QStringList& warnings) {
     if (source.withTextures) {
         checkTextures(model, source, warnings);
     }
+    if (!takeOffSkins(model)) {
+        return withoutByteOrderMark(source.bytes);
+    }
+    warnings.push_back(
+        Text::tr("The model has a skin without bind matrices: its points are taken as they are "
+                 "stored, not as the joints place them; where they lie wrong, apply the armature "
+                 "in a modelling program"));
+    return withDocument(source.bytes, model);
 }
 
 } // namespace dipwright
