@@ -92,6 +92,7 @@ void importInto(Project& project, const QCommandLineParser& parser, Console& con
     project.model = std::make_shared<const TexturedMesh>(imported.model);
     project.modelOrigin.source = path;
     project.modelOrigin.texture = options.texture;
+    project.modelOrigin.repairs = imported.report.repaired;
 }
 
 struct JigSpec {
@@ -151,6 +152,7 @@ void importJig(Project& project, const std::vector<JigSpec>& specs,
         options.allowOutside = parser.isSet(outsideOption);
         const ImportedModel imported = importModel(spec.path, options, console.progress());
         print(imported.report, spec.part.placed.name + QStringLiteral(": "), console);
+        project.modelOrigin.repairs += imported.report.repaired;
         parts.push_back(spec.part);
         parts.back().model = std::make_shared<const TexturedMesh>(imported.model);
     }

@@ -122,11 +122,10 @@ void keepFirstTriangle(const RTCFilterFunctionNArguments* arguments) {
 
 struct CrossingCount {
     RTCIntersectContext context;
-    int winding = 0; // how often the ray leaves the body, less how often it enters it
-    int triangles = 0;
+    int winding = 0;
 };
 
-// Lets the ray go on.
+// Counts how often the ray leaves the body, less how often it enters it, and lets the ray go on.
 void countCrossing(const RTCFilterFunctionNArguments* arguments) {
     auto* ray = arguments->ray;
     auto* hit = arguments->hit;
@@ -134,21 +133,8 @@ void countCrossing(const RTCFilterFunctionNArguments* arguments) {
     const float along = RTCRayN_dir_x(ray, n, 0) * RTCHitN_Ng_x(hit, n, 0) +
                         RTCRayN_dir_y(ray, n, 0) * RTCHitN_Ng_y(hit, n, 0) +
                         RTCRayN_dir_z(ray, n, 0) * RTCHitN_Ng_z(hit, n, 0);
-    auto& count = *reinterpret_cast<CrossingCount*>(arguments->context);
-    count.winding += along > 0 ? 1 : -1;
-    ++count.triangles;
+    reinterpret_cast<CrossingCount*>(arguments->context)->winding += along > 0 ? 1 : -1;
     arguments->valid[0] = 0;
-}
-
-CrossingCount countCrossings(RTCScene scene, const Eigen::Vector3f& origin,
-                             const Eigen::Vector3f& direction) {
-    CrossingCount crossings;
-    rtcInitIntersectContext(&crossings.context);
-    crossings.context.filter = countCrossing;
-    RTCRayHit query{makeRay(origin, direction, std::numeric_limits<float>::infinity()), {}};
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene, &crossings.context, &query);
-    return crossings;
 }
 
 struct Text {
@@ -265,13 +251,15 @@ bool SurfaceQuery::isInside(const Eigen::Vector3f& position) const {
                                                                {-0.319f, -0.457f, 0.830f}}};
     int inside = 0;
     for (const auto& direction : directions) {
-        inside += countCrossings(data_->scene, position, direction).winding != 0;
+        CrossingCount crossings;
+        rtcInitIntersectContext(&crossings.context);
+        crossings.context.filter = countCrossing;
+        RTCRayHit query{makeRay(position, direction, std::numeric_limits<float>::infinity()), {}};
+        query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(data_->scene, &crossings.context, &query);
+        inside += crossings.winding != 0;
     }
     return inside > int(directions.size()) / 2;
-}
-
-int SurfaceQuery::crossings(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) const {
-    return countCrossings(data_->scene, origin, direction).triangles;
 }
 
 } // namespace dipwright

@@ -39,9 +39,6 @@ public:
     // Inside or not: most of several rays leave the body more often, or less often, than they enter
     // it. Overlapping parts count as one body, and small holes do not turn the answer round.
     bool isInside(const Eigen::Vector3f& position) const;
-    // How many triangles the ray from `origin` along `direction` goes through, whichever way they
-    // face.
-    int crossings(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) const;
 
 private:
     struct Data;

@@ -299,6 +299,29 @@ bool isInside(const SurfaceQuery& query, const TriangleMesh& mesh, const Piece& 
     return true;
 }
 
+// About the origin, so that no ray loses its digits.
+TriangleMesh centred(TriangleMesh mesh) {
+    const BoundingBox box = boundingBox(mesh);
+    const Eigen::Vector3d middle = (box.min().cast<double>() + box.max().cast<double>()) / 2;
+    for (Eigen::Vector3f& position : mesh.positions) {
+        position = (position.cast<double>() - middle).cast<float>();
+    }
+    return mesh;
+}
+
+// Whether a ray goes through an odd number of triangles; those nearer than `clear` to one another
+// count as one.
+bool isOdd(const SurfaceQuery& query, Eigen::Vector3f origin, const Eigen::Vector3f& direction,
+           float clear) {
+    bool odd = false;
+    for (RayHit hit = query.hit(origin, direction); hit.point.isValid();
+         hit = query.hit(origin, direction)) {
+        odd = !odd;
+        origin += (hit.distance + clear) * direction;
+    }
+    return odd;
+}
+
 // Of rays to all sides of a place on a surface, those that cross an odd number of triangles on the
 // side of its back, less those on the side of its front, as shares of the rays on each side.
 double voteOfRays(const SurfaceQuery& query, const Eigen::Vector3f& place,
@@ -319,7 +342,7 @@ double voteOfRays(const SurfaceQuery& query, const Eigen::Vector3f& place,
         const bool isBack = away < 0;
         const Eigen::Vector3f origin = place + (isBack ? -clear : clear) * normal;
         all[isBack] += 1;
-        odd[isBack] += query.crossings(origin, direction) % 2;
+        odd[isBack] += isOdd(query, origin, direction, clear) ? 1 : 0;
     }
     return odd[1] / std::max(all[1], 1.0) - odd[0] / std::max(all[0], 1.0);
 }
@@ -358,10 +381,11 @@ std::vector<Piece> insideOutOf(std::vector<Piece> open, const TriangleMesh& mesh
         return open;
     }
     const std::size_t places = std::min(mostPlaces / open.size(), placesOfPiece);
-    const SurfaceQuery query(mesh);
-    const float clear = 1e-4F * boundingBox(mesh).diagonal().norm(); // of the place itself
+    const TriangleMesh body = centred(mesh);
+    const SurfaceQuery query(body);
+    const float clear = 1e-4F * boundingBox(body).diagonal().norm(); // of the place itself
     std::erase_if(open, [&](const Piece& piece) {
-        return !facesInwards(query, mesh, piece, places, clear, goOn);
+        return !facesInwards(query, body, piece, places, clear, goOn);
     });
     return open;
 }

@@ -11,6 +11,7 @@
 #include "pipeline/JobSheet.h"
 #include "pipeline/JobTolerances.h"
 #include "pipeline/LawChanges.h"
+#include "pipeline/ModelNotes.h"
 #include "pipeline/PrintedBody.h"
 #include "pipeline/SolverChoice.h"
 #include "project/Profiles.h"
@@ -479,6 +480,12 @@ QStringList notesOf(const JobResult& result) {
     QStringList notes;
     if (const QString expiry = expiryWarning(result.project.profiles.film); !expiry.isEmpty()) {
         notes.append(expiry);
+    }
+    const PosedBody& body = *result.immersions.front().body;
+    notes += modelNotes(result.project, body.mesh, body.query);
+    constexpr double hardlyAnything = 0.01; // of the body
+    if (result.coverageTotal < hardlyAnything && isInsideOut(*result.project.model)) {
+        notes.append(insideOutNote());
     }
     notes += fontWarnings(result.project.artwork);
     for (const ImmersionResult& immersion : result.immersions) {

@@ -2,6 +2,7 @@
 // gives its file form.
 #pragma once
 
+#include "model/MeshRepair.h"
 #include "settings/Artwork.h"
 #include "settings/AsBuilt.h"
 #include "settings/CradleSettings.h"
@@ -34,6 +35,7 @@ struct ModelOrigin {
     QString texture; // the picture that replaced the model's own, or empty
     double unitMillimetres = 1;
     QByteArray sha256; // of the embedded model, hex
+    ModelRepairs repairs;
     bool operator==(const ModelOrigin&) const = default;
 };
 

@@ -86,6 +86,12 @@ Field<Project> modelHash() {
             }};
 }
 
+template <int ModelRepairs::*count>
+void addRepair(std::vector<Field<Project>>& fields, const char* path) {
+    fields.push_back(leftOutWhenUsual(number(
+        path, 0, 2e9, [](auto& p) -> auto& { return p.modelOrigin.repairs.*count; })));
+}
+
 void addModelFields(std::vector<Field<Project>>& fields) {
     fields.push_back(filePath(
         "model.source", 4096, [](auto& p) -> auto& { return p.modelOrigin.source; }));
@@ -95,6 +101,11 @@ void addModelFields(std::vector<Field<Project>>& fields) {
         "model.unit_mm", 1e-9, 1e9,
         [](auto& p) -> auto& { return p.modelOrigin.unitMillimetres; }));
     fields.push_back(modelHash());
+    addRepair<&ModelRepairs::joinedPoints>(fields, "model.repairs.joined_points");
+    addRepair<&ModelRepairs::removedTriangles>(fields, "model.repairs.removed_triangles");
+    addRepair<&ModelRepairs::mergedTriangles>(fields, "model.repairs.merged_triangles");
+    addRepair<&ModelRepairs::turnedTriangles>(fields, "model.repairs.turned_triangles");
+    addRepair<&ModelRepairs::turnedParts>(fields, "model.repairs.turned_parts");
 }
 
 void addFilmFields(std::vector<Field<Project>>& fields) {

@@ -11,11 +11,12 @@ namespace {
 
 enum class Pose { Kept, Reset };
 
-void exchangeModel(Project& project, const TexturedMesh& model, const QString& source,
-                   const QString& texture) {
+void exchangeModel(Project& project, const TexturedMesh& model, const ModelRepairs& repairs,
+                   const QString& source, const QString& texture) {
     project.model = std::make_shared<const TexturedMesh>(model);
     project.modelOrigin.source = source;
     project.modelOrigin.texture = texture;
+    project.modelOrigin.repairs = repairs;
     project.modelOrigin.sha256.clear();
 }
 
@@ -33,7 +34,7 @@ void importInto(Document& document, const QString& path, const QString& texture,
         [&document, &messages, path, texture, pose, undoText](const ImportedModel& imported) {
             logImport(imported, messages);
             document.edit(undoText, {}, [&](Project& project) {
-                exchangeModel(project, imported.model, path, texture);
+                exchangeModel(project, imported.model, imported.report.repaired, path, texture);
                 for (Immersion& immersion : project.immersions) {
                     immersion = pose == Pose::Kept ? immersion : Immersion{.name = immersion.name};
                 }
@@ -55,6 +56,7 @@ Project newProject(const ImportedModel& imported, const QString& path,
     project.modelOrigin.source = path;
     project.modelOrigin.texture = options.texture;
     project.modelOrigin.unitMillimetres = options.unitMillimetres;
+    project.modelOrigin.repairs = imported.report.repaired;
     return project;
 }
 
@@ -134,7 +136,8 @@ void replaceTexture(Document& document, const QString& path, JobRunner& jobs, Me
         },
         [&document, path, undoText](const TexturedMesh& model) {
             document.edit(undoText, {}, [&](Project& project) {
-                exchangeModel(project, model, project.modelOrigin.source, path);
+                exchangeModel(project, model, project.modelOrigin.repairs,
+                              project.modelOrigin.source, path);
             });
         });
 }

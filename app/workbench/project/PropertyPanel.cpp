@@ -209,6 +209,7 @@ void PropertyPanel::addModelFacts(QFormLayout& form) {
             tr("Triangles: %1").arg(locale.toString(qulonglong(model.mesh.triangles.size()))),
             tr("Volume: %1 cm³").arg(locale.toString(volume(model.mesh) / 1000, 'f', 1)),
             isClosed(model.mesh) ? tr("Closed surface") : tr("Surface with openings")};
+        lines += sentencesOf(project.modelOrigin.repairs);
         for (const QImage& texture : model.textures) {
             lines.append(
                 tr("Texture of %1 × %2 pixels").arg(texture.width()).arg(texture.height()));

@@ -50,10 +50,10 @@ bool endsLine(char byte) {
 }
 
 // Words that assimp knows in this case only, and that some programs write in another.
-constexpr const char* words[] = {"newmtl", "map_Kd", "Kd"};
+constexpr const char* knownWords[] = {"newmtl", "map_Kd", "Kd"};
 
 QByteArray inKnownCase(QByteArrayView word) {
-    for (const char* known : words) {
+    for (const char* known : knownWords) {
         if (word.compare(known, Qt::CaseInsensitive) == 0) {
             return known;
         }
