@@ -89,8 +89,8 @@ void printProject(const Project& project, QTextStream& out) {
     printModel(*project.model, project.modelOrigin.repairs, out);
     printFilm(project.film, out);
     const TriangleMesh& mesh = project.model->mesh;
-    const FieldGrid field = fieldGrid(mesh, project.fieldResolution,
-                                      thinnestPart(mesh, SurfaceQuery(mesh)));
+    const FieldGrid field =
+        fieldGrid(mesh, project.fieldResolution, thinnestPart(mesh, SurfaceQuery(mesh)));
     out << QStringLiteral("Process: %1 mm/s, solver %2, a distance field of %3 × %4 × %5 samples, "
                           "%6 mm apart\n")
                .arg(plain(project.process.dipSpeed.value()), project.process.solver)

@@ -468,10 +468,9 @@ std::size_t mergeDoubledTriangles(TexturedMesh& mesh) {
         const auto even = std::count_if(doubled.begin(), doubled.end(),
                                         [](const CornerSet& set) { return set.isEven; });
         const auto odd = std::ssize(doubled) - even;
-        const auto kept =
-            std::find_if(doubled.begin(), doubled.end(), [&](const CornerSet& set) {
-                return even == odd || set.isEven == (even > odd);
-            });
+        const auto kept = std::find_if(doubled.begin(), doubled.end(), [&](const CornerSet& set) {
+            return even == odd || set.isEven == (even > odd);
+        });
         for (const CornerSet& set : doubled) {
             removed[set.triangle] = &set != &*kept;
             bothWays[set.triangle] = even == odd;
@@ -480,8 +479,8 @@ std::size_t mergeDoubledTriangles(TexturedMesh& mesh) {
     if (std::find(bothWays.begin(), bothWays.end(), true) != bothWays.end()) {
         const std::vector<bool> isGivenFromBothSides = areAllChosen(mesh.mesh, bothWays);
         for (std::size_t t = 0; t < removed.size(); ++t) {
-            removed[t] = removed[t] && (!bothWays[t] ||
-                                        isGivenFromBothSides[mesh.mesh.triangles[t][0]]);
+            removed[t] =
+                removed[t] && (!bothWays[t] || isGivenFromBothSides[mesh.mesh.triangles[t][0]]);
         }
     }
     return remove(mesh, removed);

@@ -30,9 +30,10 @@ struct MaterialFile {
 // The file of this name from its first material on, without a byte-order mark, and with the words
 // for colours in the case in which assimp knows them. The options before the name of a colour's
 // picture are read here and blanked out, as assimp 5.2.5 wants three numbers after -s, -o and -t,
-// where the format asks for one to three, and takes none of them. Refused is a picture, or a value of
-// physically based materials, that belongs to none, at which assimp 5.2.5 crashes or which it drops
-// without a word: a picture before the first material, either where there is no material at all.
+// where the format asks for one to three, and takes none of them. Refused is a picture, or a value
+// of physically based materials, that belongs to none, at which assimp 5.2.5 crashes or which it
+// drops without a word: a picture before the first material, either where there is no material at
+// all.
 MaterialFile materialFile(const QByteArray& bytes, const QString& name);
 
 // A text that begins with a byte-order mark as UTF-8 without it, any other as it is.

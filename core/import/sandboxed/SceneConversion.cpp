@@ -65,10 +65,9 @@ private:
         aiColor4D colour;
         if (source.Get(AI_MATKEY_BASE_COLOR, colour) == aiReturn_SUCCESS ||
             source.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS) {
-            material.colour =
-                QColor(colourByte(colour.r, meaning_.linearColours),
-                       colourByte(colour.g, meaning_.linearColours),
-                       colourByte(colour.b, meaning_.linearColours));
+            material.colour = QColor(colourByte(colour.r, meaning_.linearColours),
+                                     colourByte(colour.g, meaning_.linearColours),
+                                     colourByte(colour.b, meaning_.linearColours));
         }
         for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
             aiString name;

@@ -300,8 +300,8 @@ void DistanceFieldTest::thicknessIsThatOfPlatesAndOfNoEdges() {
 }
 
 void DistanceFieldTest::usualBodiesKeepTheirCube() {
-    for (const TriangleMesh& mesh :
-         {sphereMesh(35, 40, 80), tetrahedronMesh(60), boxMesh({60, 20, 40}), boxMesh({60, 2, 40})}) {
+    for (const TriangleMesh& mesh : {sphereMesh(35, 40, 80), tetrahedronMesh(60),
+                                     boxMesh({60, 20, 40}), boxMesh({60, 2, 40})}) {
         const DistanceField usual = buildDistanceField(mesh, 128, {});
         const auto chosen = cachedDistanceField(mesh, 128, {});
         QCOMPARE(chosen->size, usual.size);

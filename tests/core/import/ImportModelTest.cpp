@@ -368,14 +368,13 @@ void ImportModelTest::plyOfStripsIsRead() {
                             "property float y\nproperty float z\nelement tristrips 1\n"
                             "property list int int vertex_indices\nend_header\n"
                             "0 0 0\n9 0 0\n9 9 0\n0 9 0\n0 0 9\n9 0 9\n9 9 9\n0 9 9\n";
-    const auto parts =
-        import(write(QStringLiteral("strips.ply"),
-                     head + "21 3 2 7 6 6 2 2 2 1 6 5 -1 7 4 3 0 0 0 1 -1 -1\n"))
-            .report;
-    QCOMPARE(parts.triangles, std::size_t(6));
-    const auto whole = import(write(QStringLiteral("whole.ply"),
-                                    head + "14 3 2 6 7 4 2 0 3 1 6 5 4 1 0\n"))
+    const auto parts = import(write(QStringLiteral("strips.ply"),
+                                    head + "21 3 2 7 6 6 2 2 2 1 6 5 -1 7 4 3 0 0 0 1 -1 -1\n"))
                            .report;
+    QCOMPARE(parts.triangles, std::size_t(6));
+    const auto whole =
+        import(write(QStringLiteral("whole.ply"), head + "14 3 2 6 7 4 2 0 3 1 6 5 4 1 0\n"))
+            .report;
     QCOMPARE(whole.triangles, std::size_t(12));
     QVERIFY(whole.closed);
     QVERIFY2(whole.repairs.isEmpty(), qPrintable(whole.repairs.join(u'|')));

@@ -266,8 +266,8 @@ void OddModelsTest::objTextureIsPlacedByItsOptions_data() {
     row("-o 0.25 ", 1, 1, 0.25F, 0);
     row("-S 1 1 1 -O 0 .25 0 ", 1, 1, 0, 0.25F);
     row("-o 0.5 0.25 -s -1 2 ", -1, 2, 0.5F, 0.25F);
-    row("-t 0 0 -mm 0 1 -clamp off -blendu on -blendv on -cc off -boost 2 -texres 512 -imfchan l ", 1,
-        1, 0, 0);
+    row("-t 0 0 -mm 0 1 -clamp off -blendu on -blendv on -cc off -boost 2 -texres 512 -imfchan l ",
+        1, 1, 0, 0);
     row("-type sphere -s 2 2 ", 2, 2, 0, 0);
 }
 
@@ -290,7 +290,8 @@ void OddModelsTest::objTextureIsPlacedByItsOptions() {
 
 void OddModelsTest::objOptionsThatAreNotFollowedAreAWarning_data() {
     QTest::addColumn<QByteArray>("options");
-    for (const char* options : {"-t 1", "-t 0.5 0.5", "-t 1 1 1", "-mm 0.2 0.8", "-clamp on", "-s 0"}) {
+    for (const char* options :
+         {"-t 1", "-t 0.5 0.5", "-t 1 1 1", "-mm 0.2 0.8", "-clamp on", "-s 0"}) {
         QTest::newRow(options) << QByteArray(options);
     }
 }

@@ -383,8 +383,9 @@ private slots:
         const auto validate = [&] { validateJob(job, *registry_); };
         QVERIFY2(refusalOf(validate).contains("at least 230 × 150 mm"),
                  qPrintable(refusalOf(validate)));
-        QVERIFY(refusalOf([&] { runJob(job, *registry_, {}, nullptr, {}); })
-                    .contains("at least 230 × 150 mm"));
+        QVERIFY(refusalOf([&] {
+                    runJob(job, *registry_, {}, nullptr, {});
+                }).contains("at least 230 × 150 mm"));
         job.film.swellX = 1.2;
         QVERIFY(refusalOf(validate).contains("at least 190 × 150 mm"));
         job.model = plain(boxMesh({5000, 5000, 5000}));
