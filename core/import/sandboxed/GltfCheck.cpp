@@ -9,6 +9,8 @@
 #include <QJsonObject>
 #include <QtEndian>
 
+#include <optional>
+
 namespace dipwright {
 
 namespace {
@@ -148,29 +150,33 @@ void checkTextures(const QJsonObject& model, const ModelSource& source, QStringL
     }
 }
 
-// Takes skins without bind matrices off the nodes that wear them; whether there were any. Other
-// skins change nothing either: points are read as they are stored.
-bool takeOffSkins(QJsonObject& model) {
+// The document with skins that have no bind matrices taken off the nodes that wear them; nothing
+// where there are none. Other skins change nothing either: points are read as they are stored.
+std::optional<QJsonObject> withoutUnboundSkins(const QJsonObject& model) {
     const QJsonArray skins = model[u"skins"].toArray();
-    QJsonArray nodes = model[u"nodes"].toArray();
+    QJsonArray nodes;
     bool areAny = false;
-    for (QJsonValueRef node : nodes) {
-        QJsonObject wearer = node.toObject();
-        const QJsonValue skin = skins.at(wearer[u"skin"].toInt(-1));
+    for (const QJsonValue& node : model[u"nodes"].toArray()) {
+        const QJsonValue skin = skins.at(node[u"skin"].toInt(-1));
+        QJsonObject bare = node.toObject();
         if (skin.isObject() && !skin.toObject().contains(u"inverseBindMatrices")) {
-            wearer.remove(u"skin");
-            node = wearer;
+            bare.remove(u"skin");
             areAny = true;
         }
+        nodes.append(node.isObject() ? QJsonValue(bare) : node);
     }
-    model[u"nodes"] = nodes;
-    return areAny;
+    if (!areAny) {
+        return std::nullopt;
+    }
+    QJsonObject changed = model;
+    changed.insert(u"nodes", nodes);
+    return changed;
 }
 
 } // namespace
 
 QByteArray gltfForAssimp(const ModelSource& source, QStringList& warnings) {
-    QJsonObject model = documentOf(source);
+    const QJsonObject model = documentOf(source);
     for (const QJsonValue& extension : model[u"extensionsRequired"].toArray()) {
         if (!isRead(extension.toString())) {
             throwNotRead(source, extension.toString());
@@ -184,14 +190,15 @@ QByteArray gltfForAssimp(const ModelSource& source, QStringList& warnings) {
     if (source.withTextures) {
         checkTextures(model, source, warnings);
     }
-    if (!takeOffSkins(model)) {
+    const std::optional<QJsonObject> changed = withoutUnboundSkins(model);
+    if (!changed) {
         return withoutByteOrderMark(source.bytes);
     }
     warnings.push_back(
         Text::tr("The model has a skin without bind matrices: its points are taken as they are "
                  "stored, not as the joints place them; where they lie wrong, apply the armature "
                  "in a modelling program"));
-    return withDocument(source.bytes, model);
+    return withDocument(source.bytes, *changed);
 }
 
 } // namespace dipwright

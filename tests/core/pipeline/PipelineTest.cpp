@@ -390,6 +390,7 @@ private slots:
         QVERIFY(refusalOf(validate).contains("at least 190 × 150 mm"));
         job.model = plain(boxMesh({5000, 5000, 5000}));
         QVERIFY2(refusalOf(validate).contains("size and unit"), qPrintable(refusalOf(validate)));
+        job.film.swellX = 1;
         job.model = plain(boxMesh({80, 30, 130})); // past two edges alone
         QVERIFY(validateJob(job, *registry_).join('\n').contains("at least 100 × 150 mm"));
     }
