@@ -1,7 +1,6 @@
 #include "cli/Arguments.h"
 #include "geometry/FieldGrid.h"
 #include "geometry/TriangleMesh.h"
-#include "model/MeshRepair.h"
 #include "model/TexturedMesh.h"
 #include "project/Project.h"
 #include "settings/FilmSettings.h"
@@ -38,15 +37,15 @@ QJsonObject modelJson(const TexturedMesh& model) {
             {"textures", textures}};
 }
 
-void printModel(const TexturedMesh& model, const ModelRepairs& repairs, QTextStream& out) {
+void printModel(const TexturedMesh& model, const QString& remarks, QTextStream& out) {
     const Eigen::Vector3f size = boundingBox(model.mesh).sizes();
     out << QStringLiteral("Model: %1 triangles, %2 × %3 × %4 mm, %5 cm³, %6\n")
                .arg(model.mesh.triangles.size())
                .arg(plain(size.x()), plain(size.y()), plain(size.z()),
                     plain(volume(model.mesh) / 1000),
                     isClosed(model.mesh) ? QStringLiteral("closed") : QStringLiteral("not closed"));
-    for (const QString& repair : sentencesOf(repairs)) {
-        out << QStringLiteral("Put right: %1\n").arg(repair);
+    if (!remarks.isEmpty()) {
+        out << QStringLiteral("Of its file: %1\n").arg(remarks);
     }
     for (const QImage& texture : model.textures) {
         out << QStringLiteral("Texture: %1 × %2 pixels\n")
@@ -86,7 +85,7 @@ void printImmersion(const Immersion& immersion, QTextStream& out) {
 
 void printProject(const Project& project, QTextStream& out) {
     out << QStringLiteral("Project: %1, made on %2\n").arg(project.name, project.date);
-    printModel(*project.model, project.modelOrigin.repairs, out);
+    printModel(*project.model, project.modelOrigin.remarks, out);
     printFilm(project.film, out);
     const TriangleMesh& mesh = project.model->mesh;
     const FieldGrid field =

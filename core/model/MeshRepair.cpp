@@ -392,15 +392,6 @@ std::vector<Piece> insideOutOf(std::vector<Piece> open, const TriangleMesh& mesh
 
 } // namespace
 
-ModelRepairs& ModelRepairs::operator+=(const ModelRepairs& other) {
-    joinedPoints += other.joinedPoints;
-    removedTriangles += other.removedTriangles;
-    mergedTriangles += other.mergedTriangles;
-    turnedTriangles += other.turnedTriangles;
-    turnedParts += other.turnedParts;
-    return *this;
-}
-
 QStringList sentencesOf(const ModelRepairs& repairs) {
     QStringList sentences;
     const auto add = [&](const QString& sentence, int count) {

@@ -16,8 +16,6 @@ struct ModelRepairs {
     int mergedTriangles = 0;  // given twice
     int turnedTriangles = 0;  // that faced the other way than their neighbours
     int turnedParts = 0;      // that were inside out
-    bool operator==(const ModelRepairs&) const = default;
-    ModelRepairs& operator+=(const ModelRepairs& other);
 };
 
 // The repairs in sentences for the user, one for each kind that there was.

@@ -15,22 +15,17 @@ struct Text {
 
 } // namespace
 
-QStringList modelNotes(const Project& project, const TriangleMesh& mesh,
-                       const SurfaceQuery& query) {
-    QStringList notes;
-    for (const QString& repair : sentencesOf(project.modelOrigin.repairs)) {
-        notes.append(Text::tr("The model was put right when it was imported. %1").arg(repair));
-    }
+QString thinPartNote(const Project& project, const TriangleMesh& mesh, const SurfaceQuery& query) {
     const double thinnest = thinnestPart(mesh, query);
     const FieldGrid field = fieldGrid(project.model->mesh, project.fieldResolution, thinnest);
-    if (!isFineEnough(field, thinnest)) {
-        notes.append(Text::tr("Parts of the model are only %1 mm thick, and the distance field, "
-                              "with cells of %2 mm, is at its limit: film may miss them; make them "
-                              "thicker, or dip a smaller part of the model")
-                         .arg(thinnest, 0, 'g', 2)
-                         .arg(field.spacing, 0, 'g', 2));
+    if (isFineEnough(field, thinnest)) {
+        return {};
     }
-    return notes;
+    return Text::tr("Parts of the model are only %1 mm thick, and the distance field, with cells "
+                    "of %2 mm, is at its limit: film may miss them; make them thicker, or dip a "
+                    "smaller part of the model")
+        .arg(thinnest, 0, 'g', 2)
+        .arg(field.spacing, 0, 'g', 2);
 }
 
 bool isInsideOut(const TexturedMesh& model) {

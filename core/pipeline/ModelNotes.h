@@ -4,15 +4,15 @@
 #include "geometry/SurfaceQuery.h"
 #include "model/TexturedMesh.h"
 
-#include <QStringList>
+#include <QString>
 
 namespace dipwright {
 
 struct Project;
 
-// In sentences: what was put right when it was imported, and parts too thin for the distance field.
-// `mesh`: the project's, in any pose; `query`: of that.
-QStringList modelNotes(const Project& project, const TriangleMesh& mesh, const SurfaceQuery& query);
+// That parts of it are too thin for the distance field; empty where none are. `mesh`: the
+// project's, in any pose; `query`: of that.
+QString thinPartNote(const Project& project, const TriangleMesh& mesh, const SurfaceQuery& query);
 
 // Whether parts of the model face inwards, which an import turns; projects from before may have
 // such. Takes seconds for models of many open parts.

@@ -7,6 +7,7 @@
 #include "film/FilmGrid.h"
 #include "pipeline/JobSheet.h"
 #include "pipeline/ModelNotes.h"
+#include "pipeline/SheetMemory.h"
 #include "pipeline/SolverChoice.h"
 #include "project/Profiles.h"
 #include "project/Project.h"
@@ -89,10 +90,19 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
     sheetPixels(project.film.width, project.film.height, project.sheet.resolution);
     pageSize(Sheet{{}, project.film.width, project.film.height, project.sheet, {}});
     checkSpots(project);
+    checkMemory(project);
     QStringList warnings;
+    if (const QString note = memoryNote(project); !note.isEmpty()) {
+        warnings.append(note);
+    }
     warnings += chooseSolver(project.process.solver, registry).notes;
     const SurfaceQuery query(project.model->mesh);
-    warnings += modelNotes(project, project.model->mesh, query);
+    if (!project.modelOrigin.remarks.isEmpty()) {
+        warnings.append(Text::tr("Of the model's file: %1").arg(project.modelOrigin.remarks));
+    }
+    if (const QString note = thinPartNote(project, project.model->mesh, query); !note.isEmpty()) {
+        warnings.append(note);
+    }
     if (isInsideOut(*project.model)) {
         warnings.append(insideOutNote());
     }

@@ -11,12 +11,12 @@ namespace {
 
 enum class Pose { Kept, Reset };
 
-void exchangeModel(Project& project, const TexturedMesh& model, const ModelRepairs& repairs,
-                   const QString& source, const QString& texture) {
-    project.model = std::make_shared<const TexturedMesh>(model);
+void exchangeModel(Project& project, const ImportedModel& imported, const QString& source,
+                   const QString& texture) {
+    project.model = std::make_shared<const TexturedMesh>(imported.model);
     project.modelOrigin.source = source;
     project.modelOrigin.texture = texture;
-    project.modelOrigin.repairs = repairs;
+    project.modelOrigin.remarks = imported.report.remarks();
     project.modelOrigin.sha256.clear();
 }
 
@@ -34,7 +34,7 @@ void importInto(Document& document, const QString& path, const QString& texture,
         [&document, &messages, path, texture, pose, undoText](const ImportedModel& imported) {
             logImport(imported, messages);
             document.edit(undoText, {}, [&](Project& project) {
-                exchangeModel(project, imported.model, imported.report.repaired, path, texture);
+                exchangeModel(project, imported, path, texture);
                 for (Immersion& immersion : project.immersions) {
                     immersion = pose == Pose::Kept ? immersion : Immersion{.name = immersion.name};
                 }
@@ -56,7 +56,7 @@ Project newProject(const ImportedModel& imported, const QString& path,
     project.modelOrigin.source = path;
     project.modelOrigin.texture = options.texture;
     project.modelOrigin.unitMillimetres = options.unitMillimetres;
-    project.modelOrigin.repairs = imported.report.repaired;
+    project.modelOrigin.remarks = imported.report.remarks();
     return project;
 }
 
@@ -64,6 +64,7 @@ void logImport(const ImportedModel& imported, Messages& messages) {
     for (const QString& line : imported.report.repairs + imported.report.warnings) {
         messages.log(line);
     }
+    messages.notice(imported.report.warnings.join(u'\n'));
 }
 
 std::optional<double> doubtfulLength(const TriangleMesh& mesh) {
@@ -136,8 +137,9 @@ void replaceTexture(Document& document, const QString& path, JobRunner& jobs, Me
         },
         [&document, path, undoText](const TexturedMesh& model) {
             document.edit(undoText, {}, [&](Project& project) {
-                exchangeModel(project, model, project.modelOrigin.repairs,
-                              project.modelOrigin.source, path);
+                project.model = std::make_shared<const TexturedMesh>(model);
+                project.modelOrigin.texture = path;
+                project.modelOrigin.sha256.clear();
             });
         });
 }

@@ -105,6 +105,16 @@ void PropertyPanel::rebuild() {
                                              verticalScrollBar()->sizeHint().width()));
 }
 
+void PropertyPanel::showField(const QString& path) {
+    for (PropertyField* field : widget()->findChildren<PropertyField*>()) {
+        if (field->spec().path == path) {
+            widget()->layout()->activate(); // it may have been made just now
+            field->setFocus(Qt::ShortcutFocusReason);
+            ensureWidgetVisible(field);
+        }
+    }
+}
+
 void PropertyPanel::refresh() {
     if (!document_) {
         return;
@@ -209,13 +219,15 @@ void PropertyPanel::addModelFacts(QFormLayout& form) {
             tr("Triangles: %1").arg(locale.toString(qulonglong(model.mesh.triangles.size()))),
             tr("Volume: %1 cm³").arg(locale.toString(volume(model.mesh) / 1000, 'f', 1)),
             isClosed(model.mesh) ? tr("Closed surface") : tr("Surface with openings")};
-        lines += sentencesOf(project.modelOrigin.repairs);
         for (const QImage& texture : model.textures) {
             lines.append(
                 tr("Texture of %1 × %2 pixels").arg(texture.width()).arg(texture.height()));
         }
         if (model.textures.empty()) {
             lines.append(tr("No texture: drop a picture on the window to put one on"));
+        }
+        if (!project.modelOrigin.remarks.isEmpty()) {
+            lines.append(project.modelOrigin.remarks);
         }
         facts->setText(lines.join(QLatin1Char('\n')));
     });

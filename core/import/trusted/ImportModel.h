@@ -45,6 +45,9 @@ struct ImportReport {
     ModelRepairs repaired;
     QStringList repairs;  // the same in sentences: "Triangles without area that were removed: 12"
     QStringList warnings; // "The mesh is not closed: …"
+
+    // Both in a line, for ModelOrigin::remarks.
+    QString remarks() const { return (warnings + repairs).join(QStringLiteral("; ")); }
 };
 
 struct ImportedModel {

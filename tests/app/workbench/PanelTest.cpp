@@ -67,13 +67,13 @@ private slots:
         const QSet<QString> elsewhere{
             QStringLiteral("model.source"),           QStringLiteral("model.texture_source"),
             QStringLiteral("model.unit_mm"),          QStringLiteral("model.sha256"),
+            QStringLiteral("model.remarks"),         // shown with the model's facts
             QStringLiteral("process.solver"),        // a list of its own
             QStringLiteral("inspection.chessboard"), // a page of its own
             QStringLiteral("inspection.keep_camera"),
         };
         for (const auto& field : projectFields()) {
             QVERIFY2(shown.contains(field.path) || elsewhere.contains(field.path) ||
-                         field.path.startsWith(QLatin1String("model.repairs.")) || // told there
                          field.path.startsWith(QLatin1String("pose_search.")) ||   // its own page
                          field.path.startsWith(QLatin1String("inspection.film.")), // as this
                      qPrintable(field.path));
@@ -377,7 +377,7 @@ private slots:
         result->immersions.resize(1);
         result->immersions[0].coverage = coverage;
         result->immersions[0].verdict.advice = Advice::LookFirst;
-        result->immersions[0].verdict.reasons.resize(4);
+        result->immersions[0].verdict.reasons.resize(12);
         result->immersions[0].verdict.places.resize(5);
         CertaintyPanel panel;
         panel.resize(320, 1400);
