@@ -264,6 +264,22 @@
         <source>The body does not meet the film; move it over the film, choose a larger film, or give the film smaller cells or more points</source>
         <translation>Der Körper trifft den Film nicht; schieben Sie ihn über den Film, wählen Sie einen größeren Film oder geben Sie dem Film kleinere Zellen oder mehr Punkte</translation>
     </message>
+    <message>
+        <source>The body is not found: parts of it are only %1 mm thick, and the distance field has cells of %2 mm; make them thicker, or dip a smaller part of it</source>
+        <translation>Der Körper wird nicht gefunden: Teile von ihm sind nur %1 mm dick, und das Abstandsfeld hat Zellen von %2 mm; machen Sie sie dicker oder tauchen Sie einen kleineren Teil von ihm</translation>
+    </message>
+    <message>
+        <source>choose a film of at least %1 × %2 mm</source>
+        <translation>wählen Sie einen Film von mindestens %1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>no film is larger than %1 mm: check the model&apos;s size and unit</source>
+        <translation>kein Film ist größer als %1 mm: Prüfen Sie Größe und Einheit des Modells</translation>
+    </message>
+    <message>
+        <source>The body is larger than the film on all sides, %1 × %2 mm on the water, and no film is left to go round it; %3</source>
+        <translation>Der Körper ist auf allen Seiten größer als der Film, %1 × %2 mm auf dem Wasser, und es bleibt kein Film, der sich um ihn legt; %3</translation>
+    </message>
 </context>
 <context>
     <name>DipCache</name>
@@ -1144,8 +1160,8 @@
         <translation>Der Körper ragt über den Rand des Beckens „%1“ hinaus; verschieben oder drehen Sie ihn</translation>
     </message>
     <message>
-        <source>The body reaches past the film&apos;s edge; move or turn it, or choose a larger film</source>
-        <translation>Der Körper ragt über den Rand des Films hinaus; verschieben oder drehen Sie ihn, oder wählen Sie einen größeren Film</translation>
+        <source>The body reaches past the film&apos;s edge; move or turn it, or %1</source>
+        <translation>Der Körper ragt über den Rand des Films hinaus; verschieben oder drehen Sie ihn, oder %1</translation>
     </message>
     <message>
         <source>Film %1: %2 × %3 mm, pieces: %4, %5 % of it used</source>
@@ -1166,6 +1182,18 @@
     <message>
         <source>The artwork has %1 spot inks, and there is room for %2</source>
         <translation>Die Gestaltung hat %1 Sonderfarben, und Platz ist für %2</translation>
+    </message>
+    <message>
+        <source>Of the model&apos;s file: %1</source>
+        <translation>Zur Datei des Modells: %1</translation>
+    </message>
+    <message>
+        <source>Parts of the model are only %1 mm thick, and the distance field, with cells of %2 mm, is at its limit: film may miss them; make them thicker, or dip a smaller part of the model</source>
+        <translation>Teile des Modells sind nur %1 mm dick, und das Abstandsfeld ist mit Zellen von %2 mm an seiner Grenze: Der Film kann sie verfehlen; machen Sie sie dicker oder tauchen Sie einen kleineren Teil des Modells</translation>
+    </message>
+    <message>
+        <source>The model is inside out, at least in parts, and film does not lie on what faces inwards; import it anew, which turns it</source>
+        <translation>Das Modell ist zumindest teilweise umgestülpt, und auf dem, was nach innen zeigt, liegt kein Film; lesen Sie es neu ein, dann wird es gewendet</translation>
     </message>
     <message>
         <source>The sheets take about %1 GB of memory while they are made</source>
@@ -5722,10 +5750,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Eine Textur des Modells ist ohne Bild oder in einem Format, das nicht gelesen wird; stattdessen wird die Farbe ihres Materials verwendet; exportieren Sie es mit PNG oder JPEG</translation>
     </message>
     <message>
-        <source>The scale or offset that %1 gives a texture (-s, -o) is not followed; apply it to the texture coordinates in a modelling program</source>
-        <translation>Die Skalierung oder der Versatz, die %1 einer Textur gibt (-s, -o), wird nicht befolgt; wenden Sie sie in einem Modellierprogramm auf die Texturkoordinaten an</translation>
-    </message>
-    <message>
         <source>it holds more than its header counts</source>
         <translation>es enthält mehr, als sein Kopf zählt</translation>
     </message>
@@ -5748,6 +5772,22 @@ auf steife, wasserfeste Karte gedruckt</translation>
     <message>
         <source>a transform in it is not twelve numbers</source>
         <translation>eine Transformation darin besteht nicht aus zwölf Zahlen</translation>
+    </message>
+    <message>
+        <source>Options that %1 gives a texture are not followed: %2; apply them to the picture in a modelling program</source>
+        <translation>Optionen, die %1 einer Textur gibt, werden nicht befolgt: %2; wenden Sie sie in einem Modellierprogramm auf das Bild an</translation>
+    </message>
+    <message>
+        <source>The model has a skin without bind matrices: its points are taken as they are stored, not as the joints place them; where they lie wrong, apply the armature in a modelling program</source>
+        <translation>Das Modell hat eine Haut ohne Bindematrizen: Seine Punkte werden genommen, wie sie gespeichert sind, nicht wie die Gelenke sie stellen; wo sie falsch liegen, wenden Sie das Skelett in einem Modellierprogramm an</translation>
+    </message>
+    <message>
+        <source>Points joined along seams that rounding had opened: %1</source>
+        <translation>Verbundene Punkte an Nähten, die durch Rundung offen waren: %1</translation>
+    </message>
+    <message>
+        <source>Triangles removed that the file gives twice: %1</source>
+        <translation>Entfernte Dreiecke, die die Datei doppelt enthält: %1</translation>
     </message>
 </context>
 <context>

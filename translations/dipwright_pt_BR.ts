@@ -264,6 +264,22 @@
         <source>The body does not meet the film; move it over the film, choose a larger film, or give the film smaller cells or more points</source>
         <translation>O corpo não encontra o filme; mova-o sobre o filme, escolha um filme maior ou dê ao filme células menores ou mais pontos</translation>
     </message>
+    <message>
+        <source>The body is not found: parts of it are only %1 mm thick, and the distance field has cells of %2 mm; make them thicker, or dip a smaller part of it</source>
+        <translation>O corpo não é encontrado: partes dele têm só %1 mm de espessura, e o campo de distância tem células de %2 mm; torne-as mais espessas ou mergulhe uma parte menor dele</translation>
+    </message>
+    <message>
+        <source>choose a film of at least %1 × %2 mm</source>
+        <translation>escolha um filme de pelo menos %1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>no film is larger than %1 mm: check the model&apos;s size and unit</source>
+        <translation>nenhum filme é maior que %1 mm: verifique o tamanho e a unidade do modelo</translation>
+    </message>
+    <message>
+        <source>The body is larger than the film on all sides, %1 × %2 mm on the water, and no film is left to go round it; %3</source>
+        <translation>O corpo é maior que o filme em todos os lados, %1 × %2 mm sobre a água, e não sobra filme para envolvê-lo; %3</translation>
+    </message>
 </context>
 <context>
     <name>DipCache</name>
@@ -1144,8 +1160,8 @@
         <translation>O corpo ultrapassa a borda do tanque “%1”; mova-o ou gire-o</translation>
     </message>
     <message>
-        <source>The body reaches past the film&apos;s edge; move or turn it, or choose a larger film</source>
-        <translation>O corpo ultrapassa a borda do filme; mova-o ou gire-o, ou escolha um filme maior</translation>
+        <source>The body reaches past the film&apos;s edge; move or turn it, or %1</source>
+        <translation>O corpo ultrapassa a borda do filme; mova-o ou gire-o, ou %1</translation>
     </message>
     <message>
         <source>Film %1: %2 × %3 mm, pieces: %4, %5 % of it used</source>
@@ -1166,6 +1182,18 @@
     <message>
         <source>The artwork has %1 spot inks, and there is room for %2</source>
         <translation>A arte tem %1 tintas especiais, e há lugar para %2</translation>
+    </message>
+    <message>
+        <source>Of the model&apos;s file: %1</source>
+        <translation>Do arquivo do modelo: %1</translation>
+    </message>
+    <message>
+        <source>Parts of the model are only %1 mm thick, and the distance field, with cells of %2 mm, is at its limit: film may miss them; make them thicker, or dip a smaller part of the model</source>
+        <translation>Partes do modelo têm só %1 mm de espessura, e o campo de distância, com células de %2 mm, está no seu limite: o filme pode não as encontrar; torne-as mais espessas ou mergulhe uma parte menor do modelo</translation>
+    </message>
+    <message>
+        <source>The model is inside out, at least in parts, and film does not lie on what faces inwards; import it anew, which turns it</source>
+        <translation>O modelo está virado do avesso, pelo menos em partes, e o filme não se deposita no que está voltado para dentro; importe-o de novo, o que o desvira</translation>
     </message>
     <message>
         <source>The sheets take about %1 GB of memory while they are made</source>
@@ -5722,10 +5750,6 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Uma textura do modelo está sem imagem ou em um formato que não é lido, e a cor do seu material é usada no lugar; exporte-o com PNG ou JPEG</translation>
     </message>
     <message>
-        <source>The scale or offset that %1 gives a texture (-s, -o) is not followed; apply it to the texture coordinates in a modelling program</source>
-        <translation>A escala ou o deslocamento que %1 dá a uma textura (-s, -o) não é seguido; aplique-o às coordenadas de textura em um programa de modelagem</translation>
-    </message>
-    <message>
         <source>it holds more than its header counts</source>
         <translation>contém mais do que seu cabeçalho conta</translation>
     </message>
@@ -5748,6 +5772,22 @@ impresso em cartão rígido e impermeável</translation>
     <message>
         <source>a transform in it is not twelve numbers</source>
         <translation>uma transformação nele não é formada por doze números</translation>
+    </message>
+    <message>
+        <source>Options that %1 gives a texture are not followed: %2; apply them to the picture in a modelling program</source>
+        <translation>Opções que %1 dá a uma textura não são seguidas: %2; aplique-as à imagem em um programa de modelagem</translation>
+    </message>
+    <message>
+        <source>The model has a skin without bind matrices: its points are taken as they are stored, not as the joints place them; where they lie wrong, apply the armature in a modelling program</source>
+        <translation>O modelo tem uma pele sem matrizes de ligação: seus pontos são tomados como estão gravados, não como as articulações os colocam; onde ficarem errados, aplique o esqueleto em um programa de modelagem</translation>
+    </message>
+    <message>
+        <source>Points joined along seams that rounding had opened: %1</source>
+        <translation>Pontos unidos ao longo de costuras que o arredondamento tinha aberto: %1</translation>
+    </message>
+    <message>
+        <source>Triangles removed that the file gives twice: %1</source>
+        <translation>Triângulos removidos que o arquivo traz em dobro: %1</translation>
     </message>
 </context>
 <context>

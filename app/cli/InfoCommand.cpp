@@ -1,4 +1,5 @@
 #include "cli/Arguments.h"
+#include "geometry/FieldGrid.h"
 #include "geometry/TriangleMesh.h"
 #include "model/TexturedMesh.h"
 #include "project/Project.h"
@@ -36,13 +37,16 @@ QJsonObject modelJson(const TexturedMesh& model) {
             {"textures", textures}};
 }
 
-void printModel(const TexturedMesh& model, QTextStream& out) {
+void printModel(const TexturedMesh& model, const QString& remarks, QTextStream& out) {
     const Eigen::Vector3f size = boundingBox(model.mesh).sizes();
     out << QStringLiteral("Model: %1 triangles, %2 × %3 × %4 mm, %5 cm³, %6\n")
                .arg(model.mesh.triangles.size())
                .arg(plain(size.x()), plain(size.y()), plain(size.z()),
                     plain(volume(model.mesh) / 1000),
                     isClosed(model.mesh) ? QStringLiteral("closed") : QStringLiteral("not closed"));
+    if (!remarks.isEmpty()) {
+        out << QStringLiteral("Of its file: %1\n").arg(remarks);
+    }
     for (const QImage& texture : model.textures) {
         out << QStringLiteral("Texture: %1 × %2 pixels\n")
                    .arg(texture.width())
@@ -81,11 +85,18 @@ void printImmersion(const Immersion& immersion, QTextStream& out) {
 
 void printProject(const Project& project, QTextStream& out) {
     out << QStringLiteral("Project: %1, made on %2\n").arg(project.name, project.date);
-    printModel(*project.model, out);
+    printModel(*project.model, project.modelOrigin.remarks, out);
     printFilm(project.film, out);
-    out << QStringLiteral("Process: %1 mm/s, solver %2, a distance field of %3 samples a side\n")
+    const TriangleMesh& mesh = project.model->mesh;
+    const FieldGrid field =
+        fieldGrid(mesh, project.fieldResolution, thinnestPart(mesh, SurfaceQuery(mesh)));
+    out << QStringLiteral("Process: %1 mm/s, solver %2, a distance field of %3 × %4 × %5 samples, "
+                          "%6 mm apart\n")
                .arg(plain(project.process.dipSpeed.value()), project.process.solver)
-               .arg(project.fieldResolution);
+               .arg(field.size[0])
+               .arg(field.size[1])
+               .arg(field.size[2])
+               .arg(plain(field.spacing));
     for (const Immersion& immersion : project.immersions) {
         printImmersion(immersion, out);
     }

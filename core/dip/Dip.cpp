@@ -1,6 +1,7 @@
 #include "dip/Dip.h"
 
 #include "base/Error.h"
+#include "dip/FilmFit.h"
 #include "dip/FilmUnderBody.h"
 #include "film/FilmGrid.h"
 #include "film/Growth.h"
@@ -29,16 +30,28 @@ double secondsSince(Clock::time_point start) {
 }
 
 Error missedFilm(const Immersion& immersion) {
-    return {
-        Text::tr(
-            "The body does not meet the film; move it over the film, choose a larger film, or give "
-            "the film smaller cells or more points"),
-        immersion.name};
+    return {Text::tr("The body does not meet the film; move it over the film, choose a larger "
+                     "film, or give the film smaller cells or more points"),
+            immersion.name};
 }
 
-// Before anything is computed: whether any of the body is over the film at all.
+// Why no film point came to lie on the body.
+Error missedFilm(const PosedBody& body, const DistanceField& field, const Immersion& immersion) {
+    const double thinnest = thinnestPart(body.mesh, body.query);
+    if (isFineEnough(field, thinnest)) {
+        return missedFilm(immersion);
+    }
+    return {Text::tr("The body is not found: parts of it are only %1 mm thick, and the distance "
+                     "field has cells of %2 mm; make them thicker, or dip a smaller part of it")
+                .arg(thinnest, 0, 'g', 2)
+                .arg(field.spacing, 0, 'g', 2),
+            immersion.name};
+}
+
+// Before anything is computed: whether the body comes down on the film, with some of it left.
 void requireBodyOverFilm(const PosedBody& body, const Immersion& immersion,
-                         const solver::FilmGrid& film) {
+                         const FilmSettings& settings, const ProcessSettings& process) {
+    const solver::FilmGrid film = filmGrid(settings);
     const BoundingBox box = boundingBox(body.mesh);
     const double x = immersion.offset[0].value();
     const double z = immersion.offset[1].value();
@@ -47,6 +60,8 @@ void requireBodyOverFilm(const PosedBody& body, const Immersion& immersion,
     if (!over) {
         throw missedFilm(immersion);
     }
+    const Eigen::AlignedBox2d wet = undersideOf(body, process).shadow;
+    requireFilmRound(wet.translated(Eigen::Vector2d(x, z)), settings, immersion);
 }
 
 // The solver's film and the loop that drives it. Exceptions of the module pass through.
@@ -251,8 +266,8 @@ DippedFilm simulateDip(const PosedBody& body, const DistanceField& field,
                        const Immersion& immersion, const FilmSettings& film,
                        const ProcessSettings& process, const solver::SolverModule& module,
                        const Progress& progress, const FilmObserver& observer) {
+    requireBodyOverFilm(body, immersion, film, process);
     const solver::DipSetup setup = dipSetup(body, field, immersion, film, process);
-    requireBodyOverFilm(body, immersion, setup.film);
     DippedFilm dipped;
     try {
         Run run(setup, module);
@@ -271,7 +286,7 @@ DippedFilm simulateDip(const PosedBody& body, const DistanceField& field,
     requireStable(dipped, setup.motion.travel, immersion.name);
     if (std::find(dipped.states.begin(), dipped.states.end(), solver::PointState::Adhered) ==
         dipped.states.end()) {
-        throw missedFilm(immersion);
+        throw missedFilm(body, field, immersion);
     }
     return dipped;
 }

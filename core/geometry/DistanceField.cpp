@@ -16,7 +16,6 @@ namespace dipwright {
 
 namespace {
 
-constexpr int paddingCells = 3;
 constexpr int exactCells = 5;
 constexpr int coarsestStride = 8;
 
@@ -28,28 +27,6 @@ std::size_t sampleIndex(const DistanceField& field, int i, int j, int k) {
     return (std::size_t(k) * std::size_t(field.size[1]) + std::size_t(j)) *
                std::size_t(field.size[0]) +
            std::size_t(i);
-}
-
-// A cube of samples round the body, without distances.
-DistanceField cubeRound(const TriangleMesh& body, int resolution) {
-    if (resolution < 32 || resolution > 512) {
-        throw Error(
-            Text::tr("The distance field's resolution is %1; choose 32 to 512").arg(resolution),
-            QString());
-    }
-    const BoundingBox box = boundingBox(body);
-    const double edge = box.isEmpty() ? 0 : double(box.sizes().maxCoeff());
-    if (!(edge > 0) || !std::isfinite(edge)) {
-        throw Error(Text::tr("The body has no extent; choose a model with a surface"), QString());
-    }
-    DistanceField field;
-    field.size.fill(resolution);
-    field.spacing = edge / (resolution - 1 - 2 * paddingCells);
-    field.origin = (box.min().cast<double>() + box.max().cast<double>()) / 2 -
-                   Eigen::Vector3d::Constant(field.spacing * (resolution - 1) / 2);
-    field.distance.resize(std::size_t(resolution) * std::size_t(resolution) *
-                          std::size_t(resolution));
-    return field;
 }
 
 // Fills in the unsigned distance, from coarse to fine. A level holds the samples whose indices are
@@ -312,10 +289,14 @@ Eigen::Vector3d DistanceField::gradient(const Eigen::Vector3d& position) const {
 
 DistanceField buildDistanceField(const TriangleMesh& body, int resolution,
                                  const Progress& progress) {
+    return buildDistanceField(body, SurfaceQuery(body), cubeGrid(body, resolution), progress);
+}
+
+DistanceField buildDistanceField(const TriangleMesh& body, const SurfaceQuery& query,
+                                 const FieldGrid& grid, const Progress& progress) {
     const QString what = Text::tr("Building the distance field");
     progress(0, what);
-    DistanceField field = cubeRound(body, resolution);
-    const SurfaceQuery query(body);
+    DistanceField field{grid, std::vector<float>(grid.sampleCount())};
     DistanceSweep sweep(field, query);
     for (int stride = coarsestStride; stride > 0; stride /= 2) {
         progress(0.5 / stride, what);

@@ -3,17 +3,14 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "geometry/TriangleMesh.h"
+#include "geometry/FieldGrid.h"
 
 #include <memory>
 
 namespace dipwright {
 
-// Samples (i, j, k) at origin + spacing·(i, j, k), index (k·size.y + j)·size.x + i; mm.
-struct DistanceField {
-    std::array<int, 3> size{};
-    Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-    double spacing = 0;
+// Sample (i, j, k) has the index (k·size.y + j)·size.x + i; mm.
+struct DistanceField : FieldGrid {
     std::vector<float> distance;
 
     // Trilinear; outside the grid a distance that is never too large.
@@ -22,15 +19,18 @@ struct DistanceField {
     Eigen::Vector3d gradient(const Eigen::Vector3d& position) const;
 };
 
-// `resolution` (32 … 512) samples along each edge of the cube round the body; the cube leaves at
-// least two cells free round the body. Exact (to float rounding) within three cells of the surface;
-// farther away a bound that is never too large in magnitude. All cores; deterministic; throws
-// Cancelled.
+// On cubeGrid(). Exact (to float rounding) within three cells of the surface; farther away a bound
+// that is never too large in magnitude. All cores; deterministic; throws Cancelled.
 DistanceField buildDistanceField(const TriangleMesh& body, int resolution,
                                  const Progress& progress);
 
-// The same through a cache on disk, keyed by the content of the mesh and the resolution. A damaged
-// or unwritable cache is as good as none.
+// The same on a grid; `query`: of `body`.
+DistanceField buildDistanceField(const TriangleMesh& body, const SurfaceQuery& query,
+                                 const FieldGrid& grid, const Progress& progress);
+
+// The same on fieldGrid(), with finer cells where the body's thinnest part needs them, through a
+// cache on disk, keyed by the content of the mesh and the resolution. A damaged or unwritable cache
+// is as good as none.
 std::shared_ptr<const DistanceField> cachedDistanceField(const TriangleMesh& body, int resolution,
                                                          const Progress& progress);
 

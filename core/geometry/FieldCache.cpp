@@ -17,7 +17,7 @@ namespace dipwright {
 
 namespace {
 
-constexpr qint64 cacheBytes = qint64(512) << 20;
+constexpr qint64 cacheBytes = mostFieldBytes;
 
 QString cacheFolder() {
     const QString chosen = qEnvironmentVariable("DIPWRIGHT_CACHE");
@@ -40,9 +40,9 @@ QByteArray contentHash(const TriangleMesh& body, int resolution) {
     return hash.result();
 }
 
-std::shared_ptr<const DistanceField> load(const QString& path, int resolution) {
+std::shared_ptr<const DistanceField> load(const QString& path) {
     QFile file(path);
-    return openToRead(file).isEmpty() ? readField(file, resolution) : nullptr;
+    return openToRead(file).isEmpty() ? readField(file) : nullptr;
 }
 
 // Throws out the fields that were not used for longest until the rest fits.
@@ -86,12 +86,14 @@ std::shared_ptr<const DistanceField> cachedDistanceField(const TriangleMesh& bod
                                                          const Progress& progress) {
     const QString name = QString::fromLatin1(contentHash(body, resolution).toHex());
     const QString path = QDir(cacheFolder()).filePath(name + QStringLiteral(".field"));
-    if (auto field = load(path, resolution)) {
+    if (auto field = load(path)) {
         markUsed(path);
         return field;
     }
+    const SurfaceQuery query(body);
+    const FieldGrid grid = fieldGrid(body, resolution, thinnestPart(body, query));
     auto field =
-        std::make_shared<const DistanceField>(buildDistanceField(body, resolution, progress));
+        std::make_shared<const DistanceField>(buildDistanceField(body, query, grid, progress));
     store(path, *field);
     return field;
 }

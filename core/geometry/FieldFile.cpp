@@ -4,6 +4,8 @@
 
 #include <QDataStream>
 
+#include <algorithm>
+
 namespace dipwright {
 namespace {
 
@@ -41,11 +43,8 @@ bool writeField(const DistanceField& field, QIODevice& device) {
            device.write(samples.data(), samples.size()) == samples.size();
 }
 
-std::shared_ptr<const DistanceField> readField(QIODevice& device, int resolution) {
-    const auto edge = std::size_t(resolution);
-    const std::size_t count = edge * edge * edge;
-    const auto bytes = qint64(count) * qint64(sizeof(float));
-    if (device.size() > bytes + mostHeaderBytes) {
+std::shared_ptr<const DistanceField> readField(QIODevice& device) {
+    if (device.size() > mostFieldBytes + mostHeaderBytes) {
         return nullptr;
     }
     auto field = std::make_shared<DistanceField>();
@@ -62,12 +61,16 @@ std::shared_ptr<const DistanceField> readField(QIODevice& device, int resolution
         field->size[axis] = size;
     }
     fields >> field->spacing;
-    if (version != fieldFileVersion ||
-        field->size != std::array{resolution, resolution, resolution} ||
-        device.size() - device.pos() != bytes) {
+    constexpr int longest = 1 << 20; // so that no count runs over
+    const auto [fewest, most] = std::minmax_element(field->size.begin(), field->size.end());
+    if (version != fieldFileVersion || *fewest < 2 || *most > longest) {
         return nullptr;
     }
-    field->distance.resize(count);
+    const auto bytes = qint64(field->sampleCount() * sizeof(float));
+    if (device.size() - device.pos() != bytes) {
+        return nullptr;
+    }
+    field->distance.resize(field->sampleCount());
     if (device.read(reinterpret_cast<char*>(field->distance.data()), bytes) != bytes ||
         header(*field) != stored) {
         return nullptr;

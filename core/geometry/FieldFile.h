@@ -9,12 +9,12 @@
 namespace dipwright {
 
 // Raised when what buildDistanceField computes, or how it is stored, changes.
-inline constexpr quint32 fieldFileVersion = 1;
+inline constexpr quint32 fieldFileVersion = 2;
 
 // False where the device does not take all of it.
 bool writeField(const DistanceField& field, QIODevice& device);
-// A field of `resolution` samples along each axis. Null where the device holds anything else, of
-// which no more is read than such a field has.
-std::shared_ptr<const DistanceField> readField(QIODevice& device, int resolution);
+// Null where the device holds anything but a whole field of at most mostFieldBytes of samples.
+std::shared_ptr<const DistanceField> readField(QIODevice& device);
+inline constexpr qint64 mostFieldBytes = qint64(512) << 20;
 
 } // namespace dipwright

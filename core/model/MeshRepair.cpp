@@ -2,17 +2,30 @@
 
 #include "geometry/SurfaceQuery.h"
 
-#include <QHashFunctions>
+#include <QCoreApplication>
+#include <QMultiHash>
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <numeric>
+#include <span>
+#include <tuple>
 
 namespace dipwright {
 
 namespace {
 
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
+};
+
 constexpr std::uint32_t unused = 0xffffffffu;
+// How far rounding takes the two sides of a seam apart, of the model's longest edge: files have six
+// or seven digits.
+constexpr double seamTolerance = 1e-5;
 
 // Finds positions by their exact value: a hash table with open addressing, at most half full. Where
 // in it they lie differs from run to run, so that no file can be made whose positions all meet in
@@ -51,6 +64,64 @@ private:
     std::uint64_t seed_ = std::size_t(QHashSeed::globalSeed());
 };
 
+struct Cell {
+    qint64 x, y, z;
+    bool operator==(const Cell&) const = default;
+};
+
+std::size_t qHash(const Cell& cell, std::size_t seed) {
+    return qHashMulti(seed, cell.x, cell.y, cell.z);
+}
+
+// Finds positions by their place, to within a reach. Each kept is farther from the others than
+// that, so that no file makes a cell hold many.
+class NearbyPositions {
+public:
+    NearbyPositions(const std::vector<Eigen::Vector3f>& positions, double reach)
+        : positions_(positions), reach_(reach) {}
+
+    // The first position kept within the reach of this one; keeps this one where there is none.
+    std::uint32_t firstNear(std::uint32_t position) {
+        const Eigen::Vector3d place = positions_[position].cast<double>();
+        const Eigen::Vector3d middle = (place / reach_).array().floor();
+        const Cell cell{qint64(middle.x()), qint64(middle.y()), qint64(middle.z())};
+        std::uint32_t first = position;
+        for (qint64 x = cell.x - 1; x <= cell.x + 1; ++x) {
+            for (qint64 y = cell.y - 1; y <= cell.y + 1; ++y) {
+                for (qint64 z = cell.z - 1; z <= cell.z + 1; ++z) {
+                    const auto [begin, end] = kept_.equal_range({x, y, z});
+                    std::for_each(begin, end, [&](std::uint32_t other) {
+                        const Eigen::Vector3d way = positions_[other].cast<double>() - place;
+                        first = way.norm() <= reach_ ? std::min(first, other) : first;
+                    });
+                }
+            }
+        }
+        if (first == position) {
+            kept_.insert(cell, position);
+        }
+        return first;
+    }
+
+private:
+    const std::vector<Eigen::Vector3f>& positions_;
+    double reach_;
+    QMultiHash<Cell, std::uint32_t> kept_;
+};
+
+// Which positions are ends of edges that do not lie between exactly two triangles.
+std::vector<bool> positionsOnRims(const TriangleMesh& mesh) {
+    std::vector<bool> isOnRim(mesh.positions.size());
+    const auto opposite = oppositeEdges(mesh);
+    for (std::uint32_t edge = 0; edge < opposite.size(); ++edge) {
+        if (opposite[edge] == noEdge) {
+            isOnRim[mesh.triangles[edge / 3][edge % 3]] = true;
+            isOnRim[mesh.triangles[edge / 3][(edge + 1) % 3]] = true;
+        }
+    }
+    return isOnRim;
+}
+
 bool hasRepeatedCorner(const std::array<std::uint32_t, 3>& triangle) {
     return triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
 }
@@ -81,6 +152,86 @@ std::size_t remove(TexturedMesh& mesh, const std::vector<bool>& removed) {
 void turn(TexturedMesh& mesh, std::size_t triangle) {
     std::swap(mesh.mesh.triangles[triangle][1], mesh.mesh.triangles[triangle][2]);
     std::swap(mesh.textureCoordinates[triangle][1], mesh.textureCoordinates[triangle][2]);
+}
+
+// A triangle by its corners, whichever of them is first.
+struct CornerSet {
+    std::array<std::uint32_t, 3> sorted;
+    std::uint32_t triangle;
+    bool isEven; // runs through the corners in their order, or one that begins elsewhere in it
+    bool operator<(const CornerSet& other) const {
+        return std::tie(sorted, triangle) < std::tie(other.sorted, other.triangle);
+    }
+};
+
+std::vector<CornerSet> sortedCorners(const TriangleMesh& mesh) {
+    std::vector<CornerSet> sets;
+    sets.reserve(mesh.triangles.size());
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        auto sorted = mesh.triangles[t];
+        std::rotate(sorted.begin(), std::min_element(sorted.begin(), sorted.end()), sorted.end());
+        const bool isEven = sorted[1] < sorted[2];
+        if (!isEven) {
+            std::swap(sorted[1], sorted[2]);
+        }
+        sets.push_back({sorted, t, isEven});
+    }
+    std::sort(sets.begin(), sets.end());
+    return sets;
+}
+
+// Calls `use` with each run of two or more triangles that have the same corners.
+template <typename Use>
+void forEachDoubled(const std::vector<CornerSet>& sets, const Use& use) {
+    for (auto same = sets.begin(); same != sets.end();) {
+        const auto next = std::find_if(
+            same, sets.end(), [&](const CornerSet& set) { return set.sorted != same->sorted; });
+        if (next - same > 1) {
+            use(std::span(same, next));
+        }
+        same = next;
+    }
+}
+
+// Positions that hang together over triangles, by one of them.
+class JoinedPositions {
+public:
+    explicit JoinedPositions(const TriangleMesh& mesh) : parent_(mesh.positions.size()) {
+        std::iota(parent_.begin(), parent_.end(), 0U);
+        for (const auto& [a, b, c] : mesh.triangles) {
+            join(a, b);
+            join(b, c);
+        }
+    }
+
+    std::uint32_t pieceOf(std::uint32_t position) {
+        while (parent_[position] != position) {
+            position = parent_[position] = parent_[parent_[position]];
+        }
+        return position;
+    }
+
+private:
+    void join(std::uint32_t one, std::uint32_t other) {
+        const auto [lower, higher] = std::minmax({pieceOf(one), pieceOf(other)});
+        parent_[higher] = lower;
+    }
+
+    std::vector<std::uint32_t> parent_;
+};
+
+// For each position, whether all triangles of its piece are in `chosen`.
+std::vector<bool> areAllChosen(const TriangleMesh& mesh, const std::vector<bool>& chosen) {
+    JoinedPositions joined(mesh);
+    std::vector<bool> isMixed(mesh.positions.size()), areAll(mesh.positions.size());
+    for (std::size_t t = 0; t < chosen.size(); ++t) {
+        const std::uint32_t piece = joined.pieceOf(mesh.triangles[t][0]);
+        isMixed[piece] = isMixed[piece] || !chosen[t];
+    }
+    for (std::uint32_t position = 0; position < areAll.size(); ++position) {
+        areAll[position] = !isMixed[joined.pieceOf(position)];
+    }
+    return areAll;
 }
 
 // One connected piece of a mesh and which of its triangles run against its first one.
@@ -148,7 +299,114 @@ bool isInside(const SurfaceQuery& query, const TriangleMesh& mesh, const Piece& 
     return true;
 }
 
+// About the origin, so that no ray loses its digits.
+TriangleMesh centred(TriangleMesh mesh) {
+    const BoundingBox box = boundingBox(mesh);
+    const Eigen::Vector3d middle = (box.min().cast<double>() + box.max().cast<double>()) / 2;
+    for (Eigen::Vector3f& position : mesh.positions) {
+        position = (position.cast<double>() - middle).cast<float>();
+    }
+    return mesh;
+}
+
+// Whether a ray goes through an odd number of triangles; those nearer than `clear` to one another
+// count as one.
+bool isOdd(const SurfaceQuery& query, Eigen::Vector3f origin, const Eigen::Vector3f& direction,
+           float clear) {
+    bool odd = false;
+    for (RayHit hit = query.hit(origin, direction); hit.point.isValid();
+         hit = query.hit(origin, direction)) {
+        odd = !odd;
+        origin += (hit.distance + clear) * direction;
+    }
+    return odd;
+}
+
+// Of rays to all sides of a place on a surface, those that cross an odd number of triangles on the
+// side of its back, less those on the side of its front, as shares of the rays on each side.
+double voteOfRays(const SurfaceQuery& query, const Eigen::Vector3f& place,
+                  const Eigen::Vector3f& normal, float clear) {
+    constexpr int rays = 32;
+    constexpr float alongTheSurface = 0.15F;
+    double odd[2] = {}, all[2] = {}; // front, back
+    for (int ray = 0; ray < rays; ++ray) {
+        // A spiral round the sphere, turned on by the golden angle.
+        const double height = 1 - (2 * ray + 1) / double(rays), turn = 2.399963229728653 * ray;
+        const double radius = std::sqrt(1 - height * height);
+        const Eigen::Vector3f direction =
+            Eigen::Vector3d(radius * std::cos(turn), radius * std::sin(turn), height).cast<float>();
+        const float away = direction.dot(normal);
+        if (std::abs(away) < alongTheSurface) {
+            continue;
+        }
+        const bool isBack = away < 0;
+        const Eigen::Vector3f origin = place + (isBack ? -clear : clear) * normal;
+        all[isBack] += 1;
+        odd[isBack] += isOdd(query, origin, direction, clear) ? 1 : 0;
+    }
+    return odd[1] / std::max(all[1], 1.0) - odd[0] / std::max(all[0], 1.0);
+}
+
+// Whether rays from so many places of the piece say that it faces inwards.
+bool facesInwards(const SurfaceQuery& query, const TriangleMesh& mesh, const Piece& piece,
+                  std::size_t places, float clear, const std::function<void()>& goOn) {
+    constexpr double decided = 0.5;
+    const std::size_t step = 1 + (piece.triangles.size() - 1) / places;
+    double votes = 0, area = 0;
+    for (std::size_t i = 0; i < piece.triangles.size(); i += step) {
+        goOn();
+        const std::uint32_t triangle = piece.triangles[i];
+        const double weight = triangleArea(mesh, triangle);
+        votes += weight * voteOfRays(query, position(mesh, middleOf(triangle)),
+                                     triangleNormal(mesh, triangle), clear);
+        area += weight;
+    }
+    return votes < -decided * area;
+}
+
+// Those of the open pieces that are inside out. Beyond so many places the pieces are too many to be
+// asked one by one, as of a surface whose triangles do not hang together, and are asked as one.
+std::vector<Piece> insideOutOf(std::vector<Piece> open, const TriangleMesh& mesh,
+                               const std::function<void()>& goOn) {
+    constexpr std::size_t mostPlaces = 20'000, placesOfPiece = 50;
+    if (open.size() > mostPlaces) {
+        Piece all;
+        for (const Piece& piece : open) {
+            all.triangles.insert(all.triangles.end(), piece.triangles.begin(),
+                                 piece.triangles.end());
+        }
+        open.assign(1, std::move(all));
+    }
+    if (open.empty()) {
+        return open;
+    }
+    const std::size_t places = std::min(mostPlaces / open.size(), placesOfPiece);
+    const TriangleMesh body = centred(mesh);
+    const SurfaceQuery query(body);
+    const float clear = 1e-4F * boundingBox(body).diagonal().norm(); // of the place itself
+    std::erase_if(open, [&](const Piece& piece) {
+        return !facesInwards(query, body, piece, places, clear, goOn);
+    });
+    return open;
+}
+
 } // namespace
+
+QStringList sentencesOf(const ModelRepairs& repairs) {
+    QStringList sentences;
+    const auto add = [&](const QString& sentence, int count) {
+        if (count > 0) {
+            sentences.push_back(sentence.arg(count));
+        }
+    };
+    add(Text::tr("Points joined along seams that rounding had opened: %1"), repairs.joinedPoints);
+    add(Text::tr("Triangles without area that were removed: %1"), repairs.removedTriangles);
+    add(Text::tr("Triangles removed that the file gives twice: %1"), repairs.mergedTriangles);
+    add(Text::tr("Triangles turned that faced the other way than their neighbours: %1"),
+        repairs.turnedTriangles);
+    add(Text::tr("Parts of the surface turned that were inside out: %1"), repairs.turnedParts);
+    return sentences;
+}
 
 void weldPositions(TriangleMesh& mesh) {
     PositionIndex index(mesh.positions);
@@ -165,6 +423,58 @@ void weldPositions(TriangleMesh& mesh) {
         }
     }
     mesh.positions = std::move(positions);
+}
+
+std::size_t joinOpenSeams(TriangleMesh& mesh) {
+    const double reach = seamTolerance * longestEdgeOf(mesh);
+    if (!(reach > 0)) {
+        return 0;
+    }
+    const std::vector<bool> isOnRim = positionsOnRims(mesh);
+    NearbyPositions nearby(mesh.positions, reach);
+    std::vector<std::uint32_t> joined(mesh.positions.size());
+    std::iota(joined.begin(), joined.end(), 0U);
+    std::size_t count = 0;
+    for (std::uint32_t position = 0; position < joined.size(); ++position) {
+        if (isOnRim[position]) {
+            joined[position] = nearby.firstNear(position);
+            count += joined[position] != position;
+        }
+    }
+    if (count > 0) {
+        for (auto& triangle : mesh.triangles) {
+            for (auto& corner : triangle) {
+                corner = joined[corner];
+            }
+        }
+        weldPositions(mesh);
+    }
+    return count;
+}
+
+std::size_t mergeDoubledTriangles(TexturedMesh& mesh) {
+    const std::vector<CornerSet> sets = sortedCorners(mesh.mesh);
+    std::vector<bool> removed(mesh.mesh.triangles.size()), bothWays(removed.size());
+    forEachDoubled(sets, [&](std::span<const CornerSet> doubled) {
+        const auto even = std::count_if(doubled.begin(), doubled.end(),
+                                        [](const CornerSet& set) { return set.isEven; });
+        const auto odd = std::ssize(doubled) - even;
+        const auto kept = std::find_if(doubled.begin(), doubled.end(), [&](const CornerSet& set) {
+            return even == odd || set.isEven == (even > odd);
+        });
+        for (const CornerSet& set : doubled) {
+            removed[set.triangle] = &set != &*kept;
+            bothWays[set.triangle] = even == odd;
+        }
+    });
+    if (std::find(bothWays.begin(), bothWays.end(), true) != bothWays.end()) {
+        const std::vector<bool> isGivenFromBothSides = areAllChosen(mesh.mesh, bothWays);
+        for (std::size_t t = 0; t < removed.size(); ++t) {
+            removed[t] =
+                removed[t] && (!bothWays[t] || isGivenFromBothSides[mesh.mesh.triangles[t][0]]);
+        }
+    }
+    return remove(mesh, removed);
 }
 
 std::size_t removeDegenerateTriangles(TexturedMesh& mesh) {
@@ -218,7 +528,7 @@ std::size_t orientTriangles(TexturedMesh& mesh) {
 std::size_t turnInsideOutParts(TexturedMesh& mesh, const std::function<void()>& goOn) {
     const auto opposite = oppositeEdges(mesh.mesh);
     std::vector<std::int8_t> sense(mesh.mesh.triangles.size(), 0);
-    std::vector<Piece> insideOut;
+    std::vector<Piece> insideOut, open;
     TriangleMesh solid;
     for (std::uint32_t first = 0; first < sense.size(); ++first) {
         if (sense[first] != 0) {
@@ -232,14 +542,17 @@ std::size_t turnInsideOutParts(TexturedMesh& mesh, const std::function<void()>& 
         for (const std::uint32_t triangle : piece.triangles) {
             solid.triangles.push_back(mesh.mesh.triangles[triangle]);
         }
+        if (!piece.isClosed && piece.isOrientable) {
+            open.push_back(std::move(piece));
+        }
     }
-    if (insideOut.empty()) {
-        return 0;
+    if (!insideOut.empty()) {
+        solid.positions = mesh.mesh.positions;
+        const SurfaceQuery query(solid);
+        std::erase_if(insideOut,
+                      [&](const Piece& piece) { return isInside(query, mesh.mesh, piece, goOn); });
     }
-    solid.positions = mesh.mesh.positions;
-    const SurfaceQuery query(solid);
-    std::erase_if(insideOut,
-                  [&](const Piece& piece) { return isInside(query, mesh.mesh, piece, goOn); });
+    std::ranges::move(insideOutOf(std::move(open), mesh.mesh, goOn), std::back_inserter(insideOut));
     for (const Piece& piece : insideOut) {
         for (const std::uint32_t triangle : piece.triangles) {
             turn(mesh, triangle);

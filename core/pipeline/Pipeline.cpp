@@ -12,6 +12,7 @@
 #include "pipeline/JobTolerances.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/LawChanges.h"
+#include "pipeline/ModelNotes.h"
 #include "pipeline/PrintedBody.h"
 #include "pipeline/SheetMemory.h"
 #include "pipeline/SolverChoice.h"
@@ -482,6 +483,14 @@ QStringList notesOf(const JobResult& result) {
     QStringList notes;
     if (const QString expiry = expiryWarning(result.project.profiles.film); !expiry.isEmpty()) {
         notes.append(expiry);
+    }
+    const PosedBody& body = *result.immersions.front().body;
+    if (const QString note = thinPartNote(result.project, body.mesh, body.query); !note.isEmpty()) {
+        notes.append(note);
+    }
+    constexpr double hardlyAnything = 0.01; // of the body
+    if (result.coverageTotal < hardlyAnything && isInsideOut(*result.project.model)) {
+        notes.append(insideOutNote());
     }
     notes += fontWarnings(result.project.artwork);
     for (const ImmersionResult& immersion : result.immersions) {

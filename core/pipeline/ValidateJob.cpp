@@ -2,9 +2,11 @@
 
 #include "artwork/EditArtwork.h"
 #include "base/Error.h"
+#include "dip/FilmFit.h"
 #include "dip/FilmUnderBody.h"
 #include "film/FilmGrid.h"
 #include "pipeline/JobSheet.h"
+#include "pipeline/ModelNotes.h"
 #include "pipeline/SheetMemory.h"
 #include "pipeline/SolverChoice.h"
 #include "project/Profiles.h"
@@ -54,13 +56,15 @@ QString beside() {
 void checkImmersion(const Project& project, const Immersion& immersion, const SurfaceQuery& query,
                     QStringList& warnings) {
     const TriangleMesh& mesh = project.model->mesh;
-    const solver::FilmGrid grid = filmUnderBody(
-        project.film, undersideOf(mesh, query, poseTransform(mesh, immersion), project.process),
-        immersion.offset);
+    const Underside underside =
+        undersideOf(mesh, query, poseTransform(mesh, immersion), project.process);
     const Eigen::AlignedBox2d body = footprint(*project.model, immersion);
     if (!filmOutline(project.film).intersects(body)) {
         throw Error(beside(), immersion.name);
     }
+    const Eigen::Vector2d offset(immersion.offset[0].value(), immersion.offset[1].value());
+    requireFilmRound(underside.shadow.translated(offset), project.film, immersion);
+    const solver::FilmGrid grid = filmUnderBody(project.film, underside, immersion.offset);
     if (const QString wrong = misplacement(project, immersion); !wrong.isEmpty()) {
         warnings.append(Text::tr("%1: %2").arg(immersion.name, wrong));
     }
@@ -92,6 +96,16 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
         warnings.append(note);
     }
     warnings += chooseSolver(project.process.solver, registry).notes;
+    const SurfaceQuery query(project.model->mesh);
+    if (!project.modelOrigin.remarks.isEmpty()) {
+        warnings.append(Text::tr("Of the model's file: %1").arg(project.modelOrigin.remarks));
+    }
+    if (const QString note = thinPartNote(project, project.model->mesh, query); !note.isEmpty()) {
+        warnings.append(note);
+    }
+    if (isInsideOut(*project.model)) {
+        warnings.append(insideOutNote());
+    }
     if (!isClosed(project.model->mesh)) {
         warnings.append(Text::tr("The model is not closed, what is inside is guessed"));
     }
@@ -99,7 +113,6 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
         warnings.append(Text::tr("The model has no texture, its plain colours are printed"));
     }
     warnings += fontWarnings(project.artwork);
-    const SurfaceQuery query(project.model->mesh);
     for (const Immersion& immersion : project.immersions) {
         checkImmersion(project, immersion, query, warnings);
     }
@@ -121,8 +134,8 @@ QString misplacement(const Project& project, const Immersion& immersion) {
         return beside();
     }
     if (!film.contains(body)) {
-        return Text::tr("The body reaches past the film's edge; move or turn it, or choose a "
-                        "larger film");
+        return Text::tr("The body reaches past the film's edge; move or turn it, or %1")
+            .arg(adviceOnFilm(body, project.film));
     }
     return {};
 }

@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     QByteArray bytes(reinterpret_cast<const char*>(data), qsizetype(size));
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::ReadOnly);
-    const auto field = dipwright::readField(buffer, 2);
+    const auto field = dipwright::readField(buffer);
     QByteArray written;
     QBuffer device(&written);
     device.open(QIODevice::WriteOnly);

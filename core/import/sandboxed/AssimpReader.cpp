@@ -78,6 +78,7 @@ public:
     const QStringList& missing() const { return missing_; }
     const QString& fault() const { return fault_; } // empty: none
     const QStringList& warnings() const { return warnings_; }
+    const PicturePlacements& placements() const { return placements_; }
 
 private:
     // One file, or all those there that the name is made of.
@@ -95,6 +96,9 @@ private:
             const MaterialFile file = materialFile(*bytes, QFileInfo(part).fileName());
             materials += file.bytes + between;
             fault_ = fault_.isEmpty() ? file.fault : fault_;
+            for (const auto& [material, placement] : file.placements) {
+                placements_[material] = placement;
+            }
             warnings_ += file.warnings;
             warnings_.removeDuplicates(); // a file may be named again and again
         }
@@ -126,6 +130,7 @@ private:
     QByteArray modelBytes_;
     mutable std::map<std::string, std::optional<QByteArray>> found_;
     QStringList missing_, warnings_;
+    PicturePlacements placements_;
     QString fault_;
     Assimp::IOStream* model_ = nullptr; // while it is open: it may name itself as another file
 };
@@ -134,12 +139,10 @@ QByteArray bytesForAssimp(const QString& format, const ModelSource& source, QStr
     if (format == QStringLiteral("stl")) {
         return stlForAssimp(source);
     }
-    const bool isGltf = format == QStringLiteral("gltf") || format == QStringLiteral("glb");
-    if (isGltf) {
-        checkGltf(source, warnings);
+    if (format == QStringLiteral("gltf") || format == QStringLiteral("glb")) {
+        return gltfForAssimp(source, warnings);
     }
-    return isGltf || format == QStringLiteral("obj") ? withoutByteOrderMark(source.bytes)
-                                                     : source.bytes;
+    return format == QStringLiteral("obj") ? withoutByteOrderMark(source.bytes) : source.bytes;
 }
 
 class ReadingProgress : public Assimp::ProgressHandler {
@@ -234,8 +237,8 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
     if (source.withTextures) {
         warnings += files->warnings();
     }
-    return convertScene(*scene, source, format.startsWith(QStringLiteral("gl")), warnings,
-                        progress.part(0.8, 1));
+    const SceneMeaning meaning{format.startsWith(QStringLiteral("gl")), files->placements()};
+    return convertScene(*scene, source, meaning, warnings, progress.part(0.8, 1));
 }
 
 } // namespace dipwright

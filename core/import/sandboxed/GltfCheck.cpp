@@ -9,6 +9,8 @@
 #include <QJsonObject>
 #include <QtEndian>
 
+#include <optional>
+
 namespace dipwright {
 
 namespace {
@@ -22,12 +24,27 @@ const QString textureTransform = QStringLiteral("KHR_texture_transform");
 
 // A binary file (glTF 2.0, "Binary glTF Layout") begins with three numbers, and then a chunk with
 // its length and kind, which is the JSON.
+constexpr qsizetype fileHead = 12, chunkHead = 8; // bytes
+
 QByteArray jsonOf(const QByteArray& file) {
-    constexpr qsizetype head = 12, chunkHead = 8;
-    if (!file.startsWith("glTF") || file.size() < head + chunkHead) {
+    if (!file.startsWith("glTF") || file.size() < fileHead + chunkHead) {
         return file;
     }
-    return file.mid(head + chunkHead, qFromLittleEndian<quint32>(file.constData() + head));
+    return file.mid(fileHead + chunkHead, qFromLittleEndian<quint32>(file.constData() + fileHead));
+}
+
+// The file with another document in place of its own.
+QByteArray withDocument(const QByteArray& file, const QJsonObject& document) {
+    QByteArray json = QJsonDocument(document).toJson(QJsonDocument::Compact);
+    if (!file.startsWith("glTF") || file.size() < fileHead + chunkHead) {
+        return json;
+    }
+    json.append((4 - json.size() % 4) % 4, ' '); // chunks end on a whole word
+    const QByteArray further = file.mid(fileHead + chunkHead + jsonOf(file).size());
+    QByteArray whole = file.left(fileHead + chunkHead) + json + further;
+    qToLittleEndian(quint32(whole.size()), whole.data() + fileHead - 4);
+    qToLittleEndian(quint32(json.size()), whole.data() + fileHead);
+    return whole;
 }
 
 QJsonObject documentOf(const ModelSource& source) {
@@ -133,9 +150,32 @@ void checkTextures(const QJsonObject& model, const ModelSource& source, QStringL
     }
 }
 
+// The document with skins that have no bind matrices taken off the nodes that wear them; nothing
+// where there are none. Other skins change nothing either: points are read as they are stored.
+std::optional<QJsonObject> withoutUnboundSkins(const QJsonObject& model) {
+    const QJsonArray skins = model[u"skins"].toArray();
+    QJsonArray nodes;
+    bool areAny = false;
+    for (const QJsonValue& node : model[u"nodes"].toArray()) {
+        const QJsonValue skin = skins.at(node[u"skin"].toInt(-1));
+        QJsonObject bare = node.toObject();
+        if (skin.isObject() && !skin.toObject().contains(u"inverseBindMatrices")) {
+            bare.remove(u"skin");
+            areAny = true;
+        }
+        nodes.append(node.isObject() ? QJsonValue(bare) : node);
+    }
+    if (!areAny) {
+        return std::nullopt;
+    }
+    QJsonObject changed = model;
+    changed.insert(u"nodes", nodes);
+    return changed;
+}
+
 } // namespace
 
-void checkGltf(const ModelSource& source, QStringList& warnings) {
+QByteArray gltfForAssimp(const ModelSource& source, QStringList& warnings) {
     const QJsonObject model = documentOf(source);
     for (const QJsonValue& extension : model[u"extensionsRequired"].toArray()) {
         if (!isRead(extension.toString())) {
@@ -150,6 +190,15 @@ void checkGltf(const ModelSource& source, QStringList& warnings) {
     if (source.withTextures) {
         checkTextures(model, source, warnings);
     }
+    const std::optional<QJsonObject> changed = withoutUnboundSkins(model);
+    if (!changed) {
+        return withoutByteOrderMark(source.bytes);
+    }
+    warnings.push_back(
+        Text::tr("The model has a skin without bind matrices: its points are taken as they are "
+                 "stored, not as the joints place them; where they lie wrong, apply the armature "
+                 "in a modelling program"));
+    return withDocument(source.bytes, *changed);
 }
 
 } // namespace dipwright

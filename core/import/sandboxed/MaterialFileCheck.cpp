@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <optional>
+#include <vector>
 
 namespace dipwright {
 
@@ -48,10 +50,10 @@ bool endsLine(char byte) {
 }
 
 // Words that assimp knows in this case only, and that some programs write in another.
-constexpr const char* words[] = {"newmtl", "map_Kd", "Kd"};
+constexpr const char* knownWords[] = {"newmtl", "map_Kd", "Kd"};
 
 QByteArray inKnownCase(QByteArrayView word) {
-    for (const char* known : words) {
+    for (const char* known : knownWords) {
         if (word.compare(known, Qt::CaseInsensitive) == 0) {
             return known;
         }
@@ -59,27 +61,109 @@ QByteArray inKnownCase(QByteArrayView word) {
     return QByteArray();
 }
 
-bool isOther(const QByteArray& word, double usual) {
-    bool isNumber = false;
-    const double value = word.toDouble(&isNumber);
-    return isNumber && std::abs(value - usual) > 1e-6;
+// The words of a line, as parts of it.
+std::vector<QByteArrayView> wordsOf(QByteArrayView line) {
+    const auto isSpace = [](char byte) { return byte == ' ' || byte == '\t'; };
+    std::vector<QByteArrayView> words;
+    for (auto at = std::find_if_not(line.begin(), line.end(), isSpace); at != line.end();) {
+        const auto end = std::find_if(at, line.end(), isSpace);
+        words.emplace_back(at, end);
+        at = std::find_if_not(end, line.end(), isSpace);
+    }
+    return words;
 }
 
-// Whether a line with a picture places it: by a scale or an offset, of which assimp takes none.
-bool movesPicture(QByteArrayView line) {
-    const QList<QByteArray> parts = line.toByteArray().simplified().split(' ');
-    for (qsizetype at = 1; at + 1 < parts.size(); ++at) {
-        const QByteArray option = parts[at].toLower();
-        if (option != "-s" && option != "-o") {
-            continue;
+std::optional<double> numberIn(QByteArrayView word) {
+    bool isNumber = false;
+    const double number = word.toDouble(&isNumber);
+    return isNumber && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+// What stands between the first word of a line and the name of its picture.
+struct PictureOptions {
+    std::size_t end = 1; // the first word of the name
+    PicturePlacement placement;
+    QByteArrayList notFollowed;
+};
+
+// Takes in the options of a picture, one after the other ("MTL material format", Alias Wavefront,
+// "Options for texture map statements"). At least one word is left for the name.
+class OptionReader {
+public:
+    explicit OptionReader(const std::vector<QByteArrayView>& words) : words_(words) {}
+
+    PictureOptions read() {
+        while (options_.end + 1 < words_.size() && readOption()) {
         }
-        const double usual = option == "-s" ? 1 : 0;
-        if (isOther(parts[at + 1], usual) || isOther(parts.value(at + 2), usual)) {
-            return true;
+        return options_;
+    }
+
+private:
+    // False where the name begins.
+    bool readOption() {
+        const QByteArray option = words_[options_.end].toByteArray().toLower();
+        if (option == "-s" || option == "-o" || option == "-t") {
+            ++options_.end;
+            readVector(option);
+        } else if (option == "-mm") { // base and gain of the picture's values
+            ++options_.end;
+            const auto [base, gain, depth] = numbers(2, {0, 1, 0});
+            notFollowedUnless(base == 0 && gain == 1, option);
+        } else if (option == "-clamp") {
+            notFollowedUnless(words_[options_.end + 1].compare("on", Qt::CaseInsensitive) != 0,
+                              option);
+            skip(2);
+        } else if (const QByteArrayList others{"-blendu", "-blendv", "-cc", "-boost", "-texres",
+                                               "-bm", "-imfchan", "-type"};
+                   others.contains(option)) { // they change no colour
+            skip(2);
+        } else {
+            return false;
+        }
+        return true;
+    }
+
+    void readVector(const QByteArray& option) {
+        const float usual = option == "-s" ? 1 : 0;
+        const auto [u, v, w] = numbers(3, {usual, usual, usual});
+        const Eigen::Vector2f vector(u, v);
+        if (option == "-t") { // noise
+            notFollowedUnless(vector.isZero() && w == 0, option);
+        } else if (option == "-o") {
+            options_.placement.offset = vector;
+        } else if (u != 0 && v != 0) {
+            options_.placement.scale = vector;
+        } else {
+            notFollowedUnless(false, option);
         }
     }
-    return false;
-}
+
+    // Up to so many numbers, the others as usual.
+    std::array<float, 3> numbers(std::size_t most, std::array<float, 3> found) {
+        for (std::size_t i = 0; i < most && options_.end + 1 < words_.size(); ++i) {
+            const auto number = numberIn(words_[options_.end]);
+            if (!number) {
+                break;
+            }
+            found[i] = float(*number);
+            ++options_.end;
+        }
+        return found;
+    }
+
+    void skip(std::size_t words) {
+        options_.end = std::min(options_.end + words, words_.size() - 1);
+    }
+
+    void notFollowedUnless(bool isUsual, const QByteArray& option) {
+        if (!isUsual && !options_.notFollowed.contains(option)) {
+            options_.notFollowed.push_back(option);
+        }
+    }
+
+    const std::vector<QByteArrayView>& words_;
+    PictureOptions options_;
+};
 
 class Reader {
 public:
@@ -114,18 +198,37 @@ private:
         if (firstMaterial_ < 0) {
             hasPicture_ |= isPicture(line);
             hasAny_ |= needsMaterial(line);
-        } else if (word == "map_Kd" && file_.warnings.isEmpty() && movesPicture(line)) {
-            file_.warnings.push_back(
-                Text::tr("The scale or offset that %1 gives a texture (-s, -o) is not followed; "
-                         "apply it to the texture coordinates in a modelling program")
-                    .arg(name_));
+        } else if (word == "map_Kd") {
+            readPicture(at, line);
+        }
+        if (word == "newmtl") {
+            material_ = QString::fromUtf8(line.sliced(word.size()).trimmed());
         }
         if (!word.isEmpty() && !line.startsWith(word)) {
             file_.bytes.replace(at, word.size(), word);
         }
     }
 
+    // Leaves of the line, which begins `at`, the first word and the picture's name.
+    void readPicture(qsizetype at, QByteArrayView line) {
+        const std::vector<QByteArrayView> words = wordsOf(line);
+        const PictureOptions options = OptionReader(words).read();
+        file_.placements[material_] = options.placement;
+        if (!options.notFollowed.isEmpty() && file_.warnings.isEmpty()) {
+            file_.warnings.push_back(
+                Text::tr("Options that %1 gives a texture are not followed: %2; apply them to the "
+                         "picture in a modelling program")
+                    .arg(name_, QString::fromLatin1(options.notFollowed.join(", "))));
+        }
+        if (options.end > 1) {
+            const qsizetype begin = words[1].data() - line.data();
+            const qsizetype size = words[options.end].data() - words[1].data();
+            file_.bytes.replace(at + begin, size, QByteArray(size, ' '));
+        }
+    }
+
     MaterialFile file_;
+    QString material_; // the one being described
     QString name_;
     qsizetype firstMaterial_ = -1;             // where it begins
     bool hasPicture_ = false, hasAny_ = false; // before that

@@ -175,6 +175,8 @@ public:
                 readVertices(element);
             } else if (element.name == "face") {
                 readFaces(element);
+            } else if (element.name == "tristrips") {
+                readStrips(element);
             } else {
                 skip(element);
             }
@@ -349,6 +351,42 @@ private:
                     coordinates < 0 ? std::vector<double>() : row[std::size_t(coordinates)],
                     material);
         });
+    }
+
+    // Each corner makes a triangle with the two before it, every other one turned round; −1 begins
+    // a new strip. A corner that is repeated only leads the strip on.
+    void readStrips(const Element& element) {
+        constexpr double newStrip = -1;
+        const int corners = element.find({"vertex_indices", "vertex_index"});
+        if (corners < 0) {
+            source_.throwDamaged(Text::tr("its faces have no corners"));
+        }
+        forEachRow(element, [&](const Row& row) {
+            std::vector<double> strip;
+            for (const double corner : row[std::size_t(corners)]) {
+                if (corner == newStrip) {
+                    strip.clear();
+                    continue;
+                }
+                strip.push_back(corner);
+                addStripTriangle(strip);
+            }
+        });
+    }
+
+    void addStripTriangle(const std::vector<double>& strip) {
+        if (strip.size() < 3) {
+            return;
+        }
+        std::array<double, 3> corners{};
+        std::copy(strip.end() - 3, strip.end(), corners.begin());
+        if (strip.size() % 2 == 0) {
+            std::swap(corners[0], corners[1]);
+        }
+        const auto& [a, b, c] = corners;
+        if (a != b && b != c && c != a) {
+            addFace({a, b, c}, {}, 0);
+        }
     }
 
     void addFace(const std::vector<double>& corners, const std::vector<double>& coordinates,

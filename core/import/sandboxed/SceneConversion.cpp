@@ -29,14 +29,14 @@ int colourByte(float value, bool linear) {
 // The scene's materials and pictures as they are asked for, so that only those in use are kept.
 class MaterialReader {
 public:
-    MaterialReader(const aiScene& scene, const ModelSource& source, bool linearColours,
+    MaterialReader(const aiScene& scene, const ModelSource& source, const SceneMeaning& meaning,
                    TexturedMesh& model, QStringList& warnings)
-        : scene_(scene), source_(source), linearColours_(linearColours), model_(model),
-          warnings_(warnings) {}
+        : scene_(scene), source_(source), meaning_(meaning), model_(model), warnings_(warnings) {}
 
     struct Found {
         std::uint16_t material; // index into the model's
         unsigned channel;       // of texture coordinates in the scene's mesh
+        PicturePlacement placement;
     };
 
     Found find(unsigned sceneMaterial) {
@@ -45,7 +45,11 @@ public:
             return known->second;
         }
         requireWithin(Budget::Materials, qint64(model_.materials.size()) + 1, source_.path);
-        const Found found{std::uint16_t(model_.materials.size()), read(sceneMaterial)};
+        Found found{std::uint16_t(model_.materials.size()), read(sceneMaterial), {}};
+        const auto placed = meaning_.placements.find(model_.materials.back().name);
+        if (placed != meaning_.placements.end()) {
+            found.placement = placed->second;
+        }
         return found_.emplace(sceneMaterial, found).first->second;
     }
 
@@ -61,9 +65,9 @@ private:
         aiColor4D colour;
         if (source.Get(AI_MATKEY_BASE_COLOR, colour) == aiReturn_SUCCESS ||
             source.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS) {
-            material.colour =
-                QColor(colourByte(colour.r, linearColours_), colourByte(colour.g, linearColours_),
-                       colourByte(colour.b, linearColours_));
+            material.colour = QColor(colourByte(colour.r, meaning_.linearColours),
+                                     colourByte(colour.g, meaning_.linearColours),
+                                     colourByte(colour.b, meaning_.linearColours));
         }
         for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
             aiString name;
@@ -120,7 +124,7 @@ private:
 
     const aiScene& scene_;
     const ModelSource& source_;
-    bool linearColours_;
+    const SceneMeaning& meaning_;
     TexturedMesh& model_;
     QStringList& warnings_;
     std::map<unsigned, Found> found_;
@@ -129,10 +133,10 @@ private:
 
 class TriangleReader {
 public:
-    TriangleReader(const aiScene& scene, const ModelSource& source, bool linearColours,
+    TriangleReader(const aiScene& scene, const ModelSource& source, const SceneMeaning& meaning,
                    TexturedMesh& model, QStringList& warnings, const Progress& progress)
         : scene_(scene), source_(source), model_(model), warnings_(warnings), progress_(progress),
-          materials_(scene, source, linearColours, model, warnings) {}
+          materials_(scene, source, meaning, model, warnings) {}
 
     void readAll() {
         if (!scene_.mRootNode) {
@@ -181,7 +185,7 @@ private:
             const aiVector3D position = transform * mesh.mVertices[v];
             model_.mesh.positions.emplace_back(position.x, position.y, position.z);
         }
-        const auto [material, channel] = materials_.find(mesh.mMaterialIndex);
+        const auto [material, channel, placement] = materials_.find(mesh.mMaterialIndex);
         const bool isMirrored = transform.Determinant() < 0;
         const bool hasCoordinates =
             channel < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.HasTextureCoords(channel);
@@ -197,13 +201,14 @@ private:
                 std::swap(corners[1], corners[2]);
             }
             addTriangle(mesh, corners, firstPosition,
-                        hasCoordinates ? mesh.mTextureCoords[channel] : nullptr);
+                        hasCoordinates ? mesh.mTextureCoords[channel] : nullptr, placement);
             model_.material.push_back(material);
         }
     }
 
     void addTriangle(const aiMesh& mesh, const std::array<std::uint32_t, 3>& corners,
-                     std::uint32_t firstPosition, const aiVector3D* coordinates) {
+                     std::uint32_t firstPosition, const aiVector3D* coordinates,
+                     const PicturePlacement& placement) {
         auto& triangle = model_.mesh.triangles.emplace_back();
         auto& uv = model_.textureCoordinates.emplace_back(noCoordinates());
         for (int corner = 0; corner < 3; ++corner) {
@@ -213,7 +218,7 @@ private:
             triangle[corner] = firstPosition + corners[corner];
             if (coordinates) {
                 const aiVector3D& coordinate = coordinates[corners[corner]];
-                uv[corner] = Eigen::Vector2f(coordinate.x, coordinate.y);
+                uv[corner] = placement.of(Eigen::Vector2f(coordinate.x, coordinate.y));
             }
         }
     }
@@ -230,10 +235,11 @@ private:
 
 } // namespace
 
-TexturedMesh convertScene(const aiScene& scene, const ModelSource& source, bool linearColours,
-                          QStringList& warnings, const Progress& progress) {
+TexturedMesh convertScene(const aiScene& scene, const ModelSource& source,
+                          const SceneMeaning& meaning, QStringList& warnings,
+                          const Progress& progress) {
     TexturedMesh model;
-    TriangleReader(scene, source, linearColours, model, warnings, progress).readAll();
+    TriangleReader(scene, source, meaning, model, warnings, progress).readAll();
     return model;
 }
 

@@ -27,12 +27,14 @@ std::optional<qsizetype> binarySize(const QByteArray& bytes) {
     return size <= bytes.size() ? std::optional(size) : std::nullopt;
 }
 
-bool isAsciiInCapitals(const QByteArray& bytes) {
-    const QByteArrayView solid = "solid";
-    const QByteArrayView text = QByteArrayView(bytes).trimmed();
-    const QByteArrayView begin = text.first(std::min(text.size(), solid.size()));
-    return begin.compare(solid, Qt::CaseInsensitive) == 0 &&
-           (begin != solid || text.contains("FACET"));
+const QByteArrayView solid = "solid"; // begins an ASCII file
+
+bool isAscii(QByteArrayView text) {
+    return text.first(std::min(text.size(), solid.size())).compare(solid, Qt::CaseInsensitive) == 0;
+}
+
+bool isInCapitals(QByteArrayView text) {
+    return !text.startsWith(solid) || text.contains("FACET");
 }
 
 } // namespace
@@ -45,7 +47,11 @@ QByteArray stlForAssimp(const ModelSource& source) {
         }
         return QByteArray::fromRawData(bytes.constData(), *size);
     }
-    return isAsciiInCapitals(bytes) ? bytes.toLower() : bytes;
+    const QByteArrayView text = QByteArrayView(bytes).trimmed();
+    if (!isAscii(text)) {
+        return bytes;
+    }
+    return isInCapitals(text) ? text.toByteArray().toLower() : text.toByteArray();
 }
 
 } // namespace dipwright

@@ -5,11 +5,12 @@
 
 namespace dipwright {
 
-// What of an STL file, and how, is given to assimp 5.2.5, which takes a file for binary only where
-// it ends with its last triangle, and knows the words of ASCII in small letters alone: without what
-// stands after a binary file's triangles; ASCII that has its words in capitals in small letters;
-// all else as it is. Throws Error where what stands after them would be further triangles. The
-// bytes may be those of `source`, which has to outlive them.
+// The bytes of an STL file as they are given to assimp 5.2.5. It takes a file for binary only where
+// the file ends with its last triangle, and an ASCII file only where its first line begins with
+// "solid"; it knows the words of ASCII in small letters alone. So a binary file loses what stands
+// after its triangles, an ASCII file the empty lines round its text, and words in capitals become
+// small. All else stays as it is. Throws Error where what stands after the triangles would be
+// further triangles. The bytes may be those of `source`, which has to outlive them.
 QByteArray stlForAssimp(const ModelSource& source);
 
 } // namespace dipwright

@@ -90,28 +90,23 @@ std::function<void()> goOnWith(const QString& path, qint64 fileBytes, const Prog
     };
 }
 
-void repair(TexturedMesh& model, QStringList& repairs, const QString& path,
-            const std::function<void()>& goOn) {
+ModelRepairs repair(TexturedMesh& model, const QString& path, const std::function<void()>& goOn) {
+    ModelRepairs repairs;
     weldPositions(model.mesh);
     goOn();
-    if (const std::size_t count = removeDegenerateTriangles(model); count > 0) {
-        repairs.push_back(Text::tr("Triangles without area that were removed: %1").arg(count));
-    }
+    repairs.joinedPoints = int(joinOpenSeams(model.mesh));
+    goOn();
+    repairs.removedTriangles = int(removeDegenerateTriangles(model));
     // What is closed keeps triangles that are squeezed to lines: all of them may be.
     if (surfaceArea(model.mesh) == 0) {
         throw Error(Text::tr("None of the model's triangles has an area; choose another model"),
                     path);
     }
     goOn();
-    if (const std::size_t count = orientTriangles(model); count > 0) {
-        repairs.push_back(Text::tr("Triangles turned that faced the other way than their "
-                                   "neighbours: %1")
-                              .arg(count));
-    }
-    if (const std::size_t count = turnInsideOutParts(model, goOn); count > 0) {
-        repairs.push_back(
-            Text::tr("Parts of the surface turned that were inside out: %1").arg(count));
-    }
+    repairs.mergedTriangles = int(mergeDoubledTriangles(model));
+    repairs.turnedTriangles = int(orientTriangles(model));
+    repairs.turnedParts = int(turnInsideOutParts(model, goOn));
+    return repairs;
 }
 
 [[noreturn]] void throwTooFar(const QString& path) {
@@ -253,7 +248,8 @@ ImportedModel import(const QString& path, const ImportOptions& options, const Pr
     progress(0.7, Text::tr("Checking the model"));
     checkPositions(model.mesh, path);
     dropUnusableCoordinates(model, report.warnings);
-    repair(model, report.repairs, path, goOnWith(path, folder.bytesRead(), progress));
+    report.repaired = repair(model, path, goOnWith(path, folder.bytesRead(), progress));
+    report.repairs = sentencesOf(report.repaired);
     scaleAsAsked(model.mesh, options, path);
     dropUselessTextures(model, report.warnings);
     progress(0.9, Text::tr("Finding the texture's charts"));

@@ -4,6 +4,7 @@
 #include "base/Error.h"
 #include "base/Progress.h"
 #include "base/Units.h"
+#include "model/MeshRepair.h"
 #include "model/TexturedMesh.h"
 
 #include <QStringList>
@@ -41,7 +42,8 @@ struct ImportReport {
     bool closed = false;
     double volume = 0; // mm³
     BoundingBox box;
-    QStringList repairs;  // "Removed 12 triangles without area"
+    ModelRepairs repaired;
+    QStringList repairs;  // the same in sentences: "Triangles without area that were removed: 12"
     QStringList warnings; // "The mesh is not closed: …"
 
     // Both in a line, for ModelOrigin::remarks.
@@ -54,8 +56,9 @@ struct ImportedModel {
 };
 
 // Reads `path`, of one of modelFormats(), with textures beside it or embedded. Repairs: duplicate
-// positions welded, degenerate triangles dropped, unset normals recomputed, turned triangles and
-// inside-out closed parts turned back. Refuses with Error: unreadable, no triangles, coordinates
+// positions welded, seams joined that rounding had opened, degenerate triangles and those given
+// twice dropped, unset normals recomputed, turned triangles and inside-out parts turned back.
+// Refuses with Error: unreadable, no triangles, coordinates
 // that are not finite, no extent, textures that are unreadable, or more than Budgets.h allows; with
 // OutsideFiles unless these are allowed.
 ImportedModel importModel(const QString& path, const ImportOptions& options,

@@ -105,6 +105,12 @@ private Q_SLOTS:
     void progressGrowsToOne();
     void refusesWhatHasNoField();
 
+    void thicknessIsThatOfPlatesAndOfNoEdges();
+    void usualBodiesKeepTheirCube();
+    void thinPlatesAreFoundHoweverTheyLie_data();
+    void thinPlatesAreFoundHoweverTheyLie();
+    void theFieldOfAVeryThinPlateHasALimit();
+
     void cacheGivesTheSameField();
     void damagedCacheIsRebuilt();
     void unwritableCacheIsAsGoodAsNone();
@@ -275,6 +281,72 @@ void DistanceFieldTest::refusesWhatHasNoField() {
     QVERIFY_EXCEPTION_THROWN(buildDistanceField(box, 513, Progress()), Error);
     QVERIFY_EXCEPTION_THROWN(buildDistanceField(TriangleMesh(), 64, Progress()), Error);
     QVERIFY_EXCEPTION_THROWN(buildDistanceField(boxMesh({0, 0, 0}), 64, Progress()), Error);
+}
+
+// A hundredth of the surface on thin plates counts, less does not.
+void DistanceFieldTest::thicknessIsThatOfPlatesAndOfNoEdges() {
+    const auto thickness = [](const TriangleMesh& mesh) {
+        return thinnestPart(mesh, SurfaceQuery(mesh));
+    };
+    QVERIFY(std::abs(thickness(boxMesh({100, 0.5, 60})) - 0.5) < 1e-3);
+    QVERIFY(thickness(tetrahedronMesh(60)) > 10);
+    QVERIFY(thickness(sphereMesh(35, 40, 80)) > 60);
+    QVERIFY(std::isinf(thickness(coneMesh(0.5, 60, 90))) || thickness(coneMesh(0.5, 60, 90)) > 10);
+    const auto withFin = [&](double edge) {
+        TriangleMesh fin = boxMesh({edge, edge, 0.5});
+        for (auto& position : fin.positions) {
+            position.y() += 40 + float(edge / 2);
+        }
+        return thickness(joined(boxMesh({60, 60, 60}), fin));
+    };
+    QVERIFY(std::abs(withFin(30) - 0.5) < 1e-2);
+    QVERIFY(withFin(5) > 50);
+}
+
+void DistanceFieldTest::usualBodiesKeepTheirCube() {
+    for (const TriangleMesh& mesh : {sphereMesh(35, 40, 80), tetrahedronMesh(60),
+                                     boxMesh({60, 20, 40}), boxMesh({60, 2, 40})}) {
+        const DistanceField usual = buildDistanceField(mesh, 128, {});
+        const auto chosen = cachedDistanceField(mesh, 128, {});
+        QCOMPARE(chosen->size, usual.size);
+        QCOMPARE(chosen->spacing, usual.spacing);
+        QCOMPARE(chosen->origin, usual.origin);
+        QCOMPARE(chosen->distance, usual.distance);
+    }
+}
+
+void DistanceFieldTest::thinPlatesAreFoundHoweverTheyLie_data() {
+    QTest::addColumn<double>("degrees");
+    QTest::newRow("along the grid") << 0.0;
+    QTest::newRow("askew") << 33.0;
+    QTest::newRow("diagonal") << 45.0;
+}
+
+// The surface is where it should be to a tenth of the plate's thickness.
+void DistanceFieldTest::thinPlatesAreFoundHoweverTheyLie() {
+    QFETCH(double, degrees);
+    const Eigen::Isometry3d turn(
+        Eigen::AngleAxisd(degrees * pi / 180, Eigen::Vector3d(1, 0, 1).normalized()));
+    const TriangleMesh plate = transformed(boxMesh({60, 0.8, 40}), turn);
+    const auto field = cachedDistanceField(plate, 96, {});
+    for (double x = -25; x <= 25; x += 2.3) {
+        for (double z = -15; z <= 15; z += 1.7) {
+            QVERIFY(field->sample(turn * Eigen::Vector3d(x, 0, z)) < -0.2);
+            QVERIFY(std::abs(field->sample(turn * Eigen::Vector3d(x, 0.4, z))) < 0.08);
+            QVERIFY(std::abs(field->sample(turn * Eigen::Vector3d(x, -0.4, z))) < 0.08);
+        }
+    }
+}
+
+void DistanceFieldTest::theFieldOfAVeryThinPlateHasALimit() {
+    const TriangleMesh foil = transformed(
+        boxMesh({100, 0.05, 100}),
+        Eigen::Isometry3d(Eigen::AngleAxisd(0.6, Eigen::Vector3d(1, 0, 1).normalized())));
+    const double thinnest = thinnestPart(foil, SurfaceQuery(foil));
+    const FieldGrid grid = fieldGrid(foil, 128, thinnest);
+    QVERIFY(grid.sampleCount() <= mostFieldSamples);
+    QVERIFY(grid.sampleCount() > mostFieldSamples / 2);
+    QVERIFY(!isFineEnough(grid, thinnest));
 }
 
 void DistanceFieldTest::cacheGivesTheSameField() {

@@ -181,6 +181,7 @@ private Q_SLOTS:
     void binaryPlyWithCoordinatesACorner();
     void plyFacesHaveTheirOwnCoordinatesAndPictures();
     void plyAndStlWithoutCoordinates();
+    void plyOfStripsIsRead();
     void gltfShowsItsPictureUpright();
     void glbShowsItsPictureUpright();
     void gltfMovesItsPicture();
@@ -202,6 +203,8 @@ private Q_SLOTS:
     void stlIsWeldedAndClosed();
     void degenerateTrianglesAreRemoved();
     void insideOutIsTurned();
+    void insideOutIsTurnedThoughItsSeamIsOpen();
+    void facesGivenTwiceCountOnce();
     void insideOutPartIsTurnedButACavityIsNot();
     void manyPartsInOneAnotherAreToldApart();
     void repairingEndsWhenItIsCancelled();
@@ -357,6 +360,26 @@ void ImportModelTest::plyAndStlWithoutCoordinates() {
         QCOMPARE(model.materials.size(), std::size_t(1));
         QCOMPARE(chartCount(model), std::size_t(1));
     }
+}
+
+// Parts of a box by two strips in one row, as scans are stored; repeated corners lead a strip on.
+void ImportModelTest::plyOfStripsIsRead() {
+    const QByteArray head = "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\n"
+                            "property float y\nproperty float z\nelement tristrips 1\n"
+                            "property list int int vertex_indices\nend_header\n"
+                            "0 0 0\n9 0 0\n9 9 0\n0 9 0\n0 0 9\n9 0 9\n9 9 9\n0 9 9\n";
+    const auto parts = import(write(QStringLiteral("strips.ply"),
+                                    head + "21 3 2 7 6 6 2 2 2 1 6 5 -1 7 4 3 0 0 0 1 -1 -1\n"))
+                           .report;
+    QCOMPARE(parts.triangles, std::size_t(6));
+    const auto whole =
+        import(write(QStringLiteral("whole.ply"), head + "14 3 2 6 7 4 2 0 3 1 6 5 4 1 0\n"))
+            .report;
+    QCOMPARE(whole.triangles, std::size_t(12));
+    QVERIFY(whole.closed);
+    QVERIFY2(whole.repairs.isEmpty(), qPrintable(whole.repairs.join(u'|')));
+    QVERIFY(refusal(write(QStringLiteral("bad.ply"), head + "3 0 1 8\n"))
+                .contains(QStringLiteral("not there")));
 }
 
 void ImportModelTest::gltfShowsItsPictureUpright() {
@@ -566,6 +589,37 @@ void ImportModelTest::insideOutIsTurned() {
     }
     const auto report = import(write(QStringLiteral("inside.stl"), stl(sphere))).report;
     QVERIFY(report.volume > 0);
+    QCOMPARE(report.repairs.size(), 1);
+}
+
+void ImportModelTest::insideOutIsTurnedThoughItsSeamIsOpen() {
+    TriangleMesh sphere = sphereMesh(35, 20, 40);
+    const double whole = volume(sphere);
+    for (auto& triangle : sphere.triangles) {
+        std::swap(triangle[0], triangle[1]);
+    }
+    QByteArray text = stl(sphere);
+    text.replace("vertex 35 ", "vertex 35.0001 "); // of some corners, as rounded
+    text.replace(text.indexOf("vertex 35.0001 "), 15, "vertex 35 ");
+    const auto joined = import(write(QStringLiteral("seam.stl"), text)).report;
+    QVERIFY(joined.closed);
+    QVERIFY(std::abs(joined.volume - whole) < 1);
+    QCOMPARE(joined.repairs.size(), 2);
+
+    sphere.triangles.resize(sphere.triangles.size() - 60); // and with a hole
+    const auto open = import(write(QStringLiteral("hole.stl"), stl(sphere))).report;
+    QVERIFY(!open.closed);
+    QVERIFY(open.volume > 0.9 * whole);
+    QCOMPARE(open.repaired.turnedParts, 1);
+    QCOMPARE(open.repairs.size(), 1);
+}
+
+void ImportModelTest::facesGivenTwiceCountOnce() {
+    const TriangleMesh box = boxMesh({10, 10, 10});
+    const auto report = import(write(QStringLiteral("twice.stl"), stl({box, box}, 0))).report;
+    QVERIFY(report.closed);
+    QVERIFY(std::abs(report.volume - 1000) < 0.01);
+    QCOMPARE(report.repaired.mergedTriangles, 12);
     QCOMPARE(report.repairs.size(), 1);
 }
 

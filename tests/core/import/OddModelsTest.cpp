@@ -4,7 +4,10 @@
 #include "base/Error.h"
 #include "import/trusted/ImportModel.h"
 
+#include <QtEndian>
 #include <QtTest>
+
+Q_DECLARE_METATYPE(Eigen::Vector2f)
 
 using namespace dipwright;
 using namespace dipwright::test;
@@ -42,8 +45,13 @@ private Q_SLOTS:
     void gltfMayBeginWithAByteOrderMark();
     void objMayBeginWithAByteOrderMark();
     void deeplyNestedGltfIsRefused();
-    void scaledObjTextureIsAWarning_data();
-    void scaledObjTextureIsAWarning();
+    void gltfSkinsNeedNoBindMatrices_data();
+    void gltfSkinsNeedNoBindMatrices();
+    void stlMayBeginWithEmptyLines();
+    void objTextureIsPlacedByItsOptions_data();
+    void objTextureIsPlacedByItsOptions();
+    void objOptionsThatAreNotFollowedAreAWarning_data();
+    void objOptionsThatAreNotFollowedAreAWarning();
     void materialFilesOfAllSortsAreRead_data();
     void materialFilesOfAllSortsAreRead();
     void pictureBeforeAnyMaterialIsRefused();
@@ -191,21 +199,109 @@ void OddModelsTest::deeplyNestedGltfIsRefused() {
     QVERIFY2(sentence.contains(QStringLiteral("deep")), qPrintable(sentence));
 }
 
-void OddModelsTest::scaledObjTextureIsAWarning_data() {
-    QTest::addColumn<QByteArray>("options");
-    QTest::addColumn<bool>("isWarned");
-    QTest::newRow("none") << QByteArray() << false;
-    QTest::newRow("as usual") << QByteArray("-s 1 1 1 -o 0 0 0 -bm 1 ") << false;
-    QTest::newRow("scale") << QByteArray("-s 2 2 1 ") << true;
-    QTest::newRow("offset") << QByteArray("-s 1 1 1 -o 0 .25 0 ") << true;
+void OddModelsTest::gltfSkinsNeedNoBindMatrices_data() {
+    QTest::addColumn<bool>("isBinary");
+    QTest::newRow("text") << false;
+    QTest::newRow("binary") << true;
 }
 
-void OddModelsTest::scaledObjTextureIsAWarning() {
-    QFETCH(QByteArray, options);
-    QFETCH(bool, isWarned);
-    const ImportedModel imported = cubeWith("newmtl skin\nmap_Kd " + options + "skin.png\n");
+// As Blender writes them where nobody has moved the bones.
+void OddModelsTest::gltfSkinsNeedNoBindMatrices() {
+    QFETCH(bool, isBinary);
+    const auto skinned = [](QByteArray file) {
+        return file
+            .replace(R"("nodes":[{"mesh":0}])",
+                     R"("skins":[{"joints":[1]}],"nodes":[{"mesh":0,"skin":0},{"name":"bone"}])")
+            .replace(R"("attributes":{)", R"("attributes":{"JOINTS_0":3,"WEIGHTS_0":3,)")
+            .replace(R"("type":"SCALAR"}])",
+                     R"("type":"SCALAR"},{"bufferView":0,"componentType":5121,"count":4,)"
+                     R"("type":"VEC4","normalized":true}])");
+    };
+    QByteArray file = squareGltf(png(quarters()));
+    if (isBinary) {
+        const QByteArray whole = squareGlb(png(quarters()));
+        QByteArray json = whole.mid(20, qFromLittleEndian<quint32>(whole.constData() + 12));
+        const QByteArray chunks = whole.mid(20 + json.size());
+        json = skinned(json);
+        json.append((4 - json.size() % 4) % 4, ' ');
+        file = whole.left(20) + json + chunks;
+        qToLittleEndian(quint32(file.size()), file.data() + 8);
+        qToLittleEndian(quint32(json.size()), file.data() + 12);
+    } else {
+        file = skinned(file);
+    }
+    QVERIFY(file.contains("skins"));
+    const QString path =
+        write(isBinary ? QStringLiteral("skin.glb") : QStringLiteral("skin.gltf"), file);
+    QCOMPARE(refusal(path), QString());
+    const ImportedModel imported = importModel(path, {}, {});
+    QCOMPARE(imported.report.triangles, std::size_t(2));
     QCOMPARE(imported.model.textures.size(), std::size_t(1));
-    QCOMPARE(warningsOf(imported).contains(QStringLiteral("cube.mtl")), isWarned);
+    QVERIFY2(warningsOf(imported).contains(QStringLiteral("skin without bind matrices")),
+             qPrintable(warningsOf(imported)));
+}
+
+void OddModelsTest::stlMayBeginWithEmptyLines() {
+    const QByteArray triangle = "solid one\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\n"
+                                "vertex 9 0 0\nvertex 0 9 0\nendloop\nendfacet\nendsolid one\n";
+    for (const QByteArray& text : {"\n\r\n  " + triangle, "\n" + triangle.toUpper()}) {
+        const ImportedModel imported = importModel(write(QStringLiteral("late.stl"), text), {}, {});
+        QCOMPARE(imported.report.triangles, std::size_t(1));
+    }
+}
+
+void OddModelsTest::objTextureIsPlacedByItsOptions_data() {
+    QTest::addColumn<QByteArray>("options");
+    QTest::addColumn<Eigen::Vector2f>("scale");
+    QTest::addColumn<Eigen::Vector2f>("offset");
+    const auto row = [](const char* options, float su, float sv, float ou, float ov) {
+        QTest::newRow(options) << QByteArray(options) << Eigen::Vector2f(su, sv)
+                               << Eigen::Vector2f(ou, ov);
+    };
+    row("", 1, 1, 0, 0);
+    row("-s 1 1 1 -o 0 0 0 -bm 1 ", 1, 1, 0, 0);
+    row("-s 2 2 1 ", 2, 2, 0, 0);
+    row("-s 2 3 ", 2, 3, 0, 0);
+    row("-s 2 ", 2, 1, 0, 0);
+    row("-o 0.25 ", 1, 1, 0.25F, 0);
+    row("-S 1 1 1 -O 0 .25 0 ", 1, 1, 0, 0.25F);
+    row("-o 0.5 0.25 -s -1 2 ", -1, 2, 0.5F, 0.25F);
+    row("-t 0 0 -mm 0 1 -clamp off -blendu on -blendv on -cc off -boost 2 -texres 512 -imfchan l ",
+        1, 1, 0, 0);
+    row("-type sphere -s 2 2 ", 2, 2, 0, 0);
+}
+
+void OddModelsTest::objTextureIsPlacedByItsOptions() {
+    QFETCH(QByteArray, options);
+    QFETCH(Eigen::Vector2f, scale);
+    QFETCH(Eigen::Vector2f, offset);
+    const ImportedModel plain = cubeWith("newmtl skin\nmap_Kd skin.png\n");
+    const ImportedModel placed = cubeWith("newmtl skin\nmap_Kd " + options + "skin.png\n");
+    QCOMPARE(placed.model.textures.size(), std::size_t(1));
+    QVERIFY2(warningsOf(placed).isEmpty(), qPrintable(warningsOf(placed)));
+    for (std::size_t t = 0; t < plain.model.textureCoordinates.size(); ++t) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const Eigen::Vector2f& uv = plain.model.textureCoordinates[t][corner];
+            const Eigen::Vector2f expected = uv.cwiseProduct(scale) + offset;
+            QVERIFY(placed.model.textureCoordinates[t][corner].isApprox(expected));
+        }
+    }
+}
+
+void OddModelsTest::objOptionsThatAreNotFollowedAreAWarning_data() {
+    QTest::addColumn<QByteArray>("options");
+    for (const char* options :
+         {"-t 1", "-t 0.5 0.5", "-t 1 1 1", "-mm 0.2 0.8", "-clamp on", "-s 0"}) {
+        QTest::newRow(options) << QByteArray(options);
+    }
+}
+
+void OddModelsTest::objOptionsThatAreNotFollowedAreAWarning() {
+    QFETCH(QByteArray, options);
+    const ImportedModel imported = cubeWith("newmtl skin\nmap_Kd " + options + " skin.png\n");
+    QCOMPARE(imported.model.textures.size(), std::size_t(1));
+    QVERIFY(warningsOf(imported).contains(QStringLiteral("cube.mtl")));
+    QVERIFY(warningsOf(imported).contains(QString::fromLatin1(options.split(' ').first())));
 }
 
 void OddModelsTest::materialFilesOfAllSortsAreRead_data() {

@@ -1,4 +1,5 @@
-// Repairs that files could be made for to take without end.
+// Repairs of meshes: of seams, doubled triangles and parts inside out, and those that files could
+// be made for to take without end.
 #include "model/MeshRepair.h"
 
 #include "base/Progress.h"
@@ -6,34 +7,85 @@
 
 #include <QtTest>
 
+#include <algorithm>
+#include <cmath>
+#include <random>
+
 using namespace dipwright;
 
 namespace {
 
 constexpr int half = 300;
 
-void add(TexturedMesh& model, double edge, bool turned) {
-    const TriangleMesh box = boxMesh({edge, edge, edge});
-    const auto first = std::uint32_t(model.mesh.positions.size());
-    model.mesh.positions.insert(model.mesh.positions.end(), box.positions.begin(),
-                                box.positions.end());
-    for (const auto& [a, b, c] : box.triangles) {
-        const std::uint32_t second = turned ? c : b, third = turned ? b : c;
-        model.mesh.triangles.push_back({first + a, first + second, first + third});
-        model.textureCoordinates.emplace_back();
-        model.material.push_back(0);
+TexturedMesh textured(const std::vector<TriangleMesh>& parts) {
+    TexturedMesh model;
+    model.materials.resize(1);
+    for (const TriangleMesh& part : parts) {
+        const auto first = std::uint32_t(model.mesh.positions.size());
+        model.mesh.positions.insert(model.mesh.positions.end(), part.positions.begin(),
+                                    part.positions.end());
+        for (const auto& [a, b, c] : part.triangles) {
+            model.mesh.triangles.push_back({first + a, first + b, first + c});
+        }
     }
+    model.textureCoordinates.resize(model.mesh.triangles.size());
+    model.material.resize(model.mesh.triangles.size());
+    return model;
+}
+
+TriangleMesh cube(double edge) {
+    return boxMesh({edge, edge, edge});
+}
+
+TriangleMesh insideOut(TriangleMesh mesh) {
+    for (auto& triangle : mesh.triangles) {
+        std::swap(triangle[0], triangle[1]);
+    }
+    return mesh;
+}
+
+// Without the triangles that lie higher than this with all their corners.
+TriangleMesh cutOff(const TriangleMesh& mesh, float height) {
+    TriangleMesh cut = mesh;
+    std::erase_if(cut.triangles, [&](const auto& triangle) {
+        return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t corner) {
+            return mesh.positions[corner].y() > height;
+        });
+    });
+    return cut;
+}
+
+// Every triangle with corners of its own, each of them moved by as much as `noise` in each
+// direction.
+TriangleMesh tornApart(const TriangleMesh& mesh, float noise) {
+    TriangleMesh torn;
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> off(-noise, noise);
+    for (const auto& triangle : mesh.triangles) {
+        std::array<std::uint32_t, 3> corners{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            corners[i] = std::uint32_t(torn.positions.size());
+            torn.positions.push_back(mesh.positions[triangle[i]] +
+                                     Eigen::Vector3f(off(random), off(random), off(random)));
+        }
+        torn.triangles.push_back(corners);
+    }
+    return torn;
+}
+
+std::size_t turnedParts(const std::vector<TriangleMesh>& parts) {
+    TexturedMesh model = textured(parts);
+    return turnInsideOutParts(model, [] {});
 }
 
 // Cavities in one another, in bodies in one another.
-TexturedMesh nested() {
-    TexturedMesh model;
-    model.materials.resize(1);
+std::vector<TriangleMesh> nested() {
+    std::vector<TriangleMesh> boxes;
     for (int i = 0; i < half; ++i) {
-        add(model, 10 + 0.01 * i, true);
-        add(model, 20 + 0.01 * i, false);
+        boxes.push_back(insideOut(cube(10 + 0.01 * i)));
+        boxes.push_back(cube(20 + 0.01 * i));
     }
-    return model;
+    return boxes;
 }
 
 } // namespace
@@ -42,17 +94,103 @@ class MeshRepairTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void seamsThatRoundingOpenedAreJoined() {
+        const TriangleMesh sphere = sphereMesh(35, 20, 40);
+        TriangleMesh torn = tornApart(sphere, 1e-5F);
+        weldPositions(torn);
+        QVERIFY(joinOpenSeams(torn) > 0);
+        QCOMPARE(torn.positions.size(), sphere.positions.size());
+        QVERIFY(isClosed(torn));
+    }
+
+    // Two plates a hundredth of a millimetre apart, and what is closed anyway.
+    void whatLiesFartherApartThanRoundingStays() {
+        TriangleMesh plates = boxMesh({40, 0.01, 40});
+        std::erase_if(plates.triangles, [&](const auto& triangle) {
+            const float height = plates.positions[triangle[0]].y();
+            return plates.positions[triangle[1]].y() != height ||
+                   plates.positions[triangle[2]].y() != height;
+        });
+        QCOMPARE(plates.triangles.size(), std::size_t(4));
+        const TriangleMesh untouched = plates;
+        QCOMPARE(joinOpenSeams(plates), std::size_t(0));
+        QCOMPARE(plates.positions, untouched.positions);
+        TriangleMesh closed = boxMesh({40, 1e-5, 40});
+        QCOMPARE(joinOpenSeams(closed), std::size_t(0));
+    }
+
+    void openPartsThatFaceInwardsAreTurned() {
+        const TriangleMesh open = cutOff(sphereMesh(35, 20, 40), 25);
+        QVERIFY(!isClosed(open));
+        QCOMPARE(turnedParts({open}), std::size_t(0));
+        QCOMPARE(turnedParts({insideOut(open)}), std::size_t(1));
+        const TriangleMesh lidless = cutOff(boxMesh({40, 30, 20}), 14);
+        QCOMPARE(turnedParts({lidless}), std::size_t(0));
+        QCOMPARE(turnedParts({insideOut(lidless)}), std::size_t(1));
+    }
+
+    void aFlatSheetAndAShallowBowlStayAsTheyAre() {
+        TriangleMesh sheet = boxMesh({40, 1, 40});
+        sheet.triangles.resize(2);
+        QCOMPARE(turnedParts({sheet}), std::size_t(0));
+        QCOMPARE(turnedParts({insideOut(sheet)}), std::size_t(0));
+        const TriangleMesh bowl = cutOff(sphereMesh(35, 20, 40), -20);
+        QCOMPARE(turnedParts({bowl}), std::size_t(0));
+        QCOMPARE(turnedParts({insideOut(bowl)}), std::size_t(0));
+    }
+
+    // An open cavity of an open body faces the hollow; a surface of which no two triangles hang
+    // together is judged by all of them.
+    void openCavitiesStayAndLooseTrianglesAreTurned() {
+        const TriangleMesh outer = cutOff(sphereMesh(35, 20, 40), 33);
+        const TriangleMesh inner = cutOff(sphereMesh(20, 20, 40), 18);
+        QCOMPARE(turnedParts({outer, insideOut(inner)}), std::size_t(0));
+        QCOMPARE(turnedParts({insideOut(outer), inner}), std::size_t(2));
+        const TriangleMesh loose = tornApart(sphereMesh(35, 110, 110), 0);
+        QVERIFY(loose.triangles.size() > 20'000); // more parts than are asked one by one
+        QCOMPARE(turnedParts({loose}), std::size_t(0));
+        QCOMPARE(turnedParts({insideOut(loose)}), std::size_t(1));
+    }
+
+    void trianglesGivenTwiceAreMerged() {
+        const TriangleMesh sphere = sphereMesh(35, 20, 40);
+        TexturedMesh model = textured({sphere, sphere});
+        weldPositions(model.mesh);
+        QCOMPARE(mergeDoubledTriangles(model), sphere.triangles.size());
+        QVERIFY(isClosed(model.mesh));
+        QVERIFY(std::abs(volume(model.mesh) - volume(sphere)) < 0.1);
+        QCOMPARE(model.material.size(), sphere.triangles.size());
+        QCOMPARE(mergeDoubledTriangles(model), std::size_t(0));
+    }
+
+    void aSurfaceGivenFromBothSidesBecomesOneAndAWallStays() {
+        const TriangleMesh box = boxMesh({20, 20, 20});
+        TexturedMesh model = textured({insideOut(box), box});
+        weldPositions(model.mesh);
+        QCOMPARE(mergeDoubledTriangles(model), box.triangles.size());
+        QVERIFY(isClosed(model.mesh));
+
+        TriangleMesh beside = box;
+        for (auto& position : beside.positions) {
+            position.x() += 20;
+        }
+        TexturedMesh walled = textured({box, beside});
+        weldPositions(walled.mesh);
+        QCOMPARE(mergeDoubledTriangles(walled), std::size_t(0));
+    }
+
     void nestedCavitiesStayAndEachOfThemIsAskedAbout() {
-        TexturedMesh model = nested();
+        TexturedMesh model = textured(nested());
         int asked = 0;
         QCOMPARE(turnInsideOutParts(model, [&] { ++asked; }), std::size_t(0));
         QCOMPARE(asked, half * 12);
-        QCOMPARE(model.mesh.triangles, nested().mesh.triangles);
+        QCOMPARE(model.mesh.triangles, textured(nested()).mesh.triangles);
     }
 
     void theSearchForPartsInsideOutCanBeEnded() {
-        TexturedMesh model = nested();
-        add(model, 40, true); // which would be turned
+        std::vector<TriangleMesh> parts = nested();
+        parts.push_back(insideOut(cube(40))); // which would be turned
+        TexturedMesh model = textured(parts);
         const auto before = model.mesh.triangles;
         int asked = 0;
         const auto goOn = [&] {

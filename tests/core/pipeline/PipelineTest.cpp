@@ -42,6 +42,19 @@ Project ballJob() {
     return project;
 }
 
+std::shared_ptr<const TexturedMesh> plain(const TriangleMesh& mesh) {
+    TexturedMesh model;
+    model.mesh = mesh;
+    model.materials.resize(1);
+    model.material.resize(mesh.triangles.size());
+    model.textureCoordinates.resize(mesh.triangles.size());
+    for (auto& corners : model.textureCoordinates) {
+        corners.fill(Eigen::Vector2f::Constant(std::nanf("")));
+    }
+    model.chart = findCharts(model);
+    return std::make_shared<const TexturedMesh>(model);
+}
+
 QByteArray sha256(const QByteArray& bytes) {
     return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex();
 }
@@ -354,6 +367,71 @@ private slots:
         job.immersions.pop_back();
         QVERIFY(both > 10e9 && both < 12e9); // 11.3 GB, measured
         QVERIFY(sheetMemory(job) < both);
+    }
+
+    // Which the usual cells of the distance field pass through.
+    void aThinPlateIsPainted() {
+        Project job = job_;
+        job.immersions.resize(1);
+        job.model = plain(boxMesh({50, 0.4, 40}));
+        const JobResult result = runJob(job, *registry_, {}, nullptr, {});
+        QVERIFY(result.coverageTotal > 0.3);
+        QVERIFY2(result.notes.isEmpty(), qPrintable(result.notes.join('\n')));
+    }
+
+    void partsTooThinForTheFieldAreToldOf() {
+        Project job = job_;
+        job.model = plain(transformed(
+            boxMesh({60, 0.03, 60}),
+            Eigen::Isometry3d(Eigen::AngleAxisd(0.6, Eigen::Vector3d(1, 0, 1).normalized()))));
+        const QString warnings = validateJob(job, *registry_).join('\n');
+        QVERIFY2(warnings.contains("Parts of the model are only 0.03 mm thick"),
+                 qPrintable(warnings));
+    }
+
+    void aBodyLargerThanItsFilmIsRefusedWithTheFilmThatWouldDo() {
+        Project job = job_;
+        job.model = plain(boxMesh({204, 30, 130}));
+        const auto refusalOf = [](const auto& work) {
+            try {
+                work();
+            } catch (const Error& error) {
+                return error.sentence();
+            }
+            return QString();
+        };
+        const auto validate = [&] { validateJob(job, *registry_); };
+        QVERIFY2(refusalOf(validate).contains("at least 230 × 150 mm"),
+                 qPrintable(refusalOf(validate)));
+        QVERIFY(refusalOf([&] {
+                    runJob(job, *registry_, {}, nullptr, {});
+                }).contains("at least 230 × 150 mm"));
+        job.film.swellX = 1.2;
+        QVERIFY(refusalOf(validate).contains("at least 190 × 150 mm"));
+        job.model = plain(boxMesh({5000, 5000, 5000}));
+        QVERIFY2(refusalOf(validate).contains("size and unit"), qPrintable(refusalOf(validate)));
+        job.film.swellX = 1;
+        job.model = plain(boxMesh({80, 30, 130})); // past two edges alone
+        QVERIFY(validateJob(job, *registry_).join('\n').contains("at least 100 × 150 mm"));
+    }
+
+    void whatWasPutRightAtTheImportIsToldOf() {
+        Project job = job_;
+        job.modelOrigin.remarks = "Parts of the surface turned that were inside out: 2";
+        QVERIFY(validateJob(job, *registry_).join('\n').contains(job.modelOrigin.remarks));
+    }
+
+    // As of a project from before, which no import has turned.
+    void anInsideOutBodyIsToldOf() {
+        Project job = job_;
+        job.immersions.resize(1);
+        TexturedMesh turned = *job.model;
+        for (auto& triangle : turned.mesh.triangles) {
+            std::swap(triangle[0], triangle[1]);
+        }
+        job.model = std::make_shared<const TexturedMesh>(turned);
+        QVERIFY(validateJob(job, *registry_).join('\n').contains("inside out"));
+        QVERIFY(runJob(job, *registry_, {}, nullptr, {}).notes.join('\n').contains("inside out"));
     }
 
     void aBodyThatLiesAmissIsToldOf() {

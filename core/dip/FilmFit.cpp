@@ -1,0 +1,58 @@
+#include "dip/FilmFit.h"
+
+#include "base/Error.h"
+#include "film/FilmGrid.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Dip)
+};
+
+// Of a printed film that reaches past both places on the water.
+double lengthFor(double low, double high, double swell) {
+    constexpr double step = 10, rim = 10; // mm
+    return step * std::ceil(2 * (std::max(std::abs(low), std::abs(high)) + rim) / (swell * step));
+}
+
+} // namespace
+
+std::optional<FilmSize> leastFilm(const Eigen::AlignedBox2d& outline, const FilmSettings& film) {
+    const FilmSize least{lengthFor(outline.min().x(), outline.max().x(), film.swellX),
+                         lengthFor(outline.min().y(), outline.max().y(), film.swellY)};
+    return std::max(least.width, least.height) <= largestFilm ? std::optional(least) : std::nullopt;
+}
+
+QString adviceOnFilm(const Eigen::AlignedBox2d& outline, const FilmSettings& film) {
+    const std::optional<FilmSize> least = leastFilm(outline, film);
+    return least ? Text::tr("choose a film of at least %1 × %2 mm")
+                       .arg(std::max(least->width, film.width.value()))
+                       .arg(std::max(least->height, film.height.value()))
+                 : Text::tr("no film is larger than %1 mm: check the model's size and unit")
+                       .arg(largestFilm);
+}
+
+void requireFilmRound(const Eigen::AlignedBox2d& outline, const FilmSettings& film,
+                      const Immersion& immersion) {
+    const solver::FilmGrid grid = filmGrid(film);
+    const Eigen::Vector2d half(grid.width / 2, grid.depth / 2);
+    if (outline.isEmpty() || (outline.min().array() >= -half.array()).any() ||
+        (outline.max().array() <= half.array()).any()) {
+        return;
+    }
+    throw Error(Text::tr("The body is larger than the film on all sides, %1 × %2 mm on the water, "
+                         "and no film is left to go round it; %3")
+                    .arg(std::round(outline.sizes().x()))
+                    .arg(std::round(outline.sizes().y()))
+                    .arg(adviceOnFilm(outline, film)),
+                immersion.name);
+}
+
+} // namespace dipwright

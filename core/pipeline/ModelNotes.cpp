@@ -1,0 +1,41 @@
+#include "pipeline/ModelNotes.h"
+
+#include "geometry/FieldGrid.h"
+#include "model/MeshRepair.h"
+#include "project/Project.h"
+
+#include <QCoreApplication>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Pipeline)
+};
+
+} // namespace
+
+QString thinPartNote(const Project& project, const TriangleMesh& mesh, const SurfaceQuery& query) {
+    const double thinnest = thinnestPart(mesh, query);
+    const FieldGrid field = fieldGrid(project.model->mesh, project.fieldResolution, thinnest);
+    if (isFineEnough(field, thinnest)) {
+        return {};
+    }
+    return Text::tr("Parts of the model are only %1 mm thick, and the distance field, with cells "
+                    "of %2 mm, is at its limit: film may miss them; make them thicker, or dip a "
+                    "smaller part of the model")
+        .arg(thinnest, 0, 'g', 2)
+        .arg(field.spacing, 0, 'g', 2);
+}
+
+bool isInsideOut(const TexturedMesh& model) {
+    TexturedMesh turned = model;
+    return turnInsideOutParts(turned, [] {}) > 0;
+}
+
+QString insideOutNote() {
+    return Text::tr("The model is inside out, at least in parts, and film does not lie on what "
+                    "faces inwards; import it anew, which turns it");
+}
+
+} // namespace dipwright
