@@ -181,18 +181,32 @@ const AirPocket* AirPockets::at(const Eigen::Vector3f& place, const SurfaceQuery
     if (!isNear) {
         return nullptr;
     }
+    // Air that sees a pocket's hangs together with it.
     const Eigen::Vector3i cell = grid_->cellOf(place);
+    const auto seen = [&](const Eigen::Vector3i& point, bool isClear) -> const AirPocket* {
+        const std::uint16_t number = pocketOf_[grid_->index(point)];
+        if (number == 0 || double(place.y()) <= pockets_[number - 1u].level) {
+            return nullptr;
+        }
+        const Eigen::Vector3f way = grid_->position(point) - place;
+        const bool isSeen = isClear || !query.hit(place, way, 1).point.isValid();
+        return isSeen ? &pockets_[number - 1u] : nullptr;
+    };
     const bool isClear = grid_->isClear(cell);
     for (int corner = 0; corner < 8; ++corner) {
-        const Eigen::Vector3i at = cell + SpaceGrid::corner(corner);
-        const std::uint16_t number = pocketOf_[grid_->index(at)];
-        if (number == 0 || double(place.y()) <= pockets_[number - 1u].level) {
-            continue;
+        if (const AirPocket* pocket = seen(cell + SpaceGrid::corner(corner), isClear)) {
+            return pocket;
         }
-        // Air that sees a pocket's hangs together with it.
-        const Eigen::Vector3f way = grid_->position(at) - place;
-        if (isClear || !query.hit(place, way, 1).point.isValid()) {
-            return &pockets_[number - 1u];
+    }
+    // Where a slanting ceiling comes down to the level, those of its points that are in the air lie
+    // farther off.
+    for (int across = -1; across <= 2; ++across) {
+        for (int along = -1; along <= 2; ++along) {
+            const Eigen::Vector3i point =
+                (cell + Eigen::Vector3i(across, 1, along)).cwiseMax(0).cwiseMin(grid_->last());
+            if (const AirPocket* pocket = seen(point, false)) {
+                return pocket;
+            }
         }
     }
     return nullptr;

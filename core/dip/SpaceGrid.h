@@ -9,8 +9,8 @@
 
 namespace dipwright {
 
-// Points one cell wider than the body on every side, `resolution` cells along its longest edge.
-// For each axis it knows which steps to the next point go through the surface. Immutable.
+// Points at least one cell wider than the body on every side, `resolution` cells along its longest
+// edge. For each axis it knows which steps to the next point go through the surface. Immutable.
 class SpaceGrid {
 public:
     // `query`: of `mesh`, in whose coordinates the grid is. All cores, deterministic.
@@ -20,6 +20,7 @@ public:
         return std::size_t(size_[0]) * std::size_t(size_[1]) * std::size_t(size_[2]);
     }
     const Eigen::Vector3i& size() const { return size_; }
+    Eigen::Vector3i last() const { return size_ - Eigen::Vector3i::Ones(); }
     float spacing() const { return spacing_; }
     // Of the next point along an axis: that of this one and the stride.
     std::size_t stride(int axis) const { return stride_[std::size_t(axis)]; }

@@ -28,7 +28,7 @@ struct Text {
 
 // Raised when a dip of the same inputs comes out otherwise within one version of the program, or is
 // stored in another way.
-constexpr quint32 keptVersion = 1;
+constexpr quint32 keptVersion = 2;
 constexpr int mostDips = 1000;
 constexpr qint64 entryBytes = 256; // of a zip, for an entry's name and place, at most
 
