@@ -12,12 +12,52 @@ namespace dipwright {
 
 namespace {
 
-constexpr int halvings = 7; // of a cell, for a level
+constexpr int halvings = 7;             // of a cell, for a level
+constexpr std::size_t triedPoints = 33; // of a chamber, for the side of the surface that it is on
 constexpr std::size_t mostPockets = std::numeric_limits<std::uint16_t>::max();
 constexpr float offSurface = 0.02f; // of a cell: from a face to the air before it
 
-bool isPocket(const AirChamber& chamber) {
+bool isLargeEnough(const AirChamber& chamber) {
     return chamber.points >= leastPocketPoints && chamber.depth() >= leastPocketDepth;
+}
+
+// Calls visit(point, its cell) for all trapped points of the grid.
+template <typename Visit>
+void forEachTrapped(const SpaceGrid& grid, const AirSweep& sweep, const Visit& visit) {
+    Eigen::Vector3i cell;
+    for (cell[1] = 0; cell[1] < grid.size()[1]; ++cell[1]) {
+        for (cell[2] = 0; cell[2] < grid.size()[2]; ++cell[2]) {
+            for (cell[0] = 0; cell[0] < grid.size()[0]; ++cell[0]) {
+                if (const std::size_t point = grid.index(cell); sweep.isTrapped(point)) {
+                    visit(point, cell);
+                }
+            }
+        }
+    }
+}
+
+// The trapped chambers that are large enough and outside of the body: an open mesh has its inside
+// among them.
+std::map<std::uint32_t, AirChamber> hollows(const SpaceGrid& grid, const AirSweep& sweep,
+                                            const SurfaceQuery& query) {
+    std::map<std::uint32_t, AirChamber> chambers = trappedChambers(sweep);
+    std::erase_if(chambers, [](const auto& each) { return !isLargeEnough(each.second); });
+    std::map<std::uint32_t, std::vector<Eigen::Vector3f>> places;
+    forEachTrapped(grid, sweep, [&](std::size_t point, const Eigen::Vector3i& cell) {
+        if (chambers.contains(sweep.chamber[point])) {
+            places[sweep.chamber[point]].push_back(grid.position(cell));
+        }
+    });
+    std::erase_if(chambers, [&](const auto& each) {
+        const std::vector<Eigen::Vector3f>& own = places[each.first];
+        const std::size_t tried = std::min(own.size(), triedPoints);
+        std::size_t inside = 0;
+        for (std::size_t number = 0; number < tried; ++number) {
+            inside += query.isInside(own[number * own.size() / tried]) ? 1 : 0;
+        }
+        return 2 * inside > tried;
+    });
+    return chambers;
 }
 
 // Finds the level of pockets between two layers of the grid: another layer is put between them, up
@@ -137,9 +177,9 @@ AirPockets::AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query, int 
     const AirSweep sweep = sweepAir(*grid, Eigen::Vector3f::UnitY());
     std::map<std::uint32_t, std::uint16_t> numbers; // of chambers that are pockets
     std::map<int, std::unique_ptr<const LevelSearch>> searches;
-    for (const auto& [name, chamber] : trappedChambers(sweep)) {
-        if (!isPocket(chamber) || pockets_.size() == mostPockets) {
-            continue;
+    for (const auto& [name, chamber] : hollows(*grid, sweep, query)) {
+        if (pockets_.size() == mostPockets) {
+            break;
         }
         const int lower = grid->size()[1] - 1 - chamber.opensIn;
         auto& search = searches[lower];
@@ -153,20 +193,12 @@ AirPockets::AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query, int 
         return;
     }
     pocketOf_.assign(grid->count(), 0);
-    Eigen::Vector3i cell;
-    for (cell[1] = 0; cell[1] < grid->size()[1]; ++cell[1]) {
-        for (cell[2] = 0; cell[2] < grid->size()[2]; ++cell[2]) {
-            for (cell[0] = 0; cell[0] < grid->size()[0]; ++cell[0]) {
-                const std::size_t point = grid->index(cell);
-                const auto number =
-                    sweep.isTrapped(point) ? numbers.find(sweep.chamber[point]) : numbers.end();
-                if (number != numbers.end()) {
-                    pocketOf_[point] = number->second;
-                    pockets_[number->second - 1u].box.extend(grid->position(cell));
-                }
-            }
+    forEachTrapped(*grid, sweep, [&](std::size_t point, const Eigen::Vector3i& cell) {
+        if (const auto number = numbers.find(sweep.chamber[point]); number != numbers.end()) {
+            pocketOf_[point] = number->second;
+            pockets_[number->second - 1u].box.extend(grid->position(cell));
         }
-    }
+    });
     for (AirPocket& pocket : pockets_) {
         pocket.box.min() -= Eigen::Vector3f::Constant(cell_);
         pocket.box.max() += Eigen::Vector3f::Constant(cell_);

@@ -20,8 +20,8 @@ class SpaceGrid;
 inline constexpr int airCells = 96;
 // What is smaller is no pocket: it must be so many cells deep, and hold so many of the grid's
 // points.
-inline constexpr int leastPocketDepth = 3;
-inline constexpr int leastPocketPoints = 64;
+inline constexpr int leastPocketDepth = 2;
+inline constexpr int leastPocketPoints = 32;
 
 struct AirPocket {
     double level = 0; // height of the water under it, mm
@@ -29,7 +29,8 @@ struct AirPocket {
 };
 
 // Of a body in the frame of its mesh, up being +Y. Hollows and ways out narrower than a cell are
-// not seen; levels are found to a hundredth of a cell. Immutable; any thread may ask.
+// not seen, nor is the inside of an open mesh a pocket; levels are found to a hundredth of a cell.
+// Immutable; any thread may ask.
 class AirPockets {
 public:
     // `query`: of `mesh`. All cores, deterministic.
