@@ -8,10 +8,6 @@
         <translation>Diese Datei gibt es nicht</translation>
     </message>
     <message>
-        <source>This is not a file</source>
-        <translation>Das ist keine Datei</translation>
-    </message>
-    <message>
         <source>The file is empty</source>
         <translation>Die Datei ist leer</translation>
     </message>
@@ -109,66 +105,6 @@
         <translation>ein gröberer Film folgt dem Körper überhaupt nicht</translation>
     </message>
     <message>
-        <source>Not judged</source>
-        <translation>Nicht beurteilt</translation>
-    </message>
-    <message>
-        <source>Print it</source>
-        <translation>Drucken</translation>
-    </message>
-    <message>
-        <source>Look at these places first</source>
-        <translation>Erst diese Stellen ansehen</translation>
-    </message>
-    <message>
-        <source>Do not print</source>
-        <translation>Nicht drucken</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>The dip was not compared with coarser ones.</source>
-        <translation>Der Tauchvorgang wurde nicht mit gröberen verglichen.</translation>
-    </message>
-    <message>
-        <source>The dip could not be compared with coarser ones: %1.</source>
-        <translation>Der Tauchvorgang ließ sich nicht mit gröberen vergleichen: %1.</translation>
-    </message>
-    <message>
-        <source>Nothing is painted alike by this dip and by coarser ones.</source>
-        <translation>Nichts wird von diesem Tauchvorgang und von gröberen gleichermaßen bemalt.</translation>
-    </message>
-    <message>
-        <source>95 % of the sheet is off by %1 or less for numerical reasons.</source>
-        <translation>95 % des Bogens liegen aus numerischen Gründen um höchstens %1 daneben.</translation>
-    </message>
-    <message>
-        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it); give the film more points, turn the body, or dip it in two immersions.</source>
-        <translation>Der Bogen kann aus numerischen Gründen um bis zu %1 daneben liegen (95 % von ihm); geben Sie dem Film mehr Punkte, drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
-    </message>
-    <message>
-        <source>%1 % of the painted area may be off by more than %2.</source>
-        <translation>%1 % der bemalten Fläche können um mehr als %2 daneben liegen.</translation>
-    </message>
-    <message>
-        <source>The sheet may move by up to %1 with other steps (95 % of it); choose a smaller contact travel.</source>
-        <translation>Der Bogen kann sich mit anderen Schritten um bis zu %1 verschieben (95 % von ihm); wählen Sie einen kleineren Weg der Kontaktlinie.</translation>
-    </message>
-    <message>
-        <source>The paint&apos;s border is not certain: %1 % of the body is painted by finer or coarser dips only.</source>
-        <translation>Der Rand der Farbe ist nicht sicher: %1 % des Körpers werden nur von feineren oder gröberen Tauchvorgängen bemalt.</translation>
-    </message>
-    <message>
-        <source>%1 steps of the dip ended without equilibrium, with up to %2 % of the elastic forces left.</source>
-        <translation>%1 Schritte des Tauchvorgangs endeten ohne Gleichgewicht, mit bis zu %2 % der elastischen Kräfte als Rest.</translation>
-    </message>
-    <message>
-        <source>%1: %2. %3</source>
-        <translation>%1: %2. %3</translation>
-    </message>
-    <message>
         <source>Overhang (°)</source>
         <translation>Überhang (°)</translation>
     </message>
@@ -188,20 +124,16 @@
         <source>%1, %2 to %3 in place of %4: the sheet moves by up to %5 (95 % of it), %6 % of what is painted by more than %7, and %8 % is not painted any more.</source>
         <translation>%1, %2 bis %3 statt %4: Der Bogen verschiebt sich um bis zu %5 (95 % von ihm), %6 % der bemalten Fläche um mehr als %7, und %8 % werden nicht mehr bemalt.</translation>
     </message>
-    <message>
-        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it); try a cell size of %2 for the film, turn the body, or dip it in two immersions.</source>
-        <translation>Der Bogen kann aus numerischen Gründen um bis zu %1 daneben liegen (95 % von ihm); versuchen Sie es mit einer Zellengröße von %2 für den Film, drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
-    </message>
-    <message>
-        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it), too far to tell which cells would do; give the film smaller cells or more points, turn the body, or dip it in two immersions.</source>
-        <translation>Der Bogen kann aus numerischen Gründen um bis zu %1 daneben liegen (95 % von ihm), zu weit, um zu sagen, welche Zellen reichen; geben Sie dem Film kleinere Zellen oder mehr Punkte, drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
-    </message>
 </context>
 <context>
     <name>CertaintyPanel</name>
     <message>
-        <source>%1 off by up to %2</source>
-        <translation>%1 bis zu %2 daneben</translation>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Places of %1:</source>
+        <translation>Stellen von %1:</translation>
     </message>
 </context>
 <context>
@@ -1104,10 +1036,6 @@
         <translation>Das Projekt hat kein Modell; importieren Sie zuerst eines</translation>
     </message>
     <message>
-        <source>%1: the film&apos;s edge ends up on the body; take a larger film, or place the body further from the edge</source>
-        <translation>%1: Der Rand des Films landet auf dem Körper; nehmen Sie einen größeren Film oder setzen Sie den Körper weiter vom Rand weg</translation>
-    </message>
-    <message>
         <source>%1 failed and %2 took over: %3</source>
         <translation>%1 ist gescheitert, %2 hat übernommen: %3</translation>
     </message>
@@ -1238,6 +1166,14 @@
     <message>
         <source>The artwork has %1 spot inks, and there is room for %2</source>
         <translation>Die Gestaltung hat %1 Sonderfarben, und Platz ist für %2</translation>
+    </message>
+    <message>
+        <source>The sheets take about %1 GB of memory while they are made</source>
+        <translation>Die Bogen brauchen etwa %1 GB Speicher, während sie entstehen</translation>
+    </message>
+    <message>
+        <source>The sheets would take about %1 GB of memory, and this computer has %2 GB: choose a lower resolution or a smaller film</source>
+        <translation>Die Bogen bräuchten etwa %1 GB Speicher, und dieser Rechner hat %2 GB: Wählen Sie eine niedrigere Auflösung oder einen kleineren Film</translation>
     </message>
 </context>
 <context>
@@ -1783,8 +1719,8 @@
         <translation>Ein anderes Programm hat das Profil geändert, seit es gelesen wurde; nichts ist gespeichert. Sehen Sie nach, was es nun sagt, und ändern Sie es noch einmal</translation>
     </message>
     <message>
-        <source>The profile that is there cannot be read and is not replaced; mend its file or move it away: %1</source>
-        <translation>Das Profil, das dort ist, lässt sich nicht lesen und wird nicht ersetzt; bringen Sie seine Datei in Ordnung oder legen Sie sie woanders hin: %1</translation>
+        <source>The file that is there cannot be read as a profile and is not replaced; mend it, move it away, or choose another name: %1</source>
+        <translation>Die vorhandene Datei ist nicht als Profil lesbar und wird nicht ersetzt; bitte berichtigen, verschieben oder einen anderen Namen wählen: %1</translation>
     </message>
 </context>
 <context>
@@ -2734,6 +2670,102 @@
         <source>How far beyond the cut line the colours of the painted film&apos;s edge go on, so that a cut that slips shows no bare film.</source>
         <translation>Wie weit die Farben vom Rand des bemalten Films über die Schnittlinie hinaus weitergehen, damit ein verrutschter Schnitt keinen leeren Film zeigt.</translation>
     </message>
+    <message>
+        <source>Print it</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>Check first</source>
+        <translation>Erst prüfen</translation>
+    </message>
+    <message>
+        <source>Do not print</source>
+        <translation>Nicht drucken</translation>
+    </message>
+    <message>
+        <source>Verdict: check first above</source>
+        <translation>Urteil: erst prüfen oberhalb von</translation>
+    </message>
+    <message>
+        <source>Trapped air</source>
+        <translation>Eingeschlossene Luft</translation>
+    </message>
+    <message>
+        <source>The share of the body&apos;s surface that trapped air may keep dry. The verdict is “do not print” above five times a limit.</source>
+        <translation>Der Anteil der Oberfläche des Körpers, den eingeschlossene Luft trocken halten darf. Über dem Fünffachen einer Grenze lautet das Urteil „Nicht drucken“.</translation>
+    </message>
+    <message>
+        <source>Too pale</source>
+        <translation>Zu blass</translation>
+    </message>
+    <message>
+        <source>The share of the painted area that may look too pale, because the film stretches more than the ink can make up for.</source>
+        <translation>Der Anteil der bemalten Fläche, der zu blass werden darf, weil der Film sich mehr dehnt, als die Farbe ausgleichen kann.</translation>
+    </message>
+    <message>
+        <source>Torn or released film</source>
+        <translation>Gerissener oder losgelassener Film</translation>
+    </message>
+    <message>
+        <source>The share of the painted area on which the film may tear or be pulled off the body.</source>
+        <translation>Der Anteil der bemalten Fläche, auf dem der Film reißen oder vom Körper abgezogen werden darf.</translation>
+    </message>
+    <message>
+        <source>Reached by neither dip</source>
+        <translation>Von keinem Tauchvorgang erreicht</translation>
+    </message>
+    <message>
+        <source>The share of the body&apos;s surface that neither of two dips may reach. A job of one dip has no such limit.</source>
+        <translation>Der Anteil der Oberfläche des Körpers, den keiner von zwei Tauchvorgängen erreichen muss. Ein Auftrag mit einem Tauchvorgang hat keine solche Grenze.</translation>
+    </message>
+    <message>
+        <source>Narrow overlap</source>
+        <translation>Schmale Überlappung</translation>
+    </message>
+    <message>
+        <source>The share of the overlap of two dips that may be too narrow for how far the second film may lie off.</source>
+        <translation>Der Anteil der Überlappung zweier Tauchvorgänge, der zu schmal dafür sein darf, wie weit der zweite Film daneben liegen kann.</translation>
+    </message>
+    <message>
+        <source>Bare in a zone</source>
+        <translation>Frei in einer Zone</translation>
+    </message>
+    <message>
+        <source>The share of zone A or B, where they are marked, that may stay without paint.</source>
+        <translation>Der Anteil von Zone A oder B, wo sie markiert sind, der ohne Farbe bleiben darf.</translation>
+    </message>
+    <message>
+        <source>Film&apos;s edge</source>
+        <translation>Rand des Films</translation>
+    </message>
+    <message>
+        <source>How far the painted film has to stay from the film&apos;s edge, so that it neither curls nor folds.</source>
+        <translation>Wie weit der bemalende Film vom Rand des Films wegbleiben muss, damit er sich weder rollt noch faltet.</translation>
+    </message>
+    <message>
+        <source>No picture</source>
+        <translation>Kein Bild</translation>
+    </message>
+    <message>
+        <source>What a model of one plain colour, without artwork, comes to.</source>
+        <translation>Was ein Modell von einer einzigen Farbe, ohne Gestaltung, ergibt.</translation>
+    </message>
+    <message>
+        <source>Repaired model</source>
+        <translation>Berichtigtes Modell</translation>
+    </message>
+    <message>
+        <source>What a model comes to that was put right, or lacks something that its file names.</source>
+        <translation>Was ein Modell ergibt, das berichtigt wurde oder dem etwas fehlt, das seine Datei nennt.</translation>
+    </message>
+    <message>
+        <source>Film not measured</source>
+        <translation>Film nicht gemessen</translation>
+    </message>
+    <message>
+        <source>What a film comes to whose swell nobody has measured.</source>
+        <translation>Was ein Film ergibt, dessen Quellung niemand gemessen hat.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -3041,12 +3073,12 @@
         <translation>Andere können %1 schreiben; nehmen Sie ihnen das Recht, oder verschieben Sie das Plugin</translation>
     </message>
     <message>
-        <source>Its description is not a plain file</source>
-        <translation>Seine Beschreibung ist keine gewöhnliche Datei</translation>
-    </message>
-    <message>
         <source>It cannot run here and does not say why; ask whoever made it</source>
         <translation>Er kann hier nicht laufen und sagt nicht, warum; fragen Sie seinen Hersteller</translation>
+    </message>
+    <message>
+        <source>The &quot;priority&quot; in its description has to be a whole number from -%1 to %1</source>
+        <translation>„priority“ in seiner Beschreibung muss eine ganze Zahl von -%1 bis %1 sein</translation>
     </message>
 </context>
 <context>
@@ -3313,6 +3345,10 @@
         <source>Swell guessed, not measured.</source>
         <translation>Quellung geschätzt, nicht gemessen.</translation>
     </message>
+    <message>
+        <source>Verdict: %1</source>
+        <translation>Urteil: %1</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -3367,6 +3403,137 @@
     <message>
         <source>%1 mm²</source>
         <translation>%1 mm²</translation>
+    </message>
+</context>
+<context>
+    <name>Verdict</name>
+    <message>
+        <source>Not judged</source>
+        <translation>Nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>Print it</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>Do not print</source>
+        <translation>Nicht drucken</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Zone %1: %2</source>
+        <translation>Zone %1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2. %3</source>
+        <translation>%1: %2. %3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The numerical error was not estimated.</source>
+        <translation>Der numerische Fehler wurde nicht geschätzt.</translation>
+    </message>
+    <message>
+        <source>The numerical error could not be estimated: %1.</source>
+        <translation>Der numerische Fehler ließ sich nicht schätzen: %1.</translation>
+    </message>
+    <message>
+        <source>No place is painted both by this dip and by coarser ones.</source>
+        <translation>Keine Stelle wird sowohl von diesem Tauchvorgang als auch von gröberen bemalt.</translation>
+    </message>
+    <message>
+        <source>95 % of the sheet is within %1 (numerical error).</source>
+        <translation>95 % des Bogens liegen innerhalb von %1 (numerischer Fehler).</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set Film &gt; Cells to %3, turn the body, or dip it twice.</source>
+        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Setzen Sie Film &gt; Zellen auf %3, drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set more points (Film &gt; Points), turn the body, or dip it twice.</source>
+        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Setzen Sie mehr Punkte (Film &gt; Punkte), drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Turn the body, dip it twice, or set much smaller cells or more points (Film &gt; Cells).</source>
+        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Drehen Sie den Körper, tauchen Sie ihn zweimal oder setzen Sie viel kleinere Zellen oder mehr Punkte (Film &gt; Zellen).</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Most of it comes from the steps: set a smaller Dipping &gt; Step.</source>
+        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Das meiste davon kommt von den Schritten: Setzen Sie Tauchen &gt; Schritt kleiner.</translation>
+    </message>
+    <message>
+        <source>Numerical error: %1 % of the painted area may be off by more than %2. Check the places in the list.</source>
+        <translation>Numerischer Fehler: %1 % der bemalten Fläche können um mehr als %2 daneben liegen. Prüfen Sie die Stellen in der Liste.</translation>
+    </message>
+    <message>
+        <source>The border of the paint is uncertain: only finer or only coarser dips paint %1 % of the body. Set smaller cells (Film &gt; Cells).</source>
+        <translation>Der Rand der Farbe ist unsicher: %1 % des Körpers bemalen nur feinere oder nur gröbere Tauchvorgänge. Setzen Sie kleinere Zellen (Film &gt; Zellen).</translation>
+    </message>
+    <message>
+        <source>%1 steps of the dip did not reach equilibrium; up to %2 % of the elastic force remained. Set smaller cells (Film &gt; Cells).</source>
+        <translation>%1 Schritte des Tauchvorgangs erreichten kein Gleichgewicht; bis zu %2 % der elastischen Kraft blieben übrig. Setzen Sie kleinere Zellen (Film &gt; Zellen).</translation>
+    </message>
+    <message>
+        <source>The film paints nothing of the body. Check the model&apos;s unit, its place over the film, and the depth of the dip.</source>
+        <translation>Der Film bemalt nichts vom Körper. Prüfen Sie die Einheit des Modells, seinen Platz über dem Film und die Tauchtiefe.</translation>
+    </message>
+    <message>
+        <source>Trapped air keeps %1 % of the body dry; the limit is %2 %. Turn the body so that the air escapes, or drill a vent hole.</source>
+        <translation>Eingeschlossene Luft hält %1 % des Körpers trocken; die Grenze ist %2 %. Drehen Sie den Körper so, dass die Luft entweicht, oder bohren Sie ein Entlüftungsloch.</translation>
+    </message>
+    <message>
+        <source>%1 % of the painted area will be too pale; the limit is %2 %. The film stretches more than Ink &gt; Ink limit can compensate. Turn the body, or choose lighter colours.</source>
+        <translation>%1 % der bemalten Fläche werden zu blass; die Grenze ist %2 %. Der Film dehnt sich mehr, als Farbe &gt; Farbgrenze ausgleichen kann. Drehen Sie den Körper oder wählen Sie hellere Farben.</translation>
+    </message>
+    <message>
+        <source>The film tore or was released on %1 % of the painted area; the limit is %2 %. Turn the body, or dip it twice.</source>
+        <translation>Der Film riss oder löste sich auf %1 % der bemalten Fläche; die Grenze ist %2 %. Drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
+    </message>
+    <message>
+        <source>The painted film comes within %1 of the film&apos;s edge; at least %2 are required. Use a larger film, or move the body to the film&apos;s centre.</source>
+        <translation>Der bemalende Film kommt dem Rand des Films auf %1 nahe; mindestens %2 sind nötig. Nehmen Sie einen größeren Film oder rücken Sie den Körper in die Mitte des Films.</translation>
+    </message>
+    <message>
+        <source>Neither dip reaches %1 % of the body; the limit is %2 %. Turn one of the poses.</source>
+        <translation>Kein Tauchvorgang erreicht %1 % des Körpers; die Grenze ist %2 %. Drehen Sie eine der Lagen.</translation>
+    </message>
+    <message>
+        <source>%1 % of the overlap is too narrow; the limit is %2 %. The second film shows there if it is misplaced. Widen Join &gt; Overlap, or turn one of the poses.</source>
+        <translation>%1 % der Überlappung sind zu schmal; die Grenze ist %2 %. Dort ist der zweite Film zu sehen, wenn er versetzt liegt. Verbreitern Sie Fuge &gt; Überlappung oder drehen Sie eine der Lagen.</translation>
+    </message>
+    <message>
+        <source>%1 % is not painted; the limit is %2 %. Turn the body so that film reaches it.</source>
+        <translation>%1 % sind nicht bemalt; die Grenze ist %2 %. Drehen Sie den Körper so, dass Film dorthin kommt.</translation>
+    </message>
+    <message>
+        <source>Handling and numerical error together: 95 % of the painted area is within ±%1; the limit is ±%2. Tighten the largest contributor, or turn the body.</source>
+        <translation>Handhabung und numerischer Fehler zusammen: 95 % der bemalten Fläche liegen innerhalb von ±%1; die Grenze ist ±%2. Verringern Sie den größten Beitrag oder drehen Sie den Körper.</translation>
+    </message>
+    <message>
+        <source>The model has no texture and no artwork: one plain colour is printed.</source>
+        <translation>Das Modell hat weder Textur noch Gestaltung: Gedruckt wird eine einzige Farbe.</translation>
+    </message>
+    <message>
+        <source>Model: %1</source>
+        <translation>Modell: %1</translation>
+    </message>
+    <message>
+        <source>The film&apos;s swell is guessed, not measured: the picture may be a few per cent too large or too small. Measure the film.</source>
+        <translation>Die Quellung des Films ist geschätzt, nicht gemessen: Das Bild kann einige Prozent zu groß oder zu klein sein. Messen Sie den Film.</translation>
+    </message>
+    <message>
+        <source>Check these places first</source>
+        <translation>Erst diese Stellen prüfen</translation>
+    </message>
+    <message>
+        <source>%1 may be off by more than %2, at most by %3</source>
+        <translation>%1 können um mehr als %2 daneben liegen, höchstens um %3</translation>
     </message>
 </context>
 <context>
@@ -7332,10 +7499,6 @@ Dehnung</translation>
         <translation>Der Drucker skaliert Seiten von selbst („%1“), und das Drucksystem gibt nicht an ihn weiter, dass er es nicht soll; stellen Sie in seinem eigenen Menü die Skalierung auf „none“</translation>
     </message>
     <message>
-        <source>The printer does not answer any more; the job is cancelled, see to its power and cable and print the sheet anew</source>
-        <translation>Der Drucker antwortet nicht mehr; der Auftrag ist abgebrochen, sehen Sie nach Strom und Kabel und drucken Sie den Bogen neu</translation>
-    </message>
-    <message>
         <source>%1, lot %2</source>
         <translation>%1, Charge %2</translation>
     </message>
@@ -7394,6 +7557,34 @@ Dehnung</translation>
     <message>
         <source>On %1 mm² of the part the inks fall visibly short: full ink, the ink limit or the total of ink does not make up for the stretch</source>
         <translation>Auf %1 mm² des Teils reichen die Tinten sichtbar nicht: volle Tinte, Farbgrenze oder Gesamtfarbauftrag gleichen die Dehnung nicht aus</translation>
+    </message>
+    <message>
+        <source>Stopped: %1</source>
+        <translation>Angehalten: %1</translation>
+    </message>
+    <message>
+        <source>Not known: %1</source>
+        <translation>Nicht bekannt: %1</translation>
+    </message>
+    <message>
+        <source>the job is cancelled</source>
+        <translation>der Auftrag ist abgebrochen</translation>
+    </message>
+    <message>
+        <source>the job could not be cancelled, remove it from the printer&apos;s queue</source>
+        <translation>der Auftrag ließ sich nicht abbrechen, bitte aus der Warteschlange des Druckers entfernen</translation>
+    </message>
+    <message>
+        <source>The print system has done with the job, but the printer does not answer; look whether the sheet has come out, and print it anew if not</source>
+        <translation>Das Drucksystem hat den Auftrag abgeschlossen, aber der Drucker antwortet nicht; bitte nachsehen, ob das Blatt gedruckt ist, und es sonst neu drucken</translation>
+    </message>
+    <message>
+        <source>The printer does not answer (%1); %2; check its power, its cable and its address in the system, and print the sheet anew</source>
+        <translation>Der Drucker antwortet nicht (%1); %2; bitte Strom, Kabel und seine Adresse im System prüfen und das Blatt neu drucken</translation>
+    </message>
+    <message>
+        <source>Nothing new was heard of job %1 for a long time (%2), and this printer cannot be asked; look at the printer, and remove the job from its queue if it does not print</source>
+        <translation>Von Auftrag %1 ist lange nichts Neues bekannt (%2), und dieser Drucker lässt sich nicht fragen; bitte am Drucker nachsehen und den Auftrag aus der Warteschlange entfernen, falls er nicht druckt</translation>
     </message>
 </context>
 <context>
@@ -9866,6 +10057,17 @@ mm je mm</translation>
     <message>
         <source>Projects to open.</source>
         <translation>Projekte, die geöffnet werden.</translation>
+    </message>
+</context>
+<context>
+    <name>PlainFile</name>
+    <message>
+        <source>it is a folder</source>
+        <translation>es ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>it is a pipe or a device; save what it sends as a file, and name that</source>
+        <translation>es ist eine Pipe oder ein Gerät; was sie liefert, als Datei speichern und diese angeben</translation>
     </message>
 </context>
 </TS>

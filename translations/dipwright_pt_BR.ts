@@ -8,10 +8,6 @@
         <translation>Esse arquivo não existe</translation>
     </message>
     <message>
-        <source>This is not a file</source>
-        <translation>Isto não é um arquivo</translation>
-    </message>
-    <message>
         <source>The file is empty</source>
         <translation>O arquivo está vazio</translation>
     </message>
@@ -109,66 +105,6 @@
         <translation>um filme mais grosso não acompanha o corpo de modo algum</translation>
     </message>
     <message>
-        <source>Not judged</source>
-        <translation>Não avaliado</translation>
-    </message>
-    <message>
-        <source>Print it</source>
-        <translation>Pode imprimir</translation>
-    </message>
-    <message>
-        <source>Look at these places first</source>
-        <translation>Veja antes estes lugares</translation>
-    </message>
-    <message>
-        <source>Do not print</source>
-        <translation>Não imprima</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>The dip was not compared with coarser ones.</source>
-        <translation>A imersão não foi comparada com outras mais grossas.</translation>
-    </message>
-    <message>
-        <source>The dip could not be compared with coarser ones: %1.</source>
-        <translation>A imersão não pôde ser comparada com outras mais grossas: %1.</translation>
-    </message>
-    <message>
-        <source>Nothing is painted alike by this dip and by coarser ones.</source>
-        <translation>Nada é pintado ao mesmo tempo por esta imersão e por outras mais grossas.</translation>
-    </message>
-    <message>
-        <source>95 % of the sheet is off by %1 or less for numerical reasons.</source>
-        <translation>95 % da folha desviam %1 ou menos por razões numéricas.</translation>
-    </message>
-    <message>
-        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it); give the film more points, turn the body, or dip it in two immersions.</source>
-        <translation>A folha pode desviar até %1 por razões numéricas (95 % dela); dê mais pontos ao filme, gire o corpo ou mergulhe-o em duas imersões.</translation>
-    </message>
-    <message>
-        <source>%1 % of the painted area may be off by more than %2.</source>
-        <translation>%1 % da área pintada podem desviar mais de %2.</translation>
-    </message>
-    <message>
-        <source>The sheet may move by up to %1 with other steps (95 % of it); choose a smaller contact travel.</source>
-        <translation>A folha pode mudar até %1 com outros passos (95 % dela); escolha um avanço menor da linha de contato.</translation>
-    </message>
-    <message>
-        <source>The paint&apos;s border is not certain: %1 % of the body is painted by finer or coarser dips only.</source>
-        <translation>A borda da tinta não é certa: %1 % do corpo são pintados apenas por imersões mais finas ou mais grossas.</translation>
-    </message>
-    <message>
-        <source>%1 steps of the dip ended without equilibrium, with up to %2 % of the elastic forces left.</source>
-        <translation>%1 passos da imersão terminaram sem equilíbrio, com até %2 % das forças elásticas restantes.</translation>
-    </message>
-    <message>
-        <source>%1: %2. %3</source>
-        <translation>%1: %2. %3</translation>
-    </message>
-    <message>
         <source>Overhang (°)</source>
         <translation>Saliência (°)</translation>
     </message>
@@ -188,20 +124,16 @@
         <source>%1, %2 to %3 in place of %4: the sheet moves by up to %5 (95 % of it), %6 % of what is painted by more than %7, and %8 % is not painted any more.</source>
         <translation>%1, %2 a %3 em vez de %4: a folha se desloca em até %5 (95 % dela), %6 % do que é pintado em mais de %7, e %8 % deixam de ser pintados.</translation>
     </message>
-    <message>
-        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it); try a cell size of %2 for the film, turn the body, or dip it in two immersions.</source>
-        <translation>A folha pode desviar até %1 por razões numéricas (95 % dela); tente células de %2 para o filme, gire o corpo ou mergulhe-o em duas imersões.</translation>
-    </message>
-    <message>
-        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it), too far to tell which cells would do; give the film smaller cells or more points, turn the body, or dip it in two immersions.</source>
-        <translation>A folha pode desviar até %1 por razões numéricas (95 % dela), demais para dizer que células bastam; dê ao filme células menores ou mais pontos, gire o corpo ou mergulhe-o em duas imersões.</translation>
-    </message>
 </context>
 <context>
     <name>CertaintyPanel</name>
     <message>
-        <source>%1 off by up to %2</source>
-        <translation>%1 desviados em até %2</translation>
+        <source>Setting</source>
+        <translation>Definição</translation>
+    </message>
+    <message>
+        <source>Places of %1:</source>
+        <translation>Lugares de %1:</translation>
     </message>
 </context>
 <context>
@@ -1104,10 +1036,6 @@
         <translation>O projeto não tem modelo; importe um primeiro</translation>
     </message>
     <message>
-        <source>%1: the film&apos;s edge ends up on the body; take a larger film, or place the body further from the edge</source>
-        <translation>%1: a borda do filme termina sobre o corpo; use um filme maior ou afaste o corpo da borda</translation>
-    </message>
-    <message>
         <source>%1 failed and %2 took over: %3</source>
         <translation>%1 falhou e %2 assumiu: %3</translation>
     </message>
@@ -1238,6 +1166,14 @@
     <message>
         <source>The artwork has %1 spot inks, and there is room for %2</source>
         <translation>A arte tem %1 tintas especiais, e há lugar para %2</translation>
+    </message>
+    <message>
+        <source>The sheets take about %1 GB of memory while they are made</source>
+        <translation>As folhas ocupam cerca de %1 GB de memória enquanto são feitas</translation>
+    </message>
+    <message>
+        <source>The sheets would take about %1 GB of memory, and this computer has %2 GB: choose a lower resolution or a smaller film</source>
+        <translation>As folhas ocupariam cerca de %1 GB de memória, e este computador tem %2 GB: escolha uma resolução menor ou um filme menor</translation>
     </message>
 </context>
 <context>
@@ -1783,8 +1719,8 @@
         <translation>Outro programa mudou o perfil desde que foi lido; nada foi salvo. Veja o que ele diz agora e faça de novo</translation>
     </message>
     <message>
-        <source>The profile that is there cannot be read and is not replaced; mend its file or move it away: %1</source>
-        <translation>O perfil que está lá não pode ser lido e não é substituído; corrija o arquivo dele ou mova-o para outro lugar: %1</translation>
+        <source>The file that is there cannot be read as a profile and is not replaced; mend it, move it away, or choose another name: %1</source>
+        <translation>O arquivo existente não pode ser lido como perfil e não é substituído; corrija-o, mova-o ou escolha outro nome: %1</translation>
     </message>
 </context>
 <context>
@@ -2734,6 +2670,102 @@
         <source>How far beyond the cut line the colours of the painted film&apos;s edge go on, so that a cut that slips shows no bare film.</source>
         <translation>Até onde as cores da borda do filme pintado continuam para além da linha de corte, para que um corte desviado não mostre filme nu.</translation>
     </message>
+    <message>
+        <source>Print it</source>
+        <translation>Pode imprimir</translation>
+    </message>
+    <message>
+        <source>Check first</source>
+        <translation>Verificar antes</translation>
+    </message>
+    <message>
+        <source>Do not print</source>
+        <translation>Não imprima</translation>
+    </message>
+    <message>
+        <source>Verdict: check first above</source>
+        <translation>Veredito: verificar antes acima de</translation>
+    </message>
+    <message>
+        <source>Trapped air</source>
+        <translation>Ar preso</translation>
+    </message>
+    <message>
+        <source>The share of the body&apos;s surface that trapped air may keep dry. The verdict is “do not print” above five times a limit.</source>
+        <translation>A parte da superfície do corpo que o ar preso pode manter seca. Acima de cinco vezes um limite o veredito é “Não imprima”.</translation>
+    </message>
+    <message>
+        <source>Too pale</source>
+        <translation>Claro demais</translation>
+    </message>
+    <message>
+        <source>The share of the painted area that may look too pale, because the film stretches more than the ink can make up for.</source>
+        <translation>A parte da área pintada que pode ficar clara demais, porque o filme estica mais do que a tinta consegue compensar.</translation>
+    </message>
+    <message>
+        <source>Torn or released film</source>
+        <translation>Filme rasgado ou solto</translation>
+    </message>
+    <message>
+        <source>The share of the painted area on which the film may tear or be pulled off the body.</source>
+        <translation>A parte da área pintada em que o filme pode rasgar ou ser arrancado do corpo.</translation>
+    </message>
+    <message>
+        <source>Reached by neither dip</source>
+        <translation>Não alcançado por nenhuma imersão</translation>
+    </message>
+    <message>
+        <source>The share of the body&apos;s surface that neither of two dips may reach. A job of one dip has no such limit.</source>
+        <translation>A parte da superfície do corpo que nenhuma de duas imersões precisa alcançar. Um trabalho de uma só imersão não tem esse limite.</translation>
+    </message>
+    <message>
+        <source>Narrow overlap</source>
+        <translation>Sobreposição estreita</translation>
+    </message>
+    <message>
+        <source>The share of the overlap of two dips that may be too narrow for how far the second film may lie off.</source>
+        <translation>A parte da sobreposição de duas imersões que pode ser estreita demais para o desvio possível do segundo filme.</translation>
+    </message>
+    <message>
+        <source>Bare in a zone</source>
+        <translation>Sem tinta numa zona</translation>
+    </message>
+    <message>
+        <source>The share of zone A or B, where they are marked, that may stay without paint.</source>
+        <translation>A parte da zona A ou B, onde estão marcadas, que pode ficar sem tinta.</translation>
+    </message>
+    <message>
+        <source>Film&apos;s edge</source>
+        <translation>Borda do filme</translation>
+    </message>
+    <message>
+        <source>How far the painted film has to stay from the film&apos;s edge, so that it neither curls nor folds.</source>
+        <translation>A que distância da borda do filme o filme que pinta tem de ficar, para que não enrole nem dobre.</translation>
+    </message>
+    <message>
+        <source>No picture</source>
+        <translation>Sem imagem</translation>
+    </message>
+    <message>
+        <source>What a model of one plain colour, without artwork, comes to.</source>
+        <translation>O que resulta de um modelo de uma só cor, sem arte.</translation>
+    </message>
+    <message>
+        <source>Repaired model</source>
+        <translation>Modelo corrigido</translation>
+    </message>
+    <message>
+        <source>What a model comes to that was put right, or lacks something that its file names.</source>
+        <translation>O que resulta de um modelo que foi corrigido ou ao qual falta algo que o arquivo nomeia.</translation>
+    </message>
+    <message>
+        <source>Film not measured</source>
+        <translation>Filme não medido</translation>
+    </message>
+    <message>
+        <source>What a film comes to whose swell nobody has measured.</source>
+        <translation>O que resulta de um filme cujo inchamento ninguém mediu.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -3041,12 +3073,12 @@
         <translation>Outros podem gravar em %1; tire-lhes esse direito ou mova o plugin</translation>
     </message>
     <message>
-        <source>Its description is not a plain file</source>
-        <translation>A descrição dele não é um arquivo comum</translation>
-    </message>
-    <message>
         <source>It cannot run here and does not say why; ask whoever made it</source>
         <translation>Ele não pode rodar aqui e não diz por quê; pergunte a quem o fez</translation>
+    </message>
+    <message>
+        <source>The &quot;priority&quot; in its description has to be a whole number from -%1 to %1</source>
+        <translation>“priority” na descrição dele tem de ser um número inteiro de -%1 a %1</translation>
     </message>
 </context>
 <context>
@@ -3313,6 +3345,10 @@
         <source>Swell guessed, not measured.</source>
         <translation>Inchamento suposto, não medido.</translation>
     </message>
+    <message>
+        <source>Verdict: %1</source>
+        <translation>Veredito: %1</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -3367,6 +3403,137 @@
     <message>
         <source>%1 mm²</source>
         <translation>%1 mm²</translation>
+    </message>
+</context>
+<context>
+    <name>Verdict</name>
+    <message>
+        <source>Not judged</source>
+        <translation>Não avaliado</translation>
+    </message>
+    <message>
+        <source>Print it</source>
+        <translation>Pode imprimir</translation>
+    </message>
+    <message>
+        <source>Do not print</source>
+        <translation>Não imprima</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Zone %1: %2</source>
+        <translation>Zona %1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2. %3</source>
+        <translation>%1: %2. %3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The numerical error was not estimated.</source>
+        <translation>O erro numérico não foi estimado.</translation>
+    </message>
+    <message>
+        <source>The numerical error could not be estimated: %1.</source>
+        <translation>O erro numérico não pôde ser estimado: %1.</translation>
+    </message>
+    <message>
+        <source>No place is painted both by this dip and by coarser ones.</source>
+        <translation>Nenhum lugar é pintado tanto por esta imersão como por outras mais grossas.</translation>
+    </message>
+    <message>
+        <source>95 % of the sheet is within %1 (numerical error).</source>
+        <translation>95 % da folha ficam dentro de %1 (erro numérico).</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set Film &gt; Cells to %3, turn the body, or dip it twice.</source>
+        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. Ponha Filme &gt; Células em %3, gire o corpo ou mergulhe-o duas vezes.</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set more points (Film &gt; Points), turn the body, or dip it twice.</source>
+        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. Ponha mais pontos (Filme &gt; Pontos), gire o corpo ou mergulhe-o duas vezes.</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Turn the body, dip it twice, or set much smaller cells or more points (Film &gt; Cells).</source>
+        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. Gire o corpo, mergulhe-o duas vezes ou ponha células bem menores ou mais pontos (Filme &gt; Células).</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Most of it comes from the steps: set a smaller Dipping &gt; Step.</source>
+        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. A maior parte vem dos passos: ponha um valor menor em Imersão &gt; Passo.</translation>
+    </message>
+    <message>
+        <source>Numerical error: %1 % of the painted area may be off by more than %2. Check the places in the list.</source>
+        <translation>Erro numérico: %1 % da área pintada podem desviar mais de %2. Verifique os lugares da lista.</translation>
+    </message>
+    <message>
+        <source>The border of the paint is uncertain: only finer or only coarser dips paint %1 % of the body. Set smaller cells (Film &gt; Cells).</source>
+        <translation>A borda da tinta é incerta: %1 % do corpo são pintados só por imersões mais finas ou só por mais grossas. Ponha células menores (Filme &gt; Células).</translation>
+    </message>
+    <message>
+        <source>%1 steps of the dip did not reach equilibrium; up to %2 % of the elastic force remained. Set smaller cells (Film &gt; Cells).</source>
+        <translation>%1 passos da imersão não alcançaram o equilíbrio; restaram até %2 % da força elástica. Ponha células menores (Filme &gt; Células).</translation>
+    </message>
+    <message>
+        <source>The film paints nothing of the body. Check the model&apos;s unit, its place over the film, and the depth of the dip.</source>
+        <translation>O filme não pinta nada do corpo. Verifique a unidade do modelo, o lugar dele sobre o filme e a profundidade da imersão.</translation>
+    </message>
+    <message>
+        <source>Trapped air keeps %1 % of the body dry; the limit is %2 %. Turn the body so that the air escapes, or drill a vent hole.</source>
+        <translation>Ar preso mantém secos %1 % do corpo; o limite é %2 %. Gire o corpo para que o ar saia, ou faça um furo de respiro.</translation>
+    </message>
+    <message>
+        <source>%1 % of the painted area will be too pale; the limit is %2 %. The film stretches more than Ink &gt; Ink limit can compensate. Turn the body, or choose lighter colours.</source>
+        <translation>%1 % da área pintada ficarão claros demais; o limite é %2 %. O filme estica mais do que Tinta &gt; Limite de tinta consegue compensar. Gire o corpo ou escolha cores mais claras.</translation>
+    </message>
+    <message>
+        <source>The film tore or was released on %1 % of the painted area; the limit is %2 %. Turn the body, or dip it twice.</source>
+        <translation>O filme rasgou ou se soltou em %1 % da área pintada; o limite é %2 %. Gire o corpo ou mergulhe-o duas vezes.</translation>
+    </message>
+    <message>
+        <source>The painted film comes within %1 of the film&apos;s edge; at least %2 are required. Use a larger film, or move the body to the film&apos;s centre.</source>
+        <translation>O filme que pinta chega a %1 da borda do filme; são necessários pelo menos %2. Use um filme maior ou leve o corpo ao meio do filme.</translation>
+    </message>
+    <message>
+        <source>Neither dip reaches %1 % of the body; the limit is %2 %. Turn one of the poses.</source>
+        <translation>Nenhuma imersão alcança %1 % do corpo; o limite é %2 %. Gire uma das poses.</translation>
+    </message>
+    <message>
+        <source>%1 % of the overlap is too narrow; the limit is %2 %. The second film shows there if it is misplaced. Widen Join &gt; Overlap, or turn one of the poses.</source>
+        <translation>%1 % da sobreposição são estreitos demais; o limite é %2 %. O segundo filme aparece ali se ficar deslocado. Alargue Junção &gt; Sobreposição ou gire uma das poses.</translation>
+    </message>
+    <message>
+        <source>%1 % is not painted; the limit is %2 %. Turn the body so that film reaches it.</source>
+        <translation>%1 % não são pintados; o limite é %2 %. Gire o corpo para que o filme chegue lá.</translation>
+    </message>
+    <message>
+        <source>Handling and numerical error together: 95 % of the painted area is within ±%1; the limit is ±%2. Tighten the largest contributor, or turn the body.</source>
+        <translation>Manuseio e erro numérico juntos: 95 % da área pintada ficam dentro de ±%1; o limite é ±%2. Reduza a maior contribuição ou gire o corpo.</translation>
+    </message>
+    <message>
+        <source>The model has no texture and no artwork: one plain colour is printed.</source>
+        <translation>O modelo não tem textura nem arte: imprime-se uma só cor.</translation>
+    </message>
+    <message>
+        <source>Model: %1</source>
+        <translation>Modelo: %1</translation>
+    </message>
+    <message>
+        <source>The film&apos;s swell is guessed, not measured: the picture may be a few per cent too large or too small. Measure the film.</source>
+        <translation>O inchamento do filme é estimado, não medido: a imagem pode ficar alguns por cento maior ou menor. Meça o filme.</translation>
+    </message>
+    <message>
+        <source>Check these places first</source>
+        <translation>Verifique antes estes lugares</translation>
+    </message>
+    <message>
+        <source>%1 may be off by more than %2, at most by %3</source>
+        <translation>%1 podem desviar mais de %2, no máximo %3</translation>
     </message>
 </context>
 <context>
@@ -7332,10 +7499,6 @@ estiramento</translation>
         <translation>A impressora redimensiona páginas por si (&quot;%1&quot;), e o sistema de impressão não lhe repassa que não deve; ponha a escala em &quot;none&quot; no menu dela</translation>
     </message>
     <message>
-        <source>The printer does not answer any more; the job is cancelled, see to its power and cable and print the sheet anew</source>
-        <translation>A impressora não responde mais; o trabalho foi cancelado, verifique a energia e o cabo e imprima a folha de novo</translation>
-    </message>
-    <message>
         <source>%1, lot %2</source>
         <translation>%1, lote %2</translation>
     </message>
@@ -7394,6 +7557,34 @@ estiramento</translation>
     <message>
         <source>On %1 mm² of the part the inks fall visibly short: full ink, the ink limit or the total of ink does not make up for the stretch</source>
         <translation>Em %1 mm² da peça as tintas ficam visivelmente aquém: a tinta cheia, o limite de tinta ou o total de tinta não compensa o estiramento</translation>
+    </message>
+    <message>
+        <source>Stopped: %1</source>
+        <translation>Parado: %1</translation>
+    </message>
+    <message>
+        <source>Not known: %1</source>
+        <translation>Não se sabe: %1</translation>
+    </message>
+    <message>
+        <source>the job is cancelled</source>
+        <translation>o trabalho foi cancelado</translation>
+    </message>
+    <message>
+        <source>the job could not be cancelled, remove it from the printer&apos;s queue</source>
+        <translation>não foi possível cancelar o trabalho, remova-o da fila da impressora</translation>
+    </message>
+    <message>
+        <source>The print system has done with the job, but the printer does not answer; look whether the sheet has come out, and print it anew if not</source>
+        <translation>O sistema de impressão concluiu o trabalho, mas a impressora não responde; verifique se a folha saiu e, se não, imprima-a de novo</translation>
+    </message>
+    <message>
+        <source>The printer does not answer (%1); %2; check its power, its cable and its address in the system, and print the sheet anew</source>
+        <translation>A impressora não responde (%1); %2; verifique a energia, o cabo e o endereço dela no sistema e imprima a folha de novo</translation>
+    </message>
+    <message>
+        <source>Nothing new was heard of job %1 for a long time (%2), and this printer cannot be asked; look at the printer, and remove the job from its queue if it does not print</source>
+        <translation>Há muito tempo não há novidade do trabalho %1 (%2), e não é possível perguntar a esta impressora; olhe a impressora e remova o trabalho da fila se ela não imprimir</translation>
     </message>
 </context>
 <context>
@@ -9866,6 +10057,17 @@ mm por mm</translation>
     <message>
         <source>Projects to open.</source>
         <translation>Projetos a abrir.</translation>
+    </message>
+</context>
+<context>
+    <name>PlainFile</name>
+    <message>
+        <source>it is a folder</source>
+        <translation>é uma pasta</translation>
+    </message>
+    <message>
+        <source>it is a pipe or a device; save what it sends as a file, and name that</source>
+        <translation>é um pipe ou um dispositivo; salve o que ele envia como arquivo e indique esse arquivo</translation>
     </message>
 </context>
 </TS>

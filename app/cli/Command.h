@@ -17,6 +17,12 @@ public:
     using Error::Error;
 };
 
+// Thrown, once all is written, where a verdict is worse than was asked for: exit code 3.
+class VerdictError : public Error {
+public:
+    using Error::Error;
+};
+
 class Command {
 public:
     virtual ~Command() = default;
@@ -24,6 +30,8 @@ public:
     virtual QString summary() const = 0; // a sentence for --help
     // Adds options and positional arguments; --help, --quiet and the command's name are there.
     virtual void declare(CommandSyntax& syntax) const = 0;
+    // Whether it needs files that a dead program may have left unfinished (UnfinishedWrites.h).
+    virtual bool needsFiles() const { return true; }
     // Does it. Throws Error, UsageError or Cancelled.
     virtual void run(const QCommandLineParser& parser, Console& console) const = 0;
 };

@@ -16,6 +16,7 @@ public:
         return QStringLiteral(
             "Prints the manual page, or what a shell needs to complete commands.");
     }
+    bool needsFiles() const override { return false; }
     void declare(CommandSyntax& syntax) const override {
         syntax.addPositionalArgument(
             formArgument, QStringLiteral("The page for man, or the script for a shell, such as "

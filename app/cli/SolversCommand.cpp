@@ -46,6 +46,7 @@ public:
     QString summary() const override {
         return QStringLiteral("Lists the solver plugins and why one cannot be used.");
     }
+    bool needsFiles() const override { return false; }
     void declare(CommandSyntax& syntax) const override {
         syntax.addOption({jsonOption, QStringLiteral("Prints JSON.")});
     }

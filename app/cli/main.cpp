@@ -11,7 +11,7 @@
 namespace dipwright::cli {
 namespace {
 
-enum ExitCode { Done = 0, Failed = 1, WrongUsage = 2 };
+enum ExitCode { Done = 0, Failed = 1, WrongUsage = 2, WorseVerdict = 3 };
 
 void printHelp(const std::vector<std::unique_ptr<Command>>& commands, QTextStream& out) {
     out << "Usage: dipwright-cli COMMAND …\n\n"
@@ -23,7 +23,8 @@ void printHelp(const std::vector<std::unique_ptr<Command>>& commands, QTextStrea
     out << "\nOptions:\n"
            "  -h, --help     This help; after a command, the command's own.\n"
            "  -v, --version  The version.\n\n"
-           "Exit codes: 0 done, 1 the job failed, 2 wrong usage.\n";
+           "Exit codes: 0 done, 1 the job failed, 2 wrong usage, 3 a verdict worse than "
+           "required.\n";
 }
 
 // The parser's own text, with the command where a user types it.
@@ -68,6 +69,11 @@ void runCommand(const Command& command, const QStringList& arguments, Console& c
     }
     requireValues(parser);
     console.setQuiet(parser.isSet(QStringLiteral("quiet")));
+    if (command.needsFiles()) {
+        const CancelToken cancelToken = console.progress().cancelToken;
+        recoverUnfinishedWrites(cancelToken);
+        cancelToken.throwIfCancelled();
+    }
     command.run(parser, console);
 }
 
@@ -122,6 +128,9 @@ int guardedRun(const QStringList& arguments, Console& console) {
     } catch (const UsageError& error) {
         console.error(error);
         return WrongUsage;
+    } catch (const VerdictError& error) {
+        console.error(error);
+        return WorseVerdict;
     } catch (const Error& error) {
         console.error(error);
     } catch (const Cancelled&) {
@@ -183,7 +192,6 @@ int main(int argc, char* argv[]) {
     const QGuiApplication application(argc, argv);
     QLocale::setDefault(QLocale::c()); // the command line speaks English, and so do its maps
     dipwright::nameProgram();
-    dipwright::recoverUnfinishedWrites();
     dipwright::cli::Console console;
     return dipwright::cli::guardedRun(QCoreApplication::arguments(), console);
 }

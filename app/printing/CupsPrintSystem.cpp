@@ -4,11 +4,14 @@
 #include "base/Error.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
+#include <QSet>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
 #include <cups/cups.h>
 #include <string_view>
+#include <sys/socket.h>
 
 namespace dipwright {
 namespace {
@@ -125,6 +128,13 @@ void addMedia(std::vector<PrinterMedia>& media, cups_dest_t* dest, cups_dinfo_t*
     }
 }
 
+constexpr int patience = 3000; // milliseconds, with a connection
+
+// Whether the device speaks IPP: then it is asked what it does. Any other would print the question.
+bool speaksIpp(const QString& uri) {
+    return uri.startsWith(QLatin1String("ipp")) || uri.contains(QLatin1String("._ipp"));
+}
+
 struct CloseConnection {
     void operator()(http_t* connection) const { httpClose(connection); }
 };
@@ -146,7 +156,6 @@ struct Device {
 };
 
 Device deviceOf(cups_dest_t* dest) {
-    constexpr int patience = 3000; // milliseconds
     std::vector<char> resource(1024, '\0');
     Device device{Connection(cupsConnectDest(dest, CUPS_DEST_FLAGS_DEVICE, patience, nullptr,
                                              resource.data(), resource.size(), nullptr, nullptr)),
@@ -229,6 +238,35 @@ DeviceWord wordOfDevice(cups_dest_t* dest) {
         readableReasons(keywordsOf(answer.get(), "printer-state-reasons").join(QLatin1Char(',')));
     word.answers = true;
     return word;
+}
+
+// Where a device that does not speak IPP is found, be it behind a backend that tries again
+// ("beh:/1/0/5/socket://…").
+struct Address {
+    QByteArray host;
+    int port = 0;
+};
+
+std::optional<Address> addressOf(const QString& uri) {
+    static const QRegularExpression pattern(
+        QStringLiteral("(socket|lpd|http|https)://([^/:\\[\\]]+|\\[[^\\]]+\\])(?::(\\d+))?"));
+    const QRegularExpressionMatch match = pattern.match(uri);
+    if (!match.hasMatch()) {
+        return std::nullopt;
+    }
+    const QString scheme = match.captured(1);
+    const int usual = scheme == QLatin1String("socket") ? 9100
+                      : scheme == QLatin1String("lpd")  ? 515
+                      : scheme == QLatin1String("http") ? 80
+                                                        : 443;
+    const int port = match.captured(3).toInt();
+    return Address{match.captured(2).remove(u'[').remove(u']').toUtf8(), port > 0 ? port : usual};
+}
+
+// Whether somebody is there. Nothing is sent.
+bool isReached(const Address& address) {
+    return Connection(httpConnect2(address.host.constData(), address.port, nullptr, AF_UNSPEC,
+                                   HTTP_ENCRYPTION_NEVER, 1, patience, nullptr)) != nullptr;
 }
 
 void markLoaded(std::vector<PrinterMedia>& media, const std::vector<QSizeF>& loaded) {
@@ -314,15 +352,16 @@ public:
         info.printsColour = printsColour(dest, details.get());
         addMedia(info.media, dest.get(), details.get(), CUPS_MEDIA_FLAGS_BORDERLESS);
         addMedia(info.media, dest.get(), details.get(), CUPS_MEDIA_FLAGS_DEFAULT);
-        const DeviceWord word = wordOfDevice(dest.get());
+        const QString uri = option(dest, "device-uri");
+        info.tellsPrinted = speaksIpp(uri);
+        const DeviceWord word = info.tellsPrinted ? wordOfDevice(dest.get()) : DeviceWord{};
         markLoaded(info.media, word.loaded);
         info.scaling = word.scaling;
         info.takesTrueSize = word.takesTrueSize;
         if (info.stateReason.isEmpty()) {
             info.stateReason = word.stateReason;
         }
-        // Of other ways to a printer nothing can be asked.
-        info.answers = word.answers || !option(dest, "device-uri").startsWith(QLatin1String("ipp"));
+        info.answers = info.tellsPrinted ? word.answers : hasAnswered(uri);
         return info;
     }
 
@@ -383,6 +422,16 @@ public:
     void cancel(const PrintJob& job) override { ask(job, IPP_OP_CANCEL_JOB); }
 
 private:
+    // Of a device that cannot be asked anything: whether it is there, or cannot be looked for. Once
+    // it was it is left alone: some take one connection at a time, and that is the job's.
+    bool hasAnswered(const QString& uri) {
+        const std::optional<Address> address = addressOf(uri);
+        if (address && !reached_.contains(uri) && isReached(*address)) {
+            reached_.insert(uri);
+        }
+        return !address || reached_.contains(uri);
+    }
+
     // To the printer itself, with what its queue would not pass on. What it does not understand it
     // must say (RFC 8011, 4.1.7), and then it shall not print.
     static PrintJob submitToDevice(cups_dest_t* dest, const PrintTask& task) {
@@ -463,6 +512,8 @@ private:
                      cupsUser());
         return request;
     }
+
+    QSet<QString> reached_; // devices
 };
 
 } // namespace

@@ -31,7 +31,8 @@ constexpr int mostCopies = 100'000;
 constexpr double largestMedium = 100'000; // mm
 
 // In the order of PrintFate.
-constexpr std::array fateWords{"sent", "printed", "handed_over", "written", "cancelled", "failed"};
+constexpr std::array fateWords{"sent",      "printed", "handed_over", "written",
+                               "cancelled", "failed",  "stopped",     "unknown"};
 
 // The oldest first, by their names.
 QStringList files(const QDir& folder) {
@@ -132,9 +133,13 @@ QString fateText(const PrintRecord& record) {
     case PrintFate::Cancelled:
         return Text::tr("Cancelled");
     case PrintFate::Failed:
+        return Text::tr("Failed: %1").arg(record.reason);
+    case PrintFate::Stopped:
+        return Text::tr("Stopped: %1").arg(record.reason);
+    case PrintFate::Unknown:
         break;
     }
-    return Text::tr("Failed: %1").arg(record.reason);
+    return Text::tr("Not known: %1").arg(record.reason);
 }
 
 QString notKeptText(const QString& reason) {

@@ -14,8 +14,19 @@ namespace dipwright {
 struct Project;
 struct Sheet;
 
-// What became of it. `Sent` stays where the program ended before it knew.
-enum class PrintFate { Sent, Printed, HandedOver, WrittenToFile, Cancelled, Failed };
+// What is known of it. `Sent` stays where the program ended before it knew. `Failed`: it was not
+// taken, or given up; `Stopped`: the printer stopped, or did not answer, and the job was taken
+// back; `Unknown`: nobody tells, it may be on paper.
+enum class PrintFate {
+    Sent,
+    Printed,
+    HandedOver,
+    WrittenToFile,
+    Cancelled,
+    Failed,
+    Stopped,
+    Unknown
+};
 
 // Where a sheet that is printed comes from, as far as the sheet does not say.
 struct PrintSource {
@@ -37,7 +48,7 @@ struct PrintRecord {
     QSizeF mediumSize;  // mm
     int copies = 1;
     PrintFate fate = PrintFate::Sent;
-    QString reason; // why it failed
+    QString reason; // why it was not printed, or why that is not known
 };
 
 // A record of the sheet, before it is sent, on a medium of `mediumSize` mm.

@@ -12,6 +12,7 @@
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QSet>
 #include <QThread>
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,8 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Printing)
 };
 
-constexpr double sameSize = 0.6; // mm: sizes in whole points differ by as much
+constexpr unsigned long pause = 200; // milliseconds, between two questions about a job
+constexpr double sameSize = 0.6;     // mm: sizes in whole points differ by as much
 
 QString plain(double millimetres) {
     return QString::number(millimetres, 'g', 5);
@@ -278,6 +280,20 @@ private:
     QString notKept_;
 };
 
+// Takes a job back, and says whether that is known to have worked.
+QString takenBack(PrintSystem& system, const PrintJob& job) {
+    constexpr int questions = 10;
+    system.cancel(job);
+    for (int i = 0; i < questions; ++i) {
+        const JobState state = system.status(job).state;
+        if (state == JobState::Cancelled || state == JobState::Failed) {
+            return Text::tr("the job is cancelled");
+        }
+        QThread::msleep(pause);
+    }
+    return Text::tr("the job could not be cancelled, remove it from the printer's queue");
+}
+
 // The state that a job ends in, or nothing while it goes on.
 std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const JobStatus& status,
                               const std::optional<PrinterInfo>& printer) {
@@ -285,15 +301,26 @@ std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const Jo
         status.reason.isEmpty() ? Text::tr("it does not say why") : status.reason;
     switch (status.state) {
     case JobState::Printed:
+        if (printer && !printer->tellsPrinted && !printer->answers) {
+            throw NotPrinted(PrintFate::Unknown,
+                             Text::tr("The print system has done with the job, but the printer "
+                                      "does not answer; look whether the sheet has come out, and "
+                                      "print it anew if not"),
+                             job.printer);
+        }
+        return printer && !printer->tellsPrinted ? JobState::HandedOver : JobState::Printed;
     case JobState::HandedOver:
-        return status.state;
+        return JobState::HandedOver;
     case JobState::Cancelled:
-        throw Error(Text::tr("The job was cancelled at the printer"), job.printer);
+        throw NotPrinted(PrintFate::Cancelled, Text::tr("The job was cancelled at the printer"),
+                         job.printer);
     case JobState::Failed:
-        throw Error(Text::tr("The printer gave the job up: %1").arg(reason), job.printer);
+        throw NotPrinted(PrintFate::Failed, Text::tr("The printer gave the job up: %1").arg(reason),
+                         job.printer);
     case JobState::Stopped:
         system.cancel(job);
-        throw Error(
+        throw NotPrinted(
+            PrintFate::Stopped,
             Text::tr(
                 "The printer stopped in the middle of the job: %1; the rest is cancelled, print "
                 "the sheet anew")
@@ -306,7 +333,8 @@ std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const Jo
     }
     if (printer && printer->state == PrinterState::Stopped) {
         system.cancel(job);
-        throw Error(
+        throw NotPrinted(
+            PrintFate::Stopped,
             Text::tr(
                 "The printer has stopped: %1; the job is cancelled, start the printer and print "
                 "the sheet anew")
@@ -315,6 +343,66 @@ std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const Jo
     }
     return std::nullopt;
 }
+
+// What a job that goes on is waited for, and for how long.
+class Patience {
+public:
+    explicit Patience(std::chrono::milliseconds patience) : patience_(patience) {
+        sinceNews_.start();
+    }
+    // Throws NotPrinted where it has run out. `told`: what is said of the job now.
+    void wait(PrintSystem& system, const PrintJob& job, const JobStatus& status,
+              const std::optional<PrinterInfo>& printer, const QString& told) {
+        listen(status, printer);
+        if (silence_.isValid() && silence_.hasExpired(patience_.count())) {
+            throw NotPrinted(
+                PrintFate::Stopped,
+                Text::tr("The printer does not answer (%1); %2; check its power, its cable and its "
+                         "address in the system, and print the sheet anew")
+                    .arg(told, takenBack(system, job)),
+                job.printer);
+        }
+        if (!told_.contains(told)) {
+            told_.insert(told);
+            sinceNews_.start();
+        }
+        if (printer && !printer->tellsPrinted && status.state == JobState::Printing &&
+            sinceNews_.hasExpired(10 * patience_.count())) {
+            throw NotPrinted(
+                PrintFate::Unknown,
+                Text::tr("Nothing new was heard of job %1 for a long time (%2), and this printer "
+                         "cannot be asked; look at the printer, and remove the job from its queue "
+                         "if it does not print")
+                    .arg(job.id)
+                    .arg(told),
+                job.printer);
+        }
+    }
+
+private:
+    // A job that waits though its printer is idle is one that the queue will try again: what it
+    // hears of the printer in between, for as long as it tries, is no answer.
+    void listen(const JobStatus& status, const std::optional<PrinterInfo>& printer) {
+        const bool hears =
+            printer && printer->answers &&
+            !(status.state == JobState::Waiting && printer->state == PrinterState::Idle);
+        if (!hears) {
+            answers_.invalidate();
+        } else if (!answers_.isValid()) {
+            answers_.start();
+        }
+        if (hears && answers_.hasExpired(patience_.count() / 4)) {
+            silence_.invalidate();
+        } else if (!hears && !silence_.isValid()) {
+            silence_.start();
+        }
+    }
+
+    std::chrono::milliseconds patience_;
+    QElapsedTimer silence_, answers_; // valid while it is silent, or answers
+    QElapsedTimer sinceNews_;
+    QSet<QString> told_;
+};
 
 } // namespace
 
@@ -396,8 +484,7 @@ PrintPlan planCalibration(PrintSystem& system, const CalibrationPage& page,
 
 JobState followJob(PrintSystem& system, const PrintJob& job, const Progress& progress,
                    std::chrono::milliseconds patience) {
-    constexpr unsigned long pause = 200; // milliseconds
-    QElapsedTimer silence;
+    Patience waiting(patience);
     try {
         for (;;) {
             const JobStatus status = system.status(job);
@@ -405,18 +492,9 @@ JobState followJob(PrintSystem& system, const PrintJob& job, const Progress& pro
             if (const auto end = endOf(system, job, status, printer)) {
                 return *end;
             }
-            if (!printer || printer->answers) {
-                silence.invalidate();
-            } else if (!silence.isValid()) {
-                silence.start();
-            } else if (silence.hasExpired(patience.count())) {
-                system.cancel(job);
-                throw Error(Text::tr("The printer does not answer any more; the job is cancelled, "
-                                     "see to its power and cable and print the sheet anew"),
-                            job.printer);
-            }
-            progress(status.state == JobState::Printing ? 0.5 : 0.1,
-                     stateText(status, printer ? printer->stateReason : QString()));
+            const QString told = stateText(status, printer ? printer->stateReason : QString());
+            waiting.wait(system, job, status, printer, told);
+            progress(status.state == JobState::Printing ? 0.5 : 0.1, told);
             QThread::msleep(pause);
         }
     } catch (const Cancelled&) {
@@ -434,8 +512,10 @@ PrintEnd printPlans(PrintSystem& system, const std::vector<PrintPlan>& plans,
     for (const PrintPlan& plan : plans) {
         progress.cancelToken.throwIfCancelled();
         KeptPrint kept(history, plan.record);
+        PrintFate ifNot = PrintFate::Failed;
         try {
             const PrintJob job = system.submit(plan.task);
+            ifNot = PrintFate::Unknown;
             end.state = followJob(system, job, progress.part(done, done + share));
             kept.end(end.state == JobState::Printed ? PrintFate::Printed : PrintFate::HandedOver);
             if (ended) {
@@ -444,8 +524,11 @@ PrintEnd printPlans(PrintSystem& system, const std::vector<PrintPlan>& plans,
         } catch (const Cancelled&) {
             kept.end(PrintFate::Cancelled);
             throw;
+        } catch (const NotPrinted& error) {
+            kept.end(error.fate(), error.message());
+            throw;
         } catch (const Error& error) {
-            kept.end(PrintFate::Failed, error.message());
+            kept.end(ifNot, error.message());
             throw;
         }
         if (!kept.notKept().isEmpty()) {

@@ -2,6 +2,7 @@
 // until it is on paper.
 #pragma once
 
+#include "base/Error.h"
 #include "base/Progress.h"
 #include "printing/PrintHistory.h"
 #include "printing/PrintSystem.h"
@@ -53,11 +54,25 @@ PrintPlan planCalibration(PrintSystem& system, const CalibrationPage& page,
 std::vector<PrintPlan> planPrints(PrintSystem& system, const std::vector<Sheet>& sheets,
                                   const PrintRequest& request);
 
-// Follows a job that was submitted until it is printed ("HandedOver" where the system cannot tell),
-// asking a few times a second. Throws Error when it fails, is cancelled by somebody else, or when
-// the printer stops, or has not answered for as long as `patience`: the job is then cancelled, so
-// that it does not come out unasked later. Tells by `progress` what the printer says meanwhile,
-// "out of paper"; cancelled by it: cancels the job and throws Cancelled.
+// How a job has ended that is not known to be printed: what is to be said of it, and what the
+// history keeps.
+class NotPrinted : public Error {
+public:
+    NotPrinted(PrintFate fate, const QString& message, const QString& where)
+        : Error(message, where), fate_(fate) {}
+    PrintFate fate() const { return fate_; }
+
+private:
+    PrintFate fate_;
+};
+
+// Follows a job that was submitted until it is printed ("HandedOver" where nobody can tell), asking
+// a few times a second. Throws NotPrinted when it fails, is cancelled by somebody else, when the
+// printer stops, or has not answered for as long as `patience`: the job is then cancelled, so that
+// it does not come out unasked later. Of a printer that cannot be asked (PrinterInfo::tellsPrinted)
+// a job is left to its queue, with NotPrinted, when that has told nothing new of it for ten times
+// as long. Tells by `progress` what the printer says meanwhile, "out of paper"; cancelled by it:
+// cancels the job and throws Cancelled. Error where the print system does not answer.
 JobState followJob(PrintSystem& system, const PrintJob& job, const Progress& progress,
                    std::chrono::milliseconds patience = std::chrono::minutes(1));
 

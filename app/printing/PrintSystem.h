@@ -37,6 +37,9 @@ struct PrinterInfo {
     QString scaling;
     bool takesTrueSize = false; // past its queue: a PDF that says that it is not to be scaled
     bool answers = true; // the printer itself and not only its queue, as far as it can be asked
+    // Whether a job counts as printed by the printer's own word. Else by that of its queue, which
+    // only knows that the job was sent.
+    bool tellsPrinted = true;
     std::vector<PrinterMedia> media;
 };
 

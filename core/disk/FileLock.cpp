@@ -2,6 +2,7 @@
 
 #include "base/Bytes.h"
 #include "disk/AtomicFile.h"
+#include "disk/PlainFile.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -33,7 +34,7 @@ QByteArray ownLines() {
 LockState holderOf(const QString& lock) {
     LockState state{.acquired = false};
     QFile file(lock);
-    if (file.open(QIODevice::ReadOnly)) {
+    if (openToRead(file).isEmpty()) {
         const QStringList lines =
             QString::fromUtf8(file.read(longestLock)).split(QLatin1Char('\n'));
         state.process = lines.value(0).toLongLong();

@@ -1,6 +1,7 @@
 #include "disk/FileVersion.h"
 
 #include "base/Sha256.h"
+#include "disk/PlainFile.h"
 
 #include <QFile>
 
@@ -14,7 +15,7 @@ constexpr qint64 pieceBytes = 1 << 20;
 FileVersion FileVersion::of(const QString& path) {
     FileVersion version;
     QFile file(path);
-    if (file.open(QIODevice::ReadOnly)) {
+    if (openToRead(file).isEmpty()) {
         Sha256 hash;
         for (QByteArray bytes = file.read(pieceBytes); !bytes.isEmpty();
              bytes = file.read(pieceBytes)) {

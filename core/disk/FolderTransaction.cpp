@@ -3,9 +3,11 @@
 #include "base/Bytes.h"
 #include "base/Error.h"
 #include "disk/AtomicFile.h"
+#include "disk/PlainFile.h"
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QDirIterator>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -27,6 +29,10 @@ const QString oldFiles = QStringLiteral("old/");
 const QString journalName = QStringLiteral("journal.json"); // there: the new files count
 const QString undoName = QStringLiteral("undo.json");       // there: the old ones do
 constexpr qint64 longestJournal = 1 << 20;
+// Of a journal that is believed: many times what a program writes.
+constexpr qsizetype mostNames = 10'000;
+constexpr qsizetype longestName = 1024;
+constexpr qsizetype mostFolders = 16; // one in the other, in a name
 
 QString folderOf(const QString& name) {
     return QFileInfo(name).path();
@@ -55,7 +61,7 @@ QStringList textsOf(const QJsonValue& value) {
 // Empty where it cannot be read.
 std::optional<Journal> journalOf(const QString& path) {
     QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
+    if (!openToRead(file).isEmpty()) {
         return {};
     }
     const QJsonDocument json = QJsonDocument::fromJson(file.read(longestJournal));
@@ -64,16 +70,22 @@ std::optional<Journal> journalOf(const QString& path) {
                            : std::nullopt;
 }
 
+// Whether it names a file below the target, and none of the hidden folder.
 bool isBelow(const QString& name) {
-    return QDir::isRelativePath(name) && QDir::cleanPath(name) == name &&
-           name != QLatin1String("..") && !name.startsWith(QLatin1String("../")) &&
-           !name.contains(QLatin1Char(':')) && !name.contains(QLatin1Char('\\'));
+    const qsizetype end = name.indexOf(QLatin1Char('/'));
+    const QString first = name.left(end);
+    return !name.isEmpty() && name.size() <= longestName &&
+           name.count(QLatin1Char('/')) <= mostFolders && QDir::isRelativePath(name) &&
+           QDir::cleanPath(name) == name && first != QLatin1String(".") &&
+           first != QLatin1String("..") && first != FolderTransaction::workName() &&
+           !name.contains(QLatin1Char(':')) && !name.contains(QLatin1Char('\\')) &&
+           !name.contains(QChar(0));
 }
 
 // A link among the folders of a name, which could lead anywhere.
 bool isLinked(const QDir& target, const QString& name) {
-    for (QString folder = folderOf(name); folder != QLatin1String("."); folder = folderOf(folder)) {
-        if (QFileInfo(target.filePath(folder)).isSymLink()) {
+    for (auto end = name.indexOf(u'/'); end >= 0; end = name.indexOf(u'/', end + 1)) {
+        if (QFileInfo(target.filePath(name.left(end))).isSymLink()) {
             return true;
         }
     }
@@ -84,8 +96,10 @@ bool isLinked(const QDir& target, const QString& name) {
 // after it, or one behind it, has been taken already.
 class Work {
 public:
-    explicit Work(const QString& target)
-        : target_(target), work_(target_.filePath(FolderTransaction::workName())) {}
+    // `mayGoOn` is asked between two operations; empty: to the end.
+    explicit Work(const QString& target, std::function<bool()> mayGoOn = {})
+        : target_(target), work_(target_.filePath(FolderTransaction::workName())),
+          mayGoOn_(std::move(mayGoOn)) {}
 
     QString path(const QString& name) const { return work_.filePath(name); }
     bool has(const QString& name) const { return work_.exists(name); }
@@ -94,26 +108,29 @@ public:
         const QSet<QString> written(journal.written.begin(), journal.written.end());
         for (const QString& name : journal.there) {
             const bool isDue = has(newFiles + name) || !written.contains(name);
-            if (isDue && !has(oldFiles + name) && target_.exists(name) &&
-                !moveOver(target_.filePath(name), path(oldFiles + name))) {
+            if (!mayGoOn() || (isDue && !has(oldFiles + name) && target_.exists(name) &&
+                               !moveOver(target_.filePath(name), path(oldFiles + name)))) {
                 return false;
             }
         }
-        return std::all_of(journal.written.begin(), journal.written.end(),
-                           [&](const QString& name) {
-                               return !has(newFiles + name) || bring(path(newFiles + name), name);
-                           });
+        return std::all_of(
+            journal.written.begin(), journal.written.end(), [&](const QString& name) {
+                return mayGoOn() && (!has(newFiles + name) || bring(path(newFiles + name), name));
+            });
     }
     // Puts back what was set aside, and removes what has come in place beside it.
     bool backward(const Journal& journal) const {
         const QSet<QString> there(journal.there.begin(), journal.there.end());
         for (const QString& name : journal.written) {
+            if (!mayGoOn()) {
+                return false;
+            }
             if (!there.contains(name) && !has(newFiles + name)) {
                 QFile::remove(target_.filePath(name));
             }
         }
         return std::all_of(journal.there.begin(), journal.there.end(), [&](const QString& name) {
-            return !has(oldFiles + name) || bring(path(oldFiles + name), name);
+            return mayGoOn() && (!has(oldFiles + name) || bring(path(oldFiles + name), name));
         });
     }
     // Back to the old files from wherever forward() failed. False: the journal stays, for the next
@@ -129,11 +146,14 @@ public:
     }
     // The folders are on the disk, and empty ones gone.
     void settle(const Journal& journal) const {
+        QSet<QString> folders;
         for (const QString& name : journal.written + journal.there) {
-            if (folderOf(name) != QLatin1String(".")) {
-                syncFolder(target_.filePath(folderOf(name)));
-                target_.rmdir(folderOf(name));
-            }
+            folders.insert(folderOf(name));
+        }
+        folders.remove(QStringLiteral("."));
+        for (const QString& folder : folders) {
+            syncFolder(target_.filePath(folder));
+            target_.rmdir(folder);
         }
         syncFolder(target_.path());
     }
@@ -143,7 +163,7 @@ public:
         QFile::remove(path(undoName));
         if (!isUnderWay() && !isLink()) {
             removeEmptyFolders();
-            work_.removeRecursively();
+            removeAll(work_.path());
         }
     }
     bool isThere() const { return work_.exists(); }
@@ -160,6 +180,9 @@ public:
                 return false;
             }
             const bool done = isBack ? backward(*journal) : forward(*journal);
+            if (!mayGoOn()) {
+                return false;
+            }
             settle(*journal);
             if (!done) {
                 return false;
@@ -170,6 +193,18 @@ public:
     }
 
 private:
+    bool mayGoOn() const { return !mayGoOn_ || mayGoOn_(); }
+    // Of the hidden folder, whoever has put how much there.
+    void removeAll(const QString& folder) const {
+        QDirIterator entries(folder,
+                             QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot);
+        while (entries.hasNext() && mayGoOn()) {
+            const QString entry = entries.next();
+            const QFileInfo info(entry);
+            info.isDir() && !info.isSymLink() ? removeAll(entry) : void(QFile::remove(entry));
+        }
+        QDir().rmdir(folder); // where nothing is left in it
+    }
     // Those that were made in the target for what did not come into them.
     void removeEmptyFolders() const {
         for (const QString& folder :
@@ -185,13 +220,16 @@ private:
     // or replaced.
     bool isOurs(const Journal& journal, const QStringList& names) const {
         const QStringList all = journal.written + journal.there;
-        return std::all_of(all.begin(), all.end(), [&](const QString& file) {
-            return isBelow(file) && !isLinked(target_, file) && !isLinked(work_, newFiles + file) &&
-                   !isLinked(work_, oldFiles + file) && (names.isEmpty() || names.contains(file));
-        });
+        return all.size() <= 2 * mostNames &&
+               std::all_of(all.begin(), all.end(), [&](const QString& file) {
+                   return mayGoOn() && isBelow(file) && !isLinked(target_, file) &&
+                          !isLinked(work_, newFiles + file) && !isLinked(work_, oldFiles + file) &&
+                          (names.isEmpty() || names.contains(file));
+               });
     }
 
     QDir target_, work_;
+    std::function<bool()> mayGoOn_;
 };
 
 // Those missing, the innermost last.
@@ -286,14 +324,14 @@ FolderTransaction::~FolderTransaction() {
     }
 }
 
-bool FolderTransaction::putRight(const QString& target) {
+bool FolderTransaction::putRight(const QString& target, const std::function<bool()>& mayGoOn) {
     FileLock lock;
     const QFileInfo work(target + QLatin1Char('/') + workName());
     if (!work.isDir() || work.isSymLink()) {
         return true; // nothing of ours
     }
-    return lock.acquire(lockedName(target)).acquired && lock.isHeld() && Work(target).putRight() &&
-           !Work(target).isThere();
+    return lock.acquire(lockedName(target)).acquired && lock.isHeld() &&
+           Work(target, mayGoOn).putRight() && !Work(target).isThere();
 }
 
 void FolderTransaction::write(const QString& name, const QByteArray& contents) const {
@@ -314,9 +352,8 @@ QByteArray FolderTransaction::written(const QString& name) const {
     if (!file.exists()) {
         return {};
     }
-    if (!file.open(QIODevice::ReadOnly)) {
-        throw Error(Text::tr("The results cannot be read again: %1").arg(file.errorString()),
-                    target_);
+    if (const QString failure = openToRead(file); !failure.isEmpty()) {
+        throw Error(Text::tr("The results cannot be read again: %1").arg(failure), target_);
     }
     return file.readAll();
 }

@@ -12,6 +12,7 @@
 #include <QSet>
 #include <QString>
 #include <QStringList>
+#include <functional>
 #include <memory>
 #include <mutex>
 
@@ -42,8 +43,9 @@ public:
     // Brings to an end what a dead process has left in the folder `target`: all of its new files
     // are moved in place if they were complete, else they go. Nothing happens while somebody writes
     // there. False where something is left to do. Only of a folder that this user's own programs
-    // have noted as theirs: a journal there is believed, whatever results it names.
-    static bool putRight(const QString& target);
+    // have noted as theirs: a journal there is believed, whatever results it names. `mayGoOn` is
+    // asked between two operations; what it stops is gone on with by the next call.
+    static bool putRight(const QString& target, const std::function<bool()>& mayGoOn = {});
     // Of the hidden folder.
     static QString workName();
 

@@ -1,6 +1,7 @@
 #include "disk/SmallFile.h"
 
 #include "base/Error.h"
+#include "disk/PlainFile.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -15,19 +16,16 @@ struct Text {
 } // namespace
 
 QByteArray readSmallFile(const QString& path, qint64 most) {
+    const auto refuse = [&path](const QString& reason) {
+        throw Error(Text::tr("The file cannot be read: %1").arg(reason), path);
+    };
     QFile file(path);
-    QByteArray bytes;
-    if (file.open(QIODevice::ReadOnly)) {
-        // A pipe hands out a part at a time.
-        for (QByteArray more; bytes.size() <= most; bytes += more) {
-            more = file.read(most + 1 - bytes.size());
-            if (more.isEmpty()) {
-                break;
-            }
-        }
+    if (const QString failure = openToRead(file); !failure.isEmpty()) {
+        refuse(failure);
     }
+    const QByteArray bytes = file.read(most + 1);
     if (file.error() != QFileDevice::NoError) {
-        throw Error(Text::tr("The file cannot be read: %1").arg(file.errorString()), path);
+        refuse(file.errorString());
     }
     if (bytes.size() > most) {
         throw Error(Text::tr("The file is larger than %1 MB, more than what is asked for here "

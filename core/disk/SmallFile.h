@@ -6,8 +6,8 @@
 
 namespace dipwright {
 
-// The bytes of a file. Throws Error, naming it, where it cannot be read or has more than `most`
-// bytes: more are never taken, of a device that never ends neither.
+// The bytes of a file. Throws Error, naming it, where it cannot be read, is no regular file, or has
+// more than `most` bytes: more are never read.
 QByteArray readSmallFile(const QString& path, qint64 most);
 
 // Bytes, of a profile of any kind: ICC profiles are a megabyte or two.

@@ -3,53 +3,50 @@
 #include "base/Bytes.h"
 #include "disk/AtomicFile.h"
 #include "disk/FolderTransaction.h"
+#include "disk/UnfinishedNote.h"
 
 #include <QDir>
-#include <QJsonArray>
-#include <QJsonDocument>
+#include <QDirIterator>
+#include <QElapsedTimer>
 #include <QStandardPaths>
 #include <QUuid>
-#include <algorithm>
 
 namespace dipwright {
 namespace {
 
-constexpr qint64 longestNote = 1 << 20; // bytes
+constexpr qint64 longestNote = 1 << 20;  // bytes
+constexpr qint64 longestRecovery = 2000; // milliseconds of a start
 
 QDir noteFolder() {
     return {QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
             QStringLiteral("/unfinished")};
 }
 
-// The work, and the folders made for it. Not as lines: a folder's name may have several.
-QByteArray bytesOf(const QStringList& paths) {
-    return QJsonDocument(QJsonArray::fromStringList(paths)).toJson(QJsonDocument::Compact);
-}
-
-QStringList pathsOf(const QByteArray& note) {
-    QStringList paths;
-    for (const QJsonValue& path : QJsonDocument::fromJson(note).array()) {
-        paths << path.toString();
-    }
-    return paths;
-}
-
 // False where something is left to do.
-bool putRight(const QStringList& paths) {
-    const QString work = paths.value(0);
+bool putRight(const UnfinishedNote& note, const std::function<bool()>& mayGoOn) {
     bool done = true;
-    if (QFileInfo(work).fileName() == FolderTransaction::workName()) {
-        done = FolderTransaction::putRight(QFileInfo(work).path());
-    } else if (isHiddenBeside(work)) {
-        removeAbandoned(work);
-        done = !QFileInfo::exists(work);
+    if (isHiddenBeside(note.work)) {
+        removeAbandoned(note.work);
+        done = !QFileInfo::exists(note.work);
+    } else {
+        done = FolderTransaction::putRight(QFileInfo(note.work).path(), mayGoOn);
     }
-    QStringList made = paths.mid(1);
-    std::reverse(made.begin(), made.end());
-    for (const QString& folder : made) {
-        QDir().rmdir(folder); // where nothing is in it
+    for (auto folder = note.made.rbegin(); folder != note.made.rend(); ++folder) {
+        QDir().rmdir(*folder); // where nothing is in it
     }
     return done;
+}
+
+// A note of a process that has died, and what it stands for.
+void settle(const QString& path, const std::function<bool()>& mayGoOn) {
+    LockedFile file;
+    if (file.open(path) != LockedFile::Outcome::Opened || !file.isLocked()) {
+        return;
+    }
+    const auto note = noteOf(file.device().read(longestNote));
+    if (!note || putRight(*note, mayGoOn)) {
+        file.remove();
+    }
 }
 
 } // namespace
@@ -59,7 +56,7 @@ UnfinishedWrite::UnfinishedWrite(const QString& work, const QStringList& made) {
     folder.mkpath(QStringLiteral("."));
     const QString name = QUuid::createUuid().toString(QUuid::WithoutBraces);
     if (note_.open(folder.filePath(name)) == LockedFile::Outcome::Opened) {
-        writeAll(note_.device(), bytesOf(QStringList{work} + made));
+        writeAll(note_.device(), bytesOf(UnfinishedNote{work, made}));
     }
 }
 
@@ -71,14 +68,15 @@ void UnfinishedWrite::leave() {
     note_.device().close();
 }
 
-void recoverUnfinishedWrites() {
-    const QDir folder = noteFolder();
-    for (const QString& name : folder.entryList(QDir::Files)) {
-        LockedFile note;
-        if (note.open(folder.filePath(name)) == LockedFile::Outcome::Opened && note.isLocked() &&
-            putRight(pathsOf(note.device().read(longestNote)))) {
-            note.remove();
-        }
+void recoverUnfinishedWrites(const CancelToken& cancelToken) {
+    QElapsedTimer clock;
+    clock.start();
+    const auto mayGoOn = [&] {
+        return !cancelToken.isCancelled() && !clock.hasExpired(longestRecovery);
+    };
+    QDirIterator notes(noteFolder().path(), QDir::Files);
+    while (notes.hasNext() && mayGoOn()) {
+        settle(notes.next(), mayGoOn);
     }
 }
 

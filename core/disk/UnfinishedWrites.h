@@ -2,6 +2,7 @@
 // was killed has left behind.
 #pragma once
 
+#include "base/Progress.h"
 #include "disk/LockedFile.h"
 
 #include <QStringList>
@@ -27,9 +28,10 @@ private:
     LockedFile note_;
 };
 
-// At the start of a program: removes the temporary files of processes that have died, and brings
-// their folders of results to an end (FolderTransaction). What lives is left alone. Never fails:
-// what cannot be put right now is, by whoever writes there next.
-void recoverUnfinishedWrites();
+// Before a program's work: removes the temporary files of processes that have died, and brings
+// their folders of results to an end (FolderTransaction). What lives is left alone. Never fails,
+// takes two seconds at most where the disk answers, and ends when it is cancelled: what is left
+// then is put right by the next start, or by whoever writes there next.
+void recoverUnfinishedWrites(const CancelToken& cancelToken = {});
 
 } // namespace dipwright

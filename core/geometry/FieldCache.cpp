@@ -2,8 +2,9 @@
 
 #include "base/Sha256.h"
 #include "disk/AtomicFile.h"
+#include "disk/PlainFile.h"
+#include "geometry/FieldFile.h"
 
-#include <QDataStream>
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
@@ -16,8 +17,6 @@ namespace dipwright {
 
 namespace {
 
-// Raised when what buildDistanceField computes, or how it is stored, changes.
-constexpr quint32 cacheVersion = 1;
 constexpr qint64 cacheBytes = qint64(512) << 20;
 
 QString cacheFolder() {
@@ -33,63 +32,17 @@ QByteArrayView bytesOf(const std::vector<Value>& values) {
 
 QByteArray contentHash(const TriangleMesh& body, int resolution) {
     Sha256 hash;
-    const std::vector<quint64> sizes = {cacheVersion, quint64(resolution), body.positions.size(),
-                                        body.triangles.size()};
+    const std::vector<quint64> sizes = {fieldFileVersion, quint64(resolution),
+                                        body.positions.size(), body.triangles.size()};
     hash.add(bytesOf(sizes));
     hash.add(bytesOf(body.positions));
     hash.add(bytesOf(body.triangles));
     return hash.result();
 }
 
-// What stands before the samples: their grid, and a hash of everything. The samples are stored as
-// this computer holds them: the cache never leaves it.
-QByteArray header(const DistanceField& field) {
-    QByteArray bytes;
-    QDataStream stream(&bytes, QIODevice::WriteOnly);
-    stream << cacheVersion << qint32(Q_BYTE_ORDER);
-    for (int axis = 0; axis < 3; ++axis) {
-        stream << qint32(field.size[axis]) << field.origin[axis];
-    }
-    stream << field.spacing;
-    Sha256 hash;
-    hash.add(bytes);
-    hash.add(bytesOf(field.distance));
-    stream << hash.result();
-    return bytes;
-}
-
 std::shared_ptr<const DistanceField> load(const QString& path, int resolution) {
     QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        return nullptr;
-    }
-    auto field = std::make_shared<DistanceField>();
-    QByteArray stored;
-    QDataStream stream(&file);
-    stream >> stored;
-    QDataStream fields(stored);
-    quint32 version = 0;
-    qint32 byteOrder = 0;
-    fields >> version >> byteOrder;
-    for (int axis = 0; axis < 3; ++axis) {
-        qint32 size = 0;
-        fields >> size >> field->origin[axis];
-        field->size[axis] = size;
-    }
-    fields >> field->spacing;
-    const auto edge = std::size_t(resolution);
-    const std::size_t count = edge * edge * edge;
-    const auto bytes = qint64(count) * qint64(sizeof(float));
-    if (version != cacheVersion || field->size != std::array{resolution, resolution, resolution} ||
-        file.size() - file.pos() != bytes) {
-        return nullptr;
-    }
-    field->distance.resize(count);
-    if (file.read(reinterpret_cast<char*>(field->distance.data()), bytes) != bytes ||
-        header(*field) != stored) {
-        return nullptr;
-    }
-    return field;
+    return openToRead(file).isEmpty() ? readField(file, resolution) : nullptr;
 }
 
 // Throws out the fields that were not used for longest until the rest fits.
@@ -114,13 +67,12 @@ void store(const QString& path, const DistanceField& field) {
     if (!file.open().isEmpty()) {
         return;
     }
-    QDataStream stream(&file.device());
-    stream << header(field);
-    if (file.device().write(bytesOf(field.distance).data(), bytes) == bytes) {
+    if (writeField(field, file.device())) {
         file.commit();
     }
 }
 
+// Of a file that was read: no pipe.
 void markUsed(const QString& path) {
     QFile file(path);
     if (file.open(QIODevice::ReadWrite)) {

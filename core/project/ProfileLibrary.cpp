@@ -72,16 +72,17 @@ void take(FileLock& lock, const QString& path) {
     }
 }
 
-// A later version's, or one with a slip of the user's pen, would be lost.
+// A project, a later version's profile, or one with a slip of the user's pen would be lost.
 void requireReadable(const QString& path) {
-    if (!QFileInfo::exists(path)) {
+    const QFileInfo file(path);
+    if (!file.exists() || (file.isFile() && file.size() == 0)) {
         return;
     }
     try {
         importProfile(path);
     } catch (const Error& error) {
-        throw Error(Text::tr("The profile that is there cannot be read and is not replaced; mend "
-                             "its file or move it away: %1")
+        throw Error(Text::tr("The file that is there cannot be read as a profile and is not "
+                             "replaced; mend it, move it away, or choose another name: %1")
                         .arg(error.sentence()),
                     path);
     }
@@ -164,7 +165,6 @@ void ProfileLibrary::replace(const Profile& profile) const {
     const QString path = pathFor(profile);
     FileLock lock;
     take(lock, path);
-    requireReadable(path);
     exportProfile(profile, path);
 }
 
@@ -215,6 +215,7 @@ Profile importProfile(const QString& path) {
 }
 
 void exportProfile(const Profile& profile, const QString& path) {
+    requireReadable(path);
     const QString failure = replaceFile(path, QJsonDocument(toJson(profile)).toJson());
     if (!failure.isEmpty()) {
         throw Error(Text::tr("The profile cannot be written: %1").arg(failure), path);

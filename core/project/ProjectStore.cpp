@@ -10,6 +10,7 @@
 #include "import/trusted/ReadPictures.h"
 #include "model/StoredModel.h"
 #include "project/Project.h"
+#include "project/Snapshots.h"
 #include "project/ZipReader.h"
 #include "settings/Artwork.h"
 #include "settings/ProcessSettings.h"
@@ -274,7 +275,7 @@ QString solverOfProject(const QString& path) {
 
 FileVersion saveProject(const Project& project, const QString& path,
                         const std::function<void()>& lastLook) {
-    const QByteArray bytes = projectBytes(project, path);
+    const QByteArray bytes = projectBytes(withinSnapshotLimits(project), path);
     const QString failure = replaceFile(path, bytes, lastLook);
     if (!failure.isEmpty()) {
         throw Error(Text::tr("The project cannot be saved: %1").arg(failure), path);

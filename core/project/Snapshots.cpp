@@ -24,11 +24,12 @@ struct Text {
 };
 
 const QString folder = QStringLiteral("snapshots/");
+const QString endOfFolder = QStringLiteral("snapshots0"); // the first name behind it
 const QString artworkKey = QStringLiteral("artwork");
 constexpr int longestName = 200;
 constexpr qint64 mostBytes = 64 << 20; // of all, well below what a project may hold beside its own
 
-// Sorted as they are numbered.
+// Sorted as they are numbered; after them come the pictures.
 QString entryName(std::size_t number) {
     return folder + QStringLiteral("%1.json").arg(number, 4, 10, QLatin1Char('0'));
 }
@@ -117,11 +118,13 @@ void findPictures(Artwork& artwork, const Project& project, const QString& snaps
 } // namespace
 
 std::vector<Snapshot> snapshots(const Project& project) {
-    std::vector<Snapshot> found;
-    for (auto entry = project.unknownEntries.lower_bound(folder);
-         entry != project.unknownEntries.end() && entry->first.startsWith(folder) &&
-         found.size() < mostSnapshots;
-         ++entry) {
+    std::vector<Snapshot> found; // the newest first
+    for (auto entry = project.unknownEntries.lower_bound(endOfFolder);
+         entry != project.unknownEntries.begin() && found.size() < mostSnapshots;) {
+        --entry;
+        if (!entry->first.startsWith(folder)) {
+            break;
+        }
         const QJsonObject json = jsonOf(entry->second);
         const QJsonObject state = json.value(QLatin1String("state")).toObject();
         if (!state.isEmpty()) {
@@ -132,7 +135,23 @@ std::vector<Snapshot> snapshots(const Project& project) {
                              json.value(QLatin1String("measures")).toObject()});
         }
     }
+    std::reverse(found.begin(), found.end());
     return found;
+}
+
+Project withinSnapshotLimits(Project project) {
+    std::size_t count = 0;
+    qint64 total = 0;
+    for (auto entry = project.unknownEntries.lower_bound(folder);
+         entry != project.unknownEntries.end() && entry->first.startsWith(folder); ++entry) {
+        count += entry->first.endsWith(QLatin1String(".json")) ? 1 : 0;
+        total += entry->second.size();
+    }
+    if (count <= mostSnapshots && total <= mostBytes) {
+        return project;
+    }
+    const std::vector<Snapshot> kept = snapshots(project);
+    return withSnapshots(std::move(project), kept);
 }
 
 Project withSnapshots(Project project, const std::vector<Snapshot>& kept) {

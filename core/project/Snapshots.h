@@ -23,12 +23,15 @@ struct Snapshot {
 
 inline constexpr std::size_t mostSnapshots = 50;
 
-// The oldest first. Entries that are no snapshots are passed over.
+// The newest mostSnapshots of them, the oldest first. Entries that are no snapshots are passed
+// over.
 std::vector<Snapshot> snapshots(const Project& project);
 // The project with these, in place of those it has; where they are more than mostSnapshots, or
 // than 64 MiB with their pictures, without the oldest. Pictures come from those snapshots and from
 // the project's artwork.
 Project withSnapshots(Project project, const std::vector<Snapshot>& kept);
+// The project as it is, or, where it has more snapshots than that, without the oldest.
+Project withinSnapshotLimits(Project project);
 // Of the project as it is.
 Snapshot snapshotOf(const Project& project, const QString& name, const QString& taken,
                     const QJsonObject& measures);

@@ -2,6 +2,7 @@
 
 #include "base/Budgets.h"
 #include "base/Error.h"
+#include "disk/PlainFile.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -34,16 +35,13 @@ ZipReader::ZipReader(const QString& path) : path_(path), file_(path) {
     if (!info.exists()) {
         throw Error(Text::tr("There is no such file"), path);
     }
-    if (!info.isFile()) {
-        throw Error(Text::tr("This is not a file"), path);
+    if (const QString failure = openToRead(file_); !failure.isEmpty()) {
+        throw Error(Text::tr("The file cannot be read: %1").arg(failure), path);
     }
-    if (info.size() == 0) {
+    if (file_.size() == 0) {
         throw Error(Text::tr("The file is empty"), path);
     }
-    requireWithin(Budget::FileBytes, info.size(), path);
-    if (!file_.open(QIODevice::ReadOnly)) {
-        throw Error(Text::tr("The file cannot be read: %1").arg(file_.errorString()), path);
-    }
+    requireWithin(Budget::FileBytes, file_.size(), path);
     zip_ = std::make_unique<QuaZip>(&file_);
     if (!zip_->open(QuaZip::mdUnzip)) {
         throw Error(Text::tr("This is not a Dipwright project, or the file is cut off or damaged"),

@@ -26,6 +26,8 @@ constexpr std::int64_t mostSteps = 1'000'000'000;
 // what the slowest one does in the shortest step that a project may have.
 constexpr std::int64_t stepsToJudge = 1'000'000;
 constexpr double leastWay = 1e-8;
+// Without coming down at all a film may take as many steps as the dip has time steps, and these.
+constexpr std::int64_t stepsAtRest = 1000;
 constexpr std::int64_t mostIterationsOfAStep = 1'000'000; // of a linear solver
 constexpr double travelTolerance = 1e-6;                  // a share of the travel, for rounding
 constexpr std::uint8_t allMarks = std::uint8_t(solver::PointMark::Torn) |
@@ -111,6 +113,12 @@ bool isCrawling(const solver::DipState& state) {
     return state.steps >= stepsToJudge && state.descent < double(state.steps) * leastWay;
 }
 
+std::int64_t mostStepsAtRest(const solver::DipSetup& setup) {
+    const double step = setup.motion.speed * setup.settings.timeStep; // mm
+    const double steps = setup.motion.travel / step;
+    return steps > 0 && steps < double(mostSteps) ? stepsAtRest + std::int64_t(steps) : mostSteps;
+}
+
 void requireEnd(bool comesForward) {
     require(comesForward, Text::tr("it does not come forward"));
 }
@@ -127,6 +135,8 @@ public:
     void begin(const solver::DipSetup& setup) override {
         state_ = {};
         idleCalls_ = 0;
+        stepsDown_ = 0;
+        mostAtRest_ = mostStepsAtRest(setup);
         travel_ = setup.motion.travel;
         guarded([&] { film_->begin(setup); });
     }
@@ -134,7 +144,9 @@ public:
         const solver::DipState now = guarded([&] { return film_->advance(maximumSteps); });
         requireForward(now, state_, travel_);
         idleCalls_ = now.steps == state_.steps ? idleCalls_ + 1 : 0;
-        requireEnd(now.finished || (idleCalls_ < mostIdleCalls && !isCrawling(now)));
+        stepsDown_ = now.descent > state_.descent ? now.steps : stepsDown_;
+        const bool isAtRest = idleCalls_ >= mostIdleCalls || now.steps - stepsDown_ > mostAtRest_;
+        requireEnd(now.finished || (!isAtRest && !isCrawling(now)));
         return state_ = now;
     }
     void read(std::span<float> positions, std::span<solver::PointState> states) const override {
@@ -159,6 +171,8 @@ private:
     std::unique_ptr<solver::FilmSolver> film_;
     solver::DipState state_;
     int idleCalls_ = 0;
+    std::int64_t stepsDown_ = 0; // when it came down last
+    std::int64_t mostAtRest_ = mostSteps;
     double travel_ = std::numeric_limits<double>::max(); // before it has begun
 };
 

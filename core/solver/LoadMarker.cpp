@@ -69,7 +69,7 @@ int crashesOf(const QString& modulePath) {
 void rememberCrash(const QString& modulePath) {
     markerFolder().mkpath(QStringLiteral("."));
     QFile file(crashesPath(modulePath));
-    if (file.open(QIODevice::Append)) {
+    if ((!file.exists() || QFileInfo(file).isFile()) && file.open(QIODevice::Append)) {
         file.write("x");
     }
 }

@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "base/OneLine.h"
 #include "base/ShippedFolders.h"
+#include "disk/PlainFile.h"
 #include "solver/CheckedSolver.h"
 #include "solver/FilePermissions.h"
 #include "solver/LoadMarker.h"
@@ -20,6 +21,9 @@
 #include <QRegularExpression>
 #include <QStandardPaths>
 #include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
 #include <mutex>
 
 namespace dipwright {
@@ -27,6 +31,7 @@ namespace dipwright {
 namespace {
 
 constexpr qint64 maximumMetadataBytes = 64 * 1024;
+constexpr int mostPriority = 1000;
 
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(SolverRegistry)
@@ -51,11 +56,8 @@ QString requiredText(const QJsonObject& metadata, const char* key) {
 
 QJsonObject readJson(const QString& path) {
     QFile file(path);
-    if (!QFileInfo(path).isFile()) { // a link to a device or a pipe, which may never end
-        throw Refusal(Text::tr("Its description is not a plain file"));
-    }
-    if (!file.open(QIODevice::ReadOnly)) {
-        throw Refusal(Text::tr("Its description cannot be read: %1").arg(file.errorString()));
+    if (const QString failure = openToRead(file); !failure.isEmpty()) {
+        throw Refusal(Text::tr("Its description cannot be read: %1").arg(failure));
     }
     const QByteArray bytes = file.read(maximumMetadataBytes + 1);
     if (bytes.size() > maximumMetadataBytes) {
@@ -67,6 +69,17 @@ QJsonObject readJson(const QString& path) {
         throw Refusal(Text::tr("Its description is not valid JSON: %1").arg(error.errorString()));
     }
     return document.object();
+}
+
+// "auto" compares them; a plugin that says nothing has 0.
+int priorityOf(const QJsonValue& value) {
+    const int priority = value.toInt(value.isUndefined() ? 0 : std::numeric_limits<int>::max());
+    if (std::abs(std::int64_t(priority)) > mostPriority) {
+        throw Refusal(Text::tr("The \"priority\" in its description has to be a whole number from "
+                               "-%1 to %1")
+                          .arg(mostPriority));
+    }
+    return priority;
 }
 
 void requireInterfaceVersion(const QJsonObject& metadata) {
@@ -96,7 +109,7 @@ void readMetadata(SolverInfo& info) {
     info.version = requiredText(metadata, "version");
     info.deviceKind = info.device = requiredText(metadata, "device");
     info.vendor = requiredText(metadata, "vendor");
-    info.priority = metadata[QLatin1String("priority")].toInt();
+    info.priority = priorityOf(metadata[QLatin1String("priority")]);
     requireInterfaceVersion(metadata);
     const QString module = requiredText(metadata, "module");
     if (QFileInfo(module).fileName() != module) {

@@ -25,7 +25,7 @@ struct SolverInfo {
     QString deviceKind; // "cpu" or "gpu", as the description says
     QString device;     // in words once the module is loaded, until then the kind
     QString modulePath, metadataPath;
-    int priority = 0; // "auto" takes the available one with the highest
+    int priority = 0; // −1000 … 1000: "auto" takes the available one with the highest
     bool available = false;
     QString reason; // a sentence, where not available
 };

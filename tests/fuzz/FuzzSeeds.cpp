@@ -2,8 +2,11 @@
 #include "ModelFiles.h"
 #include "SampleProject.h"
 
+#include "disk/UnfinishedNote.h"
+#include "geometry/FieldFile.h"
 #include "model/StoredModel.h"
 #include "pipeline/CachedDip.h"
+#include "printing/PrintHistory.h"
 #include "project/Profiles.h"
 #include "project/ProjectStore.h"
 #include "traveller/Motion.h"
@@ -13,6 +16,7 @@
 #include <QDir>
 #include <QGuiApplication>
 #include <QJsonDocument>
+#include <QTemporaryDir>
 #include <cmath>
 
 using namespace dipwright;
@@ -114,6 +118,44 @@ void writeDips(const QDir& folder) {
     write(folder, QStringLiteral("dips"), cachedDip(dip), 2);
 }
 
+// What programs leave for the next start: journals, notes, records, fields.
+void writeRests(const QDir& folder) {
+    const QByteArray journal = R"({"there":["proof.png","report.json"],)"
+                               R"("written":["proof.png","immersion-1/sheet.png"]})";
+    write(folder, QStringLiteral("journal"), journal);
+    write(folder, QStringLiteral("journal"), 'u' + journal, 2);
+    write(folder, QStringLiteral("note"),
+          bytesOf(UnfinishedNote{QStringLiteral("/jobs/out/.dipwright-results"),
+                                 {QStringLiteral("/jobs"), QStringLiteral("/jobs/out")}}));
+    write(folder, QStringLiteral("note"),
+          bytesOf(UnfinishedNote{QStringLiteral("/jobs/.~new.job.dipw"), {}}), 2);
+    DistanceField field;
+    field.size = {2, 2, 2};
+    field.spacing = 1;
+    field.distance = {1, 2, 3, 4, -1, -2, -3, -4};
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    if (buffer.open(QIODevice::WriteOnly) && writeField(field, buffer)) {
+        write(folder, QStringLiteral("field"), bytes);
+    }
+    const QTemporaryDir prints;
+    PrintRecord record;
+    record.job = QStringLiteral("3fa9c2d1");
+    record.project = QStringLiteral("Turtle");
+    record.printer = QStringLiteral("pigment");
+    record.mediumSize = {210, 297};
+    record.reason = QStringLiteral("out of paper");
+    int number = 0;
+    for (const PrintFate fate : {PrintFate::Printed, PrintFate::Failed, PrintFate::Unknown}) {
+        record.fate = fate;
+        const QString failure = PrintHistory(prints.path()).keep(record);
+        QFile file(prints.filePath(record.id));
+        if (failure.isEmpty() && file.open(QIODevice::ReadOnly)) {
+            write(folder, QStringLiteral("prints"), file.readAll(), ++number);
+        }
+    }
+}
+
 } // namespace
 
 int main(int argc, char* argv[]) {
@@ -124,6 +166,7 @@ int main(int argc, char* argv[]) {
     writeProjects(folder);
     writePairs(folder);
     writeDips(folder);
+    writeRests(folder);
     write(folder, QStringLiteral("motion"), motionTemplate().text.toUtf8());
     write(folder, QStringLiteral("plugin"),
           R"({"format":"dipwright-solver","interface":1,"id":"a","name":"A","version":"1",)"

@@ -92,6 +92,13 @@ public:
         constexpr std::int64_t atOnce = 1'000'000;
         crawled_ += atOnce;
         return {crawled_, 1e-12 * double(crawled_), false};
+#elif defined(DIPWRIGHT_BAD_ADVANCE_STILL)
+        constexpr std::int64_t enough = 100'000;
+        crawled_ += 1;
+        if (crawled_ > enough) {
+            throw std::runtime_error("nobody ends it");
+        }
+        return {crawled_, 0, false};
 #elif defined(DIPWRIGHT_BAD_ADVANCE_EQUILIBRIUM)
         return {steps, 1, true, { -5, 0, 0 }};
 #elif defined(DIPWRIGHT_BAD_ADVANCE_FORCE)
@@ -124,7 +131,7 @@ public:
 #endif
     }
 
-#if defined(DIPWRIGHT_BAD_ADVANCE_CRAWL)
+#if defined(DIPWRIGHT_BAD_ADVANCE_CRAWL) || defined(DIPWRIGHT_BAD_ADVANCE_STILL)
 private:
     std::int64_t crawled_ = 0;
 #endif

@@ -289,6 +289,7 @@ void BadModulesTest::failuresInADipReachTheUser_data() {
     QTest::newRow("advance-steps") << "steps or a descent that cannot be";
     QTest::newRow("advance-deep") << "steps or a descent that cannot be";
     QTest::newRow("advance-crawl") << "does not come forward";
+    QTest::newRow("advance-still") << "does not come forward";
     QTest::newRow("advance-equilibrium") << "figures of its equilibrium that cannot be";
     QTest::newRow("advance-force") << "figures of its equilibrium that cannot be";
     QTest::newRow("advance-empty") << "unknown exception";

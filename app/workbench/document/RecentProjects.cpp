@@ -1,6 +1,7 @@
 #include "workbench/document/RecentProjects.h"
 
 #include "base/Sha256.h"
+#include "disk/PlainFile.h"
 #include "project/Samples.h"
 
 #include <QDir>
@@ -45,7 +46,11 @@ void forgetRecentProject(const QString& path) {
 
 QImage projectThumbnail(const QString& path) {
     const QFileInfo file(path);
-    QImage kept(thumbnailPath(file.absoluteFilePath()));
+    QFile thumbnail(thumbnailPath(file.absoluteFilePath()));
+    QImage kept;
+    if (openToRead(thumbnail).isEmpty()) {
+        kept.load(&thumbnail, "PNG");
+    }
     if (!kept.isNull() || !sampleProjects().contains(file.canonicalFilePath())) {
         return kept;
     }

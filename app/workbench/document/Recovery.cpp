@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "disk/AtomicFile.h"
+#include "disk/PlainFile.h"
 #include "project/ProjectStore.h"
 #include "workbench/document/Document.h"
 
@@ -17,6 +18,7 @@ namespace dipwright {
 namespace {
 
 constexpr int defaultIntervalSeconds = 20;
+constexpr qint64 longestDescription = 1 << 20; // bytes
 
 QString besides(const QString& copy, const char* extension) {
     return copy.left(copy.lastIndexOf(QLatin1Char('.'))) + QLatin1String(extension);
@@ -52,8 +54,8 @@ std::vector<RecoveredDocument> findRecoveredDocuments(const QString& folder) {
         }
         QFile description(besides(copy.filePath(), ".json"));
         QJsonObject json;
-        if (description.open(QIODevice::ReadOnly)) {
-            json = QJsonDocument::fromJson(description.readAll()).object();
+        if (openToRead(description).isEmpty()) {
+            json = QJsonDocument::fromJson(description.read(longestDescription)).object();
         }
         found.push_back({copy.filePath(), json[QLatin1String("original")].toString(),
                          json[QLatin1String("name")].toString(copy.completeBaseName()),

@@ -15,7 +15,6 @@ int main(int argc, char* argv[]) {
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QApplication application(argc, argv);
     dipwright::nameProgram();
-    dipwright::recoverUnfinishedWrites();
     QApplication::setApplicationDisplayName(QStringLiteral("Dipwright"));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/dipwright.svg")));
     QApplication::setDesktopFileName(QStringLiteral("dipwright"));
@@ -31,6 +30,7 @@ int main(int argc, char* argv[]) {
                                  QApplication::translate("main", "Projects to open."),
                                  QStringLiteral("[FILE.dipw …]"));
     parser.process(application);
+    dipwright::recoverUnfinishedWrites();
 
     dipwright::Workbench workbench(dipwright::recoveryFolder());
     dipwright::MainWindow* window = workbench.openWindow();

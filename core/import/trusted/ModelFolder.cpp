@@ -1,6 +1,7 @@
 #include "import/trusted/ModelFolder.h"
 
 #include "base/Budgets.h"
+#include "disk/PlainFile.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -101,7 +102,7 @@ bool ModelFolder::isAllowed(const QString& file) const {
 
 std::optional<QByteArray> readFile(const QString& path) {
     QFile file(path);
-    if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly)) {
+    if (!openToRead(file).isEmpty()) {
         return std::nullopt;
     }
     requireWithin(Budget::FileBytes, file.size(), path);

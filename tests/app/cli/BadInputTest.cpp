@@ -6,6 +6,9 @@
 #include <QImage>
 #include <QtTest>
 #include <array>
+#ifndef _WIN32
+#include <sys/stat.h>
+#endif
 
 using namespace dipwright::test;
 
@@ -167,7 +170,7 @@ private slots:
         QVERIFY(QFile::remove(path("allowed.dipw")));
     }
 
-#ifdef Q_OS_UNIX
+#ifndef _WIN32 // which moc knows, unlike Q_OS_UNIX
     // The file size limit stands for a full disk: a write fails in the middle of a file.
     void aFullDiskLeavesNothingBehind_data() {
         QTest::addColumn<QStringList>("arguments");
@@ -192,19 +195,56 @@ private slots:
         QCOMPARE(everythingIn(folder_.path()), before);
     }
 
-    void filesThatNeverEndAreLeft_data() {
+    // A device that never ends, and a pipe that never begins.
+    void whatIsNoFileIsNotWaitedFor_data() {
         QTest::addColumn<QStringList>("arguments");
-        const QString endless = "/dev/zero";
-        QTest::newRow("profile") << QStringList{"profile", "import", endless};
-        QTest::newRow("ICC profile")
-            << QStringList{"profile", "set", "printer", "Endless", "--icc", endless};
-        QTest::newRow("template of the motion") << QStringList{
-            "run", path("ball.dipw"), "--out", path("out"), "--motion-template", endless};
+        const QString pipe = path("pipe"), job = path("ball.dipw");
+        QCOMPARE(mkfifo(pipe.toLocal8Bit().constData(), 0600), 0);
+        const QStringList run{"run", job, "--out", path("out")};
+        for (const QString& file : {QString("/dev/zero"), pipe}) {
+            const auto row = [&](const char* what, const QStringList& arguments) {
+                QTest::addRow("%s of %s", what, qPrintable(QFileInfo(file).fileName()))
+                    << arguments;
+            };
+            row("profile", {"profile", "import", file});
+            row("ICC profile", {"profile", "set", "printer", "Endless", "--icc", file});
+            row("readings", {"profile", "wedge", "Endless", file});
+            row("project", {"info", file});
+            row("project to use a profile", {"profile", "use", "film", "Standard", file});
+            row("project to write", {"new", file, "--model", path("ball.obj")});
+            row("model", {"new", path("out"), "--model", file});
+            row("texture", newWith({"--texture", file}));
+            row("film image", run + QStringList{"--film-image", file});
+            row("template of the motion", run + QStringList{"--motion-template", file});
+            row("parts of a search", {"optimize", job, "--immersions", "1", "--merge", file});
+            row("picture", {"artwork", "add", job, "picture", file});
+        }
     }
-    void filesThatNeverEndAreLeft() {
-        QFETCH(QStringList, arguments);
+    void whatIsNoFileIsNotWaitedFor() {
         refused(1);
-        QVERIFY(cli(arguments).err.contains("larger than"));
+    }
+
+    void filesThatAreTooLargeAreLeft() {
+        QFile file(path("large.json"));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.resize(qint64(1) << 30));
+        const Outcome outcome = cli({"profile", "import", path("large.json")});
+        QCOMPARE(outcome.exitCode, 1);
+        QVERIFY2(outcome.err.contains("larger than"), outcome.err);
+        QVERIFY(file.remove());
+    }
+
+    void onlyProfilesAreReplacedByProfiles() {
+        const QByteArray project = bytesOf(path("ball.dipw"));
+        const Outcome outcome = cli({"profile", "export", "film", firstFilm(), path("ball.dipw")});
+        QCOMPARE(outcome.exitCode, 1);
+        QVERIFY2(outcome.errorLines().size() == 1 && outcome.err.contains("not replaced"),
+                 outcome.err);
+        QCOMPARE(bytesOf(path("ball.dipw")), project);
+        for (int time = 0; time < 2; ++time) { // a profile may be
+            QCOMPARE(cli({"profile", "export", "film", firstFilm(), path("film.json")}).exitCode,
+                     0);
+        }
+        QVERIFY(QFile::remove(path("film.json")));
     }
 
     void outputThatCannotBeWrittenIsAFailure() {
@@ -213,12 +253,11 @@ private slots:
         QCOMPARE(outcome.exitCode, 1);
         QVERIFY2(outcome.errorLines().size() == 1, outcome.err);
     }
-#endif
-#ifdef Q_OS_LINUX
 
     // Where functions of the names of QuaZip's own are loaded before them it packs into a file with
     // a name of rubbish, here in a folder of its own, and says that all is well.
     void aProjectThatCannotBePackedReplacesNone() {
+#ifdef Q_OS_LINUX
         const QTemporaryDir rubbish;
         const QByteArray before = bytesOf(path("ball.dipw"));
         const Outcome outcome = program(
@@ -231,6 +270,7 @@ private slots:
         QVERIFY2(outcome.exitCode == 1, outcome.out + outcome.err);
         QVERIFY2(outcome.err.contains("cannot be packed"), outcome.err);
         QCOMPARE(bytesOf(path("ball.dipw")), before);
+#endif
     }
 #endif
 
@@ -240,6 +280,16 @@ private:
     }
     QStringList newWith(const QStringList& options) const {
         return QStringList{"new", path("out"), "--model", path("ball.obj")} + options;
+    }
+
+    // The name of a film's profile that is there.
+    static QString firstFilm() {
+        for (const QByteArray& line : cli({"profile", "list"}).out.split('\n')) {
+            if (line.startsWith("film ")) {
+                return QString::fromUtf8(line).section(" (", 0, 0).mid(5).trimmed();
+            }
+        }
+        return {};
     }
 
     void refused(int exitCode) {

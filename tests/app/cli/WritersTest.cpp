@@ -13,6 +13,9 @@
 
 #include <QDir>
 #include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
@@ -58,6 +61,10 @@ private slots:
     void whatADeadWriterSeemsToHaveLeftIsNotMovedThroughLinks();
     void whatADeadWriterSeemsToHaveLeftIsNoLink();
     void aJournalOfWhatIsNoResultTouchesNothing();
+    void aJournalOfNamesThatAreNoneTouchesNothing_data();
+    void aJournalOfNamesThatAreNoneTouchesNothing();
+    void noStartDependsOnWhatOthersLeft();
+    void recoveryEndsWhenItIsCancelled();
     void resultsThatWentMissingMeanwhileReplaceNothing();
     void foldersThatNothingCameIntoGo();
     void pipesAndCirclesOfLinksAreNotReplaced();
@@ -259,6 +266,87 @@ void WritersTest::aJournalOfWhatIsNoResultTouchesNothing() {
             QVERIFY(QFile::remove(work + QLatin1Char('/') + name));
         }
     }
+}
+
+void WritersTest::aJournalOfNamesThatAreNoneTouchesNothing_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("empty") << QString();
+    QTest::newRow("the folder itself") << QStringLiteral(".");
+    QTest::newRow("the folder above") << QStringLiteral("..");
+    QTest::newRow("a detour") << QStringLiteral("a/../proof.png");
+    QTest::newRow("a path") << QStringLiteral("/proof.png");
+    QTest::newRow("a file of the hidden folder") << QStringLiteral(".dipwright-results/new/a");
+    QTest::newRow("deep") << QStringLiteral("a/").repeated(500'000) + QLatin1Char('a');
+}
+
+void WritersTest::aJournalOfNamesThatAreNoneTouchesNothing() {
+    QFETCH(QString, name);
+    const QString out = path(QStringLiteral("out/")), work = out + FolderTransaction::workName();
+    QVERIFY(QDir().mkpath(work + QStringLiteral("/new")));
+    write(out + QStringLiteral("proof.png"), "mine");
+    for (const QString& list : {QStringLiteral("written"), QStringLiteral("there")}) {
+        const QJsonObject journal{{list, QJsonArray{name}}};
+        write(work + QStringLiteral("/journal.json"), QJsonDocument(journal).toJson());
+        QVERIFY(!FolderTransaction::putRight(path(QStringLiteral("out"))));
+        QVERIFY_EXCEPTION_THROWN(
+            FolderTransaction(path(QStringLiteral("out")), {QStringLiteral("proof.png")}), Error);
+        QCOMPARE(contentsOf(out + QStringLiteral("proof.png")), QByteArray("mine"));
+        QVERIFY(QFileInfo::exists(work + QStringLiteral("/journal.json")));
+    }
+}
+
+// Notes of folders with such a journal, of what cannot be, and what is no note.
+void WritersTest::noStartDependsOnWhatOthersLeft() {
+    const QString work = path(QStringLiteral("out/")) + FolderTransaction::workName();
+    QVERIFY(QDir().mkpath(work));
+    write(work + QStringLiteral("/journal.json"), R"({"written":[],"there":[""]})");
+    const QString home = path(QStringLiteral("data"));
+    const QString notes = home + QStringLiteral("/Dipwright/dipwright/unfinished/");
+    QVERIFY(QDir().mkpath(notes));
+    for (int number = 0; number < 50; ++number) {
+        write(notes + QStringLiteral("results-%1").arg(number),
+              QJsonDocument(QJsonArray{work}).toJson());
+    }
+    write(notes + QStringLiteral("rubbish"), "[\"\", 3, [");
+    write(notes + QStringLiteral("elsewhere"),
+          QJsonDocument(
+              QJsonArray{path(QStringLiteral("nowhere/.~new.a")), path(QStringLiteral("profiles"))})
+              .toJson());
+    QVERIFY(QDir().mkpath(path(QStringLiteral("profiles"))));
+#ifdef Q_OS_UNIX
+    QCOMPARE(mkfifo(QFile::encodeName(notes + QStringLiteral("pipe")).constData(), 0666), 0);
+#endif
+    const auto start = [&](const QStringList& arguments) {
+        const Outcome outcome =
+            cli(arguments, environment() + QStringList{QStringLiteral("XDG_DATA_HOME=") + home});
+        QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
+    };
+    const auto count = [&] {
+        return QDir(notes).entryList(QDir::Files | QDir::System | QDir::NoDotAndDotDot).size();
+    };
+    const auto before = count();
+    for (const char* command :
+         {"--version", "--help", "run --help", "info --version", "manual man", "solvers"}) {
+        start(QString::fromLatin1(command).split(QLatin1Char(' ')));
+        QCOMPARE(count(), before); // nothing was looked at
+    }
+    start({QStringLiteral("info"), job_});
+    QCOMPARE(count(), before - 2);                                // of which nothing is to be done
+    QVERIFY(QFileInfo::exists(path(QStringLiteral("profiles")))); // not made for that work
+}
+
+void WritersTest::recoveryEndsWhenItIsCancelled() {
+    qputenv("XDG_DATA_HOME", QFile::encodeName(path(QStringLiteral("data"))));
+    const QString left = path(QStringLiteral(".~new.left"));
+    write(left, "half");
+    UnfinishedWrite(left).leave();
+    CancelToken cancelToken;
+    cancelToken.cancel();
+    recoverUnfinishedWrites(cancelToken);
+    QVERIFY(QFileInfo::exists(left));
+    recoverUnfinishedWrites();
+    qunsetenv("XDG_DATA_HOME");
+    QVERIFY(!QFileInfo::exists(left));
 }
 
 void WritersTest::resultsThatWentMissingMeanwhileReplaceNothing() {

@@ -19,16 +19,24 @@ namespace {
 class ToldPrinter : public PrintSystem {
 public:
     JobStatus end{JobState::Printed, {}};
+    bool isGone = false; // once it has the job
+    bool tellsPrinted = true;
 
     QStringList printers() override { return {QStringLiteral("pigment")}; }
     std::optional<PrinterInfo> printer(const QString& name) override {
         PrinterInfo info;
         info.name = name;
+        info.tellsPrinted = tellsPrinted;
         info.media = {{QStringLiteral("iso_a4_210x297mm"), QSizeF(210, 297), {}, true}};
         return info;
     }
     PrintJob submit(const PrintTask& task) override { return {task.printer, 1}; }
-    JobStatus status(const PrintJob&) override { return end; }
+    JobStatus status(const PrintJob& job) override {
+        if (isGone) {
+            throw Error(QStringLiteral("no answer"), job.printer);
+        }
+        return end;
+    }
     void cancel(const PrintJob&) override {}
 };
 
@@ -63,7 +71,7 @@ class PrintHistoryTest : public QObject {
 private slots:
     void init() {
         folder_ = std::make_unique<QTemporaryDir>();
-        printer_.end = {JobState::Printed, {}};
+        printer_ = {};
     }
 
     void everySheetIsFoundByItsJob() {
@@ -96,6 +104,24 @@ private slots:
         QCOMPARE(records[0].fate, PrintFate::Failed);
         QVERIFY2(fateText(records[0]).contains(QStringLiteral("out of paper")),
                  qPrintable(fateText(records[0])));
+    }
+
+    // A printer that stops, or a print system that tells nothing more: the sheet may be on paper.
+    void whatIsNotKnownIsNotKeptAsFailed() {
+        printer_.end = {JobState::Stopped, QStringLiteral("cover open")};
+        QVERIFY_EXCEPTION_THROWN(print({QStringLiteral("Top")}, history()), Error);
+        QCOMPARE(history().records()[0].fate, PrintFate::Stopped);
+        QVERIFY(fateText(history().records()[0]).contains(QStringLiteral("cover open")));
+        printer_.isGone = true;
+        QVERIFY_EXCEPTION_THROWN(print({QStringLiteral("Below")}, history()), Error);
+        QCOMPARE(history().records()[0].fate, PrintFate::Unknown);
+        QVERIFY(fateText(history().records()[0]).contains(QStringLiteral("no answer")));
+    }
+
+    void whatOnlyItsQueueCountsAsPrintedWasHandedOver() {
+        printer_.tellsPrinted = false;
+        QCOMPARE(print({QStringLiteral("Top")}, history()).state, JobState::HandedOver);
+        QCOMPARE(history().records()[0].fate, PrintFate::HandedOver);
     }
 
     void whatIsCancelledIsKeptAsSuch() {

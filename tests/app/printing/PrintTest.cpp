@@ -8,7 +8,11 @@
 #include "printing/PrintService.h"
 
 #include <QColorSpace>
+#include <QElapsedTimer>
 #include <QScopeGuard>
+#include <QTcpServer>
+#include <QTcpSocket>
+#include <QThread>
 #include <QtTest>
 #include <cmath>
 
@@ -82,6 +86,10 @@ private slots:
     void cancelledJobIsNotPrinted();
     void jobOnAStoppedPrinterEndsWithItsReason();
     void printerThatGoesInMidJobIsNotWaitedFor();
+    void printerThatIsNotThereIsNotWaitedFor_data();
+    void printerThatIsNotThereIsNotWaitedFor();
+    void queueThatKnowsNothingOfPaperIsNotBelieved();
+    void deviceThatIsNotAskedGetsTheSheetAlone();
     void portableRouteIsTrueAsWell();
 };
 
@@ -483,6 +491,96 @@ void PrintTest::printerThatGoesInMidJobIsNotWaitedFor() {
     }
     QVERIFY(told.contains("Printing: "));
     QCOMPARE(system_->status(job).state, JobState::Cancelled);
+}
+
+// Each of these tries again for days.
+void PrintTest::printerThatIsNotThereIsNotWaitedFor_data() {
+    QTest::addColumn<QString>("device");
+    QTest::addColumn<QString>("policy");
+    QTest::newRow("backend that tries again") << "socket://localhost:%1"
+                                              << "stop-printer";
+    QTest::newRow("backend around a backend") << "beh:/1/0/1/socket://localhost:%1/?contimeout=1"
+                                              << "stop-printer";
+    QTest::newRow("queue that tries again") << "socket://localhost:%1/?contimeout=1"
+                                            << "retry-job";
+}
+
+void PrintTest::printerThatIsNotThereIsNotWaitedFor() {
+    QFETCH(QString, device);
+    QFETCH(QString, policy);
+    const auto remove = qScopeGuard([&] { cups_->command("lpadmin", {"-x", "dead"}); });
+    QVERIFY(cups_->addQueue("dead", device.arg(PrivateCups::freePort()), "pigment"));
+    QVERIFY(cups_->command("lpadmin", {"-p", "dead", "-o", "printer-error-policy=" + policy}));
+    const PrintJob job = system_->submit(planPrint(*system_, chessSheet("Top"), to("dead")).task);
+    QElapsedTimer clock;
+    clock.start();
+    Progress progress; // the test ends, whatever happens
+    progress.report = [&](double, const QString&) {
+        if (clock.hasExpired(20'000)) {
+            progress.cancelToken.cancel();
+        }
+    };
+    try {
+        followJob(*system_, job, progress, std::chrono::milliseconds(500));
+        QFAIL("a printer that is not there printed");
+    } catch (const NotPrinted& end) {
+        QCOMPARE(end.fate(), PrintFate::Stopped);
+        QVERIFY2(end.sentence().contains("does not answer") &&
+                     end.sentence().contains("the job is cancelled"),
+                 qPrintable(end.sentence()));
+    } catch (const Cancelled&) {
+        QFAIL("it is waited for");
+    }
+    QCOMPARE(system_->status(job).state, JobState::Cancelled);
+}
+
+// "Completed" there means sent, and behind some backends not even that.
+void PrintTest::queueThatKnowsNothingOfPaperIsNotBelieved() {
+    const auto remove = qScopeGuard([&] {
+        cups_->command("lpadmin", {"-x", "nothing"});
+        cups_->command("lpadmin", {"-x", "dropping"});
+    });
+    QVERIFY(cups_->addQueue("nothing", "file:/dev/null", "pigment"));
+    QCOMPARE(print(chessSheet("Top"), to("nothing")), JobState::HandedOver);
+    const QString once = "beh:/1/1/1/socket://localhost:%1/?contimeout=1";
+    QVERIFY(cups_->addQueue("dropping", once.arg(PrivateCups::freePort()), "pigment"));
+    try {
+        print(chessSheet("Top"), to("dropping"));
+        QFAIL("a printer that is not there printed");
+    } catch (const NotPrinted& end) {
+        QCOMPARE(end.fate(), PrintFate::Unknown);
+        QVERIFY2(end.sentence().contains("does not answer"), qPrintable(end.sentence()));
+    }
+}
+
+// What is asked by IPP of a device that does not speak it would be printed.
+void PrintTest::deviceThatIsNotAskedGetsTheSheetAlone() {
+    QTcpServer device;
+    QVERIFY(device.listen(QHostAddress::LocalHost));
+    QByteArrayList received;
+    connect(&device, &QTcpServer::newConnection, this, [&] {
+        QTcpSocket* const socket = device.nextPendingConnection();
+        const qsizetype number = received.size();
+        received << QByteArray();
+        connect(socket, &QTcpSocket::readyRead, &device,
+                [&received, socket, number] { received[number] += socket->readAll(); });
+    });
+    const auto remove = qScopeGuard([&] { cups_->command("lpadmin", {"-x", "plain"}); });
+    const QString uri = QStringLiteral("socket://localhost:%1").arg(device.serverPort());
+    QVERIFY(cups_->addQueue("plain", uri, "pigment"));
+    // The device answers on this thread, the print system works on another.
+    JobState end = JobState::Waiting;
+    const std::unique_ptr<QThread> printing(QThread::create([&] {
+        const auto system = cupsPrintSystem();
+        end = followJob(
+            *system, system->submit(planPrint(*system, chessSheet("Top"), to("plain")).task), {});
+    }));
+    printing->start();
+    QTRY_VERIFY_WITH_TIMEOUT(printing->isFinished(), 30000);
+    QCOMPARE(end, JobState::HandedOver);
+    received.removeAll(QByteArray()); // whether it is there was looked at
+    QCOMPARE(received.size(), 1);
+    QVERIFY2(!received[0].startsWith("POST"), received[0].left(100).constData());
 }
 
 void PrintTest::portableRouteIsTrueAsWell() {

@@ -33,12 +33,6 @@ void endWithTheTest(QProcess& process) {
 #endif
 }
 
-quint16 freePort() {
-    QTcpServer server;
-    server.listen(QHostAddress::LocalHost);
-    return server.serverPort();
-}
-
 bool answers(quint16 port) {
     QTcpSocket socket;
     socket.connectToHost(QHostAddress::LocalHost, port);
@@ -151,18 +145,19 @@ bool PrivateCups::startBus() {
 }
 
 bool PrivateCups::startScheduler() {
-    write("cupsd.conf",
-          "LogLevel warn\nListen " + path("socket") +
-              "\nBrowsing Off\nWebInterface No\nDefaultAuthType None\nErrorPolicy stop-printer\n"
-              "<Location />\nOrder allow,deny\nAllow all\n</Location>\n"
-              "<Policy default>\nJobPrivateAccess all\nJobPrivateValues none\n"
-              "SubscriptionPrivateAccess all\nSubscriptionPrivateValues none\n"
-              "<Limit All>\nOrder deny,allow\n</Limit>\n</Policy>\n");
+    write("cupsd.conf", "LogLevel warn\nListen " + path("socket") +
+                            "\nBrowsing Off\nWebInterface No\nDefaultAuthType None\nErrorPolicy "
+                            "stop-printer\nJobRetryInterval 1\n"
+                            "<Location />\nOrder allow,deny\nAllow all\n</Location>\n"
+                            "<Policy default>\nJobPrivateAccess all\nJobPrivateValues none\n"
+                            "SubscriptionPrivateAccess all\nSubscriptionPrivateValues none\n"
+                            "<Limit All>\nOrder deny,allow\n</Limit>\n</Policy>\n");
     write("cups-files.conf", "ServerRoot " + path("root") + "\nRequestRoot " + path("spool") +
                                  "\nCacheDir " + path("cache") + "\nStateDir " + path("state") +
                                  "\nTempDir " + path("tmp") + "\nAccessLog " + path("log/access") +
                                  "\nErrorLog " + path("log/error") + "\nPageLog " +
-                                 path("log/page") + "\nUser lp\nGroup lp\nSystemGroup lpadmin\n");
+                                 path("log/page") +
+                                 "\nFileDevice Yes\nUser lp\nGroup lp\nSystemGroup lpadmin\n");
     scheduler_.setStandardErrorFile(folder_.filePath("log/cupsd"));
     endWithTheTest(scheduler_);
     scheduler_.start(programPath("cupsd"), {"-f", "-c", folder_.filePath("cupsd.conf"), "-s",
@@ -226,6 +221,17 @@ bool PrivateCups::add(const TestPrinter& printer) {
                    {"-p", printer.name, "-E", "-v",
                     QString("ipp://localhost:%1/ipp/print").arg(port), "-m", "everywhere"}) &&
            QTest::qWaitFor([&] { return QFileInfo::exists(ppd); }, patience);
+}
+
+quint16 PrivateCups::freePort() {
+    QTcpServer server;
+    server.listen(QHostAddress::LocalHost);
+    return server.serverPort();
+}
+
+bool PrivateCups::addQueue(const QString& name, const QString& device, const QString& like) const {
+    return command("lpadmin", {"-p", name, "-E", "-v", device, "-P",
+                               folder_.filePath("root/ppd/" + like + ".ppd")});
 }
 
 void PrivateCups::switchOff(const QString& printer) {

@@ -38,6 +38,10 @@ public:
 
     // A printer and its queue, ready to print.
     bool add(const TestPrinter& printer);
+    // A queue to a device by its URI, which takes the same paper as the printer `like`.
+    bool addQueue(const QString& name, const QString& device, const QString& like) const;
+    // A port at which nobody is.
+    static quint16 freePort();
     // Runs one of CUPS's own commands, "cupsdisable office".
     bool command(const QString& program, const QStringList& arguments) const;
     // A printer is switched off, its queue stays.

@@ -10,6 +10,9 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#ifdef Q_OS_UNIX
+#include <sys/stat.h>
+#endif
 
 using namespace dipwright;
 
@@ -105,6 +108,7 @@ private Q_SLOTS:
     void cacheGivesTheSameField();
     void damagedCacheIsRebuilt();
     void unwritableCacheIsAsGoodAsNone();
+    void aPipeInTheCacheIsNotWaitedFor();
     void cacheForgetsWhatWasNotUsedForLongest();
 
 private:
@@ -325,6 +329,23 @@ void DistanceFieldTest::unwritableCacheIsAsGoodAsNone() {
     qputenv("DIPWRIGHT_CACHE", (file.fileName() + QStringLiteral("/folder")).toUtf8());
     const auto field = cachedDistanceField(boxMesh({10, 10, 10}), 64, Progress());
     QCOMPARE(field->size[0], 64);
+}
+
+void DistanceFieldTest::aPipeInTheCacheIsNotWaitedFor() {
+#ifdef Q_OS_UNIX
+    const auto field = cachedDistanceField(boxMesh({11, 12, 13}), 64, Progress());
+    const QStringList files = QDir(cache_.path()).entryList({QStringLiteral("*.field")});
+    for (const QString& name : files) {
+        const QString path = cache_.filePath(name);
+        QVERIFY(QFile::remove(path));
+        QCOMPARE(mkfifo(QFile::encodeName(path).constData(), 0600), 0);
+    }
+    const auto again = cachedDistanceField(boxMesh({11, 12, 13}), 64, Progress());
+    QVERIFY(again->distance == field->distance);
+    for (const QString& name : files) {
+        QVERIFY(QFile::remove(cache_.filePath(name)));
+    }
+#endif
 }
 
 void DistanceFieldTest::cacheForgetsWhatWasNotUsedForLongest() {

@@ -146,6 +146,30 @@ private slots:
         QCOMPARE(kept.back().name, many.back().name);
     }
 
+    // A file that another program has filled, saved by whoever saves it.
+    void theOldestGoWithTheFileThatIsSaved() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("many.dipw"));
+        Project project = test::sampleProject();
+        const Project one = withSnapshots(project, {named(project, "some")});
+        const QByteArray bytes = one.unknownEntries.begin()->second;
+        for (int number = 1; number <= 200; ++number) {
+            const QString digits = QString::number(number);
+            project.unknownEntries[QStringLiteral("snapshots/%1.json").arg(digits, 4, u'0')] =
+                QByteArray(bytes).replace("\"some\"", '"' + digits.toLatin1() + '"');
+        }
+        QCOMPARE(snapshots(project).back().name, QStringLiteral("200"));
+        saveProject(project, path);
+        const Project read = loadProject(path);
+        QCOMPARE(std::count_if(read.unknownEntries.begin(), read.unknownEntries.end(),
+                               [](const auto& entry) {
+                                   return entry.first.startsWith(QLatin1String("snapshots/"));
+                               }),
+                 std::ptrdiff_t(mostSnapshots));
+        QCOMPARE(snapshots(read).front().name, QStringLiteral("151"));
+        QCOMPARE(snapshots(read).back().name, QStringLiteral("200"));
+    }
+
     void whatIsDamagedIsPassedOver() {
         Project project = test::sampleProject();
         project = withSnapshots(project, {named(project, "whole")});

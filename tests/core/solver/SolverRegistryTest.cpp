@@ -41,6 +41,7 @@ private slots:
     void badDescriptionsAreListedWithTheirReason();
     void missingModuleIsNamed();
     void descriptionsThatAreNoFilesAreNotRead();
+    void prioritiesAreLimited();
     void fileThatIsNoModuleIsRefused();
     void firstFolderWins();
     void unknownSolverIsRefusedWithTheChoice();
@@ -119,9 +120,31 @@ void SolverRegistryTest::descriptionsThatAreNoFilesAreNotRead() {
         QVERIFY(QFile::link(target, folder.filePath(QStringLiteral("good.json"))));
         const SolverInfo info = onlySolver(folder);
         QVERIFY(!info.available);
-        QVERIFY2(info.reason.contains(QLatin1String("not a plain file")), qPrintable(info.reason));
+        QVERIFY2(info.reason.contains(QLatin1String("a pipe or a device")),
+                 qPrintable(info.reason));
     }
 #endif
+}
+
+void SolverRegistryTest::prioritiesAreLimited() {
+    const auto described = [](const QJsonValue& priority) {
+        const PluginFolder folder;
+        QJsonObject description = PluginFolder::description(QStringLiteral("good"));
+        description[QStringLiteral("priority")] = priority;
+        folder.describe(description);
+        return onlySolver(folder);
+    };
+    for (const QJsonValue& priority :
+         {QJsonValue(1e99), QJsonValue(1001), QJsonValue(-1001), QJsonValue(1.5),
+          QJsonValue(-2147483648.0), QJsonValue(QStringLiteral("high")), QJsonValue()}) {
+        const SolverInfo info = described(priority);
+        QVERIFY(!info.available);
+        QVERIFY2(info.reason.contains(QLatin1String("from -1000 to 1000")),
+                 qPrintable(info.reason));
+    }
+    QCOMPARE(described(1000).priority, 1000);
+    QCOMPARE(described(-1000).priority, -1000);
+    QCOMPARE(described(QJsonValue(QJsonValue::Undefined)).priority, 0);
 }
 
 void SolverRegistryTest::fileThatIsNoModuleIsRefused() {

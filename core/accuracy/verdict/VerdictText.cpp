@@ -1,0 +1,165 @@
+#include "accuracy/verdict/Verdict.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Verdict)
+};
+
+using Kind = VerdictReason::Kind;
+
+QString percent(double share) {
+    return QLocale().toString(100 * share, 'f', share < 0.1 ? 1 : 0);
+}
+
+QString errorText(const VerdictReason& reason, const LengthText& length) {
+    switch (reason.kind) {
+    case Kind::NotAsked:
+        return Text::tr("The numerical error was not estimated.");
+    case Kind::NotCompared:
+        return Text::tr("The numerical error could not be estimated: %1.").arg(reason.text);
+    case Kind::NothingAlike:
+        return Text::tr("No place is painted both by this dip and by coarser ones.");
+    case Kind::Certain:
+        return Text::tr("95 % of the sheet is within %1 (numerical error).")
+            .arg(length(reason.value));
+    case Kind::OffBy:
+        return reason.most > 0
+                   ? Text::tr("Numerical error: 95 % of the painted area is within %1; the limit "
+                              "is %2. Set Film > Cells to %3, turn the body, or dip it twice.")
+                         .arg(length(reason.value), length(reason.limit), length(reason.most))
+                   : Text::tr("Numerical error: 95 % of the painted area is within %1; the limit "
+                              "is %2. Set more points (Film > Points), turn the body, or dip it "
+                              "twice.")
+                         .arg(length(reason.value), length(reason.limit));
+    case Kind::OffByMuch:
+        return Text::tr("Numerical error: 95 % of the painted area is within %1; the limit is %2. "
+                        "Turn the body, dip it twice, or set much smaller cells or more points "
+                        "(Film > Cells).")
+            .arg(length(reason.value), length(reason.limit));
+    case Kind::Step:
+        return Text::tr("Numerical error: 95 % of the painted area is within %1; the limit is %2. "
+                        "Most of it comes from the steps: set a smaller Dipping > Step.")
+            .arg(length(reason.value), length(reason.limit));
+    case Kind::FarOffPlaces:
+        return Text::tr("Numerical error: %1 % of the painted area may be off by more than %2. "
+                        "Check the places in the list.")
+            .arg(percent(reason.value), length(reason.limit));
+    case Kind::Border:
+        return Text::tr("The border of the paint is uncertain: only finer or only coarser dips "
+                        "paint %1 % of the body. Set smaller cells (Film > Cells).")
+            .arg(percent(reason.value));
+    case Kind::Unbalanced:
+        return Text::tr("%1 steps of the dip did not reach equilibrium; up to %2 % of the elastic "
+                        "force remained. Set smaller cells (Film > Cells).")
+            .arg(QLocale().toString(qlonglong(reason.value)), percent(reason.most));
+    default:
+        return {};
+    }
+}
+
+QString paintText(const VerdictReason& reason, const LengthText& length) {
+    switch (reason.kind) {
+    case Kind::Unpainted:
+        return Text::tr("The film paints nothing of the body. Check the model's unit, its place "
+                        "over the film, and the depth of the dip.");
+    case Kind::Air:
+        return Text::tr("Trapped air keeps %1 % of the body dry; the limit is %2 %. Turn the body "
+                        "so that the air escapes, or drill a vent hole.")
+            .arg(percent(reason.value), percent(reason.limit));
+    case Kind::Pale:
+        return Text::tr("%1 % of the painted area will be too pale; the limit is %2 %. The film "
+                        "stretches more than Ink > Ink limit can compensate. Turn the body, or "
+                        "choose lighter colours.")
+            .arg(percent(reason.value), percent(reason.limit));
+    case Kind::Damaged:
+        return Text::tr("The film tore or was released on %1 % of the painted area; the limit is "
+                        "%2 %. Turn the body, or dip it twice.")
+            .arg(percent(reason.value), percent(reason.limit));
+    case Kind::FilmEdge:
+        return Text::tr("The painted film comes within %1 of the film's edge; at least %2 are "
+                        "required. Use a larger film, or move the body to the film's centre.")
+            .arg(length(reason.value), length(reason.limit));
+    default:
+        return {};
+    }
+}
+
+// Sentences about the job as a whole.
+QString jobText(const VerdictReason& reason, const LengthText& length) {
+    switch (reason.kind) {
+    case Kind::Unreached:
+        return Text::tr("Neither dip reaches %1 % of the body; the limit is %2 %. Turn one of the "
+                        "poses.")
+            .arg(percent(reason.value), percent(reason.limit));
+    case Kind::Narrow:
+        return Text::tr("%1 % of the overlap is too narrow; the limit is %2 %. The second film "
+                        "shows there if it is misplaced. Widen Join > Overlap, or turn one of the "
+                        "poses.")
+            .arg(percent(reason.value), percent(reason.limit));
+    case Kind::ZoneBare:
+        return Text::tr("%1 % is not painted; the limit is %2 %. Turn the body so that film "
+                        "reaches it.")
+            .arg(percent(reason.value), percent(reason.limit));
+    case Kind::ZoneExceeded:
+        return Text::tr("Handling and numerical error together: 95 % of the painted area is "
+                        "within ±%1; the limit is ±%2. Tighten the largest contributor, or turn "
+                        "the body.")
+            .arg(length(reason.value), length(reason.limit));
+    case Kind::NoPicture:
+        return Text::tr("The model has no texture and no artwork: one plain colour is printed.");
+    case Kind::ChangedModel:
+        return Text::tr("Model: %1").arg(reason.text);
+    case Kind::GuessedFilm:
+        return Text::tr("The film's swell is guessed, not measured: the picture may be a few per "
+                        "cent too large or too small. Measure the film.");
+    default:
+        return {};
+    }
+}
+
+} // namespace
+
+QString adviceText(Advice advice) {
+    switch (advice) {
+    case Advice::NotJudged:
+        return Text::tr("Not judged");
+    case Advice::Print:
+        return Text::tr("Print it");
+    case Advice::LookFirst:
+        return Text::tr("Check these places first");
+    case Advice::DoNotPrint:
+        return Text::tr("Do not print");
+    }
+    return {};
+}
+
+QString millimetres(double length) {
+    return Text::tr("%1 mm").arg(QLocale().toString(length, 'f', 2));
+}
+
+QString reasonText(const VerdictReason& reason, const LengthText& length) {
+    const QString text =
+        errorText(reason, length) + paintText(reason, length) + jobText(reason, length);
+    return reason.zone ? Text::tr("Zone %1: %2").arg(zoneName(*reason.zone), text) : text;
+}
+
+QString placeText(const UncertainPlace& place, const LengthText& length, const LengthText& area) {
+    return Text::tr("%1 may be off by more than %2, at most by %3")
+        .arg(area(place.area), length(place.limit), length(place.offBy));
+}
+
+QString verdictText(const QString& immersion, const Verdict& verdict) {
+    QStringList sentences;
+    for (const VerdictReason& reason : verdict.reasons) {
+        sentences.append(reasonText(reason, millimetres));
+    }
+    return Text::tr("%1: %2. %3")
+        .arg(immersion, adviceText(verdict.advice), sentences.join(QLatin1Char(' ')));
+}
+
+} // namespace dipwright
