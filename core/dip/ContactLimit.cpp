@@ -22,8 +22,8 @@ class LimitFinder {
 public:
     LimitFinder(const DippedFilm& film, const PosedBody& body, const CornerNormals& normals,
                 const ProcessSettings& process, FilmContact& contact)
-        : film_(film), mesh_(body.mesh), normals_(normals), query_(body.query), contact_(contact),
-          triangles_(filmTriangles(film.grid)),
+        : film_(film), body_(body), mesh_(body.mesh), normals_(normals), query_(body.query),
+          contact_(contact), triangles_(filmTriangles(film.grid)),
           steepest_(float(std::sin(radians(process.overhang)))), mostStretch_(process.tearStretch),
           state_(film.positions.size(), Reach::None) {}
 
@@ -203,11 +203,12 @@ private:
         const float water = film_.positions[point].y();
         const ClosestPoint under = query_.closest(place, offBody * cellOfPoint(film_.grid, point));
         return under.point.isValid() && position(mesh_, under.point).y() <= water &&
-               normal(under.point).y() <= steepest_;
+               normal(under.point).y() <= steepest_ && !body_.isDry(under.point);
     }
     Eigen::Vector3f normal(const SurfacePoint& point) const { return normalAt(normals_, point); }
 
     const DippedFilm& film_;
+    const PosedBody& body_;
     const TriangleMesh& mesh_;
     const CornerNormals& normals_;
     const SurfaceQuery& query_;

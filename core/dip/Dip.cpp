@@ -156,7 +156,7 @@ void requireStable(const DippedFilm& film, double travel, const QString& where) 
 
 } // namespace
 
-solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
+solver::DipSetup dipSetup(const PosedBody& body, const FilledField& field,
                           const Immersion& immersion, const FilmSettings& film,
                           const ProcessSettings& process) {
     const solver::FilmGrid grid =
@@ -165,15 +165,16 @@ solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
     return dipSetup(body, field, immersion, film, grid, process);
 }
 
-solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
+solver::DipSetup dipSetup(const PosedBody& body, const FilledField& field,
                           const Immersion& immersion, const FilmSettings& film,
                           const solver::FilmGrid& grid, const ProcessSettings& process) {
     solver::DipSetup setup;
     setup.film = grid;
-    setup.field.distance = field.distance.data();
-    setup.field.size = field.size;
-    setup.field.spacing = field.spacing;
-    Eigen::Map<Eigen::Vector3d>(setup.field.origin.data()) = field.origin;
+    const DistanceField& samples = field.field();
+    setup.field.distance = samples.distance.data();
+    setup.field.size = samples.size;
+    setup.field.spacing = samples.spacing;
+    Eigen::Map<Eigen::Vector3d>(setup.field.origin.data()) = samples.origin;
 
     using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
     Eigen::Map<RowMajor>(setup.motion.rotation.data()) = body.modelToPose.linear();
@@ -267,7 +268,8 @@ DippedFilm simulateDip(const PosedBody& body, const DistanceField& field,
                        const ProcessSettings& process, const solver::SolverModule& module,
                        const Progress& progress, const FilmObserver& observer) {
     requireBodyOverFilm(body, immersion, film, process);
-    const solver::DipSetup setup = dipSetup(body, field, immersion, film, process);
+    const FilledField filled(body, field);
+    const solver::DipSetup setup = dipSetup(body, filled, immersion, film, process);
     DippedFilm dipped;
     try {
         Run run(setup, module);

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "dip/FilledField.h"
 #include "dip/FilmFrame.h"
 #include "dip/Pose.h"
 #include "film/DippedFilm.h"
-#include "geometry/DistanceField.h"
 #include "settings/FilmSettings.h"
 #include "settings/ProcessSettings.h"
 
@@ -14,11 +14,11 @@
 namespace dipwright {
 
 // What a solver is to simulate; with the points of `grid`, of the same film, in place of those that
-// filmUnderBody() chooses.
-solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
+// filmUnderBody() chooses. `field`: of the body; it must outlive the dip.
+solver::DipSetup dipSetup(const PosedBody& body, const FilledField& field,
                           const Immersion& immersion, const FilmSettings& film,
                           const ProcessSettings& process);
-solver::DipSetup dipSetup(const PosedBody& body, const DistanceField& field,
+solver::DipSetup dipSetup(const PosedBody& body, const FilledField& field,
                           const Immersion& immersion, const FilmSettings& film,
                           const solver::FilmGrid& grid, const ProcessSettings& process);
 
@@ -31,9 +31,10 @@ DippedFilm dippedFilm(const solver::BatchItem& dip, const Immersion& immersion);
 // Film points may move by much, but not by many times the film and the way the body goes.
 bool isStable(const DippedFilm& film, double travel);
 
-// Runs the dip on `module`. `observer` (may be empty) is called from the working thread, at most
-// about thirty times a second. Throws Error when the solver fails or the body never meets the film;
-// Cancelled within one step, or some milliseconds of steps, of being cancelled.
+// Runs the dip on `module`. `field`: the body's own. `observer` (may be empty) is called from the
+// working thread, at most about thirty times a second. Throws Error when the solver fails or the
+// body never meets the film; Cancelled within one step, or some milliseconds of steps, of being
+// cancelled.
 DippedFilm simulateDip(const PosedBody& body, const DistanceField& field,
                        const Immersion& immersion, const FilmSettings& film,
                        const ProcessSettings& process, const solver::SolverModule& module,

@@ -18,20 +18,45 @@ constexpr float spannedHollow = 0.15f;
 constexpr float cutEdge = 0.5f;
 // Twice the area over the longest edge squared, of film so folded that it has no side.
 constexpr float flat = 1e-3f;
+// In cells: film nearer than this to the body touches it, whatever else is there.
+constexpr float touching = 0.05f;
+// In cells: how far over film the air may be that it floats under. A film that was dipped off its
+// place may lie that far below the level that the air has in its place.
+constexpr float underAir = 2;
 // Cosines between the film's and the body's outward normals.
 constexpr float turnedAway = 0.1f;    // film against the face it lies on
 constexpr float foldedAcross = -0.9f; // two faces under one film triangle
 
-// The solver has found that the point touches, be it at a contact distance.
+// Whether film floats on the water under an air pocket: over it, before the body, is air.
+bool isUnderAir(const Eigen::Vector3f& position, const PosedBody& body, float cell) {
+    for (const AirPocket& pocket : body.air.all()) {
+        const float below = std::max(float(pocket.level) - position.y(), 0.f);
+        const Eigen::Vector3f up = (below + float(touchedHollow) * cell) * Eigen::Vector3f::UnitY();
+        if (below < underAir * cell && body.air.at(position + up, body.query) == &pocket &&
+            !body.query.hit(position, up, 1).point.isValid()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// The solver has found that the point touches, be it at a contact distance; invalid where it
+// touches air.
 SurfacePoint surfacePoint(const Eigen::Vector3f& position, const Eigen::Vector3f& filmNormal,
-                          const SurfaceQuery& query, float cell) {
+                          const PosedBody& body, float cell) {
+    const SurfaceQuery& query = body.query;
     const ClosestPoint closest = query.closest(position);
+    if (!body.air.isEmpty() && closest.distance > touching * cell &&
+        isUnderAir(position, body, cell)) {
+        return {};
+    }
     // Along a slanting normal a ray may pass by the surface that the film touches.
     const float reach = 2 * closest.distance + 0.005f * cell;
     const RayHit below = query.hit(position, filmNormal, reach);
     const RayHit above = query.hit(position, -filmNormal, reach);
     const RayHit& along = below.distance <= above.distance ? below : above;
-    return along.point.isValid() ? along.point : closest.point;
+    const SurfacePoint found = along.point.isValid() ? along.point : closest.point;
+    return body.isDry(found) ? SurfacePoint{} : found;
 }
 
 // The point midway between the neighbours, along the grid's rows and columns, of a point that
@@ -53,16 +78,17 @@ SurfacePoint filledPoint(const DippedFilm& film, const PosedBody& body,
         }
         middle += position(body.mesh, located[neighbour]) / 4;
     }
-    return body.query.closest(middle, cellOfPoint(film.grid, point)).point;
+    const SurfacePoint filled = body.query.closest(middle, cellOfPoint(film.grid, point)).point;
+    return filled.isValid() && body.isDry(filled) ? SurfacePoint{} : filled;
 }
 
-std::vector<SurfacePoint> locatePoints(const DippedFilm& film, const SurfaceQuery& query) {
+std::vector<SurfacePoint> locatePoints(const DippedFilm& film, const PosedBody& body) {
     const std::vector<Eigen::Vector3f> normals =
         vertexNormals(TriangleMesh{film.positions, filmTriangles(film.grid)});
     std::vector<SurfacePoint> points(film.positions.size());
     parallelFor(std::size_t(0), points.size(), [&](std::size_t point) {
         if (film.adhered(point)) {
-            points[point] = surfacePoint(film.positions[point], normals[point], query,
+            points[point] = surfacePoint(film.positions[point], normals[point], body,
                                          cellOfPoint(film.grid, point));
         }
     });
@@ -139,7 +165,7 @@ private:
 FilmContact filmThatPaints(const DippedFilm& film, const PosedBody& body,
                            const ProcessSettings& process) {
     FilmContact contact;
-    const std::vector<SurfacePoint> located = locatePoints(film, body.query);
+    const std::vector<SurfacePoint> located = locatePoints(film, body);
     contact.surface = located;
     for (std::size_t point = 0; point < located.size(); ++point) {
         if (located[point].isValid()) {

@@ -10,7 +10,8 @@
 namespace dipwright {
 
 // Finds the surface point of every adhered film point: the nearest one along the film's normal, or
-// the closest one where that ray goes astray. A point that has none is filled from its neighbours
+// the closest one where that ray goes astray; a point that floats under an air pocket has none, nor
+// one whose place is in a pocket. A point that has none is filled from its neighbours
 // where it has some on both sides, along the rows and along the columns. A film triangle is painted
 // when all its corners lie on the body and it neither tears, nor spans a hollow, nor is folded
 // across the body, nor lies on a face that turns up by more than `process.overhang`. The film's

@@ -58,12 +58,17 @@ Eigen::Isometry3d poseTransform(const TriangleMesh& body, const Immersion& immer
     return transform;
 }
 
-PosedBody posedBody(const TriangleMesh& model, const Immersion& immersion) {
+bool PosedBody::isDry(const SurfacePoint& point) const {
+    return air.isDry(position(mesh, point), triangleNormal(mesh, point.triangle), query);
+}
+
+PosedBody posedBody(const TriangleMesh& model, const Immersion& immersion, int cells) {
     const Eigen::Isometry3d modelToPose = poseTransform(model, immersion);
     TriangleMesh posed = transformed(model, modelToPose);
     const double height = boundingBox(posed).max().y();
     SurfaceQuery query(posed);
-    return {std::move(posed), modelToPose, height, std::move(query)};
+    AirPockets air(posed, query, cells);
+    return {std::move(posed), modelToPose, height, std::move(query), std::move(air)};
 }
 
 double dipDepth(const ProcessSettings& process, const PosedBody& body) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "base/Units.h"
+#include "dip/AirPockets.h"
 #include "geometry/SurfaceQuery.h"
 #include "settings/Immersion.h"
 #include "settings/ProcessSettings.h"
@@ -24,15 +25,20 @@ std::array<Degrees, 3> rotationAngles(const Eigen::Matrix3d& rotation,
 // Model coordinates to the pose frame.
 Eigen::Isometry3d poseTransform(const TriangleMesh& body, const Immersion& immersion);
 
-// The shape of a body in the pose frame of one immersion, with what asks its surface questions. It
-// does not depend on the immersion's offset, nor on what the body looks like.
+// The shape of a body in the pose frame of one immersion, with what asks its surface questions and
+// the air that it takes under water. It does not depend on the immersion's offset, nor on what the
+// body looks like.
 struct PosedBody {
     TriangleMesh mesh;             // the model's, in the pose frame
     Eigen::Isometry3d modelToPose; // from the coordinates of the model and its distance field
     double height = 0;             // mm from the lowest to the highest point
     SurfaceQuery query;            // of mesh
+    AirPockets air;                // of mesh
+    // Whether the air keeps film off a place of the body.
+    bool isDry(const SurfacePoint& point) const;
 };
-PosedBody posedBody(const TriangleMesh& model, const Immersion& immersion);
+// Air is looked for on so many cells along the body's longest edge. All cores, deterministic.
+PosedBody posedBody(const TriangleMesh& model, const Immersion& immersion, int cells = airCells);
 
 // mm between the body's lowest point and the water before the dip.
 inline constexpr double startHeight = 0.5;

@@ -9,12 +9,10 @@ namespace dipwright {
 
 struct TrappedAir {
     double area = 0;              // mm² of the body that stay in air when it goes under
-    std::optional<double> height; // of the lowest of it over the body's lowest point, mm
+    std::optional<double> height; // of the lowest of its levels over the body's lowest point, mm
 };
 
-// For the body of the pose frame. Air at a height gets away when it can reach the open without ever
-// going below that height; found on a grid of `resolution` cells along the body's longest edge, so
-// that hollows of less than a cell are not seen. All cores, deterministic.
-TrappedAir trappedAir(const PosedBody& body, int resolution = 96);
+// Of the body's air pockets (AirPockets.h), in the pose frame. All cores, deterministic.
+TrappedAir trappedAir(const PosedBody& body);
 
 } // namespace dipwright

@@ -25,13 +25,22 @@ std::vector<std::shared_ptr<const PosedBody>> bodiesOf(const Project& project) {
     return bodies;
 }
 
+std::vector<FilledField> fieldsOf(const std::vector<std::shared_ptr<const PosedBody>>& bodies,
+                                  const DistanceField& own) {
+    std::vector<FilledField> fields;
+    for (const auto& body : bodies) {
+        fields.emplace_back(*body, own);
+    }
+    return fields;
+}
+
 std::vector<solver::DipSetup>
-setupsOf(const Project& project, const DistanceField& field,
+setupsOf(const Project& project, const std::vector<FilledField>& fields,
          const std::vector<std::shared_ptr<const PosedBody>>& bodies) {
     std::vector<solver::DipSetup> setups;
     for (std::size_t dip = 0; dip < bodies.size(); ++dip) {
-        setups.push_back(
-            dipSetup(*bodies[dip], field, project.immersions[dip], project.film, project.process));
+        setups.push_back(dipSetup(*bodies[dip], fields[dip], project.immersions[dip], project.film,
+                                  project.process));
     }
     return setups;
 }
@@ -42,7 +51,7 @@ SimulatedPlaces::SimulatedPlaces(const Project& project, const DistanceField& fi
                                  const std::vector<PrintedPlace>& printed,
                                  const solver::SolverModule& module, const QString& where)
     : project_(project), printed_(printed), module_(module), bodies_(bodiesOf(project)),
-      dips_(project, setupsOf(project, field, bodies_)) {
+      fields_(fieldsOf(bodies_, field)), dips_(project, setupsOf(project, fields_, bodies_)) {
     for (const PrintedPlace& place : printed) {
         if (place.dip < 0 || place.dip >= int(project.immersions.size())) {
             throw Error(Text::tr("A place is said to be of dip %1, and the project has %2")

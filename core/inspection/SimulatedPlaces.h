@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "dip/FilledField.h"
 #include "dip/LaidFilm.h"
-#include "geometry/DistanceField.h"
 #include "inspection/JointFit.h"
 
 namespace dipwright {
@@ -39,6 +39,7 @@ private:
     const std::vector<PrintedPlace>& printed_;
     const solver::SolverModule& module_;
     std::vector<std::shared_ptr<const PosedBody>> bodies_; // a dip each
+    std::vector<FilledField> fields_;                      // of each
     FittedDips dips_;
     int dipsDone_ = 0;
 };

@@ -31,9 +31,10 @@ std::shared_ptr<const LaidFilm> dippedDeeper(const JobResult& result, std::size_
                                                           progress.part(0, fieldDone));
     progress(fieldDone, QCoreApplication::translate("Pipeline", "Dipping deeper"));
     const ProcessSettings process = deeperProcess(project.process, *dip.body);
+    const FilledField filled(*dip.body, *field);
     std::vector<solver::BatchItem> dips(1);
     dips[0].setup =
-        dipSetup(*dip.body, *field, dip.immersion, project.film, dip.laid->film().grid, process);
+        dipSetup(*dip.body, filled, dip.immersion, project.film, dip.laid->film().grid, process);
     withFallback(solver, registry, [&](const solver::SolverModule& module) {
         simulateDips(dips, module, [&] { return progress.cancelToken.isCancelled(); });
     });

@@ -43,6 +43,7 @@ std::vector<LawChange> lawChanges(const Project& project, const Immersion& immer
                                   const std::shared_ptr<const PosedBody>& body, const LaidFilm& own,
                                   const DistanceField& field, const solver::SolverModule& module,
                                   const CancelToken& cancelToken) {
+    const FilledField filled(*body, field);
     std::vector<LawChange> changes;
     std::vector<Project> jobs; // two a law: less and more
     std::vector<solver::BatchItem> dips;
@@ -57,7 +58,7 @@ std::vector<LawChange> lawChanges(const Project& project, const Immersion& immer
         for (const double other : {change.less, change.more}) {
             jobs.push_back(withValue(project, law, other));
             const Project& job = jobs.back();
-            dips.emplace_back().setup = dipSetup(*body, field, immersion, job.film, job.process);
+            dips.emplace_back().setup = dipSetup(*body, filled, immersion, job.film, job.process);
         }
         changes.push_back(change);
     }

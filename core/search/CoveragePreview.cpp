@@ -1,5 +1,6 @@
 #include "search/CoveragePreview.h"
 
+#include "dip/AirInPoses.h"
 #include "dip/Pose.h"
 #include "film/FilmGrid.h"
 
@@ -125,7 +126,8 @@ void spread(std::vector<std::uint8_t>& covered, const std::vector<std::uint32_t>
 
 CoveragePreview::CoveragePreview(const TriangleMesh& model)
     : model_(model), fine_(model, edgeForTriangles(model, fewestTriangles)),
-      opposite_(oppositeEdges(fine_.mesh())) {
+      opposite_(oppositeEdges(fine_.mesh())),
+      air_(std::make_shared<const AirInPoses>(fine_.mesh())) {
     for (std::size_t triangle = 0; triangle < mesh().triangles.size(); ++triangle) {
         areas_.push_back(float(triangleArea(mesh(), triangle)));
         normals_.push_back(triangleNormal(mesh(), triangle));
@@ -157,11 +159,12 @@ PreviewedCoverage CoveragePreview::at(const Immersion& immersion, const FilmSett
         const auto& corners = mesh().triangles[triangle];
         return (places[corners[0]] + places[corners[1]] + places[corners[2]]) / 3;
     };
-    // Under water, over the sheet, and not turned up too far.
+    const std::vector<std::uint8_t> dry = air_->dry(upward);
+    // Under water, over the sheet, not in air, and not turned up too far.
     const auto canHold = [&](std::uint32_t triangle, const Eigen::Vector3f& place) {
         const Eigen::Vector2f onWater = Eigen::Vector2f(place.x(), place.z()) + offset;
-        return normals_[triangle].dot(upward) <= steepest && place.y() <= deepest &&
-               (onWater.cwiseAbs().array() <= reach.array()).all();
+        return dry[triangle] == 0 && normals_[triangle].dot(upward) <= steepest &&
+               place.y() <= deepest && (onWater.cwiseAbs().array() <= reach.array()).all();
     };
     PreviewedCoverage result;
     result.covered.assign(areas_.size(), 0);

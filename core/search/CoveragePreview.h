@@ -7,7 +7,11 @@
 #include "settings/Immersion.h"
 #include "settings/ProcessSettings.h"
 
+#include <memory>
+
 namespace dipwright {
+
+class AirInPoses;
 
 struct PreviewedCoverage {
     double share = 0;                  // of the surface, 0 … 1
@@ -22,7 +26,7 @@ public:
 
     // Film lies on what faces down without anything below it, and goes on from there over walls
     // that turn up by no more than the overhang, as far as the dip goes under and the sheet
-    // reaches.
+    // reaches; none where air is trapped.
     PreviewedCoverage at(const Immersion& immersion, const FilmSettings& film,
                          const ProcessSettings& process) const;
     // The same, a triangle of the model each: 1 where at least half of it is painted.
@@ -40,7 +44,8 @@ private:
     RefinedMesh fine_;
     std::vector<float> areas_;
     std::vector<Eigen::Vector3f> normals_;
-    std::vector<std::uint32_t> opposite_; // oppositeEdges() of the fine mesh
+    std::vector<std::uint32_t> opposite_;   // oppositeEdges() of the fine mesh
+    std::shared_ptr<const AirInPoses> air_; // of the fine mesh
     double area_ = 0;
 };
 

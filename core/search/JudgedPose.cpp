@@ -23,7 +23,6 @@ static_assert(largestStretch * stretchUnits <= 65535);
 constexpr double keptBelow = 0.99; // share of what is painted that the largest stretch leaves out
 constexpr double gatheredBelow = 0.9; // λ2 of film that is pushed together so that it may fold
 constexpr double markedWorth = 0.5;   // of film with marks, against film without
-constexpr int airCells = 48;          // along the body's longest edge
 constexpr double linkedSamples = 2;   // places within so many times their spacing are neighbours
 
 std::uint16_t units(float stretch) {
@@ -181,7 +180,7 @@ JudgedPose JudgedBody::judged(const LaidFilm& laid, const Immersion& immersion) 
         }
     }
     pose.depths = depths(pose.samples);
-    pose.trappedAir = trappedAir(laid.body(), airCells).area / area_;
+    pose.trappedAir = trappedAir(laid.body()).area / area_;
     pose.filmUsed = usedShare(laid);
     return pose;
 }

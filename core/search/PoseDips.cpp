@@ -2,7 +2,6 @@
 
 #include "dip/Dip.h"
 #include "dip/FilmUnderBody.h"
-#include "geometry/DistanceField.h"
 #include "parallel/ParallelFor.h"
 
 #include <algorithm>
@@ -15,6 +14,7 @@ namespace {
 
 constexpr int fewestPoints = 8;
 constexpr std::size_t batchSize = 32;
+constexpr int searchedAirCells = 48; // along the body's longest edge
 // Films of one batch whose fine cells would lie over nearly the same are made alike, so that a
 // device that dips alike films together can: sides are moved out to multiples of this share of the
 // body's longest edge.
@@ -94,7 +94,8 @@ std::vector<std::size_t> PoseDips::alikeTogether(const std::vector<Immersion>& i
     std::vector<std::array<double, 6>> films(immersions.size());
     parallelFor(std::size_t(0), films.size(), [&](std::size_t index) {
         const Immersion& immersion = immersions[index];
-        const Eigen::AlignedBox2d box = fineCellsOf(posedBody(subject_.model->mesh, immersion));
+        const Eigen::AlignedBox2d box =
+            fineCellsOf(posedBody(subject_.model->mesh, immersion, searchedAirCells));
         films[index] = {box.min().x(),
                         box.min().y(),
                         box.max().x(),
@@ -107,13 +108,14 @@ std::vector<std::size_t> PoseDips::alikeTogether(const std::vector<Immersion>& i
     return order;
 }
 
-solver::DipSetup PoseDips::setupOf(const PosedBody& body, const Immersion& immersion) const {
+solver::DipSetup PoseDips::setupOf(const PosedBody& body, const FilledField& field,
+                                   const Immersion& immersion) const {
     if (!choosesFilms()) {
-        return dipSetup(body, *field_, immersion, film_, process_);
+        return dipSetup(body, field, immersion, film_, process_);
     }
     const solver::FilmGrid grid =
         gradedFilm(film_, fineCellsOf(body), 0, film_.cell, immersion.offset);
-    return dipSetup(body, *field_, immersion, film_, grid, process_);
+    return dipSetup(body, field, immersion, film_, grid, process_);
 }
 
 void PoseDips::dipBatch(const std::vector<Immersion>& immersions,
@@ -121,12 +123,14 @@ void PoseDips::dipBatch(const std::vector<Immersion>& immersions,
                         std::vector<std::shared_ptr<const JudgedPose>>& judged) const {
     cancelToken_.throwIfCancelled();
     std::vector<std::shared_ptr<const PosedBody>> bodies(batch.size());
+    std::vector<std::optional<FilledField>> fields(batch.size());
     std::vector<solver::BatchItem> items(batch.size());
     parallelFor(std::size_t(0), items.size(), [&](std::size_t item) {
         const Immersion& immersion = immersions[batch[item]];
-        bodies[item] =
-            std::make_shared<const PosedBody>(posedBody(subject_.model->mesh, immersion));
-        items[item].setup = setupOf(*bodies[item], immersion);
+        bodies[item] = std::make_shared<const PosedBody>(
+            posedBody(subject_.model->mesh, immersion, searchedAirCells));
+        fields[item].emplace(*bodies[item], *field_);
+        items[item].setup = setupOf(*bodies[item], *fields[item], immersion);
     });
     simulateDips(items, module_, [this] { return cancelToken_.isCancelled(); });
     parallelFor(std::size_t(0), items.size(), [&](std::size_t item) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "dip/FilledField.h"
 #include "search/JudgedPose.h"
 #include "search/SearchSubject.h"
 
@@ -10,8 +11,6 @@
 #include <span>
 
 namespace dipwright {
-
-class DistanceField;
 
 // How finely a pose is dipped; never finer than the job is.
 struct DipDetail {
@@ -40,7 +39,8 @@ private:
     bool choosesFilms() const;
     Eigen::AlignedBox2d fineCellsOf(const PosedBody& body) const;
     std::vector<std::size_t> alikeTogether(const std::vector<Immersion>& immersions) const;
-    solver::DipSetup setupOf(const PosedBody& body, const Immersion& immersion) const;
+    solver::DipSetup setupOf(const PosedBody& body, const FilledField& field,
+                             const Immersion& immersion) const;
     void dipBatch(const std::vector<Immersion>& immersions, std::span<const std::size_t> batch,
                   std::vector<std::shared_ptr<const JudgedPose>>& judged) const;
 

@@ -27,11 +27,13 @@ const QString production = QStringLiteral("production");
 
 struct Body {
     PosedBody posed;
-    DistanceField field;
+    std::shared_ptr<const DistanceField> own;
+    FilledField field{posed, *own};
 };
 
 Body bodyOf(const TriangleMesh& mesh, const Immersion& immersion = {}) {
-    return {posedBody(mesh, immersion), buildDistanceField(mesh, 128, {})};
+    return {posedBody(mesh, immersion),
+            std::make_shared<const DistanceField>(buildDistanceField(mesh, 128, {}))};
 }
 
 Body bodyNamed(const QString& name) {

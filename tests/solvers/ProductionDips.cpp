@@ -34,7 +34,8 @@ Ending dipOnCpu(const solver::DipSetup& setup) {
 }
 
 Body bodyOf(const TriangleMesh& mesh) {
-    return {posedBody(mesh, Immersion{}), buildDistanceField(mesh, 128, {})};
+    return {posedBody(mesh, Immersion{}),
+            std::make_shared<const DistanceField>(buildDistanceField(mesh, 128, {}))};
 }
 
 solver::DipSetup squareDip(const Body& body, int columns, double depth) {

@@ -34,7 +34,8 @@ Ending dipOnCpu(const solver::DipSetup& setup);
 // A body in its pose, or a mesh as one.
 struct Body {
     PosedBody posed;
-    DistanceField field;
+    std::shared_ptr<const DistanceField> own;
+    FilledField field{posed, *own};
 };
 
 Body bodyOf(const TriangleMesh& mesh);

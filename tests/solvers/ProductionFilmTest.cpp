@@ -242,7 +242,8 @@ void ProductionFilmTest::aSmallFirstContactDoesNotSpinTheFilm() {
     askew.offset = {Millimetres(0.7), Millimetres(-0.4)};
     const TriangleMesh horn = ellipsoidMesh({3, 24, 2.5}, 60, 80);
     const PosedBody posed = posedBody(horn, askew);
-    const DistanceField field = buildDistanceField(horn, 128, {});
+    const DistanceField own = buildDistanceField(horn, 128, {});
+    const FilledField field(posed, own);
     FilmSettings film;
     film.width = film.height = Millimetres(150);
     film.columns = film.rows = 81;

@@ -18,8 +18,9 @@ namespace {
 
 Body turtle() {
     const Project project = loadProject(sampleFolder("/turtle.dipw"));
-    return {posedBody(project.model->mesh, project.immersions.front()),
-            buildDistanceField(project.model->mesh, 128, {})};
+    return {
+        posedBody(project.model->mesh, project.immersions.front()),
+        std::make_shared<const DistanceField>(buildDistanceField(project.model->mesh, 128, {}))};
 }
 
 } // namespace

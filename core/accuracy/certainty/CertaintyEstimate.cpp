@@ -71,16 +71,17 @@ CoarserFilms coarserFilms(const std::shared_ptr<const PosedBody>& body, const Di
                           const Immersion& immersion, const FilmSettings& film,
                           const ProcessSettings& process, const solver::SolverModule& module,
                           const std::function<bool()>& isCancelled) {
+    const FilledField filled(*body, field);
     CoarserFilms coarser;
     std::vector<solver::BatchItem> dips(2);
     dips[0].setup =
-        dipSetup(*body, field, immersion, withDoubleSpacing(film), withDoubleTimeStep(process));
+        dipSetup(*body, filled, immersion, withDoubleSpacing(film), withDoubleTimeStep(process));
     if (std::min(dips[0].setup.film.columns, dips[0].setup.film.rows) <= leastCells) {
         coarser.failure =
             Text::tr("the film has too few points to be compared with one of half as many");
         return coarser;
     }
-    dips[1].setup = dipSetup(*body, field, immersion, film, withDoubleStep(process));
+    dips[1].setup = dipSetup(*body, filled, immersion, film, withDoubleStep(process));
     try {
         simulateDips(dips, module, isCancelled);
     } catch (const Error& error) {

@@ -39,8 +39,8 @@ using Effects = Eigen::Matrix<double, int(freedomCount), Eigen::Dynamic>;
 class OtherDips {
 public:
     OtherDips(const TolerancedDip& dip, const ColourPlaces& places)
-        : dip_(dip), places_(places),
-          setup_(dipSetup(dip.own->body(), dip.field, dip.immersion, dip.film, dip.process)) {}
+        : dip_(dip), places_(places), field_(dip.own->body(), dip.field),
+          setup_(dipSetup(dip.own->body(), field_, dip.immersion, dip.film, dip.process)) {}
 
     const solver::Settings& settings() const { return setup_.settings; }
 
@@ -64,6 +64,7 @@ public:
 private:
     const TolerancedDip& dip_;
     const ColourPlaces& places_;
+    FilledField field_;
     solver::DipSetup setup_;
 };
 

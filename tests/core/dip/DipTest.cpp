@@ -114,6 +114,10 @@ struct Dip {
     ProcessSettings process;
     Progress progress;
 
+    // A box traps no air: the solver is given `field` itself.
+    solver::DipSetup setup() const {
+        return dipSetup(body, FilledField(body, field), immersion, film, process);
+    }
     DippedFilm run(Script& script, const FilmObserver& observer = {}) const {
         return simulateDip(body, field, immersion, film, process, ScriptedModule(script), progress,
                            observer);
@@ -158,7 +162,7 @@ void DipTest::setupPutsTheBodyJustAboveTheWater() {
     dip.immersion.rotation = {Degrees(20), Degrees(30), Degrees(-40)};
     dip.immersion.offset = {Millimetres(12), Millimetres(-7)};
     dip.body = posedBody(boxMesh({30, 40, 50}), dip.immersion);
-    const auto motion = dipSetup(dip.body, dip.field, dip.immersion, dip.film, dip.process).motion;
+    const auto motion = dip.setup().motion;
     const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation(motion.rotation.data());
     const Eigen::Vector3d start(motion.start.data());
     double lowest = 1000;
@@ -175,9 +179,7 @@ void DipTest::setupPutsTheBodyJustAboveTheWater() {
 void DipTest::setupGoesUnderByTheMarginOrToTheDepth() {
     Dip dip;
     dip.process.margin = Millimetres(3);
-    const auto travel = [&] {
-        return dipSetup(dip.body, dip.field, dip.immersion, dip.film, dip.process).motion.travel;
-    };
+    const auto travel = [&] { return dip.setup().motion.travel; };
     QVERIFY(std::abs(travel() - (startHeight + 40 + 3)) < 1e-4);
     dip.process.depth = Millimetres(12);
     QVERIFY(std::abs(travel() - (startHeight + 12)) < 1e-4);
@@ -193,7 +195,7 @@ void DipTest::setupCarriesTheFilm() {
     dip.film.growthLimit = 0.2;
     dip.film.gripFade = Degrees(9);
     dip.film.gatheringStretch = 0.75;
-    const auto setup = dipSetup(dip.body, dip.field, dip.immersion, dip.film, dip.process);
+    const auto setup = dip.setup();
     QCOMPARE(setup.film.width, 262.5);
     QCOMPARE(setup.pinned.size(), setup.film.pointCount());
     QCOMPARE(int(setup.pinned.front()), 1);
@@ -205,7 +207,7 @@ void DipTest::setupCarriesTheFilm() {
     QCOMPARE(setup.settings.gripFade, pi / 20);
     QCOMPARE(setup.settings.gatheringStretch, 0.75);
     // What nobody has said anything about is what the solvers take for it.
-    const auto usual = dipSetup(dip.body, dip.field, dip.immersion, {}, {});
+    const auto usual = dipSetup(dip.body, FilledField(dip.body, dip.field), dip.immersion, {}, {});
     QCOMPARE(usual.settings.gripFade, solver::Settings().gripFade);
     QCOMPARE(usual.settings.gatheringStretch, solver::Settings().gatheringStretch);
     QCOMPARE(usual.settings.growthLimit, 0.0);
@@ -250,7 +252,7 @@ void DipTest::batchedDipEndsInThePoseFrameToo() {
     const DippedFilm alone = dip.run(script);
 
     solver::BatchItem item;
-    item.setup = dipSetup(dip.body, dip.field, dip.immersion, dip.film, dip.process);
+    item.setup = dip.setup();
     item.positions.resize(3 * item.setup.film.pointCount());
     item.states.resize(item.setup.film.pointCount());
     ScriptedSolver solver(script);

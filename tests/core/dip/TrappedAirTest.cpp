@@ -1,14 +1,16 @@
 // Air under hollows: how much of the body the water never reaches.
 #include "dip/TrappedAir.h"
-#include "DippedByHand.h"
+#include "HollowBodies.h"
 #include "base/Units.h"
 #include "geometry/Shapes.h"
 
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace dipwright;
+using namespace dipwright::test;
 
 namespace {
 
@@ -22,35 +24,6 @@ void append(TriangleMesh& mesh, const TriangleMesh& other, const Eigen::Vector3f
     }
 }
 
-// A profile of (radius, height) turned round the Y axis, first point to last seen from outside with
-// the axis to the left.
-TriangleMesh turned(const std::vector<Eigen::Vector2d>& profile, int segments) {
-    TriangleMesh mesh;
-    const auto count = std::uint32_t(segments);
-    for (const Eigen::Vector2d& point : profile) {
-        for (std::uint32_t segment = 0; segment < count; ++segment) {
-            const double angle = 2 * pi * segment / segments;
-            mesh.positions.push_back(
-                Eigen::Vector3d(point.x() * std::cos(angle), point.y(), point.x() * std::sin(angle))
-                    .cast<float>());
-        }
-    }
-    for (std::uint32_t ring = 0; ring + 1 < profile.size(); ++ring) {
-        for (std::uint32_t segment = 0; segment < count; ++segment) {
-            const std::uint32_t next = (segment + 1) % count;
-            const std::uint32_t below = ring * count;
-            const std::uint32_t above = below + count;
-            mesh.triangles.push_back({below + segment, above + segment, above + next});
-            mesh.triangles.push_back({below + segment, above + next, below + next});
-        }
-    }
-    return mesh;
-}
-
-// A cup of outer radius 30, wall 3 and height 40; its inside is a pit 37 deep.
-TriangleMesh cup() {
-    return turned({{0, 0}, {30, 0}, {30, 40}, {27, 40}, {27, 3}, {0, 3}}, 96);
-}
 constexpr double pitArea = pi * 27 * 27 + 2 * pi * 27 * 37;
 
 TrappedAir airIn(const TriangleMesh& mesh, const std::array<double, 3>& degrees) {
@@ -75,6 +48,12 @@ private Q_SLOTS:
     void cupOnItsSideTrapsTheUpperHalf();
     void thinWallsHoldAirToo();
     void archLetsTheAirGo();
+    void bowlWithItsRimDownTrapsAllItsInside();
+    void levelOfATippedCupIsItsUpperLip_data();
+    void levelOfATippedCupIsItsUpperLip();
+    void bottleWithItsNeckDownTrapsAllItsInside();
+    void ringTrapsNothing();
+    void smallHollowsAreNoPockets();
 };
 
 void TrappedAirTest::convexBodiesTrapNothing() {
@@ -128,6 +107,109 @@ void TrappedAirTest::archLetsTheAirGo() {
         append(table, boxMesh({6, 30, 40}), {x, -17.5f, 0});
     }
     QCOMPARE(trapped(table), 0.0);
+}
+
+void TrappedAirTest::bowlWithItsRimDownTrapsAllItsInside() {
+    constexpr double inner = bowlRadius - bowlWall;
+    const double area = trapped(bowl());
+    QVERIFY2(std::abs(area - 2 * pi * inner * inner) < 0.01 * 2 * pi * inner * inner,
+             qPrintable(QString::number(area)));
+    const TriangleMesh mesh = bowl();
+    const PosedBody body = posedBody(mesh, {});
+    QCOMPARE(body.air.all().size(), std::size_t(1));
+    QVERIFY(std::abs(body.air.all().front().level) < 0.02 * double(body.air.cell()));
+    for (std::uint32_t triangle = 0; triangle < body.mesh.triangles.size(); ++triangle) {
+        const float fromMiddle = position(body.mesh, middleOf(triangle)).norm();
+        const bool isRim = triangleNormal(body.mesh, triangle).y() < -0.99f && fromMiddle > 29.1f &&
+                           position(body.mesh, middleOf(triangle)).y() < 0.1f;
+        QCOMPARE(body.isDry(middleOf(triangle)), !isRim && fromMiddle < 30.5f);
+    }
+    QCOMPARE(trapped(bowl(), {180, 0, 0}), 0.0);
+    QCOMPARE(trapped(bowl(3)), 0.0); // the air gets away through the hole
+}
+
+void TrappedAirTest::levelOfATippedCupIsItsUpperLip_data() {
+    QTest::addColumn<double>("turn"); // about X: 90 lays the cup on its side, 180 on its mouth
+    QTest::newRow("little") << 100.0;
+    QTest::newRow("more") << 120.0;
+    QTest::newRow("much, and askew") << 151.0;
+}
+
+void TrappedAirTest::levelOfATippedCupIsItsUpperLip() {
+    QFETCH(double, turn);
+    Immersion immersion;
+    immersion.rotation = {Degrees(turn), Degrees(0), Degrees(turn > 150 ? 7 : 0)};
+    const PosedBody body = posedBody(cup(), immersion);
+    const auto height = [&](double radius, double angle, double along) {
+        return (body.modelToPose *
+                Eigen::Vector3d(radius * std::cos(angle), along, radius * std::sin(angle)))
+            .y();
+    };
+    // The air gets out at the highest place of the mouth's inner edge: beyond it the lip goes up.
+    constexpr int steps = 720;
+    double lip = -1000;
+    for (int step = 0; step < steps; ++step) {
+        lip = std::max(lip, height(27, 2 * pi * step / steps, 40));
+    }
+    QCOMPARE(body.air.all().size(), std::size_t(1));
+    const double level = body.air.all().front().level;
+    QVERIFY2(std::abs(level - lip) < 0.1 * double(body.air.cell()),
+             qPrintable(QStringLiteral("%1 for %2").arg(level).arg(lip)));
+    // Of the inside, what lies above.
+    double above = 0;
+    for (int step = 0; step < steps; ++step) {
+        const double angle = 2 * pi * (step + 0.5) / steps;
+        constexpr int pieces = 200;
+        for (int piece = 0; piece < pieces; ++piece) {
+            const double share = (piece + 0.5) / pieces;
+            above +=
+                height(27, angle, 3 + 37 * share) > lip ? 2 * pi * 27 * 37 / (steps * pieces) : 0;
+            above += height(27 * share, angle, 3) > lip
+                         ? 2 * pi * 27 * share * 27 / (steps * pieces)
+                         : 0;
+        }
+    }
+    const double area = trappedAir(body).area;
+    QVERIFY2(std::abs(area - above) < 0.015 * above,
+             qPrintable(QStringLiteral("%1 for %2").arg(area).arg(above)));
+}
+
+void TrappedAirTest::bottleWithItsNeckDownTrapsAllItsInside() {
+    // Inside: a cylinder of radius 18 and height 36 on a neck of radius 4 and length 17, open
+    // below.
+    const TriangleMesh bottle = turned({{0, 53},
+                                        {18, 53},
+                                        {18, 17},
+                                        {4, 17},
+                                        {4, 0},
+                                        {6, 0},
+                                        {6, 15},
+                                        {20, 15},
+                                        {20, 55},
+                                        {0, 55}},
+                                       96);
+    const double inside =
+        2 * pi * 18 * 36 + 2 * pi * 4 * 17 + pi * 18 * 18 + pi * (18 * 18 - 4 * 4);
+    const double area = trapped(bottle);
+    QVERIFY2(std::abs(area - inside) < 0.01 * inside, qPrintable(QString::number(area)));
+    QCOMPARE(trapped(bottle, {180, 0, 0}), 0.0);
+}
+
+void TrappedAirTest::ringTrapsNothing() {
+    // Its inside is a saddle: from every place of it a way leads up.
+    for (const double tilt : {0.0, 25.0, 60.0, 90.0}) {
+        QCOMPARE(trapped(torusMesh(24, 7, 60, 40), {tilt, 0, 0}), 0.0);
+    }
+}
+
+void TrappedAirTest::smallHollowsAreNoPockets() {
+    // A pit of a cell's depth in the bottom of a block.
+    constexpr double cell = 60.0 / airCells;
+    const auto block = [](double depth) {
+        return turned({{0, depth}, {10, depth}, {10, 0}, {30, 0}, {30, 20}, {0, 20}}, 48);
+    };
+    QCOMPARE(trapped(block(cell)), 0.0);
+    QVERIFY(trapped(block((leastPocketDepth + 1) * cell)) > 300);
 }
 
 QTEST_APPLESS_MAIN(TrappedAirTest)

@@ -1,5 +1,6 @@
 // Coverage by the body's shape alone, against what is plain to see and against dips.
 #include "search/CoveragePreview.h"
+#include "HollowBodies.h"
 #include "SearchSubjects.h"
 #include "TestFolders.h"
 #include "WholeSample.h"
@@ -77,6 +78,19 @@ private slots:
         const double lower = 30 * 30 + 4 * 30 * 4;
         const double share = previewed(subjectOf(plates), turned(0, 0));
         QVERIFY(std::abs(share - lower / surfaceArea(plates)) < 0.01);
+    }
+
+    void whatStaysInTrappedAirStaysBare() {
+        // A bowl with its rim down: the rim, and the wall up to the overhang; with a hole in its
+        // top, or tilted so that the air gets out, more.
+        const SearchSubject subject = subjectOf(test::bowl());
+        const double rim = pi * (32 * 32 - 29 * 29);
+        const double wall = 2 * pi * 32 * 32 * std::sin(radians(subject.process.overhang));
+        const double whole = surfaceArea(subject.model->mesh);
+        const double share = previewed(subject, turned(0, 0));
+        QVERIFY2(std::abs(share - (rim + wall) / whole) < 0.03, qPrintable(QString::number(share)));
+        QVERIFY(previewed(subjectOf(test::bowl(4)), turned(0, 0)) > share + 0.3);
+        QVERIFY(previewed(subject, turned(90, 0)) > share + 0.1);
     }
 
     void trianglesOfTheModelAreToldApart() {

@@ -1,5 +1,6 @@
 // The pose search, on bodies whose best poses are plain to see.
 #include "search/PoseSearch.h"
+#include "HollowBodies.h"
 #include "SearchSubjects.h"
 #include "TestFolders.h"
 #include "WholeSample.h"
@@ -65,6 +66,20 @@ private slots:
         // So that film rolls on to both broad faces.
         QVERIFY(std::abs(downOf(ranking[0].immersions[0]).x()) < 0.02);
         QVERIFY(ranking[0].measures[Measure::Coverage] > 0.6);
+    }
+
+    void aBowlDoesNotGoInWithItsRimDown() {
+        const SearchResult found = search(subjectOf(test::bowl()), sidesOnly(1));
+        const RankedPoses& best = found.ranking.front();
+        QVERIFY(best.measures[Measure::TrappedAir] < 0.02);
+        // Of all sides, that one paints least: only what the air leaves.
+        const auto rimDown =
+            std::find_if(found.ranking.begin(), found.ranking.end(), [](const RankedPoses& each) {
+                return downOf(each.immersions[0]).y() < -0.98;
+            });
+        QVERIFY(rimDown != found.ranking.end());
+        QVERIFY(rimDown->measures[Measure::TrappedAir] > 0.4);
+        QVERIFY(rimDown->measures[Measure::Coverage] < best.measures[Measure::Coverage]);
     }
 
     void twoDipsPaintBothBroadFaces() {

@@ -1,0 +1,252 @@
+#include "dip/AirPockets.h"
+
+#include "dip/AirSweep.h"
+#include "parallel/ParallelFor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace dipwright {
+
+namespace {
+
+constexpr int halvings = 7;             // of a cell, for a level
+constexpr std::size_t triedPoints = 33; // of a chamber, for the side of the surface that it is on
+constexpr std::size_t mostPockets = std::numeric_limits<std::uint16_t>::max();
+constexpr float offSurface = 0.02f; // of a cell: from a face to the air before it
+
+bool isLargeEnough(const AirChamber& chamber) {
+    return chamber.points >= leastPocketPoints && chamber.depth() >= leastPocketDepth;
+}
+
+// Calls visit(point, its cell) for all trapped points of the grid.
+template <typename Visit>
+void forEachTrapped(const SpaceGrid& grid, const AirSweep& sweep, const Visit& visit) {
+    Eigen::Vector3i cell;
+    for (cell[1] = 0; cell[1] < grid.size()[1]; ++cell[1]) {
+        for (cell[2] = 0; cell[2] < grid.size()[2]; ++cell[2]) {
+            for (cell[0] = 0; cell[0] < grid.size()[0]; ++cell[0]) {
+                if (const std::size_t point = grid.index(cell); sweep.isTrapped(point)) {
+                    visit(point, cell);
+                }
+            }
+        }
+    }
+}
+
+// The trapped chambers that are large enough and outside of the body: an open mesh has its inside
+// among them.
+std::map<std::uint32_t, AirChamber> hollows(const SpaceGrid& grid, const AirSweep& sweep,
+                                            const SurfaceQuery& query) {
+    std::map<std::uint32_t, AirChamber> chambers = trappedChambers(sweep);
+    std::erase_if(chambers, [](const auto& each) { return !isLargeEnough(each.second); });
+    std::map<std::uint32_t, std::vector<Eigen::Vector3f>> places;
+    forEachTrapped(grid, sweep, [&](std::size_t point, const Eigen::Vector3i& cell) {
+        if (chambers.contains(sweep.chamber[point])) {
+            places[sweep.chamber[point]].push_back(grid.position(cell));
+        }
+    });
+    std::erase_if(chambers, [&](const auto& each) {
+        const std::vector<Eigen::Vector3f>& own = places[each.first];
+        const std::size_t tried = std::min(own.size(), triedPoints);
+        std::size_t inside = 0;
+        for (std::size_t number = 0; number < tried; ++number) {
+            inside += query.isInside(own[number * own.size() / tried]) ? 1 : 0;
+        }
+        return 2 * inside > tried;
+    });
+    return chambers;
+}
+
+// Finds the level of pockets between two layers of the grid: another layer is put between them, up
+// and down, until the height is known from which on no way leads out.
+class LevelSearch {
+public:
+    // `lower`: the grid's layer, counted from below, in which the pockets open.
+    LevelSearch(const SpaceGrid& grid, const AirSweep& sweep, const SurfaceQuery& query, int lower)
+        : grid_(grid), sweep_(sweep), query_(query), lower_(lower),
+          columns_(std::size_t(grid.size()[0]) * std::size_t(grid.size()[2])),
+          ceiling_(columns_, 0) {
+        forEachColumn([&](std::size_t column, const Eigen::Vector3i& cell) {
+            forEachHit(query_, grid_.position(cell), 1, grid_.spacing(), grid_.spacing(),
+                       [&](float height) { ceiling_[column] = height; });
+        });
+    }
+
+    // Of a chamber that is open in the lower layer and not in the one above it.
+    double levelOf(std::uint32_t chamber) const {
+        float free = 0, closed = grid_.spacing(); // over the lower layer
+        for (int i = 0; i < halvings; ++i) {
+            const float middle = (free + closed) / 2;
+            (leadsOut(chamber, middle) ? free : closed) = middle;
+        }
+        return double(grid_.position({0, lower_, 0}).y() + closed);
+    }
+
+private:
+    template <typename Visit>
+    void forEachColumn(const Visit& visit) const {
+        for (int z = 0; z < grid_.size()[2]; ++z) {
+            for (int x = 0; x < grid_.size()[0]; ++x) {
+                visit(std::size_t(z) * std::size_t(grid_.size()[0]) + std::size_t(x),
+                      Eigen::Vector3i(x, lower_, z));
+            }
+        }
+    }
+
+    // Whether each step along an axis, in a layer so far over the lower one, goes through the
+    // surface.
+    std::vector<std::uint8_t> crossings(int axis, float height) const {
+        std::vector<std::uint8_t> crossed(columns_, 0);
+        const auto width = std::size_t(grid_.size()[0]);
+        const std::size_t stride = axis == 0 ? 1 : width;
+        const float length = grid_.spacing() * float(grid_.size()[axis] - 1);
+        parallelFor(0, grid_.size()[2 - axis], [&](int row) {
+            const Eigen::Vector3i cell =
+                axis == 0 ? Eigen::Vector3i(0, lower_, row) : Eigen::Vector3i(row, lower_, 0);
+            const Eigen::Vector3f start = grid_.position(cell) + height * Eigen::Vector3f::UnitY();
+            const std::size_t first = std::size_t(row) * (axis == 0 ? width : 1);
+            forEachHit(query_, start, axis, length, grid_.spacing(), [&](float distance) {
+                const int at = std::min(int(distance / grid_.spacing()), grid_.size()[axis] - 1);
+                crossed[first + stride * std::size_t(at)] = 1;
+            });
+        });
+        return crossed;
+    }
+
+    // Whether air of the chamber reaches the open in a layer so far over the lower one.
+    bool leadsOut(std::uint32_t chamber, float height) const {
+        enum class Air : std::uint8_t { Unknown, Inside, Open };
+        const int upperLayer = grid_.size()[1] - 2 - lower_; // as the sweep counts
+        std::vector<Air> air(columns_, Air::Unknown);
+        std::vector<std::size_t> ahead;
+        forEachColumn([&](std::size_t column, const Eigen::Vector3i& cell) {
+            const std::size_t above = grid_.index(cell + Eigen::Vector3i::UnitY());
+            if (grid_.isOnBorder(cell)) {
+                air[column] = Air::Open;
+            } else if (ceiling_[column] <= height) { // nothing up to the layer above
+                if (sweep_.opensIn[above] <= upperLayer) {
+                    air[column] = Air::Open;
+                } else if (sweep_.chamber[above] == chamber) {
+                    air[column] = Air::Inside;
+                    ahead.push_back(column);
+                }
+            }
+        });
+        const std::array<std::vector<std::uint8_t>, 2> crossed{crossings(0, height),
+                                                               crossings(2, height)};
+        const std::array<std::size_t, 2> strides{1, std::size_t(grid_.size()[0])};
+        while (!ahead.empty()) {
+            const std::size_t column = ahead.back(); // never on the border, where it is open
+            ahead.pop_back();
+            for (std::size_t side = 0; side < 2; ++side) {
+                for (const bool isNext : {true, false}) {
+                    const std::size_t other =
+                        isNext ? column + strides[side] : column - strides[side];
+                    if (crossed[side][isNext ? column : other] != 0) {
+                        continue;
+                    }
+                    if (air[other] == Air::Open) {
+                        return true;
+                    }
+                    if (air[other] == Air::Unknown) {
+                        air[other] = Air::Inside;
+                        ahead.push_back(other);
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    const SpaceGrid& grid_;
+    const AirSweep& sweep_;
+    const SurfaceQuery& query_;
+    int lower_;
+    std::size_t columns_;
+    std::vector<float> ceiling_; // the highest hit between both layers over each of its points
+};
+
+} // namespace
+
+AirPockets::AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query, int cells) {
+    auto grid = std::make_shared<const SpaceGrid>(mesh, query, cells);
+    cell_ = grid->spacing();
+    const AirSweep sweep = sweepAir(*grid, Eigen::Vector3f::UnitY());
+    std::map<std::uint32_t, std::uint16_t> numbers; // of chambers that are pockets
+    std::map<int, std::unique_ptr<const LevelSearch>> searches;
+    for (const auto& [name, chamber] : hollows(*grid, sweep, query)) {
+        if (pockets_.size() == mostPockets) {
+            break;
+        }
+        const int lower = grid->size()[1] - 1 - chamber.opensIn;
+        auto& search = searches[lower];
+        if (!search) {
+            search = std::make_unique<const LevelSearch>(*grid, sweep, query, lower);
+        }
+        pockets_.push_back({search->levelOf(name), BoundingBox()});
+        numbers[name] = std::uint16_t(pockets_.size());
+    }
+    if (pockets_.empty()) {
+        return;
+    }
+    pocketOf_.assign(grid->count(), 0);
+    forEachTrapped(*grid, sweep, [&](std::size_t point, const Eigen::Vector3i& cell) {
+        if (const auto number = numbers.find(sweep.chamber[point]); number != numbers.end()) {
+            pocketOf_[point] = number->second;
+            pockets_[number->second - 1u].box.extend(grid->position(cell));
+        }
+    });
+    for (AirPocket& pocket : pockets_) {
+        pocket.box.min() -= Eigen::Vector3f::Constant(cell_);
+        pocket.box.max() += Eigen::Vector3f::Constant(cell_);
+    }
+    grid_ = std::move(grid);
+}
+
+const AirPocket* AirPockets::at(const Eigen::Vector3f& place, const SurfaceQuery& query) const {
+    const bool isNear = std::any_of(pockets_.begin(), pockets_.end(), [&](const AirPocket& pocket) {
+        return pocket.box.contains(place) && double(place.y()) > pocket.level;
+    });
+    if (!isNear) {
+        return nullptr;
+    }
+    // Air that sees a pocket's hangs together with it.
+    const Eigen::Vector3i cell = grid_->cellOf(place);
+    const auto seen = [&](const Eigen::Vector3i& point, bool isClear) -> const AirPocket* {
+        const std::uint16_t number = pocketOf_[grid_->index(point)];
+        if (number == 0 || double(place.y()) <= pockets_[number - 1u].level) {
+            return nullptr;
+        }
+        const Eigen::Vector3f way = grid_->position(point) - place;
+        const bool isSeen = isClear || !query.hit(place, way, 1).point.isValid();
+        return isSeen ? &pockets_[number - 1u] : nullptr;
+    };
+    const bool isClear = grid_->isClear(cell);
+    for (int corner = 0; corner < 8; ++corner) {
+        if (const AirPocket* pocket = seen(cell + SpaceGrid::corner(corner), isClear)) {
+            return pocket;
+        }
+    }
+    // Where a slanting ceiling comes down to the level, those of its points that are in the air lie
+    // farther off.
+    for (int across = -1; across <= 2; ++across) {
+        for (int along = -1; along <= 2; ++along) {
+            const Eigen::Vector3i point =
+                (cell + Eigen::Vector3i(across, 1, along)).cwiseMax(0).cwiseMin(grid_->last());
+            if (const AirPocket* pocket = seen(point, false)) {
+                return pocket;
+            }
+        }
+    }
+    return nullptr;
+}
+
+bool AirPockets::isDry(const Eigen::Vector3f& place, const Eigen::Vector3f& outward,
+                       const SurfaceQuery& query) const {
+    return !isEmpty() && at(place + offSurface * cell_ * outward, query) != nullptr;
+}
+
+} // namespace dipwright

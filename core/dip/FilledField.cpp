@@ -1,0 +1,184 @@
+#include "dip/FilledField.h"
+
+#include "parallel/ParallelFor.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+constexpr int exactCells = 5; // how deep in the filled body distances are found
+// Distances travel by a sample an iteration, and are then settled.
+constexpr int iterations = 2 * exactCells + 2;
+// In cells: by how much more than the body's own distance one must be to replace it.
+constexpr float clearlyMore = 0.25f;
+constexpr float overLevel = 0.02f; // of the air's cells: where the air under a level is looked for
+
+using Index = Eigen::Matrix<std::ptrdiff_t, 3, 1>;
+
+class Filling {
+public:
+    Filling(const PosedBody& body, const DistanceField& own, DistanceField& filled)
+        : body_(body), own_(own), filled_(filled),
+          deepest_(float(exactCells * own.spacing)), strides_{1, own.size[0],
+                                                              std::ptrdiff_t(own.size[0]) *
+                                                                  own.size[1]} {}
+
+    void fill() {
+        forEachSample([&](std::size_t sample, const Eigen::Vector3f& place) {
+            if (own_.distance[sample] >= 0) {
+                filled_.distance[sample] = filledOver(own_.distance[sample], place);
+            }
+        });
+        const std::vector<std::size_t> inside = insideNearPockets();
+        std::vector<float> next(inside.size());
+        for (const std::size_t sample : inside) {
+            filled_.distance[sample] = -deepest_;
+        }
+        for (int i = 0; i < iterations; ++i) {
+            parallelFor(std::size_t(0), inside.size(),
+                        [&](std::size_t at) { next[at] = depthAt(inside[at]); });
+            parallelFor(std::size_t(0), inside.size(),
+                        [&](std::size_t at) { filled_.distance[inside[at]] = -next[at]; });
+        }
+        parallelFor(std::size_t(0), inside.size(), [&](std::size_t at) {
+            const std::size_t sample = inside[at];
+            const float own = own_.distance[sample];
+            const bool isWall = own < 0;
+            if (isWall && next[at] < -own + clearlyMore * float(own_.spacing)) {
+                filled_.distance[sample] = own;
+            }
+        });
+    }
+
+private:
+    // Calls visit(sample, its place in the pose frame) for all samples that pockets may change. All
+    // cores.
+    template <typename Visit>
+    void forEachSample(const Visit& visit) const {
+        const Eigen::AlignedBox<std::ptrdiff_t, 3> box = changedBox();
+        const Eigen::Isometry3f pose = body_.modelToPose.cast<float>();
+        parallelFor(box.min()[2], box.max()[2] + 1, [&](std::ptrdiff_t k) {
+            for (std::ptrdiff_t j = box.min()[1]; j <= box.max()[1]; ++j) {
+                for (std::ptrdiff_t i = box.min()[0]; i <= box.max()[0]; ++i) {
+                    const Eigen::Vector3d place =
+                        own_.origin +
+                        own_.spacing * Eigen::Vector3d(double(i), double(j), double(k));
+                    visit(std::size_t(i + strides_[1] * j + strides_[2] * k),
+                          Eigen::Vector3f(pose * place.cast<float>()));
+                }
+            }
+        });
+    }
+
+    // The field's samples in the pockets and round them and, to the field's end, below them.
+    Eigen::AlignedBox<std::ptrdiff_t, 3> changedBox() const {
+        const double bottom = -(own_.size[0] + own_.size[1] + own_.size[2]) * own_.spacing;
+        const Eigen::Isometry3d fromPose = body_.modelToPose.inverse();
+        Eigen::AlignedBox3d cells;
+        for (const AirPocket& pocket : body_.air.all()) {
+            Eigen::AlignedBox3d box(pocket.box.min().cast<double>(),
+                                    pocket.box.max().cast<double>());
+            box.extend(Eigen::Vector3d(box.min().x(), bottom, box.min().z()));
+            for (int corner = 0; corner < 8; ++corner) {
+                const Eigen::Vector3d at =
+                    fromPose * box.corner(Eigen::AlignedBox3d::CornerType(corner));
+                cells.extend(Eigen::Vector3d((at - own_.origin) / own_.spacing));
+            }
+        }
+        Eigen::AlignedBox<std::ptrdiff_t, 3> box;
+        for (int axis = 0; axis < 3; ++axis) {
+            // One sample less on every side has all its neighbours.
+            const double last = own_.size[std::size_t(axis)] - 2;
+            box.min()[axis] =
+                std::ptrdiff_t(std::clamp(std::floor(cells.min()[axis]) - exactCells, 1.0, last));
+            box.max()[axis] =
+                std::ptrdiff_t(std::clamp(std::ceil(cells.max()[axis]) + exactCells, 1.0, last));
+        }
+        return box;
+    }
+
+    // The distance of a place outside the body, `own` from it: negative in a pocket, and no more
+    // than the way up to the water under one.
+    float filledOver(float own, const Eigen::Vector3f& place) const {
+        if (body_.air.at(place, body_.query)) {
+            return -deepest_;
+        }
+        float distance = own;
+        for (const AirPocket& pocket : body_.air.all()) {
+            const float below = float(pocket.level) - place.y();
+            const bool isUnder =
+                below >= 0 && below < distance && place.x() > pocket.box.min().x() &&
+                place.x() < pocket.box.max().x() && place.z() > pocket.box.min().z() &&
+                place.z() < pocket.box.max().z();
+            const Eigen::Vector3f air(place.x(), float(pocket.level) + overLevel * body_.air.cell(),
+                                      place.z());
+            if (isUnder && body_.air.at(air, body_.query) == &pocket) {
+                distance = below;
+            }
+        }
+        return distance;
+    }
+
+    // The samples in pockets, and those in walls that lie as near to the surface.
+    std::vector<std::size_t> insideNearPockets() const {
+        const Eigen::AlignedBox<std::ptrdiff_t, 3> box = changedBox();
+        std::vector<std::size_t> samples;
+        for (std::ptrdiff_t k = box.min()[2]; k <= box.max()[2]; ++k) {
+            for (std::ptrdiff_t j = box.min()[1]; j <= box.max()[1]; ++j) {
+                for (std::ptrdiff_t i = box.min()[0]; i <= box.max()[0]; ++i) {
+                    const auto sample = std::size_t(i + strides_[1] * j + strides_[2] * k);
+                    if (filled_.distance[sample] < 0 && own_.distance[sample] > -deepest_) {
+                        samples.push_back(sample);
+                    }
+                }
+            }
+        }
+        return samples;
+    }
+
+    // How deep in the filled body a sample is, by its neighbours: |∇φ| = 1, against the wind
+    // (Rouy & Tourin 1992).
+    float depthAt(std::size_t sample) const {
+        const auto spacing = float(own_.spacing);
+        std::array<float, 3> least{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            least[axis] = -std::max(filled_.distance[sample - std::size_t(strides_[axis])],
+                                    filled_.distance[sample + std::size_t(strides_[axis])]);
+        }
+        std::sort(least.begin(), least.end());
+        float depth = least[0] + spacing;
+        for (std::size_t count = 2; count <= 3 && depth > least[count - 1]; ++count) {
+            float sum = 0, squares = 0;
+            for (std::size_t axis = 0; axis < count; ++axis) {
+                sum += least[axis] - least[0];
+                squares += (least[axis] - least[0]) * (least[axis] - least[0]);
+            }
+            const auto number = float(count);
+            const float root = sum * sum - number * (squares - spacing * spacing);
+            depth = least[0] + (sum + std::sqrt(std::max(root, 0.f))) / number;
+        }
+        return std::clamp(depth, 0.f, deepest_);
+    }
+
+    const PosedBody& body_;
+    const DistanceField& own_;
+    DistanceField& filled_;
+    float deepest_; // mm
+    std::array<std::ptrdiff_t, 3> strides_;
+};
+
+} // namespace
+
+FilledField::FilledField(const PosedBody& body, const DistanceField& own) : own_(own) {
+    if (!body.air.isEmpty()) {
+        auto filled = std::make_shared<DistanceField>(own);
+        Filling(body, own, *filled).fill();
+        filled_ = std::move(filled);
+    }
+}
+
+} // namespace dipwright

@@ -1,0 +1,89 @@
+// Points in space round a body on a regular grid, and between which of them its surface runs.
+// Private to this folder.
+#pragma once
+
+#include "geometry/SurfaceQuery.h"
+
+#include <array>
+#include <vector>
+
+namespace dipwright {
+
+// Points at least one cell wider than the body on every side, `resolution` cells along its longest
+// edge. For each axis it knows which steps to the next point go through the surface. Immutable.
+class SpaceGrid {
+public:
+    // `query`: of `mesh`, in whose coordinates the grid is. All cores, deterministic.
+    SpaceGrid(const TriangleMesh& mesh, const SurfaceQuery& query, int resolution);
+
+    std::size_t count() const {
+        return std::size_t(size_[0]) * std::size_t(size_[1]) * std::size_t(size_[2]);
+    }
+    const Eigen::Vector3i& size() const { return size_; }
+    Eigen::Vector3i last() const { return size_ - Eigen::Vector3i::Ones(); }
+    float spacing() const { return spacing_; }
+    // Of the next point along an axis: that of this one and the stride.
+    std::size_t stride(int axis) const { return stride_[std::size_t(axis)]; }
+    std::size_t index(const Eigen::Vector3i& cell) const {
+        return std::size_t(cell[0]) * stride_[0] + std::size_t(cell[1]) * stride_[1] +
+               std::size_t(cell[2]) * stride_[2];
+    }
+    Eigen::Vector3f position(const Eigen::Vector3i& cell) const {
+        return origin_ + spacing_ * cell.cast<float>();
+    }
+    // The first corner of the cell that a place is in, or of the nearest one.
+    Eigen::Vector3i cellOf(const Eigen::Vector3f& place) const {
+        const Eigen::Vector3i cell =
+            ((place - origin_) / spacing_).array().floor().cast<int>().matrix();
+        return cell.cwiseMax(0).cwiseMin(size_ - Eigen::Vector3i::Constant(2));
+    }
+    // The eight corners of a cell, from its first.
+    static Eigen::Vector3i corner(int number) { return {number & 1, number >> 1 & 1, number >> 2}; }
+    // Whether no edge of the cell goes through the surface.
+    bool isClear(const Eigen::Vector3i& cell) const {
+        for (int number = 0; number < 7; ++number) {
+            for (int axis = 0; axis < 3; ++axis) {
+                const Eigen::Vector3i from = corner(number);
+                if (from[axis] == 0 && isCrossed(index(cell + from), axis)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+    bool isOnBorder(const Eigen::Vector3i& cell) const {
+        return (cell.array() == 0).any() || (cell.array() == size_.array() - 1).any();
+    }
+    bool isCrossed(std::size_t index, int axis) const {
+        return crossed_[std::size_t(axis)][index] != 0;
+    }
+
+private:
+    void findCrossings(const SurfaceQuery& query, int axis);
+
+    Eigen::Vector3f origin_;
+    float spacing_ = 0;
+    Eigen::Vector3i size_;
+    std::array<std::size_t, 3> stride_{};
+    std::array<std::vector<std::uint8_t>, 3> crossed_;
+};
+
+// Calls visit(distance) for every hit of a ray along an axis, up to `length`, the nearest first;
+// hits nearer together than a thousandth of `spacing` are one.
+template <typename Visit>
+void forEachHit(const SurfaceQuery& query, const Eigen::Vector3f& start, int axis, float length,
+                float spacing, const Visit& visit) {
+    const Eigen::Vector3f direction = Eigen::Vector3f::Unit(axis);
+    float done = 0;
+    while (done < length) {
+        const RayHit hit = query.hit(start + done * direction, direction, length - done);
+        if (!hit.point.isValid()) {
+            break;
+        }
+        done += hit.distance;
+        visit(done);
+        done += 1e-3f * spacing;
+    }
+}
+
+} // namespace dipwright
