@@ -1,5 +1,6 @@
 #include "cli/Arguments.h"
 #include "geometry/TriangleMesh.h"
+#include "model/TextureNotes.h"
 #include "model/TexturedMesh.h"
 #include "project/Project.h"
 #include "settings/FilmSettings.h"
@@ -47,6 +48,9 @@ void printModel(const TexturedMesh& model, QTextStream& out) {
         out << QStringLiteral("Texture: %1 × %2 pixels\n")
                    .arg(texture.width())
                    .arg(texture.height());
+    }
+    for (const QString& note : colourNotes(model)) {
+        out << QStringLiteral("Note: %1\n").arg(note);
     }
 }
 

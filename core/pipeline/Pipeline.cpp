@@ -3,9 +3,11 @@
 #include "accuracy/correction/SheetCorrection.h"
 #include "artwork/EditArtwork.h"
 #include "artwork/PaintArtwork.h"
+#include "base/ColourNote.h"
 #include "base/Error.h"
 #include "base/WideGamut.h"
 #include "film/FilmGrid.h"
+#include "model/TextureNotes.h"
 #include "parallel/Tasks.h"
 #include "pipeline/JobCradles.h"
 #include "pipeline/JobSheet.h"
@@ -481,6 +483,7 @@ QStringList notesOf(const JobResult& result) {
         notes.append(expiry);
     }
     notes += fontWarnings(result.project.artwork);
+    notes += colourNotes(*result.project.model) + colourNotes(result.project.artwork);
     for (const ImmersionResult& immersion : result.immersions) {
         notes += immersion.solverNotes;
         if (edgeIsOnBody(*immersion.laid)) {
@@ -543,6 +546,10 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     }
     result.solver = result.immersions.back().solver;
     result.notes += notesOf(result);
+    if (const QString note = colourNoteText(options.filmImage, Text::tr("The picture on the film"));
+        !note.isEmpty()) {
+        result.notes += note;
+    }
     return result;
 }
 

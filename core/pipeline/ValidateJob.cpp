@@ -4,6 +4,7 @@
 #include "base/Error.h"
 #include "dip/FilmUnderBody.h"
 #include "film/FilmGrid.h"
+#include "model/TextureNotes.h"
 #include "pipeline/JobSheet.h"
 #include "pipeline/SolverChoice.h"
 #include "project/Profiles.h"
@@ -94,6 +95,7 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
         warnings.append(Text::tr("The model has no texture, its plain colours are printed"));
     }
     warnings += fontWarnings(project.artwork);
+    warnings += colourNotes(*project.model) + colourNotes(project.artwork);
     const SurfaceQuery query(project.model->mesh);
     for (const Immersion& immersion : project.immersions) {
         checkImmersion(project, immersion, query, warnings);

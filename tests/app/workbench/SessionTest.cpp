@@ -398,6 +398,23 @@ private slots:
         QVERIFY(!asked.wait(800));
     }
 
+    void whatWasCancelledIsRunAgainByAChangeOfTheSheetsAlone() {
+        Document document(boxProject());
+        LiveRun live;
+        live.setDocument(&document);
+        live.setWanted(true);
+        document.setResult(resultOf(document.project()));
+        QSignalSpy asked(&live, &LiveRun::runAsked);
+        setWidth(document, 190);
+        live.cancel();
+        takeSnapshot(document, QStringLiteral("Before lunch"));
+        live.setHeld(true);
+        live.setHeld(false); // looked at, and not turned
+        QVERIFY(!asked.wait(800));
+        setWidth(document, 180);
+        QVERIFY(asked.wait(patience()));
+    }
+
     void nothingRunsWhileTheBodyIsHeld() {
         Document document(boxProject());
         document.setResult(resultOf(document.project()));
