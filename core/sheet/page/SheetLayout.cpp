@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "sheet/page/InkedPixels.h"
+#include "sheet/page/PrintableText.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -183,7 +184,7 @@ std::optional<SheetStrip> placeRuler(Places& places) {
 }
 
 QString shortened(const QString& name) {
-    const QString text = name.simplified();
+    const QString text = printableText(name.simplified(), sheetFont(jobLineType));
     return text.size() <= longestName ? text : text.left(longestName - 1) + u'…';
 }
 

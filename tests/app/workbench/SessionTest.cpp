@@ -10,6 +10,7 @@
 #include "workbench/document/DocumentSession.h"
 #include "workbench/document/ModelImport.h"
 #include "workbench/document/RecentProjects.h"
+#include "workbench/document/SnapshotEdits.h"
 #include "workbench/jobs/WriteFiles.h"
 
 #include <QFile>
