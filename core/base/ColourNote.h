@@ -19,9 +19,9 @@ struct ColourNote {
 QImage withColourNote(QImage picture, const ColourNote& note);
 ColourNote colourNote(const QImage& picture);
 
-// The text that keeps a note in a picture and its files: its name, and what it says; empty for
-// none.
-inline constexpr const char* colourNoteKey = "Dipwright colours";
+// The text that keeps a note in a picture and its files: its name, without a space, which Qt takes
+// for a description's; and what it says, empty for none.
+inline constexpr const char* colourNoteKey = "Dipwright-Colours";
 QString colourNoteValue(const QImage& picture);
 
 // A sentence for the user; empty where there is nothing to say. `name`: of the picture.

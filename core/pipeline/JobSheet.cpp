@@ -106,7 +106,8 @@ void checkSpots(const Project& project) {
     }
 }
 
-Sheet jobSheet(const Project& project, const Immersion& immersion, const PrintedFilm& film) {
+Sheet jobSheet(const Project& project, const Immersion& immersion, const PrintedFilm& film,
+               const CancelToken& user) {
     Sheet sheet;
     sheet.image = film.colours;
     const std::vector<ArtworkLayer> spots = project.artwork.spots();
@@ -116,6 +117,7 @@ Sheet jobSheet(const Project& project, const Immersion& immersion, const Printed
     }
     if (!film.white.isNull()) {
         const double pixels = film.white.width() / project.film.width.value(); // to the mm
+        user.throwIfCancelled();
         sheet.plates.push_back({project.sheet.whiteName,
                                 choked(film.white, project.sheet.whiteChoke.value() * pixels),
                                 project.sheet.white == WhiteLayer::First});
@@ -123,6 +125,7 @@ Sheet jobSheet(const Project& project, const Immersion& immersion, const Printed
     if (!film.wanted.isNull()) {
         sheet.wanted = WantedInk{film.wanted, film.stretch, project.ink};
     }
+    user.throwIfCancelled();
     sheet.filmWidth = project.film.width;
     sheet.filmHeight = project.film.height;
     sheet.settings = project.sheet;

@@ -322,7 +322,7 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
         run.user.throwIfCancelled();
         const PrintedFilm film = printedFilm(*now.texture, now.inputs, run.project, number);
         run.user.throwIfCancelled();
-        now.sheet = jobSheet(run.project, now.immersion, film);
+        now.sheet = jobSheet(run.project, now.immersion, film, run.user);
         run.user.throwIfCancelled();
         now.inkShortfall = shortfallOf(now.sheet, run.project.profiles.printer);
     }
