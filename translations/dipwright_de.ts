@@ -109,66 +109,6 @@
         <translation>ein gröberer Film folgt dem Körper überhaupt nicht</translation>
     </message>
     <message>
-        <source>Not judged</source>
-        <translation>Nicht beurteilt</translation>
-    </message>
-    <message>
-        <source>Print it</source>
-        <translation>Drucken</translation>
-    </message>
-    <message>
-        <source>Look at these places first</source>
-        <translation>Erst diese Stellen ansehen</translation>
-    </message>
-    <message>
-        <source>Do not print</source>
-        <translation>Nicht drucken</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>The dip was not compared with coarser ones.</source>
-        <translation>Der Tauchvorgang wurde nicht mit gröberen verglichen.</translation>
-    </message>
-    <message>
-        <source>The dip could not be compared with coarser ones: %1.</source>
-        <translation>Der Tauchvorgang ließ sich nicht mit gröberen vergleichen: %1.</translation>
-    </message>
-    <message>
-        <source>Nothing is painted alike by this dip and by coarser ones.</source>
-        <translation>Nichts wird von diesem Tauchvorgang und von gröberen gleichermaßen bemalt.</translation>
-    </message>
-    <message>
-        <source>95 % of the sheet is off by %1 or less for numerical reasons.</source>
-        <translation>95 % des Bogens liegen aus numerischen Gründen um höchstens %1 daneben.</translation>
-    </message>
-    <message>
-        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it); give the film more points, turn the body, or dip it in two immersions.</source>
-        <translation>Der Bogen kann aus numerischen Gründen um bis zu %1 daneben liegen (95 % von ihm); geben Sie dem Film mehr Punkte, drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
-    </message>
-    <message>
-        <source>%1 % of the painted area may be off by more than %2.</source>
-        <translation>%1 % der bemalten Fläche können um mehr als %2 daneben liegen.</translation>
-    </message>
-    <message>
-        <source>The sheet may move by up to %1 with other steps (95 % of it); choose a smaller contact travel.</source>
-        <translation>Der Bogen kann sich mit anderen Schritten um bis zu %1 verschieben (95 % von ihm); wählen Sie einen kleineren Weg der Kontaktlinie.</translation>
-    </message>
-    <message>
-        <source>The paint&apos;s border is not certain: %1 % of the body is painted by finer or coarser dips only.</source>
-        <translation>Der Rand der Farbe ist nicht sicher: %1 % des Körpers werden nur von feineren oder gröberen Tauchvorgängen bemalt.</translation>
-    </message>
-    <message>
-        <source>%1 steps of the dip ended without equilibrium, with up to %2 % of the elastic forces left.</source>
-        <translation>%1 Schritte des Tauchvorgangs endeten ohne Gleichgewicht, mit bis zu %2 % der elastischen Kräfte als Rest.</translation>
-    </message>
-    <message>
-        <source>%1: %2. %3</source>
-        <translation>%1: %2. %3</translation>
-    </message>
-    <message>
         <source>Overhang (°)</source>
         <translation>Überhang (°)</translation>
     </message>
@@ -188,20 +128,16 @@
         <source>%1, %2 to %3 in place of %4: the sheet moves by up to %5 (95 % of it), %6 % of what is painted by more than %7, and %8 % is not painted any more.</source>
         <translation>%1, %2 bis %3 statt %4: Der Bogen verschiebt sich um bis zu %5 (95 % von ihm), %6 % der bemalten Fläche um mehr als %7, und %8 % werden nicht mehr bemalt.</translation>
     </message>
-    <message>
-        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it); try a cell size of %2 for the film, turn the body, or dip it in two immersions.</source>
-        <translation>Der Bogen kann aus numerischen Gründen um bis zu %1 daneben liegen (95 % von ihm); versuchen Sie es mit einer Zellengröße von %2 für den Film, drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
-    </message>
-    <message>
-        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it), too far to tell which cells would do; give the film smaller cells or more points, turn the body, or dip it in two immersions.</source>
-        <translation>Der Bogen kann aus numerischen Gründen um bis zu %1 daneben liegen (95 % von ihm), zu weit, um zu sagen, welche Zellen reichen; geben Sie dem Film kleinere Zellen oder mehr Punkte, drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
-    </message>
 </context>
 <context>
     <name>CertaintyPanel</name>
     <message>
-        <source>%1 off by up to %2</source>
-        <translation>%1 bis zu %2 daneben</translation>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Places of %1:</source>
+        <translation>Stellen von %1:</translation>
     </message>
 </context>
 <context>
@@ -1104,10 +1040,6 @@
         <translation>Das Projekt hat kein Modell; importieren Sie zuerst eines</translation>
     </message>
     <message>
-        <source>%1: the film&apos;s edge ends up on the body; take a larger film, or place the body further from the edge</source>
-        <translation>%1: Der Rand des Films landet auf dem Körper; nehmen Sie einen größeren Film oder setzen Sie den Körper weiter vom Rand weg</translation>
-    </message>
-    <message>
         <source>%1 failed and %2 took over: %3</source>
         <translation>%1 ist gescheitert, %2 hat übernommen: %3</translation>
     </message>
@@ -1238,6 +1170,14 @@
     <message>
         <source>The artwork has %1 spot inks, and there is room for %2</source>
         <translation>Die Gestaltung hat %1 Sonderfarben, und Platz ist für %2</translation>
+    </message>
+    <message>
+        <source>The sheets take about %1 GB of memory while they are made</source>
+        <translation>Die Bogen brauchen etwa %1 GB Speicher, während sie entstehen</translation>
+    </message>
+    <message>
+        <source>The sheets would take about %1 GB of memory, and this computer has %2 GB: choose a lower resolution or a smaller film</source>
+        <translation>Die Bogen bräuchten etwa %1 GB Speicher, und dieser Rechner hat %2 GB: Wählen Sie eine niedrigere Auflösung oder einen kleineren Film</translation>
     </message>
 </context>
 <context>
@@ -2734,6 +2674,102 @@
         <source>How far beyond the cut line the colours of the painted film&apos;s edge go on, so that a cut that slips shows no bare film.</source>
         <translation>Wie weit die Farben vom Rand des bemalten Films über die Schnittlinie hinaus weitergehen, damit ein verrutschter Schnitt keinen leeren Film zeigt.</translation>
     </message>
+    <message>
+        <source>Print it</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>Check first</source>
+        <translation>Erst prüfen</translation>
+    </message>
+    <message>
+        <source>Do not print</source>
+        <translation>Nicht drucken</translation>
+    </message>
+    <message>
+        <source>Verdict: check first above</source>
+        <translation>Urteil: erst prüfen oberhalb von</translation>
+    </message>
+    <message>
+        <source>Trapped air</source>
+        <translation>Eingeschlossene Luft</translation>
+    </message>
+    <message>
+        <source>The share of the body&apos;s surface that trapped air may keep dry. The verdict is “do not print” above five times a limit.</source>
+        <translation>Der Anteil der Oberfläche des Körpers, den eingeschlossene Luft trocken halten darf. Über dem Fünffachen einer Grenze lautet das Urteil „Nicht drucken“.</translation>
+    </message>
+    <message>
+        <source>Too pale</source>
+        <translation>Zu blass</translation>
+    </message>
+    <message>
+        <source>The share of the painted area that may look too pale, because the film stretches more than the ink can make up for.</source>
+        <translation>Der Anteil der bemalten Fläche, der zu blass werden darf, weil der Film sich mehr dehnt, als die Farbe ausgleichen kann.</translation>
+    </message>
+    <message>
+        <source>Torn or released film</source>
+        <translation>Gerissener oder losgelassener Film</translation>
+    </message>
+    <message>
+        <source>The share of the painted area on which the film may tear or be pulled off the body.</source>
+        <translation>Der Anteil der bemalten Fläche, auf dem der Film reißen oder vom Körper abgezogen werden darf.</translation>
+    </message>
+    <message>
+        <source>Reached by neither dip</source>
+        <translation>Von keinem Tauchvorgang erreicht</translation>
+    </message>
+    <message>
+        <source>The share of the body&apos;s surface that neither of two dips may reach. A job of one dip has no such limit.</source>
+        <translation>Der Anteil der Oberfläche des Körpers, den keiner von zwei Tauchvorgängen erreichen muss. Ein Auftrag mit einem Tauchvorgang hat keine solche Grenze.</translation>
+    </message>
+    <message>
+        <source>Narrow overlap</source>
+        <translation>Schmale Überlappung</translation>
+    </message>
+    <message>
+        <source>The share of the overlap of two dips that may be too narrow for how far the second film may lie off.</source>
+        <translation>Der Anteil der Überlappung zweier Tauchvorgänge, der zu schmal dafür sein darf, wie weit der zweite Film daneben liegen kann.</translation>
+    </message>
+    <message>
+        <source>Bare in a zone</source>
+        <translation>Frei in einer Zone</translation>
+    </message>
+    <message>
+        <source>The share of zone A or B, where they are marked, that may stay without paint.</source>
+        <translation>Der Anteil von Zone A oder B, wo sie markiert sind, der ohne Farbe bleiben darf.</translation>
+    </message>
+    <message>
+        <source>Film&apos;s edge</source>
+        <translation>Rand des Films</translation>
+    </message>
+    <message>
+        <source>How far the painted film has to stay from the film&apos;s edge, so that it neither curls nor folds.</source>
+        <translation>Wie weit der bemalende Film vom Rand des Films wegbleiben muss, damit er sich weder rollt noch faltet.</translation>
+    </message>
+    <message>
+        <source>No picture</source>
+        <translation>Kein Bild</translation>
+    </message>
+    <message>
+        <source>What a model of one plain colour, without artwork, comes to.</source>
+        <translation>Was ein Modell von einer einzigen Farbe, ohne Gestaltung, ergibt.</translation>
+    </message>
+    <message>
+        <source>Repaired model</source>
+        <translation>Berichtigtes Modell</translation>
+    </message>
+    <message>
+        <source>What a model comes to that was put right, or lacks something that its file names.</source>
+        <translation>Was ein Modell ergibt, das berichtigt wurde oder dem etwas fehlt, das seine Datei nennt.</translation>
+    </message>
+    <message>
+        <source>Film not measured</source>
+        <translation>Film nicht gemessen</translation>
+    </message>
+    <message>
+        <source>What a film comes to whose swell nobody has measured.</source>
+        <translation>Was ein Film ergibt, dessen Quellung niemand gemessen hat.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -3313,6 +3349,10 @@
         <source>Swell guessed, not measured.</source>
         <translation>Quellung geschätzt, nicht gemessen.</translation>
     </message>
+    <message>
+        <source>Verdict: %1</source>
+        <translation>Urteil: %1</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -3367,6 +3407,137 @@
     <message>
         <source>%1 mm²</source>
         <translation>%1 mm²</translation>
+    </message>
+</context>
+<context>
+    <name>Verdict</name>
+    <message>
+        <source>The dip was not compared with coarser ones, so nothing is known of the numerical error.</source>
+        <translation>Der Tauchvorgang wurde nicht mit gröberen verglichen; vom numerischen Fehler ist daher nichts bekannt.</translation>
+    </message>
+    <message>
+        <source>The dip could not be compared with coarser ones: %1.</source>
+        <translation>Der Tauchvorgang ließ sich nicht mit gröberen vergleichen: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing is painted alike by this dip and by coarser ones.</source>
+        <translation>Nichts wird von diesem Tauchvorgang und von gröberen gleichermaßen bemalt.</translation>
+    </message>
+    <message>
+        <source>95 % of the sheet is off by %1 or less for numerical reasons.</source>
+        <translation>95 % des Bogens liegen aus numerischen Gründen um höchstens %1 daneben.</translation>
+    </message>
+    <message>
+        <source>For numerical reasons 95 % of the sheet may be off by up to %1, where %2 is allowed. Set Film &gt; Cells to %3, turn the body, or dip it twice.</source>
+        <translation>Aus numerischen Gründen können 95 % des Bogens um bis zu %1 daneben liegen, erlaubt sind %2. Setzen Sie Film &gt; Zellen auf %3, drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
+    </message>
+    <message>
+        <source>For numerical reasons 95 % of the sheet may be off by up to %1, where %2 is allowed. Give the film more points (Film &gt; Points), turn the body, or dip it twice.</source>
+        <translation>Aus numerischen Gründen können 95 % des Bogens um bis zu %1 daneben liegen, erlaubt sind %2. Geben Sie dem Film mehr Punkte (Film &gt; Punkte), drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
+    </message>
+    <message>
+        <source>For numerical reasons 95 % of the sheet may be off by up to %1, where %2 is allowed: too far to tell which cells would do. Turn the body, dip it twice, or give the film smaller cells or more points (Film &gt; Cells).</source>
+        <translation>Aus numerischen Gründen können 95 % des Bogens um bis zu %1 daneben liegen, erlaubt sind %2: zu weit, um zu sagen, welche Zellen reichen. Drehen Sie den Körper, tauchen Sie ihn zweimal oder geben Sie dem Film kleinere Zellen oder mehr Punkte (Film &gt; Zellen).</translation>
+    </message>
+    <message>
+        <source>For numerical reasons 95 % of the sheet may be off by up to %1, where %2 is allowed, and most of it comes from the steps. Set Dipping &gt; Step to a smaller value.</source>
+        <translation>Aus numerischen Gründen können 95 % des Bogens um bis zu %1 daneben liegen, erlaubt sind %2; das meiste davon kommt von den Schritten. Setzen Sie Tauchen &gt; Schritt auf einen kleineren Wert.</translation>
+    </message>
+    <message>
+        <source>For numerical reasons %1 % of the painted area may be off by more than %2. Look at the places in the list.</source>
+        <translation>Aus numerischen Gründen können %1 % der bemalten Fläche um mehr als %2 daneben liegen. Sehen Sie die Stellen in der Liste an.</translation>
+    </message>
+    <message>
+        <source>The paint&apos;s border is not certain: %1 % of the body is painted by finer or coarser dips only. Give the film smaller cells (Film &gt; Cells).</source>
+        <translation>Der Rand der Farbe ist nicht sicher: %1 % des Körpers werden nur von feineren oder gröberen Tauchvorgängen bemalt. Geben Sie dem Film kleinere Zellen (Film &gt; Zellen).</translation>
+    </message>
+    <message>
+        <source>%1 steps of the dip ended without equilibrium, with up to %2 % of the elastic forces left. Give the film smaller cells (Film &gt; Cells).</source>
+        <translation>%1 Schritte des Tauchvorgangs endeten ohne Gleichgewicht, mit bis zu %2 % der elastischen Kräfte als Rest. Geben Sie dem Film kleinere Zellen (Film &gt; Zellen).</translation>
+    </message>
+    <message>
+        <source>The film paints nothing of the body. Check the model&apos;s unit, its place over the film, and how deep it goes.</source>
+        <translation>Der Film bemalt nichts vom Körper. Prüfen Sie die Einheit des Modells, seinen Platz über dem Film und wie tief es eintaucht.</translation>
+    </message>
+    <message>
+        <source>Trapped air keeps %1 % of the body dry, where %2 % is allowed: no film reaches it. Turn the body so that the air can leave, or drill a hole for it.</source>
+        <translation>Eingeschlossene Luft hält %1 % des Körpers trocken, erlaubt sind %2 %: Dort kommt kein Film hin. Drehen Sie den Körper so, dass die Luft entweicht, oder bohren Sie ihr ein Loch.</translation>
+    </message>
+    <message>
+        <source>%1 % of the painted area will look too pale, where %2 % is allowed: the film stretches more than Ink &gt; Ink limit can make up for. Turn the body, or choose lighter colours.</source>
+        <translation>%1 % der bemalten Fläche werden zu blass, erlaubt sind %2 %: Der Film dehnt sich mehr, als Farbe &gt; Farbgrenze ausgleichen kann. Drehen Sie den Körper oder wählen Sie hellere Farben.</translation>
+    </message>
+    <message>
+        <source>On %1 % of the painted area the film tore or was pulled off the body, where %2 % is allowed. Turn the body, or dip it twice.</source>
+        <translation>Auf %1 % der bemalten Fläche ist der Film gerissen oder vom Körper abgezogen worden, erlaubt sind %2 %. Drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
+    </message>
+    <message>
+        <source>The painted film comes within %1 of the film&apos;s edge, where %2 is wanted. Take a larger film, or move the body to the film&apos;s middle.</source>
+        <translation>Der bemalende Film kommt dem Rand des Films auf %1 nahe, gewünscht sind %2. Nehmen Sie einen größeren Film oder rücken Sie den Körper in die Mitte des Films.</translation>
+    </message>
+    <message>
+        <source>Neither dip reaches %1 % of the body, where %2 % is allowed. Turn one of the poses.</source>
+        <translation>Kein Tauchvorgang erreicht %1 % des Körpers, erlaubt sind %2 %. Drehen Sie eine der Lagen.</translation>
+    </message>
+    <message>
+        <source>%1 % of the overlap of the dips is too narrow, where %2 % is allowed: the second film shows there if it lies off. Widen Join &gt; Overlap, or turn one of the poses.</source>
+        <translation>%1 % der Überlappung der Tauchvorgänge sind zu schmal, erlaubt sind %2 %: Dort ist der zweite Film zu sehen, wenn er daneben liegt. Verbreitern Sie Fuge &gt; Überlappung oder drehen Sie eine der Lagen.</translation>
+    </message>
+    <message>
+        <source>%1 % is not painted, where %2 % is allowed. Turn the body so that film reaches it.</source>
+        <translation>%1 % sind nicht bemalt, erlaubt sind %2 %. Drehen Sie den Körper so, dass Film dorthin kommt.</translation>
+    </message>
+    <message>
+        <source>What may be off at the tank and the numerical error together leave 95 % only within ±%1, where ±%2 is allowed. Tighten what is listed as off, or turn the body.</source>
+        <translation>Was am Becken daneben sein kann und der numerische Fehler zusammen halten 95 % nur innerhalb von ±%1, erlaubt sind ±%2. Halten Sie genauer ein, was als Abweichung genannt ist, oder drehen Sie den Körper.</translation>
+    </message>
+    <message>
+        <source>The model has neither texture nor artwork: one plain colour is printed.</source>
+        <translation>Das Modell hat weder Textur noch Gestaltung: Gedruckt wird eine einzige Farbe.</translation>
+    </message>
+    <message>
+        <source>Of the model&apos;s file: %1</source>
+        <translation>Zur Datei des Modells: %1</translation>
+    </message>
+    <message>
+        <source>The film&apos;s swell is guessed, not measured: the picture may come out a few per cent too large or too small. Measure the film.</source>
+        <translation>Die Quellung des Films ist geschätzt, nicht gemessen: Das Bild kann einige Prozent zu groß oder zu klein werden. Messen Sie den Film.</translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation>Nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>Print it</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>Check these points first</source>
+        <translation>Erst diese Punkte prüfen</translation>
+    </message>
+    <message>
+        <source>Do not print</source>
+        <translation>Nicht drucken</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Zone %1: %2</source>
+        <translation>Zone %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 off by more than %2, by up to %3 at its worst point</source>
+        <translation>%1 um mehr als %2 daneben, an der schlimmsten Stelle um bis zu %3</translation>
+    </message>
+    <message>
+        <source>%1: %2. %3</source>
+        <translation>%1: %2. %3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

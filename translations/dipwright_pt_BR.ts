@@ -109,66 +109,6 @@
         <translation>um filme mais grosso não acompanha o corpo de modo algum</translation>
     </message>
     <message>
-        <source>Not judged</source>
-        <translation>Não avaliado</translation>
-    </message>
-    <message>
-        <source>Print it</source>
-        <translation>Pode imprimir</translation>
-    </message>
-    <message>
-        <source>Look at these places first</source>
-        <translation>Veja antes estes lugares</translation>
-    </message>
-    <message>
-        <source>Do not print</source>
-        <translation>Não imprima</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>The dip was not compared with coarser ones.</source>
-        <translation>A imersão não foi comparada com outras mais grossas.</translation>
-    </message>
-    <message>
-        <source>The dip could not be compared with coarser ones: %1.</source>
-        <translation>A imersão não pôde ser comparada com outras mais grossas: %1.</translation>
-    </message>
-    <message>
-        <source>Nothing is painted alike by this dip and by coarser ones.</source>
-        <translation>Nada é pintado ao mesmo tempo por esta imersão e por outras mais grossas.</translation>
-    </message>
-    <message>
-        <source>95 % of the sheet is off by %1 or less for numerical reasons.</source>
-        <translation>95 % da folha desviam %1 ou menos por razões numéricas.</translation>
-    </message>
-    <message>
-        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it); give the film more points, turn the body, or dip it in two immersions.</source>
-        <translation>A folha pode desviar até %1 por razões numéricas (95 % dela); dê mais pontos ao filme, gire o corpo ou mergulhe-o em duas imersões.</translation>
-    </message>
-    <message>
-        <source>%1 % of the painted area may be off by more than %2.</source>
-        <translation>%1 % da área pintada podem desviar mais de %2.</translation>
-    </message>
-    <message>
-        <source>The sheet may move by up to %1 with other steps (95 % of it); choose a smaller contact travel.</source>
-        <translation>A folha pode mudar até %1 com outros passos (95 % dela); escolha um avanço menor da linha de contato.</translation>
-    </message>
-    <message>
-        <source>The paint&apos;s border is not certain: %1 % of the body is painted by finer or coarser dips only.</source>
-        <translation>A borda da tinta não é certa: %1 % do corpo são pintados apenas por imersões mais finas ou mais grossas.</translation>
-    </message>
-    <message>
-        <source>%1 steps of the dip ended without equilibrium, with up to %2 % of the elastic forces left.</source>
-        <translation>%1 passos da imersão terminaram sem equilíbrio, com até %2 % das forças elásticas restantes.</translation>
-    </message>
-    <message>
-        <source>%1: %2. %3</source>
-        <translation>%1: %2. %3</translation>
-    </message>
-    <message>
         <source>Overhang (°)</source>
         <translation>Saliência (°)</translation>
     </message>
@@ -188,20 +128,16 @@
         <source>%1, %2 to %3 in place of %4: the sheet moves by up to %5 (95 % of it), %6 % of what is painted by more than %7, and %8 % is not painted any more.</source>
         <translation>%1, %2 a %3 em vez de %4: a folha se desloca em até %5 (95 % dela), %6 % do que é pintado em mais de %7, e %8 % deixam de ser pintados.</translation>
     </message>
-    <message>
-        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it); try a cell size of %2 for the film, turn the body, or dip it in two immersions.</source>
-        <translation>A folha pode desviar até %1 por razões numéricas (95 % dela); tente células de %2 para o filme, gire o corpo ou mergulhe-o em duas imersões.</translation>
-    </message>
-    <message>
-        <source>The sheet may be off by up to %1 for numerical reasons (95 % of it), too far to tell which cells would do; give the film smaller cells or more points, turn the body, or dip it in two immersions.</source>
-        <translation>A folha pode desviar até %1 por razões numéricas (95 % dela), demais para dizer que células bastam; dê ao filme células menores ou mais pontos, gire o corpo ou mergulhe-o em duas imersões.</translation>
-    </message>
 </context>
 <context>
     <name>CertaintyPanel</name>
     <message>
-        <source>%1 off by up to %2</source>
-        <translation>%1 desviados em até %2</translation>
+        <source>Setting</source>
+        <translation>Definição</translation>
+    </message>
+    <message>
+        <source>Places of %1:</source>
+        <translation>Lugares de %1:</translation>
     </message>
 </context>
 <context>
@@ -1104,10 +1040,6 @@
         <translation>O projeto não tem modelo; importe um primeiro</translation>
     </message>
     <message>
-        <source>%1: the film&apos;s edge ends up on the body; take a larger film, or place the body further from the edge</source>
-        <translation>%1: a borda do filme termina sobre o corpo; use um filme maior ou afaste o corpo da borda</translation>
-    </message>
-    <message>
         <source>%1 failed and %2 took over: %3</source>
         <translation>%1 falhou e %2 assumiu: %3</translation>
     </message>
@@ -1238,6 +1170,14 @@
     <message>
         <source>The artwork has %1 spot inks, and there is room for %2</source>
         <translation>A arte tem %1 tintas especiais, e há lugar para %2</translation>
+    </message>
+    <message>
+        <source>The sheets take about %1 GB of memory while they are made</source>
+        <translation>As folhas ocupam cerca de %1 GB de memória enquanto são feitas</translation>
+    </message>
+    <message>
+        <source>The sheets would take about %1 GB of memory, and this computer has %2 GB: choose a lower resolution or a smaller film</source>
+        <translation>As folhas ocupariam cerca de %1 GB de memória, e este computador tem %2 GB: escolha uma resolução menor ou um filme menor</translation>
     </message>
 </context>
 <context>
@@ -2734,6 +2674,102 @@
         <source>How far beyond the cut line the colours of the painted film&apos;s edge go on, so that a cut that slips shows no bare film.</source>
         <translation>Até onde as cores da borda do filme pintado continuam para além da linha de corte, para que um corte desviado não mostre filme nu.</translation>
     </message>
+    <message>
+        <source>Print it</source>
+        <translation>Pode imprimir</translation>
+    </message>
+    <message>
+        <source>Check first</source>
+        <translation>Verificar antes</translation>
+    </message>
+    <message>
+        <source>Do not print</source>
+        <translation>Não imprima</translation>
+    </message>
+    <message>
+        <source>Verdict: check first above</source>
+        <translation>Veredito: verificar antes acima de</translation>
+    </message>
+    <message>
+        <source>Trapped air</source>
+        <translation>Ar preso</translation>
+    </message>
+    <message>
+        <source>The share of the body&apos;s surface that trapped air may keep dry. The verdict is “do not print” above five times a limit.</source>
+        <translation>A parte da superfície do corpo que o ar preso pode manter seca. Acima de cinco vezes um limite o veredito é “Não imprima”.</translation>
+    </message>
+    <message>
+        <source>Too pale</source>
+        <translation>Claro demais</translation>
+    </message>
+    <message>
+        <source>The share of the painted area that may look too pale, because the film stretches more than the ink can make up for.</source>
+        <translation>A parte da área pintada que pode ficar clara demais, porque o filme estica mais do que a tinta consegue compensar.</translation>
+    </message>
+    <message>
+        <source>Torn or released film</source>
+        <translation>Filme rasgado ou solto</translation>
+    </message>
+    <message>
+        <source>The share of the painted area on which the film may tear or be pulled off the body.</source>
+        <translation>A parte da área pintada em que o filme pode rasgar ou ser arrancado do corpo.</translation>
+    </message>
+    <message>
+        <source>Reached by neither dip</source>
+        <translation>Não alcançado por nenhuma imersão</translation>
+    </message>
+    <message>
+        <source>The share of the body&apos;s surface that neither of two dips may reach. A job of one dip has no such limit.</source>
+        <translation>A parte da superfície do corpo que nenhuma de duas imersões precisa alcançar. Um trabalho de uma só imersão não tem esse limite.</translation>
+    </message>
+    <message>
+        <source>Narrow overlap</source>
+        <translation>Sobreposição estreita</translation>
+    </message>
+    <message>
+        <source>The share of the overlap of two dips that may be too narrow for how far the second film may lie off.</source>
+        <translation>A parte da sobreposição de duas imersões que pode ser estreita demais para o desvio possível do segundo filme.</translation>
+    </message>
+    <message>
+        <source>Bare in a zone</source>
+        <translation>Sem tinta numa zona</translation>
+    </message>
+    <message>
+        <source>The share of zone A or B, where they are marked, that may stay without paint.</source>
+        <translation>A parte da zona A ou B, onde estão marcadas, que pode ficar sem tinta.</translation>
+    </message>
+    <message>
+        <source>Film&apos;s edge</source>
+        <translation>Borda do filme</translation>
+    </message>
+    <message>
+        <source>How far the painted film has to stay from the film&apos;s edge, so that it neither curls nor folds.</source>
+        <translation>A que distância da borda do filme o filme que pinta tem de ficar, para que não enrole nem dobre.</translation>
+    </message>
+    <message>
+        <source>No picture</source>
+        <translation>Sem imagem</translation>
+    </message>
+    <message>
+        <source>What a model of one plain colour, without artwork, comes to.</source>
+        <translation>O que resulta de um modelo de uma só cor, sem arte.</translation>
+    </message>
+    <message>
+        <source>Repaired model</source>
+        <translation>Modelo corrigido</translation>
+    </message>
+    <message>
+        <source>What a model comes to that was put right, or lacks something that its file names.</source>
+        <translation>O que resulta de um modelo que foi corrigido ou ao qual falta algo que o arquivo nomeia.</translation>
+    </message>
+    <message>
+        <source>Film not measured</source>
+        <translation>Filme não medido</translation>
+    </message>
+    <message>
+        <source>What a film comes to whose swell nobody has measured.</source>
+        <translation>O que resulta de um filme cujo inchamento ninguém mediu.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -3313,6 +3349,10 @@
         <source>Swell guessed, not measured.</source>
         <translation>Inchamento suposto, não medido.</translation>
     </message>
+    <message>
+        <source>Verdict: %1</source>
+        <translation>Veredito: %1</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -3367,6 +3407,137 @@
     <message>
         <source>%1 mm²</source>
         <translation>%1 mm²</translation>
+    </message>
+</context>
+<context>
+    <name>Verdict</name>
+    <message>
+        <source>The dip was not compared with coarser ones, so nothing is known of the numerical error.</source>
+        <translation>A imersão não foi comparada com outras mais grossas; nada se sabe do erro numérico.</translation>
+    </message>
+    <message>
+        <source>The dip could not be compared with coarser ones: %1.</source>
+        <translation>A imersão não pôde ser comparada com outras mais grossas: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing is painted alike by this dip and by coarser ones.</source>
+        <translation>Nada é pintado ao mesmo tempo por esta imersão e por outras mais grossas.</translation>
+    </message>
+    <message>
+        <source>95 % of the sheet is off by %1 or less for numerical reasons.</source>
+        <translation>95 % da folha desviam %1 ou menos por razões numéricas.</translation>
+    </message>
+    <message>
+        <source>For numerical reasons 95 % of the sheet may be off by up to %1, where %2 is allowed. Set Film &gt; Cells to %3, turn the body, or dip it twice.</source>
+        <translation>Por razões numéricas 95 % da folha podem desviar até %1, onde se permite %2. Ponha Filme &gt; Células em %3, gire o corpo ou mergulhe-o duas vezes.</translation>
+    </message>
+    <message>
+        <source>For numerical reasons 95 % of the sheet may be off by up to %1, where %2 is allowed. Give the film more points (Film &gt; Points), turn the body, or dip it twice.</source>
+        <translation>Por razões numéricas 95 % da folha podem desviar até %1, onde se permite %2. Dê mais pontos ao filme (Filme &gt; Pontos), gire o corpo ou mergulhe-o duas vezes.</translation>
+    </message>
+    <message>
+        <source>For numerical reasons 95 % of the sheet may be off by up to %1, where %2 is allowed: too far to tell which cells would do. Turn the body, dip it twice, or give the film smaller cells or more points (Film &gt; Cells).</source>
+        <translation>Por razões numéricas 95 % da folha podem desviar até %1, onde se permite %2: demais para dizer que células bastam. Gire o corpo, mergulhe-o duas vezes ou dê ao filme células menores ou mais pontos (Filme &gt; Células).</translation>
+    </message>
+    <message>
+        <source>For numerical reasons 95 % of the sheet may be off by up to %1, where %2 is allowed, and most of it comes from the steps. Set Dipping &gt; Step to a smaller value.</source>
+        <translation>Por razões numéricas 95 % da folha podem desviar até %1, onde se permite %2, e a maior parte vem dos passos. Ponha Imersão &gt; Passo num valor menor.</translation>
+    </message>
+    <message>
+        <source>For numerical reasons %1 % of the painted area may be off by more than %2. Look at the places in the list.</source>
+        <translation>Por razões numéricas %1 % da área pintada podem desviar mais de %2. Veja os lugares da lista.</translation>
+    </message>
+    <message>
+        <source>The paint&apos;s border is not certain: %1 % of the body is painted by finer or coarser dips only. Give the film smaller cells (Film &gt; Cells).</source>
+        <translation>A borda da tinta não é certa: %1 % do corpo são pintados apenas por imersões mais finas ou mais grossas. Dê ao filme células menores (Filme &gt; Células).</translation>
+    </message>
+    <message>
+        <source>%1 steps of the dip ended without equilibrium, with up to %2 % of the elastic forces left. Give the film smaller cells (Film &gt; Cells).</source>
+        <translation>%1 passos da imersão terminaram sem equilíbrio, com até %2 % das forças elásticas restantes. Dê ao filme células menores (Filme &gt; Células).</translation>
+    </message>
+    <message>
+        <source>The film paints nothing of the body. Check the model&apos;s unit, its place over the film, and how deep it goes.</source>
+        <translation>O filme não pinta nada do corpo. Verifique a unidade do modelo, o lugar dele sobre o filme e a profundidade.</translation>
+    </message>
+    <message>
+        <source>Trapped air keeps %1 % of the body dry, where %2 % is allowed: no film reaches it. Turn the body so that the air can leave, or drill a hole for it.</source>
+        <translation>Ar preso mantém secos %1 % do corpo, onde se permite %2 %: nenhum filme chega lá. Gire o corpo para que o ar saia, ou faça um furo para ele.</translation>
+    </message>
+    <message>
+        <source>%1 % of the painted area will look too pale, where %2 % is allowed: the film stretches more than Ink &gt; Ink limit can make up for. Turn the body, or choose lighter colours.</source>
+        <translation>%1 % da área pintada ficarão claros demais, onde se permite %2 %: o filme estica mais do que Tinta &gt; Limite de tinta consegue compensar. Gire o corpo ou escolha cores mais claras.</translation>
+    </message>
+    <message>
+        <source>On %1 % of the painted area the film tore or was pulled off the body, where %2 % is allowed. Turn the body, or dip it twice.</source>
+        <translation>Em %1 % da área pintada o filme rasgou ou foi arrancado do corpo, onde se permite %2 %. Gire o corpo ou mergulhe-o duas vezes.</translation>
+    </message>
+    <message>
+        <source>The painted film comes within %1 of the film&apos;s edge, where %2 is wanted. Take a larger film, or move the body to the film&apos;s middle.</source>
+        <translation>O filme que pinta chega a %1 da borda do filme, onde se quer %2. Use um filme maior ou leve o corpo ao meio do filme.</translation>
+    </message>
+    <message>
+        <source>Neither dip reaches %1 % of the body, where %2 % is allowed. Turn one of the poses.</source>
+        <translation>Nenhuma imersão alcança %1 % do corpo, onde se permite %2 %. Gire uma das poses.</translation>
+    </message>
+    <message>
+        <source>%1 % of the overlap of the dips is too narrow, where %2 % is allowed: the second film shows there if it lies off. Widen Join &gt; Overlap, or turn one of the poses.</source>
+        <translation>%1 % da sobreposição das imersões são estreitos demais, onde se permite %2 %: o segundo filme aparece ali se ficar deslocado. Alargue Junção &gt; Sobreposição ou gire uma das poses.</translation>
+    </message>
+    <message>
+        <source>%1 % is not painted, where %2 % is allowed. Turn the body so that film reaches it.</source>
+        <translation>%1 % não são pintados, onde se permite %2 %. Gire o corpo para que o filme chegue lá.</translation>
+    </message>
+    <message>
+        <source>What may be off at the tank and the numerical error together leave 95 % only within ±%1, where ±%2 is allowed. Tighten what is listed as off, or turn the body.</source>
+        <translation>O que pode desviar no tanque e o erro numérico juntos mantêm 95 % só dentro de ±%1, onde se permite ±%2. Mantenha com mais exatidão o que está listado como desvio, ou gire o corpo.</translation>
+    </message>
+    <message>
+        <source>The model has neither texture nor artwork: one plain colour is printed.</source>
+        <translation>O modelo não tem textura nem arte: imprime-se uma só cor.</translation>
+    </message>
+    <message>
+        <source>Of the model&apos;s file: %1</source>
+        <translation>Do arquivo do modelo: %1</translation>
+    </message>
+    <message>
+        <source>The film&apos;s swell is guessed, not measured: the picture may come out a few per cent too large or too small. Measure the film.</source>
+        <translation>O inchamento do filme é estimado, não medido: a imagem pode sair alguns por cento maior ou menor. Meça o filme.</translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation>Não avaliado</translation>
+    </message>
+    <message>
+        <source>Print it</source>
+        <translation>Pode imprimir</translation>
+    </message>
+    <message>
+        <source>Check these points first</source>
+        <translation>Verifique antes estes pontos</translation>
+    </message>
+    <message>
+        <source>Do not print</source>
+        <translation>Não imprima</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Zone %1: %2</source>
+        <translation>Zona %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 off by more than %2, by up to %3 at its worst point</source>
+        <translation>%1 com desvio de mais de %2, de até %3 no pior ponto</translation>
+    </message>
+    <message>
+        <source>%1: %2. %3</source>
+        <translation>%1: %2. %3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,12 @@ public:
     using Error::Error;
 };
 
+// Thrown, once all is written, where a verdict is worse than was asked for: exit code 3.
+class VerdictError : public Error {
+public:
+    using Error::Error;
+};
+
 class Command {
 public:
     virtual ~Command() = default;

@@ -92,6 +92,7 @@ void importInto(Project& project, const QCommandLineParser& parser, Console& con
     project.model = std::make_shared<const TexturedMesh>(imported.model);
     project.modelOrigin.source = path;
     project.modelOrigin.texture = options.texture;
+    project.modelOrigin.remarks = imported.report.remarks();
 }
 
 struct JigSpec {

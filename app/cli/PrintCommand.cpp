@@ -1,5 +1,6 @@
 #include "cli/Arguments.h"
 #include "cli/PrintOptions.h"
+#include "cli/VerdictOutput.h"
 #include "sheet/prepress/PrinterColour.h"
 
 #include "base/Png.h"
@@ -224,6 +225,7 @@ public:
         for (const QString& note : result.notes) {
             console.out() << note << '\n';
         }
+        tellVerdict(result, console.out());
         for (const ImmersionResult& immersion : result.immersions) {
             tellGamut(immersion.sheet, request, console.out());
         }

@@ -1,8 +1,10 @@
 #include "cli/Arguments.h"
+#include "cli/VerdictOutput.h"
 #include "project/Profiles.h"
 
 #include "base/Error.h"
 #include "parallel/Tasks.h"
+#include "pipeline/JobVerdict.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/SmallerFilm.h"
 #include "pipeline/WriteResults.h"
@@ -27,32 +29,28 @@ const QString motionOption = QStringLiteral("motion-template");
 const QString languageOption = QStringLiteral("language");
 const QString lawsOption = QStringLiteral("laws");
 const QString tolerancesOption = QStringLiteral("tolerances");
+const QString requireOption = QStringLiteral("require");
 
 constexpr std::size_t mostPlaces = 8; // not reached, that are listed
-constexpr double toldNarrow = 0.005;  // share of the overlap
 
 QString number(double value, int decimals) {
     return QString::number(value, 'f', decimals);
 }
 
-void printVerdict(const ImmersionResult& result, QTextStream& out) {
-    const Verdict& verdict = result.verdict;
-    out << QStringLiteral("%1: %2\n")
-               .arg(result.immersion.name, adviceText(verdict.advice).toUpper());
-    for (const VerdictReason& reason : verdict.reasons) {
-        out << QStringLiteral("  %1\n").arg(reasonText(reason, millimetres));
-    }
+void printPlaces(const ImmersionResult& result, QTextStream& out) {
     const Coverage& coverage = *result.coverage;
     if (coverage.marked.any > 0) {
-        out << QStringLiteral("  %1\n").arg(markedText(coverage.marked, coverage.paintedArea));
+        out << QStringLiteral("%1: %2\n")
+                   .arg(result.immersion.name, markedText(coverage.marked, coverage.paintedArea));
     }
-    if (verdict.advice <= Advice::Print) {
+    if (result.verdict.advice <= Advice::Print) {
         return;
     }
-    for (const UncertainPlace& place : verdict.places) {
-        out << QStringLiteral("  at %1, %2 mm on the film: %3 mm² off by up to %4 mm\n")
+    const auto area = [](double value) { return QStringLiteral("%1 mm²").arg(number(value, 0)); };
+    for (const UncertainPlace& place : result.verdict.places) {
+        out << QStringLiteral("  at %1, %2 mm on the film: %3\n")
                    .arg(number(double(place.rest.x()), 0), number(double(place.rest.y()), 0),
-                        number(place.area, 0), number(place.offBy, 2));
+                        placeText(place, millimetres, area));
     }
 }
 
@@ -109,12 +107,6 @@ void printShare(const JobResult& result, QTextStream& out) {
                     result.immersions[1].immersion.name, part(areas.second), part(areas.both),
                     number(result.share->overlap.least, 1), number(result.share->overlap.most, 1),
                     part(areas.none));
-    if (result.share->narrow > toldNarrow) {
-        out << QStringLiteral("  %1 % of the overlap is too narrow: the second film shows there if "
-                              "it lies %2 mm off\n")
-                   .arg(number(100 * result.share->narrow, 0),
-                        number(result.project.share.registrationError.value(), 1));
-    }
     const std::vector<UnpaintedPlace>& places = result.share->unpainted;
     const std::size_t listed = std::min(places.size(), mostPlaces);
     for (const UnpaintedPlace& place : std::span(places).first(listed)) {
@@ -160,9 +152,10 @@ void printSummary(const JobResult& result, QTextStream& out) {
     for (const QString& note : result.notes) {
         out << note << '\n';
     }
+    tellVerdict(result, out);
     for (std::size_t i = 0; i < result.immersions.size(); ++i) {
         const ImmersionResult& immersion = result.immersions[i];
-        printVerdict(immersion, out);
+        printPlaces(immersion, out);
         printLaws(immersion.laws, out);
         if (result.tolerances) {
             printTolerances(result.tolerances->dips[i], out);
@@ -210,6 +203,51 @@ void speak(const QString& code) {
     QCoreApplication::installTranslator(words);
 }
 
+// The worst verdict that the user asked for; nothing: any will do.
+std::optional<Advice> requiredAdvice(const QCommandLineParser& parser) {
+    if (!parser.isSet(requireOption)) {
+        return std::nullopt;
+    }
+    const QString word = parser.value(requireOption);
+    if (word == QLatin1String("print")) {
+        return Advice::Print;
+    }
+    if (word == QLatin1String("check")) {
+        return Advice::LookFirst;
+    }
+    throw UsageError(QStringLiteral("“%1” is no verdict, require print or check").arg(word),
+                     QStringLiteral("--require"));
+}
+
+// The verdict that a requirement is held against: what nobody has judged keeps none, whatever else
+// is said of it.
+Advice requirable(const JobResult& result) {
+    const bool isJudged = std::ranges::none_of(reasonsOf(result), [](const JobReason& reason) {
+        return reason.reason.kind == VerdictReason::Kind::NotAsked;
+    });
+    return isJudged ? adviceOf(result) : Advice::NotJudged;
+}
+
+void require(std::optional<Advice> required, const std::vector<Advice>& verdicts,
+             const QString& folder) {
+    const auto fails = [&](Advice verdict) {
+        return required && (verdict == Advice::NotJudged || verdict > *required);
+    };
+    const auto failed = std::count_if(verdicts.begin(), verdicts.end(), fails);
+    if (failed > 0) {
+        throw VerdictError(
+            verdicts.size() == 1
+                ? QStringLiteral("The verdict is “%1”, which is not what was required; the "
+                                 "results are written")
+                      .arg(adviceText(verdicts.front()))
+                : QStringLiteral("%1 of %2 verdicts are worse than required; the results are "
+                                 "written")
+                      .arg(failed)
+                      .arg(verdicts.size()),
+            folder);
+    }
+}
+
 class RunCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("run"); }
@@ -242,6 +280,11 @@ public:
                  "off their places for what is off, and which zones keep their limits.")});
         syntax.addOption({cradleOption, QStringLiteral("Also makes a cradle for each immersion, to "
                                                        "print in plastic: STL and 3MF.")});
+        syntax.addOption(
+            {requireOption,
+             QStringLiteral("Fails with exit code 3, once all is written, where the verdict is "
+                            "worse than print, or than check (to be looked at first)."),
+             QStringLiteral("print|check")});
         syntax.addOption({motionOption,
                           QStringLiteral("A text with {names} to fill in for motion-N.gcode."),
                           QStringLiteral("FILE")});
@@ -266,11 +309,14 @@ public:
             registry.module(solverToWake(parser, projects.front()), cancelToken);
         });
         const JobOptions options = jobOptions(parser);
+        const std::optional<Advice> required = requiredAdvice(parser);
         if (projects.size() == 1) {
-            runOne(projects.front(), folder, registry, options, parser, console.progress(),
-                   console);
+            require(required,
+                    {runOne(projects.front(), folder, registry, options, parser, console.progress(),
+                            console)},
+                    folder);
         } else {
-            runAll(projects, folder, registry, options, parser, console);
+            require(required, runAll(projects, folder, registry, options, parser, console), folder);
         }
     }
 
@@ -307,9 +353,10 @@ private:
         return options;
     }
 
-    static void runOne(const QString& path, const QString& folder, const SolverRegistry& registry,
-                       const JobOptions& options, const QCommandLineParser& parser,
-                       const Progress& progress, Console& console) {
+    // Returns the verdict.
+    static Advice runOne(const QString& path, const QString& folder, const SolverRegistry& registry,
+                         const JobOptions& options, const QCommandLineParser& parser,
+                         const Progress& progress, Console& console) {
         Project project = readProject(path, parser);
         if (parser.isSet(dpiOption)) {
             setByOption(project, QStringLiteral("sheet.dpi"), parser.value(dpiOption),
@@ -318,15 +365,17 @@ private:
         const JobResult result = runAndWrite(project, registry, options, folder, progress);
         printSummary(result, console.out());
         console.out() << QStringLiteral("Wrote %1\n").arg(folder);
+        return requirable(result);
     }
 
-    // One after the other; one that fails is told and leaves the others alone.
-    static void runAll(const QStringList& projects, const QString& folder,
-                       const SolverRegistry& registry, const JobOptions& options,
-                       const QCommandLineParser& parser, Console& console) {
+    // One after the other; one that fails is told and leaves the others alone. Returns the
+    // verdicts.
+    static std::vector<Advice> runAll(const QStringList& projects, const QString& folder,
+                                      const SolverRegistry& registry, const JobOptions& options,
+                                      const QCommandLineParser& parser, Console& console) {
         const QStringList folders = resultFolders(projects, folder);
         const Progress progress = console.progress();
-        qsizetype done = 0;
+        std::vector<Advice> verdicts;
         for (qsizetype number = 0; number < projects.size(); ++number) {
             console.out() << QStringLiteral("Project %1 of %2: %3\n")
                                  .arg(number + 1)
@@ -334,27 +383,28 @@ private:
                                  .arg(projects[number]);
             const auto count = double(projects.size());
             try {
-                runOne(projects[number], folders[number], registry, options, parser,
-                       progress.part(double(number) / count, double(number + 1) / count), console);
-                ++done;
+                verdicts.push_back(runOne(
+                    projects[number], folders[number], registry, options, parser,
+                    progress.part(double(number) / count, double(number + 1) / count), console));
             } catch (const UsageError&) {
                 throw;
             } catch (const Error& error) {
                 console.error(error);
             } catch (const Cancelled&) {
                 throw Error(QStringLiteral("Cancelled: %1 of %2 projects were done")
-                                .arg(done)
+                                .arg(verdicts.size())
                                 .arg(projects.size()),
                             projects[number]);
             }
             console.out().flush(); // what is done is told while the next one runs
         }
-        if (done < projects.size()) {
+        if (verdicts.size() < std::size_t(projects.size())) {
             throw Error(QStringLiteral("%1 of %2 projects were done, the others failed as told")
-                            .arg(done)
+                            .arg(verdicts.size())
                             .arg(projects.size()),
                         folder);
         }
+        return verdicts;
     }
 };
 

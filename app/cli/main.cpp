@@ -11,7 +11,7 @@
 namespace dipwright::cli {
 namespace {
 
-enum ExitCode { Done = 0, Failed = 1, WrongUsage = 2 };
+enum ExitCode { Done = 0, Failed = 1, WrongUsage = 2, WorseVerdict = 3 };
 
 void printHelp(const std::vector<std::unique_ptr<Command>>& commands, QTextStream& out) {
     out << "Usage: dipwright-cli COMMAND …\n\n"
@@ -23,7 +23,8 @@ void printHelp(const std::vector<std::unique_ptr<Command>>& commands, QTextStrea
     out << "\nOptions:\n"
            "  -h, --help     This help; after a command, the command's own.\n"
            "  -v, --version  The version.\n\n"
-           "Exit codes: 0 done, 1 the job failed, 2 wrong usage.\n";
+           "Exit codes: 0 done, 1 the job failed, 2 wrong usage, 3 a verdict worse than "
+           "required.\n";
 }
 
 // The parser's own text, with the command where a user types it.
@@ -122,6 +123,9 @@ int guardedRun(const QStringList& arguments, Console& console) {
     } catch (const UsageError& error) {
         console.error(error);
         return WrongUsage;
+    } catch (const VerdictError& error) {
+        console.error(error);
+        return WorseVerdict;
     } catch (const Error& error) {
         console.error(error);
     } catch (const Cancelled&) {

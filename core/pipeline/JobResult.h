@@ -2,8 +2,8 @@
 #pragma once
 
 #include "accuracy/certainty/LawChange.h"
-#include "accuracy/certainty/Verdict.h"
 #include "accuracy/tolerance/Zones.h"
+#include "accuracy/verdict/Verdict.h"
 #include "cradle/Cradle.h"
 #include "dip/Coverage.h"
 #include "pipeline/StepInputs.h"
@@ -28,8 +28,8 @@ struct ImmersionResult {
     std::shared_ptr<const LaidFilm> laid;
     std::shared_ptr<const Coverage> coverage;
     std::shared_ptr<const CertaintyEstimate> certainty; // null: not asked for
-    Verdict verdict;
-    std::vector<LawChange> laws; // empty: not asked for
+    Verdict verdict;                                    // of this dip alone
+    std::vector<LawChange> laws;                        // empty: not asked for
     ReadBackError readBack;
     std::shared_ptr<const ReverseTexture> texture;
     Sheet sheet;
@@ -61,19 +61,11 @@ struct JobResult {
     QImage proofWithoutWhite; // null where there is no white, or the part has no colour of its own
     QImage coverage;          // who paints what of a body that is shared out; null of others
     std::shared_ptr<const JobTolerances> tolerances; // null: not asked for
+    Verdict verdict;                                 // of what is told of all dips together
     std::vector<Cradle> cradles;                     // of each immersion; empty: not asked for
     QStringList notes; // sentences for the user: a solver that took over, a film past its date or
                        // too small
 };
-
-// The worst of the immersions' advice.
-inline Advice adviceOf(const JobResult& result) {
-    Advice worst = Advice::NotJudged;
-    for (const ImmersionResult& immersion : result.immersions) {
-        worst = std::max(worst, immersion.verdict.advice);
-    }
-    return worst;
-}
 
 // The id of the solver that a project's `wanted` stands for, as far as `result` tells: the one that
 // was chosen for it when it wanted the same; otherwise `wanted` itself. So "auto" and the id that

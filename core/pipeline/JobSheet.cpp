@@ -51,8 +51,8 @@ QString jobHash(const Project& project, const Immersion& immersion, const Printe
     anonymous.process.solver = ProcessSettings().solver;
     anonymous.baseColour.clear(); // nothing of it is printed
     QJsonObject settings = countedSettings(anonymous);
-    for (const char* key :
-         {"model", "immersions", "name", "cradle", "tolerance", "inspection", "pose_search"}) {
+    for (const char* key : {"model", "immersions", "name", "cradle", "tolerance", "verdict",
+                            "inspection", "pose_search"}) {
         settings.remove(QLatin1String(key));
     }
     if (!project.asBuilt.corrects) {

@@ -40,7 +40,13 @@ JobTolerances jobTolerances(const JobResult& result, const ToleranceSettings& se
     for (const DipTolerances& dip : tolerances.dips) {
         dips.push_back(&dip);
     }
-    tolerances.zones = zoneVerdicts(project.model, dips, settings);
+    const std::vector<SurfacePoint> places = tolerancePlaces(*project.model);
+    std::vector<std::vector<float>> errors;
+    for (const ImmersionResult& dip : result.immersions) {
+        errors.push_back(dip.certainty ? offByAt(*dip.certainty, *dip.laid, places)
+                                       : std::vector<float>());
+    }
+    tolerances.zones = zoneVerdicts(project.model, dips, errors, settings);
     return tolerances;
 }
 

@@ -1,5 +1,6 @@
 #include "pipeline/JobTraveller.h"
 
+#include "pipeline/JobVerdict.h"
 #include "pipeline/PrintedBody.h"
 
 #include <QPainter>
@@ -20,6 +21,17 @@ QImage afterDip(const PoseView& view, const Progress& progress) {
         x += afterPixels.width();
     }
     return pictures;
+}
+
+// What is told of a dip and of all together.
+QStringList verdictLines(const JobResult& result, std::size_t number) {
+    QStringList lines{adviceText(adviceOf(result))};
+    for (const JobReason& reason : reasonsOf(result)) {
+        if (!reason.dip || *reason.dip == number) {
+            lines << reasonText(reason.reason, millimetres);
+        }
+    }
+    return lines;
 }
 
 } // namespace
@@ -62,6 +74,7 @@ Traveller jobTraveller(const JobResult& result, const Progress& progress) {
         if (cradle) {
             dip.cradle = cradle->notes;
         }
+        dip.verdict = verdictLines(result, i);
         dip.sheet = flattened(immersion.sheet.image)
                         .scaledToWidth(sheetPixelsAcross, Qt::SmoothTransformation);
         dip.body = boundingBox(immersion.body->mesh);

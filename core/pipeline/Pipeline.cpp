@@ -12,8 +12,10 @@
 #include "pipeline/JobCradles.h"
 #include "pipeline/JobSheet.h"
 #include "pipeline/JobTolerances.h"
+#include "pipeline/JobVerdict.h"
 #include "pipeline/LawChanges.h"
 #include "pipeline/PrintedBody.h"
+#include "pipeline/SheetMemory.h"
 #include "pipeline/SolverChoice.h"
 #include "project/Profiles.h"
 #include "results/Results.h"
@@ -53,6 +55,7 @@ struct Run {
     const JobOptions& options;
     const JobResult* previous; // may be null
     CancelToken user;
+    std::shared_ptr<const ZonedBody> zones; // null: none are marked
 
     const ImmersionResult* earlier(std::size_t number) const {
         return previous && number < previous->immersions.size() ? &previous->immersions[number]
@@ -333,7 +336,7 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
         now.certainty = std::make_shared<const CertaintyEstimate>(
             certaintyEstimate(*now.laid, std::exchange(comparison.films, {})));
     }
-    now.verdict = verdict(*now.laid, now.certainty.get());
+    now.verdict = dipVerdict(now, run.project, run.zones.get());
     if (run.options.finished) {
         run.options.finished(number, now);
     }
@@ -495,11 +498,6 @@ QStringList notesOf(const JobResult& result) {
     notes += colourNotes(*result.project.model) + colourNotes(result.project.artwork);
     for (const ImmersionResult& immersion : result.immersions) {
         notes += immersion.solverNotes;
-        if (edgeIsOnBody(*immersion.laid)) {
-            notes.append(Text::tr("%1: the film's edge ends up on the body; take a larger "
-                                  "film, or place the body further from the edge")
-                             .arg(immersion.immersion.name));
-        }
     }
     if (result.share && betterLast(*result.share) == std::size_t(0)) {
         const QLocale locale;
@@ -522,7 +520,11 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
         throw Error(Text::tr("The project has no model, import one first"), project.name);
     }
     checkSpots(project);
-    const Run run{project, registry, options, previous, progress.cancelToken};
+    checkMemory(project);
+    if (const QString note = memoryNote(project); !note.isEmpty()) {
+        progress(0, note);
+    }
+    const Run run{project, registry, options, previous, progress.cancelToken, markedZones(project)};
     JobResult result;
     result.project = project;
     result.wantedSolver = options.solver.isEmpty() ? project.process.solver : options.solver;
@@ -559,6 +561,7 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
         !note.isEmpty()) {
         result.notes += note;
     }
+    result.verdict = togetherVerdict(result, run.zones.get());
     return result;
 }
 

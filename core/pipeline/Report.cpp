@@ -4,6 +4,7 @@
 #include "project/Profiles.h"
 
 #include "pipeline/JobTolerances.h"
+#include "pipeline/JobVerdict.h"
 #include "pipeline/SmallerFilm.h"
 #include "texture/ReverseTexture.h"
 
@@ -38,16 +39,39 @@ QJsonObject toJson(const UncertainPlace& place) {
     return {{"film_mm", QJsonArray{place.rest.x(), place.rest.y()}},
             {"model_mm", QJsonArray{place.place.x(), place.place.y(), place.place.z()}},
             {"area_mm2", place.area},
+            {"limit_mm", place.limit},
             {"off_by_mm", place.offBy}};
 }
 
 // The reasons in sentences.
-QJsonArray reasonsOf(const Verdict& verdict) {
-    QJsonArray reasons;
+QJsonArray sentencesOf(const Verdict& verdict) {
+    QJsonArray sentences;
     for (const VerdictReason& reason : verdict.reasons) {
-        reasons.append(reasonText(reason, millimetres));
+        sentences.append(reasonText(reason, millimetres));
     }
-    return reasons;
+    return sentences;
+}
+
+// Those of the whole job, the worst first.
+QJsonArray reasonsJson(const JobResult& result) {
+    QJsonArray json;
+    for (const JobReason& reason : reasonsOf(result)) {
+        const VerdictReason& why = reason.reason;
+        QJsonObject one{{"kind", reasonKey(why.kind)},
+                        {"verdict", adviceKey(why.advice)},
+                        {"sentence", reasonText(reason, result, millimetres)},
+                        {"dip", reason.dip ? QJsonValue(qint64(*reason.dip) + 1) : QJsonValue()},
+                        {"value", why.value},
+                        {"limit", why.limit}};
+        if (const QString field = limitField(why.kind); !field.isEmpty()) {
+            one["field"] = field;
+        }
+        if (why.zone) {
+            one["zone"] = zoneName(*why.zone);
+        }
+        json.append(one);
+    }
+    return json;
 }
 
 // All plates beside the four inks, in the order of printing.
@@ -78,7 +102,7 @@ QJsonObject certaintyJson(const ImmersionResult& result) {
         places.append(toJson(place));
     }
     QJsonObject json{{"verdict", adviceKey(verdict.advice)},
-                     {"reasons", reasonsOf(verdict)},
+                     {"reasons", sentencesOf(verdict)},
                      {"places", places},
                      {"uncertain_area_mm2", verdict.uncertainArea}};
     if (result.certainty && result.certainty->failure.isEmpty()) {
@@ -251,6 +275,7 @@ QJsonArray zonesJson(const std::vector<ZoneVerdict>& zones) {
                                 {"painted_mm2", zone.area},
                                 {"unpainted_mm2", zone.unpainted},
                                 {"within", zone.within},
+                                {"together_p95_mm", zone.together},
                                 {"spread_mm", toJson(zone.spread)},
                                 {"worst", toJson(zone.worst)},
                                 {"contributor", contributorKey(zone.contributor)},
@@ -334,6 +359,7 @@ QJsonObject report(const Project& project, const JobResult& result) {
     QJsonObject json{{"version", 1},
                      {"project", project.name},
                      {"verdict", adviceKey(adviceOf(result))},
+                     {"reasons", reasonsJson(result)},
                      {"solver", QJsonObject{{"id", result.solver.id},
                                             {"device", result.solver.device},
                                             {"version", result.solver.version}}},

@@ -6,6 +6,7 @@
 #include "film/FilmGrid.h"
 #include "model/TextureNotes.h"
 #include "pipeline/JobSheet.h"
+#include "pipeline/SheetMemory.h"
 #include "pipeline/SolverChoice.h"
 #include "project/Profiles.h"
 #include "project/Project.h"
@@ -86,7 +87,11 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
     sheetPixels(project.film.width, project.film.height, project.sheet.resolution);
     pageSize(Sheet{{}, project.film.width, project.film.height, project.sheet, {}});
     checkSpots(project);
+    checkMemory(project);
     QStringList warnings;
+    if (const QString note = memoryNote(project); !note.isEmpty()) {
+        warnings.append(note);
+    }
     warnings += chooseSolver(project.process.solver, registry).notes;
     if (!isClosed(project.model->mesh)) {
         warnings.append(Text::tr("The model is not closed, what is inside is guessed"));

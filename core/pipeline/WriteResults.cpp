@@ -107,8 +107,9 @@ void addSheet(std::vector<Piece>& pieces, const ImmersionResult& result, const Q
          }});
 }
 
+// `allowedError`: mm, of the map of how far the sheet may be off.
 void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QString& prefix,
-             const FolderTransaction& folder) {
+             double allowedError, const FolderTransaction& folder) {
     pieces.push_back(
         {Text::tr("Writing the film of %1").arg(result.immersion.name), [&result, prefix, &folder] {
              folder.write(prefix + QStringLiteral("film.vtp"),
@@ -127,23 +128,23 @@ void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QS
                                        pngBytes(wrinklingMap(*result.laid, filmMapEdge), name));
                       }});
     if (result.certainty && result.certainty->failure.isEmpty()) {
-        pieces.push_back({text, [&result, prefix, &folder] {
+        pieces.push_back({text, [&result, prefix, allowedError, &folder] {
                               const QString name = prefix + QStringLiteral("certainty.png");
                               const QImage map =
                                   certaintyMap(*result.laid, result.certainty->pointsOffBy,
-                                               certainOffBy, filmMapEdge);
+                                               allowedError, filmMapEdge);
                               folder.write(name, pngBytes(map, name));
                           }});
     }
 }
 
 // The files of one immersion, `number` from 0. Keeps references to all but the number.
-std::vector<Piece> immersionPieces(const ImmersionResult& result, std::size_t number,
-                                   const FolderTransaction& folder) {
+std::vector<Piece> immersionPieces(const Project& project, const ImmersionResult& result,
+                                   std::size_t number, const FolderTransaction& folder) {
     const QString prefix = immersionFolder(int(number) + 1) + QLatin1Char('/');
     std::vector<Piece> pieces;
     addSheet(pieces, result, prefix, folder);
-    addFilm(pieces, result, prefix, folder);
+    addFilm(pieces, result, prefix, allowedError(Zone::C, project.tolerance), folder);
     return pieces;
 }
 
@@ -256,7 +257,8 @@ void writeResults(const Project& project, const JobResult& result, const QString
     std::vector<Piece> pieces = jobPieces(project, result, results);
     addTraveller(pieces, result, motionTemplate(), results, progress.cancelToken);
     for (std::size_t number = 0; number < result.immersions.size(); ++number) {
-        for (Piece& piece : immersionPieces(result.immersions[number], number, results)) {
+        for (Piece& piece :
+             immersionPieces(result.project, result.immersions[number], number, results)) {
             pieces.push_back(std::move(piece));
         }
     }
@@ -280,11 +282,12 @@ JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
     FolderTransaction results(folder, resultFiles());
     const MotionTemplate motion = options.motion ? *options.motion : motionTemplate();
     filledTemplate({}, motion.text, motion.where); // refused before the job
+    pageSize(Sheet{{}, project.film.width, project.film.height, project.sheet, {}}); // likewise
     Tasks writing;
     JobOptions watched = options;
     watched.finished = [&](std::size_t number, const ImmersionResult& immersion) {
         writing.run([&, number, immersion] {
-            writeTogether(immersionPieces(immersion, number, results), progress.silent());
+            writeTogether(immersionPieces(project, immersion, number, results), progress.silent());
         });
     };
     const JobResult result = runJob(project, registry, watched, nullptr, progress.part(0, 0.95));

@@ -16,6 +16,7 @@
 #include "settings/ShareSettings.h"
 #include "settings/SheetSettings.h"
 #include "settings/ToleranceSettings.h"
+#include "settings/VerdictSettings.h"
 
 #include <QByteArray>
 #include <QJsonObject>
@@ -33,6 +34,7 @@ struct ModelOrigin {
     QString source;  // the file it was imported from, for "reload from disk"
     QString texture; // the picture that replaced the model's own, or empty
     double unitMillimetres = 1;
+    QString remarks;   // what was put right in it, or is missing: sentences; empty: nothing
     QByteArray sha256; // of the embedded model, hex
     bool operator==(const ModelOrigin&) const = default;
 };
@@ -57,7 +59,8 @@ struct Project {
     ShareSettings share; // of two immersions
     CradleSettings cradle;
     ToleranceSettings tolerance;
-    PoseAims poseAims; // of its pose searches; in the file only what is not usual
+    VerdictSettings verdict; // in the file only what is not usual
+    PoseAims poseAims;       // of its pose searches; in the file only what is not usual
     AsBuilt asBuilt;
     InspectedPart inspection;
     FilmOnWater filmOnWater;

@@ -94,6 +94,8 @@ void addModelFields(std::vector<Field<Project>>& fields) {
     fields.push_back(number(
         "model.unit_mm", 1e-9, 1e9,
         [](auto& p) -> auto& { return p.modelOrigin.unitMillimetres; }));
+    fields.push_back(leftOutWhenUsual(uncountedWhenUsual(text(
+        "model.remarks", 4000, [](auto& p) -> auto& { return p.modelOrigin.remarks; }))));
     fields.push_back(modelHash());
 }
 
@@ -305,6 +307,43 @@ void addToleranceFields(std::vector<Field<Project>>& fields) {
         [](auto& p, int part) -> auto& { return p.tolerance.limits[part]; }));
 }
 
+// What a job's verdict makes of something that is no matter of a limit.
+Field<Project> adviceField(const char* path, Advice VerdictSettings::*member) {
+    const QStringList words{QStringLiteral("print"), QStringLiteral("look_first"),
+                            QStringLiteral("do_not_print")};
+    return {QString::fromLatin1(path),
+            {FieldKind::Choice, 1, false, 0, 0, words},
+            [words, member](const Project& project) {
+                return QJsonValue(words.at(int(project.verdict.*member) - int(Advice::Print)));
+            },
+            [words, member](Project& project, const QJsonValue& value) {
+                project.verdict.*member =
+                    Advice(int(Advice::Print) + int(words.indexOf(value.toString())));
+            }};
+}
+
+void addVerdictFields(std::vector<Field<Project>>& fields) {
+    const auto add = [&](Field<Project> field) {
+        fields.push_back(leftOutWhenUsual(uncountedWhenUsual(std::move(field))));
+    };
+    const auto share = [&](const char* path, double VerdictSettings::*member) {
+        add(number(
+            path, 0, 1, [member](auto& p) -> auto& { return p.verdict.*member; }));
+    };
+    using V = VerdictSettings;
+    share("verdict.air", &V::air);
+    share("verdict.pale", &V::pale);
+    share("verdict.unreached", &V::unreached);
+    share("verdict.narrow", &V::narrow);
+    share("verdict.zone_bare", &V::zoneBare);
+    share("verdict.damaged", &V::damaged);
+    add(number(
+        "verdict.edge_mm", 0, 1000, [](auto& p) -> auto& { return p.verdict.edge; }));
+    add(adviceField("verdict.no_picture", &V::noPicture));
+    add(adviceField("verdict.changed_model", &V::changedModel));
+    add(adviceField("verdict.guessed_film", &V::guessedFilm));
+}
+
 // "pose_search.weights.quality", "pose_search.weights.zone_a", "pose_search.limits.coverage".
 void addPoseSearchFields(std::vector<Field<Project>>& fields) {
     const auto add = [&](const QString& key, auto make) {
@@ -395,6 +434,7 @@ const std::vector<Field<Project>>& projectFields() {
         addShareFields(all);
         addCradleFields(all);
         addToleranceFields(all);
+        addVerdictFields(all);
         addPoseSearchFields(all);
         addAsBuiltFields(all);
         addInspectionFields(all);

@@ -82,6 +82,11 @@ double paintHead(QPainter& painter, const Traveller& traveller, std::size_t numb
     paintQrCode(painter, place, travellerJob(traveller));
     const double under = ink.text({place.x() - 10, place.bottom() - 1, code + 10, 0}, wordHeight,
                                   Text::tr("Job %1").arg(travellerJob(traveller)), Qt::AlignRight);
+    const QString verdict = dip.verdict.join(QStringLiteral(" • "));
+    if (!verdict.isEmpty()) {
+        y = ink.text({margin, std::max(y, under) + 1, page.width() - 2 * margin, 0}, wordHeight,
+                     Text::tr("Verdict: %1").arg(verdict));
+    }
     return std::max(y, under) + 2;
 }
 

@@ -21,6 +21,7 @@ struct TravellerDip {
     PosePicture front, right;          // as it hangs over the film, with its cradle
     double waterAtEnd = 0;             // mm of the pose frame: where the water stands in the end
     std::optional<QStringList> cradle; // its notes; none: no cradle was asked for
+    QStringList verdict;               // what is to be done with the job, then why, in sentences
     QImage sheet;                      // the film's picture, ink side up, small
     BoundingBox body;                  // pose frame
     QImage after;                      // how the body has to look after it

@@ -228,7 +228,9 @@ void BreakingTest::whatIsWrittenIsWholeWhateverDies_data() {
     };
     row("run over results", cli, "run @job.dipw --out @out --no-certainty --threads 1");
     row("run into a new folder", cli, "run @job.dipw --out @deep/down --no-certainty --threads 1");
-    row("optimize", cli, "optimize @job.dipw --immersions 1 --candidates 6 --threads 1");
+    row("optimize", cli,
+        "optimize @job.dipw --immersions 1 --candidates 6 --directions 6 --refined 0 --finer 1 "
+        "--confirmed 0 --threads 1");
     row("profile set", cli, "profile set film Mine --set swell=1.2;1.2");
     row("new profile", cli, "profile set film Other --set swell=1.2;1.2");
     row("profile use", cli, "profile use film Mine @job.dipw");
@@ -333,7 +335,7 @@ void BreakingTest::aProjectOutlivesAllocationsThatFail() {
 
 void BreakingTest::aLongDayLeavesNothingBehind() {
     restore();
-    const int count = isEverywhere() ? 500 : 30;
+    const int count = isEverywhere() ? 500 : 20;
     const QString job = place_.path(QStringLiteral("job.dipw"));
     const QString day = place_.path(QStringLiteral("day"));
     const QTemporaryDir temporary;

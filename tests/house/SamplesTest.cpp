@@ -3,6 +3,7 @@
 #include "base/Units.h"
 #include "geometry/SurfaceQuery.h"
 #include "model/TexturedMesh.h"
+#include "pipeline/JobVerdict.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/SmallerFilm.h"
 #include "project/Project.h"
@@ -159,10 +160,11 @@ void SamplesTest::filmSuitsTheBody() {
     const JobResult& result = resultOf(name);
     QVERIFY(result.project.film.resolution == FilmResolution::Automatic);
     QVERIFY(!smallerFilm(result).has_value());
-    for (const ImmersionResult& dip : result.immersions) {
-        const QString told = verdictText(dip.immersion.name, dip.verdict);
-        QVERIFY2(dip.verdict.advice == Advice::Print, qPrintable(told));
+    QStringList told;
+    for (const JobReason& reason : reasonsOf(result)) {
+        told << reasonText(reason, result, millimetres);
     }
+    QVERIFY2(adviceOf(result) == Advice::Print, qPrintable(told.join(QLatin1Char('\n'))));
 }
 
 void SamplesTest::aFlippedSheetIsSeen() {

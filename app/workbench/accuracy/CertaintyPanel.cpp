@@ -1,5 +1,6 @@
 #include "workbench/accuracy/CertaintyPanel.h"
 
+#include "pipeline/JobVerdict.h"
 #include "results/Results.h"
 #include "workbench/widgets/PicturePanel.h"
 
@@ -24,7 +25,8 @@ struct Text {
 constexpr double mapPixelsPerMillimetre = 5; // the map has no size of its own
 constexpr int mapEdge = 1600;                // pixels
 constexpr int shownPlaces = 5;
-constexpr double mostText = 0.5; // of the height; longer ones are scrolled
+const QString fieldScheme = QStringLiteral("field:"); // of a link to a field of the project
+constexpr double mostText = 0.65;                     // of the height; longer ones are scrolled
 
 QString colourOf(Advice advice) { // of the band beside the words; read on light and dark
     switch (advice) {
@@ -48,24 +50,44 @@ QString paragraph(QString text) {
 }
 
 QString placeHtml(const UncertainPlace& place, std::size_t number, LengthUnit unit) {
-    const QString words = Text::tr("%1 off by up to %2")
-                              .arg(shownArea(place.area, unit), shownLength(place.offBy, unit));
+    const QString words = placeText(
+        place, [unit](double length) { return shownLength(length, unit); },
+        [unit](double area) { return shownArea(area, unit); });
     return QStringLiteral("<li><a href='%1'>%2</a></li>")
         .arg(QString::number(number), words.toHtmlEscaped());
 }
 
-QString html(const ImmersionResult& result, LengthUnit unit) {
-    const Verdict& verdict = result.verdict;
-    QString words = QStringLiteral("<table cellspacing='0' cellpadding='4'><tr><td width='6' "
-                                   "bgcolor='%1'></td><td><b style='font-size:large'>%2</b><br/>"
-                                   "%3</td></tr></table>")
-                        .arg(colourOf(verdict.advice), adviceText(verdict.advice).toHtmlEscaped(),
-                             result.immersion.name.toHtmlEscaped());
-    for (const VerdictReason& reason : verdict.reasons) {
-        const auto length = [unit](double millimetres) { return shownLength(millimetres, unit); };
-        words += paragraph(reasonText(reason, length));
+// The sentence, with a link to the limit that it is judged by.
+QString reasonHtml(const JobReason& reason, const JobResult& result, LengthUnit unit) {
+    JobReason shown = reason;
+    if (result.immersions.size() == 1) {
+        shown.dip.reset();
     }
-    if (verdict.advice > Advice::Print) {
+    const auto length = [unit](double millimetres) { return shownLength(millimetres, unit); };
+    QString words = paragraph(QStringLiteral("■ ") + reasonText(shown, result, length));
+    words.replace(
+        QStringLiteral("■"),
+        QStringLiteral("<span style='color:%1'>■</span>").arg(colourOf(reason.reason.advice)));
+    if (const QString field = limitField(reason.reason.kind); !field.isEmpty()) {
+        words.insert(words.lastIndexOf(QLatin1String("</p>")),
+                     QStringLiteral(" <a href='%1%2'>%3</a>")
+                         .arg(fieldScheme, field, Text::tr("Setting").toHtmlEscaped()));
+    }
+    return words;
+}
+
+QString html(const JobResult& result, const ImmersionResult& dip, LengthUnit unit) {
+    const Advice advice = adviceOf(result);
+    QString words = QStringLiteral("<table cellspacing='0' cellpadding='4'><tr><td width='6' "
+                                   "bgcolor='%1'></td><td><b style='font-size:large'>%2</b>"
+                                   "</td></tr></table>")
+                        .arg(colourOf(advice), adviceText(advice).toHtmlEscaped());
+    for (const JobReason& reason : reasonsOf(result)) {
+        words += reasonHtml(reason, result, unit);
+    }
+    const Verdict& verdict = dip.verdict;
+    if (verdict.advice > Advice::Print && !verdict.places.empty()) {
+        words += paragraph(Text::tr("Places of %1:").arg(dip.immersion.name));
         words += QStringLiteral("<ol style='margin:2px 0'>");
         for (std::size_t n = 0; n < std::min<std::size_t>(verdict.places.size(), shownPlaces);
              ++n) {
@@ -73,7 +95,7 @@ QString html(const ImmersionResult& result, LengthUnit unit) {
         }
         words += QStringLiteral("</ol>");
     }
-    const Coverage& coverage = *result.coverage;
+    const Coverage& coverage = *dip.coverage;
     return words + paragraph(markedText(coverage.marked, coverage.paintedArea));
 }
 
@@ -104,12 +126,13 @@ void CertaintyPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion
     }
     const ImmersionResult& result = outcome.result->immersions[immersion];
     places_ = result.verdict.places;
-    text_->setHtml(html(result, unit));
+    text_->setHtml(html(*outcome.result, result, unit));
     fitText();
     const CertaintyEstimate* estimate = result.certainty.get();
     if (estimate && estimate->failure.isEmpty()) {
         const QImage map =
-            certaintyMap(*result.laid, estimate->pointsOffBy, certainOffBy, mapEdge, unit);
+            certaintyMap(*result.laid, estimate->pointsOffBy,
+                         allowedError(Zone::C, outcome.result->project.tolerance), mapEdge, unit);
         map_->setPicture(map, QSizeF(map.size()) / mapPixelsPerMillimetre);
     }
 }
@@ -126,11 +149,19 @@ void CertaintyPanel::fitText() {
     const std::unique_ptr<QTextDocument> measured(text_->document()->clone());
     measured->setTextWidth(width() - around.left() - around.right());
     const int words = int(std::ceil(measured->size().height()));
-    text_->setFixedHeight(std::min(words, int(mostText * height())));
+    const int most = int(mostText * height());
+    text_->setVerticalScrollBarPolicy(words > most ? Qt::ScrollBarAlwaysOn
+                                                   : Qt::ScrollBarAlwaysOff);
+    text_->setFixedHeight(std::min(words, most));
 }
 
 void CertaintyPanel::choosePlace(const QUrl& link) {
-    const std::size_t number = link.toString().toULong();
+    const QString target = link.toString();
+    if (target.startsWith(fieldScheme)) {
+        emit fieldChosen(target.mid(fieldScheme.size()));
+        return;
+    }
+    const std::size_t number = target.toULong();
     if (number < places_.size()) {
         emit placeChosen(places_[number].rest);
     }

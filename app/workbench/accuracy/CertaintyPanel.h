@@ -1,5 +1,5 @@
-// Whether the sheet of the last run is to be printed, why, where to look first, and a map of how
-// far it may be off.
+// Whether the job of the last run is to be printed, why, where to look first, and a map of how far
+// a sheet may be off.
 #pragma once
 
 #include "workbench/dip/DipJob.h"
@@ -28,6 +28,7 @@ protected:
 
 signals:
     void placeChosen(Eigen::Vector2f rest); // on the floating film
+    void fieldChosen(const QString& path);  // of the project: a limit
 
 private:
     void choosePlace(const QUrl& link);

@@ -11,11 +11,12 @@ namespace {
 
 enum class Pose { Kept, Reset };
 
-void exchangeModel(Project& project, const TexturedMesh& model, const QString& source,
+void exchangeModel(Project& project, const ImportedModel& imported, const QString& source,
                    const QString& texture) {
-    project.model = std::make_shared<const TexturedMesh>(model);
+    project.model = std::make_shared<const TexturedMesh>(imported.model);
     project.modelOrigin.source = source;
     project.modelOrigin.texture = texture;
+    project.modelOrigin.remarks = imported.report.remarks();
     project.modelOrigin.sha256.clear();
 }
 
@@ -33,7 +34,7 @@ void importInto(Document& document, const QString& path, const QString& texture,
         [&document, &messages, path, texture, pose, undoText](const ImportedModel& imported) {
             logImport(imported, messages);
             document.edit(undoText, {}, [&](Project& project) {
-                exchangeModel(project, imported.model, path, texture);
+                exchangeModel(project, imported, path, texture);
                 for (Immersion& immersion : project.immersions) {
                     immersion = pose == Pose::Kept ? immersion : Immersion{.name = immersion.name};
                 }
@@ -55,6 +56,7 @@ Project newProject(const ImportedModel& imported, const QString& path,
     project.modelOrigin.source = path;
     project.modelOrigin.texture = options.texture;
     project.modelOrigin.unitMillimetres = options.unitMillimetres;
+    project.modelOrigin.remarks = imported.report.remarks();
     return project;
 }
 
@@ -62,6 +64,7 @@ void logImport(const ImportedModel& imported, Messages& messages) {
     for (const QString& line : imported.report.repairs + imported.report.warnings) {
         messages.log(line);
     }
+    messages.notice(imported.report.warnings.join(u'\n'));
 }
 
 std::optional<double> doubtfulLength(const TriangleMesh& mesh) {
@@ -134,7 +137,9 @@ void replaceTexture(Document& document, const QString& path, JobRunner& jobs, Me
         },
         [&document, path, undoText](const TexturedMesh& model) {
             document.edit(undoText, {}, [&](Project& project) {
-                exchangeModel(project, model, project.modelOrigin.source, path);
+                project.model = std::make_shared<const TexturedMesh>(model);
+                project.modelOrigin.texture = path;
+                project.modelOrigin.sha256.clear();
             });
         });
 }

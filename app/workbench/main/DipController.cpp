@@ -1,5 +1,6 @@
 #include "workbench/main/DipController.h"
 
+#include "pipeline/JobVerdict.h"
 #include "pipeline/SmallerFilm.h"
 #include "workbench/actions/WindowActions.h"
 #include "workbench/results/ReportPanel.h"
@@ -104,8 +105,9 @@ void DipController::takeResult() {
         messages_.log(note);
     }
     messages_.notice(result.notes.join(QLatin1Char('\n')));
-    for (const ImmersionResult& immersion : result.immersions) {
-        messages_.log(verdictText(immersion.immersion.name, immersion.verdict));
+    messages_.log(adviceText(adviceOf(result)));
+    for (const JobReason& reason : reasonsOf(result)) {
+        messages_.log(reasonText(reason, result, millimetres));
     }
     messages_.log(
         tr("Simulated with %1 on %2").arg(shownName(result.solver.name), result.solver.device));

@@ -13,6 +13,7 @@
 #include "workbench/main/Workbench.h"
 #include "workbench/project/ProjectTree.h"
 #include "workbench/project/PropertyPanel.h"
+#include "workbench/project/PropertySpecs.h"
 #include "workbench/project/StartPage.h"
 #include "workbench/results/ReportPanel.h"
 #include "workbench/results/ResultsPanel.h"
@@ -22,6 +23,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDockWidget>
 #include <QMenu>
 #include <QMimeData>
 #include <QStatusBar>
@@ -192,6 +194,13 @@ void MainWindow::connectSession() {
         parts_.timeline->pause();
         parts_.timeline->setPosition(parts_.timeline->frames());
         reader_.leadTo(rest);
+    });
+    connect(parts_.results, &ResultsPanel::fieldChosen, this, [this](const QString& path) {
+        if (const std::optional<ProjectNode> node = nodeOfField(path)) {
+            parts_.projectDock->show();
+            parts_.tree->select(*node);
+            parts_.properties->showField(path);
+        }
     });
     connect(&reader_, &FilmProbe::read, status_, &StatusLine::setReading);
     connect(&handles_, &BodyHandles::held, &dip_, &DipController::setHeld);

@@ -1,6 +1,7 @@
 #include "workbench/printing/PrintDialog.h"
 
 #include "base/Error.h"
+#include "pipeline/JobVerdict.h"
 #include "printing/PrintFile.h"
 #include "project/Profiles.h"
 #include "workbench/widgets/NoticeBar.h"
@@ -102,12 +103,26 @@ PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion,
         }
     });
     resize(940, 660);
+    tellVerdict();
     showSheet(shown_);
     findPrinters();
 }
 
 void PrintDialog::warn(const QString& sentence) {
-    notice_->say(sentence);
+    notice_->say(notice_->isHidden() ? sentence : sentence + u'\n' + notice_->text());
+}
+
+void PrintDialog::tellVerdict() {
+    const JobResult& result = *outcome_.result;
+    QStringList lines{adviceText(adviceOf(result))};
+    for (const JobReason& reason : reasonsOf(result)) {
+        if (reason.reason.advice > Advice::Print) {
+            lines << reasonText(reason, result, millimetres);
+        }
+    }
+    if (adviceOf(result) != Advice::Print) {
+        notice_->say(lines.join(u'\n'));
+    }
 }
 
 QWidget* PrintDialog::makeChoices() {

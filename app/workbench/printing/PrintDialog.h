@@ -36,6 +36,7 @@ signals:
     void printed(const QString& sentence);
 
 private:
+    void tellVerdict();
     QWidget* makeChoices();
     QWidget* makeExceptions();
     QWidget* makePreview();

@@ -138,7 +138,7 @@ PropertySection filmMeasurement() {
     return measured;
 }
 
-std::vector<PropertySection> filmSections() {
+PropertySection filmPackage() {
     PropertySection film{{}, {nameSpec()}};
     film.specs.push_back({.path = QStringLiteral("size_mm"),
                           .label = Text::tr("Size"),
@@ -159,6 +159,10 @@ std::vector<PropertySection> filmSections() {
     film.specs.push_back({.path = QStringLiteral("expiry"),
                           .label = Text::tr("Use before"),
                           .help = Text::tr("A date such as 2027-03-31, or nothing.")});
+    return film;
+}
+
+std::vector<PropertySection> filmSections() {
     PropertySection water{Text::tr("Behaviour on the water"), {}};
     water.specs = {
         material("swell"),
@@ -189,7 +193,7 @@ std::vector<PropertySection> filmSections() {
          .unit = Unit::Time,
          .absent = Text::tr("Not given"),
          .whenPresent = 3600}};
-    return {film,
+    return {filmPackage(),
             water,
             filmMeasurement(),
             {Text::tr("Sides"),

@@ -105,6 +105,16 @@ void PropertyPanel::rebuild() {
                                              verticalScrollBar()->sizeHint().width()));
 }
 
+void PropertyPanel::showField(const QString& path) {
+    for (PropertyField* field : widget()->findChildren<PropertyField*>()) {
+        if (field->spec().path == path) {
+            widget()->layout()->activate(); // it may have been made just now
+            field->setFocus(Qt::ShortcutFocusReason);
+            ensureWidgetVisible(field);
+        }
+    }
+}
+
 void PropertyPanel::refresh() {
     if (!document_) {
         return;
@@ -216,6 +226,9 @@ void PropertyPanel::addModelFacts(QFormLayout& form) {
         }
         if (model.textures.empty()) {
             lines.append(tr("No texture: drop a picture on the window to put one on"));
+        }
+        if (!project.modelOrigin.remarks.isEmpty()) {
+            lines.append(project.modelOrigin.remarks);
         }
         facts->setText(lines.join(QLatin1Char('\n')));
     });

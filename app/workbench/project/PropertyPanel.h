@@ -31,7 +31,8 @@ public:
     void setDocument(Document* document); // may be null
     void setLengthUnit(LengthUnit unit);
     void showNode(const ProjectNode& node);
-    void refresh(); // profiles have changed
+    void showField(const QString& path); // of the node that is shown: scrolls to it
+    void refresh();                      // profiles have changed
 
 signals:
     void failed(const QString& sentence);

@@ -49,7 +49,7 @@ std::vector<PropertySection> modelProperties() {
                                 "takes longer to build.")}}}};
 }
 
-std::vector<PropertySection> filmProperties() {
+PropertySection printedFilmProperties() {
     PropertySection printed{Text::tr("Printed film"), {}};
     printed.specs = {
         {.path = QStringLiteral("film.preset"),
@@ -87,7 +87,10 @@ std::vector<PropertySection> filmProperties() {
          .relevant = [](const Project& project) {
              return isPaperModel(project) || project.film.resolution == FilmResolution::Points;
          }}};
+    return printed;
+}
 
+std::vector<PropertySection> filmProperties() {
     const QString film = QStringLiteral("film.");
     PropertySection floating{Text::tr("Behaviour on the water"), {}};
     floating.specs = {
@@ -109,7 +112,7 @@ std::vector<PropertySection> filmProperties() {
          .words = {{QStringLiteral("water"), Text::tr("Water")},
                    {QStringLiteral("none"), Text::tr("None")}}}};
 
-    return {printed,
+    return {printedFilmProperties(),
             floating,
             {Text::tr("Sides"),
              {material(film, "edges.left"), material(film, "edges.right"),
@@ -274,7 +277,7 @@ std::vector<PropertySection> shareProperties() {
                .relevant = isShared}}}};
 }
 
-std::vector<PropertySection> sheetProperties() {
+PropertySection pageProperties() {
     PropertySection page{Text::tr("Page"), {}};
     page.specs = {
         {.path = QStringLiteral("sheet.paper"),
@@ -302,6 +305,10 @@ std::vector<PropertySection> sheetProperties() {
          .help = Text::tr("How far the colour is continued past the painted area, so that a small "
                           "error of position leaves no bare edge."),
          .unit = Unit::Length}};
+    return page;
+}
+
+PropertySection onPageProperties() {
     PropertySection extras{Text::tr("On the page"), {}};
     extras.specs = {
         {.path = QStringLiteral("sheet.marks"),
@@ -314,11 +321,12 @@ std::vector<PropertySection> sheetProperties() {
         {.path = QStringLiteral("sheet.job_line"),
          .label = Text::tr("Job line"),
          .help = Text::tr("A line with project, immersion, date, film, scale and a check sum.")}};
-    const auto cutsInk = [](const Project& p) { return p.sheet.cutLine == CutLine::Ink; };
-    const auto cuts = [](const Project& p) { return p.sheet.cutLine != CutLine::None; };
+    return extras;
+}
+
+std::vector<PropertySpec> whiteProperties() {
     const auto isWhite = [](const Project& p) { return p.sheet.white != WhiteLayer::None; };
-    PropertySection spots{Text::tr("Spot inks"), {}};
-    spots.specs = {
+    return {
         {.path = QStringLiteral("body.base_colour"),
          .label = Text::tr("Part's colour"),
          .help = Text::tr("Of the bare part, as #1a2b3c: proof and view show the ink on it. "
@@ -346,7 +354,13 @@ std::vector<PropertySection> sheetProperties() {
         {.path = QStringLiteral("sheet.white_name"),
          .label = Text::tr("Name of white"),
          .help = Text::tr("The name by which the printer knows its white ink."),
-         .relevant = isWhite},
+         .relevant = isWhite}};
+}
+
+std::vector<PropertySpec> cutLineProperties() {
+    const auto cutsInk = [](const Project& p) { return p.sheet.cutLine == CutLine::Ink; };
+    const auto cuts = [](const Project& p) { return p.sheet.cutLine != CutLine::None; };
+    return {
         {.path = QStringLiteral("sheet.cut_line"),
          .label = Text::tr("Cut line"),
          .help = Text::tr("A line for the cutter, as a spot ink in a PDF in CMYK."),
@@ -368,6 +382,9 @@ std::vector<PropertySection> sheetProperties() {
          .label = Text::tr("Its ink"),
          .help = Text::tr("The name by which the cutter knows the line."),
          .relevant = cuts}};
+}
+
+PropertySection correctionProperties() {
     PropertySection correction{Text::tr("Correction"), {}};
     correction.specs = {
         {.path = QStringLiteral("as_built.correct"),
@@ -380,7 +397,14 @@ std::vector<PropertySection> sheetProperties() {
          .help = Text::tr("How much of it is taken off."),
          .unit = Unit::Share,
          .relevant = [](const Project& p) { return !p.asBuilt.parts.empty(); }}};
-    return {page, extras, spots, correction};
+    return correction;
+}
+
+std::vector<PropertySection> sheetProperties() {
+    PropertySection spots{Text::tr("Spot inks"), whiteProperties()};
+    const std::vector<PropertySpec> cutLine = cutLineProperties();
+    spots.specs.insert(spots.specs.end(), cutLine.begin(), cutLine.end());
+    return {pageProperties(), onPageProperties(), spots, correctionProperties()};
 }
 
 std::vector<PropertySection> inkProperties() {
@@ -446,6 +470,55 @@ PropertySection offProperties() {
     return off;
 }
 
+PropertySection verdictProperties() {
+    const QMap<QString, QString> advice{{QStringLiteral("print"), Text::tr("Print it")},
+                                        {QStringLiteral("look_first"), Text::tr("Check first")},
+                                        {QStringLiteral("do_not_print"), Text::tr("Do not print")}};
+    const auto spec = [](const char* path, const QString& label, const QString& help) {
+        return PropertySpec{
+            .path = QLatin1String(path), .label = label, .help = help, .unit = Unit::Share};
+    };
+    PropertySection verdict{Text::tr("Verdict: check first above"), {}};
+    verdict.specs = {
+        spec("verdict.air", Text::tr("Trapped air"),
+             Text::tr("The share of the body's surface that trapped air may keep dry. The verdict "
+                      "is “do not print” above five times a limit.")),
+        spec("verdict.pale", Text::tr("Too pale"),
+             Text::tr("The share of the painted area that may look too pale, because the film "
+                      "stretches more than the ink can make up for.")),
+        spec("verdict.damaged", Text::tr("Torn or released film"),
+             Text::tr("The share of the painted area on which the film may tear or be pulled off "
+                      "the body.")),
+        spec("verdict.unreached", Text::tr("Reached by neither dip"),
+             Text::tr("The share of the body's surface that neither of two dips may reach. A job "
+                      "of one dip has no such limit.")),
+        spec("verdict.narrow", Text::tr("Narrow overlap"),
+             Text::tr("The share of the overlap of two dips that may be too narrow for how far "
+                      "the second film may lie off.")),
+        spec("verdict.zone_bare", Text::tr("Bare in a zone"),
+             Text::tr("The share of zone A or B, where they are marked, that may stay without "
+                      "paint.")),
+        {.path = QStringLiteral("verdict.edge_mm"),
+         .label = Text::tr("Film's edge"),
+         .help = Text::tr("How far the painted film has to stay from the film's edge, so that it "
+                          "neither curls nor folds."),
+         .unit = Unit::Length},
+        {.path = QStringLiteral("verdict.no_picture"),
+         .label = Text::tr("No picture"),
+         .help = Text::tr("What a model of one plain colour, without artwork, comes to."),
+         .words = advice},
+        {.path = QStringLiteral("verdict.changed_model"),
+         .label = Text::tr("Repaired model"),
+         .help = Text::tr("What a model comes to that was put right, or lacks something that its "
+                          "file names."),
+         .words = advice},
+        {.path = QStringLiteral("verdict.guessed_film"),
+         .label = Text::tr("Film not measured"),
+         .help = Text::tr("What a film comes to whose swell nobody has measured."),
+         .words = advice}};
+    return verdict;
+}
+
 std::vector<PropertySection> toleranceProperties() {
     return {
         offProperties(),
@@ -456,6 +529,7 @@ std::vector<PropertySection> toleranceProperties() {
                             "is not marked on the body is zone C."),
            .unit = Unit::Length,
            .parts = {QStringLiteral("A"), QStringLiteral("B"), QStringLiteral("C")}}}},
+        verdictProperties(),
         {Text::tr("Check"),
          {{.path = QStringLiteral("tolerance.samples"),
            .label = Text::tr("Dips"),
@@ -526,6 +600,20 @@ std::vector<PropertySection> propertySections(const ProjectNode& node) {
         return toleranceProperties();
     }
     return {};
+}
+
+std::optional<ProjectNode> nodeOfField(const QString& path) {
+    for (const ProjectPart part :
+         {ProjectPart::Project, ProjectPart::Model, ProjectPart::Film, ProjectPart::Process,
+          ProjectPart::Share, ProjectPart::Sheet, ProjectPart::Ink, ProjectPart::Tolerance}) {
+        for (const PropertySection& section : propertySections({part})) {
+            if (std::ranges::find(section.specs, path, &PropertySpec::path) !=
+                section.specs.end()) {
+                return ProjectNode{part};
+            }
+        }
+    }
+    return std::nullopt;
 }
 
 } // namespace dipwright

@@ -22,4 +22,7 @@ QString partName(const ProjectNode& node, const Project& project);
 
 std::vector<PropertySection> propertySections(const ProjectNode& node);
 
+// Where the field of this path stands; nothing where no part shows it.
+std::optional<ProjectNode> nodeOfField(const QString& path);
+
 } // namespace dipwright

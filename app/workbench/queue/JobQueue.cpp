@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "base/PostToThread.h"
 #include "pipeline/DipCache.h"
+#include "pipeline/JobVerdict.h"
 #include "pipeline/WriteResults.h"
 #include "project/ProjectStore.h"
 #include "workbench/jobs/Messages.h"
@@ -43,8 +44,15 @@ private:
 };
 
 QString outcomeOf(const JobResult& result) {
-    return JobQueue::tr("%1 % of the body painted")
-        .arg(QLocale().toString(100 * result.coverageTotal, 'f', 1));
+    const QString painted = JobQueue::tr("%1 % of the body painted")
+                                .arg(QLocale().toString(100 * result.coverageTotal, 'f', 1));
+    QStringList words{adviceText(adviceOf(result)), painted};
+    for (const JobReason& reason : reasonsOf(result)) {
+        if (reason.reason.advice > Advice::Print) {
+            words << reasonText(reason, result, millimetres);
+        }
+    }
+    return words.join(QStringLiteral(". "));
 }
 
 } // namespace

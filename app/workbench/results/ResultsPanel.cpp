@@ -80,6 +80,7 @@ ResultsPanel::ResultsPanel(QWidget* parent)
     setTabToolTip(5, tr("The figures of the last run"));
 
     connect(certainty_, &CertaintyPanel::placeChosen, this, &ResultsPanel::placeChosen);
+    connect(certainty_, &CertaintyPanel::fieldChosen, this, &ResultsPanel::fieldChosen);
     connect(stretch_, &StretchPanel::hovered, this, &ResultsPanel::hovered);
     connect(stretch_, &StretchPanel::hoverLeft, this, &ResultsPanel::hoverLeft);
     connect(&texture_->view(), &PictureView::hovered, this, [this](QPointF printed) {

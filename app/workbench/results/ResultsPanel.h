@@ -37,6 +37,7 @@ signals:
     void hovered(Eigen::Vector2f rest); // a place on the floating film
     void hoverLeft();
     void placeChosen(Eigen::Vector2f rest); // to be led to
+    void fieldChosen(const QString& path);  // of the project, to be shown
 
 private:
     void hoverShare(double across, double down);

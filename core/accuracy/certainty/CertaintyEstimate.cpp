@@ -1,6 +1,7 @@
 #include "accuracy/certainty/CertaintyEstimate.h"
 
 #include "base/Error.h"
+#include "parallel/ParallelFor.h"
 
 #include <QCoreApplication>
 
@@ -132,6 +133,19 @@ CertaintyEstimate certaintyEstimate(const LaidFilm& own, const CoarserFilms& coa
         }
     }
     return estimate;
+}
+
+std::vector<float> offByAt(const CertaintyEstimate& estimate, const LaidFilm& own,
+                           const std::vector<SurfacePoint>& places) {
+    std::vector<float> offBy(places.size(), 0);
+    parallelFor(std::size_t(0), estimate.pointsOffBy.empty() ? 0 : places.size(), [&](auto i) {
+        if (const std::optional<FilmPlace> place = own.place(places[i])) {
+            for (const std::uint32_t corner : own.triangles()[place->triangle]) {
+                offBy[i] = std::fmax(offBy[i], estimate.pointsOffBy[corner]); // passes NaN over
+            }
+        }
+    });
+    return offBy;
 }
 
 } // namespace dipwright

@@ -50,4 +50,9 @@ struct CertaintyEstimate {
 // Of the film `own`. All cores, deterministic.
 CertaintyEstimate certaintyEstimate(const LaidFilm& own, const CoarserFilms& coarser);
 
+// How far the sheet may be off at each of `places` of the body, mm; 0 where `own` does not paint or
+// nothing is known. All cores.
+std::vector<float> offByAt(const CertaintyEstimate& estimate, const LaidFilm& own,
+                           const std::vector<SurfacePoint>& places);
+
 } // namespace dipwright

@@ -18,13 +18,14 @@ QString percent(double share) {
     return QLocale().toString(100 * share, 'f', 1);
 }
 
-// The dip in which a place is off the most; null where none paints it.
-const DipTolerances* worstDip(const std::vector<const DipTolerances*>& dips, std::size_t place) {
-    const DipTolerances* worst = nullptr;
+// The dip in which a place is off the most; none where no dip paints it.
+std::optional<std::size_t> worstDip(const std::vector<const DipTolerances*>& dips,
+                                    std::size_t place) {
+    std::optional<std::size_t> worst;
     float most = unpaintedPlace;
-    for (const DipTolerances* dip : dips) {
-        if (dip->places[place] > most) {
-            most = dip->places[place];
+    for (std::size_t dip = 0; dip < dips.size(); ++dip) {
+        if (dips[dip]->places[place] > most) {
+            most = dips[dip]->places[place];
             worst = dip;
         }
     }
@@ -33,16 +34,18 @@ const DipTolerances* worstDip(const std::vector<const DipTolerances*>& dips, std
 
 // What is told of a zone, place by place.
 struct ZoneSum {
-    std::vector<float> spread;
+    std::vector<float> spread, together;
     std::size_t unpainted = 0, within = 0;
     std::array<double, contributorCount> shares{};
     WorstPlace worst;
     float most = unpaintedPlace;
 
-    void add(const DipTolerances& dip, std::size_t place, const Eigen::Vector3f& at, double limit) {
+    void add(const DipTolerances& dip, std::size_t place, float numericalError,
+             const Eigen::Vector3f& at, double limit) {
         const float here = dip.places[place];
         spread.push_back(here);
-        within += double(here) <= limit ? 1 : 0;
+        together.push_back(here + numericalError);
+        within += double(together.back()) <= limit ? 1 : 0;
         for (std::size_t number = 0; here > 0 && number < dip.contributions.size(); ++number) {
             shares[std::size_t(dip.contributions[number].contributor)] +=
                 double(dip.squares[number][place] / (here * here));
@@ -110,6 +113,7 @@ Zone ZonedBody::at(const SurfacePoint& place) const {
 
 std::vector<ZoneVerdict> zoneVerdicts(std::shared_ptr<const TexturedMesh> model,
                                       const std::vector<const DipTolerances*>& dips,
+                                      const std::vector<std::vector<float>>& numericalErrors,
                                       const ToleranceSettings& settings) {
     const TriangleMesh& mesh = model->mesh;
     const std::vector<SurfacePoint> places = tolerancePlaces(*model);
@@ -118,9 +122,10 @@ std::vector<ZoneVerdict> zoneVerdicts(std::shared_ptr<const TexturedMesh> model,
     std::array<ZoneSum, zoneCount> sums;
     for (std::size_t place = 0; place < places.size(); ++place) {
         const auto zone = std::size_t(zones.at(places[place]));
-        if (const DipTolerances* dip = worstDip(dips, place)) {
-            sums[zone].add(*dip, place, position(mesh, places[place]),
-                           settings.limits[zone].value());
+        if (const std::optional<std::size_t> dip = worstDip(dips, place)) {
+            const std::vector<float>& errors = numericalErrors[*dip];
+            sums[zone].add(*dips[*dip], place, errors.empty() ? 0 : errors[place],
+                           position(mesh, places[place]), settings.limits[zone].value());
         } else {
             ++sums[zone].unpainted;
         }
@@ -140,6 +145,7 @@ std::vector<ZoneVerdict> zoneVerdicts(std::shared_ptr<const TexturedMesh> model,
         verdict.unpainted = area * double(sum.unpainted);
         verdict.within = painted > 0 ? double(sum.within) / double(painted) : 0;
         verdict.spread = spreadOf(std::move(sum.spread));
+        verdict.together = spreadOf(std::move(sum.together)).percentile95;
         verdict.worst = sum.worst;
         const auto largest = std::max_element(sum.shares.begin(), sum.shares.end());
         verdict.contributor = contributorAt(std::size_t(largest - sum.shares.begin()));
@@ -163,7 +169,7 @@ QString zoneText(const ZoneVerdict& verdict, const std::function<QString(double)
             : Text::tr("Zone %1 does not keep its limit: %2 % of what is painted is within ±%3, "
                        "95 % only within ±%4. Most of it comes from: %5.");
     return text.arg(zoneName(verdict.zone), percent(verdict.within), length(verdict.limit),
-                    length(verdict.spread.percentile95), contributorText(verdict.contributor));
+                    length(verdict.together), contributorText(verdict.contributor));
 }
 
 } // namespace dipwright

@@ -39,17 +39,20 @@ struct ZoneVerdict {
     double limit = 0;     // mm
     double area = 0;      // mm² that are painted …
     double unpainted = 0; // … and that are not
-    double within = 0;    // share of what is painted that keeps the limit
+    double within = 0;    // share of what is painted that keeps the limit, both together
     Spread spread;
+    double together = 0; // mm that 95 % keep to of the spread and the numerical error, added up
     WorstPlace worst;
     Contributor contributor = Contributor::PositionX; // with the largest part in the zone
     bool holds() const { return within >= zoneShareWithin; }
 };
 
 // Of the zones that there are, A first. `dips`: of one body, each told at tolerancePlaces(); where
-// several paint one, the worst counts.
+// several paint one, the worst counts. `numericalErrors`: of each dip at the same places, mm; empty
+// where a dip's is not known.
 std::vector<ZoneVerdict> zoneVerdicts(std::shared_ptr<const TexturedMesh> model,
                                       const std::vector<const DipTolerances*>& dips,
+                                      const std::vector<std::vector<float>>& numericalErrors,
                                       const ToleranceSettings& settings);
 
 // "A"

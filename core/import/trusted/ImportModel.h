@@ -43,6 +43,9 @@ struct ImportReport {
     BoundingBox box;
     QStringList repairs;  // "Removed 12 triangles without area"
     QStringList warnings; // "The mesh is not closed: …"
+
+    // Both in a line, for ModelOrigin::remarks.
+    QString remarks() const { return (warnings + repairs).join(QStringLiteral("; ")); }
 };
 
 struct ImportedModel {

@@ -24,6 +24,7 @@ struct Sample {
     std::vector<Immersion> immersions;
     QSizeF film; // mm
     ProcessSettings process;
+    VerdictSettings verdict;
 };
 
 Immersion immersion(const QString& name, double x, double y, double z) {
@@ -33,6 +34,9 @@ Immersion immersion(const QString& name, double x, double y, double z) {
 std::vector<Sample> allSamples() {
     ProcessSettings shallow; // sharp edges and steep faces would ask for far finer film
     shallow.depth = Millimetres(2);
+    VerdictSettings twoFaces; // of the four, each painted by a dip of its own: nothing is to join
+    twoFaces.unreached = 0.5;
+    twoFaces.narrow = 1;
     ProcessSettings clinging; // so that the two dips meet round the flippers
     clinging.overhang = Degrees(25);
     return {
@@ -40,19 +44,22 @@ std::vector<Sample> allSamples() {
          samples::sphere,
          {immersion(QStringLiteral("Front"), 90, 180, 0)},
          {180, 180},
+         {},
          {}},
         {QStringLiteral("tetrahedron"),
          samples::tetrahedron,
          {immersion(QStringLiteral("Face F"), 0, 180, 0),
           immersion(QStringLiteral("Face P"), -109.5, 0, 0)},
          {110, 110},
-         shallow},
+         shallow,
+         twoFaces},
         {QStringLiteral("turtle"),
          samples::turtle,
          {immersion(QStringLiteral("Belly"), 0, 0, 0),
           immersion(QStringLiteral("Shell"), 0, 0, 180)},
          filmSize(QStringLiteral("A5")),
-         clinging},
+         clinging,
+         {}},
     };
 }
 
@@ -73,6 +80,7 @@ void write(const Sample& sample, const QDir& folder) {
     project.film.resolution = FilmResolution::Automatic;
     project.immersions = sample.immersions;
     project.process = sample.process;
+    project.verdict = sample.verdict;
     project.model =
         std::make_shared<const TexturedMesh>(importModel(folder.filePath(source), {}, {}).model);
     project.modelOrigin.source = source;

@@ -421,8 +421,10 @@ private slots:
 
     void theBestPosesAreWrittenIntoTheProject() {
         QVERIFY(QFile::copy(path("single.dipw"), path("best.dipw")));
-        const Outcome done = cli({"optimize", path("best.dipw"), "--immersions", "2",
-                                  "--candidates", "6", "--set", "film.size_mm=100x100"});
+        const Outcome done =
+            cli({"optimize", path("best.dipw"), "--immersions", "2", "--candidates", "6",
+                 "--directions", "40", "--refined", "1", "--finer", "1", "--confirmed", "1",
+                 "--set", "film.size_mm=100x100"});
         QVERIFY2(done.exitCode == 0, done.err);
         QVERIFY2(done.out.contains("painted"), done.out);
         const QJsonObject info =
@@ -430,6 +432,20 @@ private slots:
         QCOMPARE(info["immersions"].toArray().size(), 2);
         // What was set for the search stays out of the file.
         QCOMPARE(info["film"].toObject()["size_mm"].toArray(), (QJsonArray{210, 297}));
+    }
+
+    void aVerdictWorseThanRequiredIsAnExitCodeOfItsOwn() {
+        const QStringList quick{"run",   path("single.dipw"),   "--out", path("required"),
+                                "--set", "film.size_mm=100x100"};
+        const Outcome unjudged = cli(quick + QStringList{"--no-certainty", "--require", "check"});
+        QCOMPARE(unjudged.exitCode, 3);
+        QVERIFY2(unjudged.err.contains("results are written"), unjudged.err);
+        QVERIFY(QFile::exists(path("required/report.json")));
+        const QStringList spoilt{"--set", "verdict.guessed_film=do_not_print"};
+        QCOMPARE(cli(quick + spoilt + QStringList{"--no-certainty", "--require", "check"}).exitCode,
+                 3);
+        QCOMPARE(cli(quick + spoilt + QStringList{"--no-certainty"}).exitCode, 0);
+        QCOMPARE(cli(quick + QStringList{"--require", "perhaps"}).exitCode, 2);
     }
 
     void aSearchWantsWhatTheProjectSays() {

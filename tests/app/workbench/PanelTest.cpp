@@ -67,6 +67,7 @@ private slots:
         const QSet<QString> elsewhere{
             QStringLiteral("model.source"),           QStringLiteral("model.texture_source"),
             QStringLiteral("model.unit_mm"),          QStringLiteral("model.sha256"),
+            QStringLiteral("model.remarks"),         // shown with the model's facts
             QStringLiteral("process.solver"),        // a list of its own
             QStringLiteral("inspection.chessboard"), // a page of its own
             QStringLiteral("inspection.keep_camera"),
@@ -459,7 +460,7 @@ private slots:
         result->immersions.resize(1);
         result->immersions[0].coverage = coverage;
         result->immersions[0].verdict.advice = Advice::LookFirst;
-        result->immersions[0].verdict.reasons.resize(4);
+        result->immersions[0].verdict.reasons.resize(12);
         result->immersions[0].verdict.places.resize(5);
         CertaintyPanel panel;
         panel.resize(320, 1400);

@@ -75,7 +75,7 @@ class FilmFitTest : public QObject {
 private slots:
     void initTestCase() {
         QStandardPaths::setTestModeEnabled(true);
-        part_ = std::make_unique<test::PhotographedPart>(test::eggToFit(1.3, 2), hidden, 1.5,
+        part_ = std::make_unique<test::PhotographedPart>(test::eggToFit(1.3, 2.5), hidden, 1.9,
                                                          solverModule());
     }
 
@@ -97,7 +97,7 @@ private slots:
 
     // The tank is another solver, in double precision to a residual of 1e-9.
     void sixteenCornersEachAPixelOffAreEnough() {
-        const test::PhotographedPart part(test::eggToFit(1.3, 2), hidden, 1.8, solverModule(),
+        const test::PhotographedPart part(test::eggToFit(1.3, 2.5), hidden, 2.2, solverModule(),
                                           test::referenceTank());
         const FilmFit fitted =
             fitFilm(part.project(), part.field(), part.pairs(cameras(), 8, 12, 1.0, 1), {},

@@ -8,7 +8,9 @@
 #include "disk/FolderTransaction.h"
 #include "geometry/Shapes.h"
 #include "pipeline/DeeperDip.h"
+#include "pipeline/JobVerdict.h"
 #include "pipeline/Report.h"
+#include "pipeline/SheetMemory.h"
 #include "pipeline/ValidateJob.h"
 #include "pipeline/WriteResults.h"
 #include "results/Results.h"
@@ -330,10 +332,28 @@ private slots:
     void aFilmTooSmallIsToldOf() {
         Project job = job_;
         job.film.width = job.film.height = Millimetres(36); // of a ball of 30
-        const QStringList notes = runJob(job, *registry_, {}, nullptr, {}).notes;
-        QCOMPARE(notes.size(), 2); // an immersion each
-        QVERIFY2(notes.back().startsWith("Turned: the film's edge ends up on the body"),
-                 qPrintable(notes.back()));
+        const JobResult result = runJob(job, *registry_, {}, nullptr, {});
+        QCOMPARE(adviceOf(result), Advice::DoNotPrint);
+        for (const ImmersionResult& dip : result.immersions) {
+            QVERIFY(std::ranges::any_of(dip.verdict.reasons, [](const VerdictReason& reason) {
+                return reason.kind == VerdictReason::Kind::FilmEdge &&
+                       reason.advice == Advice::DoNotPrint;
+            }));
+        }
+    }
+
+    void memoryIsToldBeforeTheWork() {
+        Project job = job_;
+        QVERIFY(!validateJob(job, *registry_).join('\n').contains("memory"));
+        job.film.width = Millimetres(700);
+        job.film.height = Millimetres(1000);
+        job.sheet.resolution = DotsPerInch(600);
+        QVERIFY2(validateJob(job, *registry_).join('\n').contains("GB of memory"),
+                 qPrintable(validateJob(job, *registry_).join('\n')));
+        const double both = sheetMemory(job);
+        job.immersions.pop_back();
+        QVERIFY(both > 10e9 && both < 12e9); // 11.3 GB, measured
+        QVERIFY(sheetMemory(job) < both);
     }
 
     void aBodyThatLiesAmissIsToldOf() {

@@ -112,12 +112,17 @@ private slots:
         applyPreset(project, QStringLiteral("production"));
         project.immersions = {Immersion{}};
         project.model = std::make_shared<const TexturedMesh>(importSpot().model);
+        const bool isWhole = test::isWholeRun(); // otherwise a coarser film, off by more
+        if (!isWhole) {
+            project.film.columns = 72;
+            project.film.rows = 102;
+        }
         const SolverRegistry registry{QStringList{pluginFolder()}};
         const auto certainty = sheetCertainty(project, registry, {});
         const double step = certainty[0].halfStep.distance.percentile95;
         const double spacing = certainty[0].halfSpacing.distance.percentile95;
-        QVERIFY2(step < 0.06, qPrintable(QString::number(step)));
-        QVERIFY2(spacing < 0.42, qPrintable(QString::number(spacing)));
+        QVERIFY2(step < (isWhole ? 0.06 : 0.12), qPrintable(QString::number(step)));
+        QVERIFY2(spacing < (isWhole ? 0.42 : 0.73), qPrintable(QString::number(spacing)));
     }
 };
 

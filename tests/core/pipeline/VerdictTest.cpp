@@ -1,6 +1,7 @@
 // What a run says of its sheets, held against the full check: a body of each kind.
 #include "TestFolders.h"
 #include "WholeSample.h"
+#include "pipeline/JobVerdict.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/Report.h"
 #include "pipeline/SheetCertainty.h"
@@ -90,8 +91,10 @@ private slots:
 
     void whereALimbMeetsTheBodyThereIsSomethingToLookAt() {
         const ImmersionResult result = run(thumb());
-        QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Look at these places first"));
+        qInfo("%s", qPrintable(sentences(result)));
+        QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Check these points first"));
         QVERIFY(!isCertain(fullCheck(thumb())));
+        qInfo("%s", qPrintable(sentences(result)));
         QVERIFY(!result.verdict.places.empty() && result.verdict.uncertainArea > 0);
         const TriangleMesh& mesh = result.body->mesh;
         const BoundingBox box = boundingBox(thumb().model->mesh);
@@ -103,7 +106,8 @@ private slots:
 
     void filmThatTwoFeetShareIsSomethingToLookAt() {
         const ImmersionResult result = run(onTwoFeet());
-        QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Look at these places first"));
+        qInfo("%s", qPrintable(sentences(result)));
+        QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Check these points first"));
         if (test::isWholeRun()) { // the thumb has it in every run
             QVERIFY(!isCertain(fullCheck(onTwoFeet())));
         }
@@ -116,7 +120,68 @@ private slots:
         QVERIFY(!isCertain(fullCheck(ball(17))));
     }
 
+    void aModelOfOnePlainColourIsCheckedFirst() {
+        Project project = ball(33);
+        const JobResult plain = unjudged(project);
+        QCOMPARE(adviceOf(plain), Advice::LookFirst);
+        QVERIFY(has(plain, VerdictReason::Kind::NoPicture));
+        QVERIFY(has(plain, VerdictReason::Kind::GuessedFilm));
+        QVERIFY(!has(plain, VerdictReason::Kind::ChangedModel));
+        project.verdict.noPicture = Advice::Print;
+        project.verdict.guessedFilm = Advice::DoNotPrint;
+        project.modelOrigin.remarks = QStringLiteral("The texture wood.png is missing");
+        const JobResult guessed = unjudged(project);
+        QCOMPARE(adviceOf(guessed), Advice::DoNotPrint);
+        QCOMPARE(reasonsOf(guessed).front().reason.kind, VerdictReason::Kind::GuessedFilm);
+        QVERIFY(has(guessed, VerdictReason::Kind::ChangedModel));
+        const QJsonObject json = report(project, guessed);
+        QCOMPARE(json["verdict"].toString(), QStringLiteral("do_not_print"));
+        const QJsonObject first = json["reasons"].toArray().first().toObject();
+        QCOMPARE(first["kind"].toString(), QStringLiteral("guessed_film"));
+        QCOMPARE(first["field"].toString(), QStringLiteral("verdict.guessed_film"));
+        QVERIFY(QString::fromUtf8(QJsonDocument(json).toJson()).contains("wood.png"));
+    }
+
+    // The top of the ball stays out of the water's reach.
+    void aMarkedZoneThatStaysBareIsNotPrinted() {
+        Project project = ball(33);
+        project.verdict.noPicture = Advice::Print;
+        QVERIFY(adviceOf(unjudged(project)) < Advice::LookFirst);
+        ZoneMark top;
+        top.zone = Zone::B;
+        top.place = {Millimetres(0), Millimetres(25), Millimetres(0)};
+        top.radius = Millimetres(8);
+        project.tolerance.marks = {top};
+        const JobResult bare = unjudged(project);
+        QCOMPARE(adviceOf(bare), Advice::DoNotPrint);
+        QCOMPARE(reasonsOf(bare).front().reason.kind, VerdictReason::Kind::ZoneBare);
+        QCOMPARE(reasonsOf(bare).front().reason.zone, std::optional(Zone::B));
+    }
+
+    void whatNeitherOfTwoDipsReachesIsTold() {
+        Project project = ball(33);
+        project.verdict.noPicture = Advice::Print;
+        project.immersions = {Immersion{}, Immersion{}}; // in one pose
+        project.share.enabled = false;
+        const JobResult result = unjudged(project);
+        QCOMPARE(adviceOf(result), Advice::DoNotPrint);
+        const VerdictReason reason = reasonsOf(result).front().reason;
+        QCOMPARE(reason.kind, VerdictReason::Kind::Unreached);
+        QVERIFY(std::abs(reason.value - (1 - result.coverageTotal)) < 1e-9);
+    }
+
 private:
+    // Without coarser dips, which these have nothing to do with.
+    JobResult unjudged(const Project& project) {
+        JobOptions options;
+        options.estimatesCertainty = false;
+        return runJob(project, registry_, options, nullptr, {});
+    }
+    static bool has(const JobResult& result, VerdictReason::Kind kind) {
+        return std::ranges::any_of(reasonsOf(result), [kind](const JobReason& reason) {
+            return reason.reason.kind == kind;
+        });
+    }
     ImmersionResult run(const Project& project) {
         return runJob(project, registry_, {}, nullptr, {}).immersions.front();
     }

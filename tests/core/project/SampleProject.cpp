@@ -35,7 +35,18 @@ Project sampleProject() {
     project.name = QStringLiteral("Schildkröte");
     project.date = QStringLiteral("2026-01-31");
     project.model = sampleModel();
-    project.modelOrigin = {QStringLiteral("box.obj"), QStringLiteral("box.png"), 25.4, "abc"};
+    project.modelOrigin = {QStringLiteral("box.obj"), QStringLiteral("box.png"), 25.4,
+                           QStringLiteral("3 triangles turned"), "abc"};
+    project.verdict = {0.01,
+                       0.03,
+                       0.5,
+                       0.4,
+                       0.06,
+                       0.07,
+                       Millimetres(2.5),
+                       Advice::DoNotPrint,
+                       Advice::LookFirst,
+                       Advice::DoNotPrint};
     project.film.preset = QStringLiteral("custom");
     project.film.width = Millimetres(150);
     project.film.height = Millimetres(200.5);

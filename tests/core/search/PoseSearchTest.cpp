@@ -204,7 +204,7 @@ private slots:
         const TriangleMesh body = coneMesh(0.5, 40, 64);
         const auto fineSubjectOf = [](const TriangleMesh& mesh) {
             SearchSubject subject = subjectOf(mesh);
-            subject.film.columns = subject.film.rows = 60; // does not show how it lies by the body
+            subject.film.columns = subject.film.rows = 48; // does not show how it lies by the body
             return subject;
         };
         const RankedPoses straight = search(fineSubjectOf(body), settings).ranking.front();

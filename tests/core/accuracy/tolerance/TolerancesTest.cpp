@@ -253,7 +253,7 @@ private slots:
     }
 
     void theSameOnAnyNumberOfThreads() {
-        Project coarse = jobOf(sphereMesh(radius, 30, 60), 120, 33);
+        Project coarse = jobOf(sphereMesh(radius, 30, 60), 120, 25);
         coarse.tolerance.samples = 4;
         coarse.tolerance.filmPosition = coarse.tolerance.position;
         const auto run = [&](int threads) {

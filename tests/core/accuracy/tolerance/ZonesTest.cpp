@@ -121,7 +121,7 @@ private slots:
         ToleranceSettings settings;
         settings.marks = {markAt(Zone::A, ZoneExtent::Spot, {0, -radius, 0}, 20)};
         DipTolerances dip = evenlyOff(places.size(), 0.5f, Contributor::TurnX);
-        const auto verdicts = zoneVerdicts(ball_, {&dip}, settings);
+        const auto verdicts = zoneVerdicts(ball_, {&dip}, {{}}, settings);
         QCOMPARE(verdicts.size(), std::size_t(2)); // A and the rest
         QCOMPARE(verdicts[0].zone, Zone::A);
         QVERIFY(!verdicts[0].holds()); // 0.3 mm
@@ -140,7 +140,7 @@ private slots:
         for (std::size_t place = 0; place < places.size(); place += 2) {
             one.places[place] = other.places[place] = unpaintedPlace;
         }
-        const auto verdicts = zoneVerdicts(ball_, {&one, &other}, {});
+        const auto verdicts = zoneVerdicts(ball_, {&one, &other}, {{}, {}}, {});
         QCOMPARE(verdicts.size(), std::size_t(1));
         QCOMPARE(verdicts[0].spread.median, 1.0);
         QCOMPARE(verdicts[0].contributor, Contributor::FilmTurn);

@@ -1,0 +1,182 @@
+#include "accuracy/verdict/UncertainPlaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace dipwright {
+namespace {
+
+double area(const FilmContact& contact, const FilmTriangle& corners) {
+    const Eigen::Vector3f a = contact.places[corners[0]];
+    const Eigen::Vector3f b = contact.places[corners[1]];
+    const Eigen::Vector3f c = contact.places[corners[2]];
+    return double((b - a).cross(c - a).norm()) / 2;
+}
+
+// Which film points hang together, joined two at a time.
+class Parts {
+public:
+    explicit Parts(std::size_t points) : parent_(points) {
+        std::iota(parent_.begin(), parent_.end(), std::uint32_t(0));
+    }
+    std::uint32_t of(std::uint32_t point) const {
+        while (parent_[point] != point) {
+            point = parent_[point];
+        }
+        return point;
+    }
+    void join(std::uint32_t a, std::uint32_t b) {
+        const std::uint32_t one = of(a), other = of(b);
+        parent_[std::max(one, other)] = std::min(one, other);
+        parent_[a] = parent_[b] = std::min(one, other); // short ways from here on
+    }
+
+private:
+    std::vector<std::uint32_t> parent_;
+};
+
+struct Piece {
+    double offBy = 0, area = 0;
+};
+
+// A piece of painted film that is to be looked at.
+struct UncertainPiece {
+    FilmTriangle corners;
+    double area = 0, limit = 0;
+};
+
+class PaintedFilm {
+public:
+    PaintedFilm(const LaidFilm& laid, const std::vector<float>& pointsOffBy, const ZonedBody* zones,
+                const ToleranceSettings& settings)
+        : laid_(laid), offBy_(pointsOffBy), zones_(zones), settings_(settings),
+          parts_(laid.film().positions.size()) {
+        for (std::size_t triangle = 0; triangle < laid.triangles().size(); ++triangle) {
+            if (laid.contact().painted[triangle]) {
+                add(std::uint32_t(triangle));
+            }
+        }
+    }
+
+    std::vector<ZoneError> zoneErrors() {
+        std::vector<ZoneError> errors;
+        for (std::size_t zone = 0; zone < zoneCount; ++zone) {
+            if (!pieces_[zone].empty()) {
+                errors.push_back(errorOf(Zone(zone)));
+            }
+        }
+        return errors;
+    }
+
+    std::vector<UncertainPlace> places() const {
+        std::map<std::uint32_t, UncertainPlace> byPart; // in the points' order
+        for (const UncertainPiece& piece : uncertain_) {
+            UncertainPlace& place = byPart[parts_.of(piece.corners[0])];
+            const bool isFirst = place.area == 0;
+            place.area += piece.area;
+            place.limit = isFirst ? piece.limit : std::min(place.limit, piece.limit);
+            for (const std::uint32_t point : piece.corners) {
+                if ((isFirst && point == piece.corners[0]) || offBy(point) > place.offBy) {
+                    place.offBy = offBy(point);
+                    place.rest = restPosition(laid_.film().grid, point);
+                    place.place = onModel(point);
+                }
+            }
+        }
+        std::vector<UncertainPlace> places;
+        for (const auto& [part, place] : byPart) {
+            places.push_back(place);
+        }
+        std::stable_sort(places.begin(), places.end(),
+                         [](const auto& a, const auto& b) { return a.area > b.area; });
+        places.resize(std::min(places.size(), mostPlaces));
+        return places;
+    }
+
+    double uncertainArea() const {
+        return std::accumulate(uncertain_.begin(), uncertain_.end(), 0.0,
+                               [](double sum, const auto& piece) { return sum + piece.area; });
+    }
+
+private:
+    void add(std::uint32_t triangle) {
+        const FilmTriangle& corners = laid_.triangles()[triangle];
+        const double here = area(laid_.contact(), corners);
+        const Zone zone = zoneOf(corners);
+        const double limit = allowedError(zone, settings_);
+        double worst = 0;
+        bool isKnown = false;
+        for (const std::uint32_t point : corners) {
+            worst = std::max(worst, offBy(point));
+            isKnown = isKnown || (!offBy_.empty() && !std::isnan(offBy_[point]));
+        }
+        if (isKnown) {
+            pieces_[std::size_t(zone)].push_back({worst, here});
+        }
+        if (worst > limit || has(laid_.marks(triangle), solver::PointMark::Unbalanced)) {
+            uncertain_.push_back({corners, here, limit});
+            parts_.join(corners[0], corners[1]);
+            parts_.join(corners[0], corners[2]);
+        }
+    }
+
+    ZoneError errorOf(Zone zone) {
+        std::vector<Piece>& pieces = pieces_[std::size_t(zone)];
+        std::sort(pieces.begin(), pieces.end(),
+                  [](const Piece& a, const Piece& b) { return a.offBy < b.offBy; });
+        ZoneError error{zone, settings_.limits[std::size_t(zone)].value()};
+        for (const Piece& piece : pieces) {
+            error.area += piece.area;
+            error.far += piece.offBy > error.limit ? piece.area : 0;
+        }
+        double below = 0;
+        for (const Piece& piece : pieces) {
+            below += piece.area;
+            error.percentile95 = piece.offBy;
+            if (below >= zoneShareWithin * error.area) {
+                break;
+            }
+        }
+        error.far = error.area > 0 ? error.far / error.area : 0;
+        return error;
+    }
+
+    Zone zoneOf(const FilmTriangle& corners) const {
+        for (const std::uint32_t point : corners) {
+            const SurfacePoint& place = laid_.contact().surface[point];
+            if (zones_ && place.isValid()) {
+                return zones_->at(place);
+            }
+        }
+        return Zone::C;
+    }
+
+    // What is not known counts for nothing: the border is told of by itself.
+    double offBy(std::uint32_t point) const {
+        return offBy_.empty() || std::isnan(offBy_[point]) ? 0 : double(offBy_[point]);
+    }
+
+    Eigen::Vector3f onModel(std::uint32_t point) const {
+        return laid_.body().modelToPose.inverse().cast<float>() * laid_.contact().places[point];
+    }
+
+    const LaidFilm& laid_;
+    const std::vector<float>& offBy_;
+    const ZonedBody* zones_;
+    const ToleranceSettings& settings_;
+    Parts parts_;
+    std::array<std::vector<Piece>, zoneCount> pieces_;
+    std::vector<UncertainPiece> uncertain_;
+};
+
+} // namespace
+
+UncertainPlaces uncertainPlaces(const LaidFilm& laid, const std::vector<float>& pointsOffBy,
+                                const ZonedBody* zones, const ToleranceSettings& settings) {
+    PaintedFilm film(laid, pointsOffBy, zones, settings);
+    return {film.zoneErrors(), film.places(), film.uncertainArea()};
+}
+
+} // namespace dipwright

@@ -1,0 +1,228 @@
+#include "accuracy/verdict/Verdict.h"
+
+#include "accuracy/verdict/UncertainPlaces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+using Kind = VerdictReason::Kind;
+
+const std::vector<float> nothingKnown;
+
+// Why a zone is farther off than it may be: what longer steps change, or what wider cells do, and
+// then the cell that would do if the error goes on falling as the cells do.
+VerdictReason tooFarOff(const ZoneError& error, const CertaintyEstimate& estimate,
+                        const solver::FilmGrid& grid) {
+    const double allowed = numericalShare * error.limit;
+    VerdictReason reason{Kind::OffBy,
+                         error.percentile95 > error.limit ? Advice::DoNotPrint : Advice::LookFirst,
+                         error.percentile95, allowed};
+    const double finer = allowed / error.percentile95;
+    if (estimate.doubleStep.distance.percentile95 > estimate.doubleSpacing.distance.percentile95) {
+        reason.kind = Kind::Step;
+    } else if (finer < finestCellNamed) {
+        reason.kind = Kind::OffByMuch;
+    } else if (!grid.columnPlaces.empty()) {
+        reason.most = grid.leastSpacing() * finer;
+    }
+    return reason;
+}
+
+// What the numerical error does to a zone.
+void objectToZone(Objections& found, const ZoneError& error, const CertaintyEstimate& estimate,
+                  const solver::FilmGrid& grid, std::optional<Zone> named) {
+    if (error.percentile95 > numericalShare * error.limit) {
+        VerdictReason reason = tooFarOff(error, estimate, grid);
+        reason.zone = named;
+        found.add(std::move(reason));
+    }
+    if (error.percentile95 <= error.limit && error.far > mostFarOffArea) {
+        found.add(
+            {Kind::FarOffPlaces,
+             error.far > spoiltTimes * mostFarOffArea ? Advice::DoNotPrint : Advice::LookFirst,
+             error.far,
+             error.limit,
+             {},
+             0,
+             named});
+    }
+}
+
+void objectToEstimate(Objections& found, const CertaintyEstimate& estimate,
+                      const std::vector<ZoneError>& zones, const JudgedDip& dip) {
+    const SheetChange spacing = estimate.halfSpacing();
+    const SheetChange step = estimate.halfStep();
+    if (spacing.painted == 0 || step.painted == 0 || zones.empty()) {
+        found.add({Kind::NothingAlike, Advice::DoNotPrint});
+        return;
+    }
+    for (const ZoneError& zone : zones) {
+        objectToZone(found, zone, estimate, dip.laid.film().grid,
+                     dip.zones ? std::optional(zone.zone) : std::nullopt);
+    }
+    const double once = std::max(spacing.paintedOnce, step.paintedOnce);
+    if (once > certainPaintedOnce) {
+        found.add({Kind::Border, once > spoiltPaintedOnce ? Advice::DoNotPrint : Advice::LookFirst,
+                   once, certainPaintedOnce});
+    }
+    if (found.isEmpty()) {
+        found.add({Kind::Certain, Advice::Print, estimate.offBy.percentile95});
+    }
+}
+
+void objectToNumerics(Objections& found, const JudgedDip& dip,
+                      const std::vector<ZoneError>& zones) {
+    const solver::EquilibriumAccount& rest = dip.laid.film().equilibrium;
+    if (rest.stepsWithout > 0) {
+        found.add({Kind::Unbalanced,
+                   Advice::LookFirst,
+                   double(rest.stepsWithout),
+                   0,
+                   {},
+                   rest.worstForceLeft});
+    }
+    if (!dip.certainty) {
+        found.add({Kind::NotAsked, Advice::NotJudged});
+    } else if (!dip.certainty->failure.isEmpty()) {
+        found.add({Kind::NotCompared, Advice::LookFirst, 0, 0, dip.certainty->failure});
+    } else {
+        objectToEstimate(found, *dip.certainty, zones, dip);
+    }
+}
+
+// How far the painted film stays from the edge of the flat film, mm.
+double edgeDistance(const LaidFilm& laid) {
+    const Eigen::AlignedBox2f used = usedFilm(laid);
+    const solver::FilmGrid& grid = laid.film().grid;
+    const Eigen::Vector2f half(float(grid.width) / 2, float(grid.depth) / 2);
+    const float least = std::min((used.min() + half).minCoeff(), (half - used.max()).minCoeff());
+    return std::max(double(least), 0.0);
+}
+
+void objectToPaint(Objections& found, const JudgedDip& dip, const VerdictSettings& limits) {
+    const double painted = dip.coverage.paintedArea;
+    if (painted <= 0) {
+        found.add({Kind::Unpainted, Advice::DoNotPrint});
+        return;
+    }
+    const MarkedArea& marked = dip.coverage.marked;
+    found.addShare(Kind::Air, dip.coverage.trappedAir.area / surfaceArea(dip.laid.body().mesh),
+                   limits.air);
+    found.addShare(Kind::Pale, dip.paleArea / painted, limits.pale);
+    found.addShare(Kind::Damaged,
+                   (marked.of(solver::PointMark::Torn) + marked.of(solver::PointMark::LetGo)) /
+                       painted,
+                   limits.damaged);
+    const double edge = edgeDistance(dip.laid);
+    if (edge < limits.edge.value()) {
+        found.add({Kind::FilmEdge, edgeIsOnBody(dip.laid) ? Advice::DoNotPrint : Advice::LookFirst,
+                   edge, limits.edge.value()});
+    }
+}
+
+} // namespace
+
+void Objections::add(VerdictReason reason) {
+    reasons_.push_back(std::move(reason));
+}
+
+void Objections::addShare(Kind kind, double share, double limit, std::optional<Zone> zone) {
+    if (share > limit) {
+        add({kind,
+             share > spoiltTimes * limit ? Advice::DoNotPrint : Advice::LookFirst,
+             share,
+             limit,
+             {},
+             0,
+             zone});
+    }
+}
+
+Verdict Objections::verdict() && {
+    std::stable_sort(reasons_.begin(), reasons_.end(),
+                     [](const auto& a, const auto& b) { return a.advice > b.advice; });
+    Verdict verdict{Advice::Print, std::move(reasons_), {}, 0};
+    for (const VerdictReason& reason : verdict.reasons) {
+        verdict.advice = worst(verdict.advice, reason.advice);
+    }
+    return verdict;
+}
+
+Advice worst(Advice one, Advice other) {
+    const Advice worse = std::max(one, other);
+    return worse > Advice::Print ? worse : std::min(one, other);
+}
+
+Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
+                const VerdictSettings& limits) {
+    const UncertainPlaces uncertain = uncertainPlaces(
+        dip.laid, dip.certainty ? dip.certainty->pointsOffBy : nothingKnown, dip.zones, tolerance);
+    Objections found;
+    objectToNumerics(found, dip, uncertain.zones);
+    objectToPaint(found, dip, limits);
+    Verdict judged = std::move(found).verdict();
+    judged.places = uncertain.places;
+    judged.uncertainArea = uncertain.area;
+    return judged;
+}
+
+QString adviceKey(Advice advice) {
+    switch (advice) {
+    case Advice::NotJudged:
+        return QStringLiteral("not_judged");
+    case Advice::Print:
+        return QStringLiteral("print");
+    case Advice::LookFirst:
+        return QStringLiteral("look_first");
+    case Advice::DoNotPrint:
+        return QStringLiteral("do_not_print");
+    }
+    return {};
+}
+
+namespace {
+
+struct KindWords {
+    const char* key;
+    const char* limit; // the field of the project
+};
+
+// In the order of VerdictReason::Kind.
+constexpr std::array kindWords{KindWords{"not_asked", ""},
+                               KindWords{"not_compared", ""},
+                               KindWords{"unpainted", ""},
+                               KindWords{"nothing_alike", ""},
+                               KindWords{"certain", "tolerance.limits_mm"},
+                               KindWords{"off_by", "tolerance.limits_mm"},
+                               KindWords{"off_by_much", "tolerance.limits_mm"},
+                               KindWords{"step", "process.contact_travel_cells"},
+                               KindWords{"far_off_places", "tolerance.limits_mm"},
+                               KindWords{"border", ""},
+                               KindWords{"unbalanced", ""},
+                               KindWords{"air", "verdict.air"},
+                               KindWords{"pale", "verdict.pale"},
+                               KindWords{"damaged", "verdict.damaged"},
+                               KindWords{"film_edge", "verdict.edge_mm"},
+                               KindWords{"unreached", "verdict.unreached"},
+                               KindWords{"narrow", "verdict.narrow"},
+                               KindWords{"zone_bare", "verdict.zone_bare"},
+                               KindWords{"zone_exceeded", "tolerance.limits_mm"},
+                               KindWords{"no_picture", "verdict.no_picture"},
+                               KindWords{"changed_model", "verdict.changed_model"},
+                               KindWords{"guessed_film", "verdict.guessed_film"}};
+static_assert(kindWords.size() == std::size_t(Kind::GuessedFilm) + 1);
+
+} // namespace
+
+QString reasonKey(Kind kind) {
+    return QString::fromLatin1(kindWords[std::size_t(kind)].key);
+}
+
+QString limitField(Kind kind) {
+    return QString::fromLatin1(kindWords[std::size_t(kind)].limit);
+}
+
+} // namespace dipwright

@@ -1,0 +1,163 @@
+#include "pipeline/JobVerdict.h"
+
+#include "geometry/SurfaceSamples.h"
+#include "parallel/ParallelFor.h"
+#include "project/Profiles.h"
+#include "texture/ReverseTexture.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Verdict)
+};
+
+using Kind = VerdictReason::Kind;
+
+constexpr double bareSamples = 20'000; // of the body
+
+// How much of each zone no dip paints, 0 … 1.
+std::array<double, zoneCount> bareZones(const JobResult& result, const ZonedBody& zones) {
+    const TriangleMesh& mesh = result.project.model->mesh;
+    const std::vector<SurfacePoint> places = evenSamples(mesh, surfaceArea(mesh) / bareSamples);
+    std::vector<std::uint8_t> isPainted(places.size());
+    parallelFor(std::size_t(0), places.size(), [&](std::size_t i) {
+        for (const ImmersionResult& dip : result.immersions) {
+            isPainted[i] |= dip.laid->place(places[i]).has_value();
+        }
+    });
+    std::array<double, zoneCount> all{}, bare{};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto zone = std::size_t(zones.at(places[i]));
+        all[zone] += 1;
+        bare[zone] += isPainted[i] ? 0 : 1;
+    }
+    for (std::size_t zone = 0; zone < zoneCount; ++zone) {
+        bare[zone] = all[zone] > 0 ? bare[zone] / all[zone] : 0;
+    }
+    return bare;
+}
+
+// What is marked is to be painted; the rest of the body is told of by itself.
+void objectToBareZones(Objections& found, const JobResult& result, const ZonedBody& zones) {
+    const std::array<double, zoneCount> bare = bareZones(result, zones);
+    for (const Zone zone : {Zone::A, Zone::B}) {
+        found.addShare(Kind::ZoneBare, bare[std::size_t(zone)], result.project.verdict.zoneBare,
+                       zone);
+    }
+}
+
+void objectToHandling(Objections& found, const JobTolerances& tolerances) {
+    for (const ZoneVerdict& zone : tolerances.zones) {
+        if (zone.area > 0 && !zone.holds()) {
+            found.add({Kind::ZoneExceeded,
+                       Advice::LookFirst,
+                       zone.together,
+                       zone.limit,
+                       {},
+                       0,
+                       zone.zone});
+        }
+    }
+}
+
+double unreached(const JobResult& result) {
+    return result.share ? result.share->areas.none / result.share->areas.total()
+                        : 1 - result.coverageTotal;
+}
+
+// Whether nothing but one colour is to be seen of the model.
+bool isPlain(const Project& project) {
+    const std::vector<Material>& materials = project.model->materials;
+    return project.artwork.isEmpty() && project.model->textures.empty() &&
+           std::all_of(materials.begin(), materials.end(), [&](const Material& material) {
+               return material.colour == materials.front().colour;
+           });
+}
+
+// What is no matter of a limit but is told, and weighs as much as the project says.
+void objectToOrigins(Objections& found, const JobResult& result) {
+    const Project& project = result.project;
+    if (result.immersions.front().inputs.texture.isReversed() && isPlain(project)) {
+        found.add({Kind::NoPicture, project.verdict.noPicture});
+    }
+    if (!project.modelOrigin.remarks.isEmpty()) {
+        found.add(
+            {Kind::ChangedModel, project.verdict.changedModel, 0, 0, project.modelOrigin.remarks});
+    }
+    if (!hasMeasuredSwell(project.film, project.profiles)) {
+        found.add({Kind::GuessedFilm, project.verdict.guessedFilm});
+    }
+}
+
+} // namespace
+
+std::shared_ptr<const ZonedBody> markedZones(const Project& project) {
+    if (project.tolerance.marks.empty()) {
+        return nullptr;
+    }
+    auto zones = std::make_shared<ZonedBody>(project.model);
+    zones->setMarks(project.tolerance.marks);
+    return zones;
+}
+
+Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const ZonedBody* zones) {
+    return verdict({*dip.laid, *dip.coverage, dip.certainty.get(),
+                    dip.inkShortfall.value_or(dip.texture->shortfallArea), zones},
+                   project.tolerance, project.verdict);
+}
+
+Verdict togetherVerdict(const JobResult& result, const ZonedBody* zones) {
+    Objections found;
+    const VerdictSettings& limits = result.project.verdict;
+    if (result.immersions.size() > 1) {
+        found.addShare(Kind::Unreached, unreached(result), limits.unreached);
+    }
+    if (result.share) {
+        found.addShare(Kind::Narrow, result.share->narrow, limits.narrow);
+    }
+    if (zones) {
+        objectToBareZones(found, result, *zones);
+    }
+    if (result.tolerances) {
+        objectToHandling(found, *result.tolerances);
+    }
+    objectToOrigins(found, result);
+    return std::move(found).verdict();
+}
+
+Advice adviceOf(const JobResult& result) {
+    Advice advice = result.verdict.advice;
+    for (const ImmersionResult& dip : result.immersions) {
+        advice = worst(advice, dip.verdict.advice);
+    }
+    return advice;
+}
+
+std::vector<JobReason> reasonsOf(const JobResult& result) {
+    std::vector<JobReason> all;
+    for (std::size_t number = 0; number < result.immersions.size(); ++number) {
+        for (const VerdictReason& reason : result.immersions[number].verdict.reasons) {
+            all.push_back({number, reason});
+        }
+    }
+    for (const VerdictReason& reason : result.verdict.reasons) {
+        all.push_back({std::nullopt, reason});
+    }
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+        return a.reason.advice > b.reason.advice;
+    });
+    return all;
+}
+
+QString reasonText(const JobReason& reason, const JobResult& result, const LengthText& length) {
+    const QString text = reasonText(reason.reason, length);
+    return reason.dip ? Text::tr("%1: %2").arg(result.immersions[*reason.dip].immersion.name, text)
+                      : text;
+}
+
+} // namespace dipwright

@@ -1,0 +1,209 @@
+// What a verdict says of films laid by hand, with and without a comparison.
+#include "accuracy/verdict/Verdict.h"
+
+#include "DippedByHand.h"
+#include "geometry/Shapes.h"
+
+#include <QtTest>
+
+using namespace dipwright;
+
+namespace {
+
+const Eigen::Vector3d boxSize(40, 30, 40);
+
+// `isGraded`: its lines are told one by one, 1 mm apart, as those of automatic cells are.
+std::shared_ptr<const LaidFilm> filmWith(const solver::EquilibriumAccount& account,
+                                         bool isGraded = false) {
+    DippedFilm film = test::flatUnderBox({61, 61, 60, 60}, boxSize);
+    film.equilibrium = account;
+    for (int line = 0; isGraded && line < 61; ++line) {
+        film.grid.columnPlaces.push_back(line - 30);
+        film.grid.rowPlaces.push_back(line - 30);
+    }
+    return test::laid(boxMesh(boxSize), film);
+}
+
+// Of a film that all coarser dips agree with.
+CertaintyEstimate agreement(const LaidFilm& laid) {
+    const auto same = test::laid(laid.body().mesh, laid.film());
+    return certaintyEstimate(laid, {same, same, {}});
+}
+
+// Of a film that twice the cell moves by so much everywhere, mm.
+CertaintyEstimate movedBy(const LaidFilm& laid, double change) {
+    CertaintyEstimate estimate = agreement(laid);
+    estimate.doubleSpacing.distance.percentile95 = change;
+    estimate.offBy.percentile95 = change;
+    std::fill(estimate.pointsOffBy.begin(), estimate.pointsOffBy.end(), float(change));
+    return estimate;
+}
+
+Verdict judged(const LaidFilm& laid, const CertaintyEstimate* estimate,
+               const ZonedBody* zones = nullptr, const ToleranceSettings& tolerance = {}) {
+    return verdict({laid, coverage(laid), estimate, 0, zones}, tolerance, {});
+}
+
+// What is said of a film of 1 mm cells, graded or not, that twice the cell changes so much, mm.
+QString toldOf(double change, bool isGraded) {
+    const auto laid = filmWith({}, isGraded);
+    const CertaintyEstimate estimate = movedBy(*laid, change);
+    return verdictText(QStringLiteral("Top"), judged(*laid, &estimate));
+}
+
+qsizetype mentions(const Verdict& verdict) {
+    return verdictText(QStringLiteral("Top"), verdict).count(QStringLiteral("equilibrium"));
+}
+
+// Of a dip that is certain, with this of its coverage and ink changed.
+template <typename Change>
+Verdict changedBy(Change change, double paleArea = 0) {
+    const auto laid = filmWith({});
+    const CertaintyEstimate estimate = agreement(*laid);
+    Coverage painted = coverage(*laid);
+    change(painted, surfaceArea(laid->body().mesh));
+    return verdict({*laid, painted, &estimate, paleArea}, {}, {});
+}
+
+} // namespace
+
+class VerdictReasonsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void stepsWithoutEquilibriumAreToldOnce() {
+        const auto laid = filmWith({3, 0.25, 900});
+        const CertaintyEstimate estimate = agreement(*laid);
+        const Verdict found = judged(*laid, &estimate);
+        QCOMPARE(found.advice, Advice::LookFirst);
+        QCOMPARE(mentions(found), qsizetype(1));
+    }
+
+    // Zone C, which is all that is not marked, allows a third of 1.5 mm.
+    void aFilmThatIsTooCoarseIsToldWhatCanBeSet() {
+        QVERIFY(toldOf(0.75, false).contains(QStringLiteral("Film > Points")));
+        QVERIFY(toldOf(0.75, true).contains(QStringLiteral("Set Film > Cells to 0.67 mm")));
+        for (const bool isGraded : {false, true}) {
+            const QString line = toldOf(4, isGraded);
+            QVERIFY2(line.startsWith(QStringLiteral("Top: Do not print")), qPrintable(line));
+            QVERIFY(line.contains(QStringLiteral("smaller cells or more points")));
+            QVERIFY(!line.contains(QStringLiteral("to 0.")));
+        }
+    }
+
+    void eachZoneHasALimitOfItsOwn() {
+        const auto laid = filmWith({});
+        auto model = std::make_shared<TexturedMesh>(
+            test::plainModel(laid->body().mesh, QColor(200, 200, 200)));
+        ToleranceSettings tolerance;
+        ZoneMark bottom;
+        bottom.place[1] = Millimetres(double(boundingBox(model->mesh).min().y()));
+        bottom.extent = ZoneExtent::Face;
+        tolerance.marks = {bottom};
+        ZonedBody zones(model);
+        zones.setMarks(tolerance.marks);
+        const CertaintyEstimate estimate = movedBy(*laid, 0.2); // A allows 0.1 mm
+        QCOMPARE(judged(*laid, &estimate).advice, Advice::Print);
+        const Verdict marked = judged(*laid, &estimate, &zones, tolerance);
+        QCOMPARE(marked.advice, Advice::LookFirst);
+        QCOMPARE(marked.reasons.front().zone, std::optional(Zone::A));
+        QVERIFY(!marked.places.empty());
+        QCOMPARE(marked.places.front().limit, 0.1);
+        tolerance.limits[0] = Millimetres(0.7);
+        QCOMPARE(judged(*laid, &estimate, &zones, tolerance).advice, Advice::Print);
+    }
+
+    void whatTheStepsChangeIsToldOfThem() {
+        const auto laid = filmWith({}, true);
+        CertaintyEstimate estimate = movedBy(*laid, 0.75);
+        estimate.doubleStep.distance.percentile95 = 0.8;
+        QCOMPARE(judged(*laid, &estimate).reasons.front().kind, VerdictReason::Kind::Step);
+    }
+
+    void shareAboveItsLimitIsLookedAtAndFarAboveItNotPrinted_data() {
+        QTest::addColumn<double>("share");
+        QTest::addColumn<int>("advice");
+        QTest::newRow("within") << 0.9 << int(Advice::Print);
+        QTest::newRow("above") << 1.1 << int(Advice::LookFirst);
+        QTest::newRow("far above") << 5.5 << int(Advice::DoNotPrint);
+    }
+    void shareAboveItsLimitIsLookedAtAndFarAboveItNotPrinted() {
+        QFETCH(double, share);
+        QFETCH(int, advice);
+        const VerdictSettings limits;
+        const Verdict air = changedBy([&](Coverage& painted, double surface) {
+            painted.trappedAir.area = share * limits.air * surface;
+        });
+        QCOMPARE(int(air.advice), advice);
+        const Verdict torn = changedBy([&](Coverage& painted, double) {
+            painted.marked.add(std::uint8_t(solver::PointMark::Torn),
+                               share * limits.damaged * painted.paintedArea);
+        });
+        QCOMPARE(int(torn.advice), advice);
+        double paintedArea = 0;
+        changedBy([&](Coverage& painted, double) { paintedArea = painted.paintedArea; });
+        const Verdict pale = changedBy([](Coverage&, double) {}, share * limits.pale * paintedArea);
+        QCOMPARE(int(pale.advice), advice);
+        if (advice > int(Advice::Print)) {
+            QCOMPARE(air.reasons.front().kind, VerdictReason::Kind::Air);
+            QCOMPARE(pale.reasons.front().kind, VerdictReason::Kind::Pale);
+            QCOMPARE(torn.reasons.front().kind, VerdictReason::Kind::Damaged);
+        }
+    }
+
+    void aBodyThatStaysBareIsNotPrinted() {
+        const Verdict bare = changedBy([](Coverage& painted, double) { painted.paintedArea = 0; });
+        QCOMPARE(bare.advice, Advice::DoNotPrint);
+        QCOMPARE(bare.reasons.front().kind, VerdictReason::Kind::Unpainted);
+    }
+
+    // The film is 60 mm wide and the box 40, so that 10 mm are left on each side.
+    void paintNearTheFilmsEdgeIsTold() {
+        const auto laid = filmWith({});
+        const CertaintyEstimate estimate = agreement(*laid);
+        const JudgedDip dip{*laid, coverage(*laid), &estimate};
+        VerdictSettings limits;
+        limits.edge = Millimetres(9);
+        QCOMPARE(verdict(dip, {}, limits).advice, Advice::Print);
+        limits.edge = Millimetres(12);
+        const Verdict near = verdict(dip, {}, limits);
+        QCOMPARE(near.advice, Advice::LookFirst);
+        QVERIFY(std::abs(near.reasons.front().value - 10) < 1.01); // to a cell
+    }
+
+    // What speaks against it speaks against it all the same.
+    void sheetsThatNobodyAskedAboutAreNotJudged() {
+        QCOMPARE(judged(*filmWith({}), nullptr).advice, Advice::NotJudged);
+        const Verdict unbalanced = judged(*filmWith({3, 0.25, 900}), nullptr);
+        QCOMPARE(unbalanced.advice, Advice::LookFirst);
+        QCOMPARE(unbalanced.reasons.back().kind, VerdictReason::Kind::NotAsked);
+        QCOMPARE(mentions(unbalanced), qsizetype(1));
+    }
+
+    void whereAllAgreesThereIsNothingElseToTell() {
+        const auto laid = filmWith({});
+        const CertaintyEstimate estimate = agreement(*laid);
+        const Verdict found = judged(*laid, &estimate);
+        QCOMPARE(found.advice, Advice::Print);
+        QCOMPARE(found.reasons.size(), std::size_t(1));
+        QCOMPARE(mentions(found), qsizetype(0));
+        const QString line = verdictText(QStringLiteral("Top"), found);
+        QVERIFY2(line.startsWith(QStringLiteral("Top: Print it. 95 % of the sheet")),
+                 qPrintable(line));
+    }
+
+    void everyReasonHasASentenceAndAKey() {
+        QStringList keys;
+        for (int kind = 0; kind <= int(VerdictReason::Kind::GuessedFilm); ++kind) {
+            const VerdictReason reason{
+                VerdictReason::Kind(kind), Advice::Print, 0.1, 0.05, QStringLiteral("why"), 1};
+            QVERIFY2(reasonText(reason, millimetres).size() > 15,
+                     qPrintable(QString::number(kind)));
+            keys << reasonKey(reason.kind);
+        }
+        QCOMPARE(keys.removeDuplicates(), qsizetype(0));
+    }
+};
+
+QTEST_GUILESS_MAIN(VerdictReasonsTest)
+#include "VerdictReasonsTest.moc"
