@@ -176,6 +176,17 @@
     </message>
 </context>
 <context>
+    <name>ColourNote</name>
+    <message>
+        <source>%1 is in CMYK and names no ICC profile: its colours are guessed by a formula and can be far off; save it with its profile, or as sRGB</source>
+        <translation>%1 ist in CMYK und nennt kein ICC-Profil: Die Farben sind nach einer Formel geschätzt und können weit danebenliegen; speichern Sie das Bild mit seinem Profil oder als sRGB</translation>
+    </message>
+    <message>
+        <source>%1 has colours that are not kept as they are: %2 % of its pixels lie beyond BT.2020, in which pictures are kept, and are printed less saturated; save it in a smaller space, such as Adobe RGB, to choose how</source>
+        <translation>%1 hat Farben, die nicht bleiben, wie sie sind: %2 % der Pixel liegen außerhalb von BT.2020, worin Bilder gehalten werden, und werden weniger gesättigt gedruckt; speichern Sie das Bild in einem kleineren Farbraum wie Adobe RGB, um das selbst zu bestimmen</translation>
+    </message>
+</context>
+<context>
     <name>Cradle</name>
     <message>
         <source>%1: the body tips out of its cradle where it is not fixed; what stays dry does not lie on all sides of its middle. Fix it through the bore, or turn the pose</source>
@@ -1202,6 +1213,10 @@
     <message>
         <source>The sheets would take about %1 GB of memory, and this computer has %2 GB: choose a lower resolution or a smaller film</source>
         <translation>Die Bogen bräuchten etwa %1 GB Speicher, und dieser Rechner hat %2 GB: Wählen Sie eine niedrigere Auflösung oder einen kleineren Film</translation>
+    </message>
+    <message>
+        <source>The picture on the film</source>
+        <translation>Das Bild auf dem Film</translation>
     </message>
 </context>
 <context>
@@ -3592,6 +3607,10 @@
     <message>
         <source>The text “%1” is to be set in %2, which this computer does not have, and is set in another; install that font or choose one that is here</source>
         <translation>Der Text „%1“ soll in %2 gesetzt werden, die es auf diesem Rechner nicht gibt, und steht in einer anderen Schrift; installieren Sie die Schrift oder wählen Sie eine vorhandene</translation>
+    </message>
+    <message>
+        <source>The picture of the layer “%1”</source>
+        <translation>Das Bild der Ebene „%1“</translation>
     </message>
 </context>
 <context>
@@ -6326,6 +6345,37 @@ auf steife, wasserfeste Karte gedruckt</translation>
     <message>
         <source>Close this notice</source>
         <translation>Diesen Hinweis schließen</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::NumberBox</name>
+    <message>
+        <source>“%1” has a unit, and this field has none; type the number alone</source>
+        <translation>„%1“ hat eine Einheit, und dieses Feld hat keine; geben Sie nur die Zahl ein</translation>
+    </message>
+    <message>
+        <source>“%1” is in no unit of this field; type a number in %2</source>
+        <translation>„%1“ steht in keiner Einheit dieses Feldes; geben Sie eine Zahl in %2 ein</translation>
+    </message>
+    <message>
+        <source>There is no number</source>
+        <translation>Es steht keine Zahl da</translation>
+    </message>
+    <message>
+        <source>“%1” is no number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>“%1” is not within %2 to %3%4</source>
+        <translation>„%1“ liegt nicht zwischen %2 und %3%4</translation>
+    </message>
+    <message>
+        <source>“%1” can be %2 or %3; type one of them</source>
+        <translation>„%1“ kann %2 oder %3 heißen; geben Sie eines davon ein</translation>
+    </message>
+    <message>
+        <source>“%1” is no whole number</source>
+        <translation>„%1“ ist keine ganze Zahl</translation>
     </message>
 </context>
 <context>
@@ -9077,6 +9127,21 @@ mm je mm</translation>
     <message>
         <source>The photo is cut off in the middle; copy it from the camera again</source>
         <translation>Das Foto ist mittendrin abgeschnitten; kopieren Sie es noch einmal von der Kamera</translation>
+    </message>
+    <message>
+        <source>The picture in Lab is damaged, or kept in a way that is not read; save it anew as RGB, or as TIFF in 8 or 16 bits without tiles and planes</source>
+        <translation>Das Bild in Lab ist beschädigt oder so gespeichert, wie es nicht gelesen wird; speichern Sie es neu als RGB oder als TIFF in 8 oder 16 Bit ohne Kacheln und Ebenen</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::TexturedMesh</name>
+    <message>
+        <source>The model&apos;s texture</source>
+        <translation>Die Textur des Modells</translation>
+    </message>
+    <message>
+        <source>Texture %1 of the model</source>
+        <translation>Textur %1 des Modells</translation>
     </message>
 </context>
 <context>

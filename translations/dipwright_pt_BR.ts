@@ -176,6 +176,17 @@
     </message>
 </context>
 <context>
+    <name>ColourNote</name>
+    <message>
+        <source>%1 is in CMYK and names no ICC profile: its colours are guessed by a formula and can be far off; save it with its profile, or as sRGB</source>
+        <translation>%1: imagem em CMYK sem perfil ICC; as cores são estimadas por uma fórmula e podem estar bem erradas; salve-a com o seu perfil ou como sRGB</translation>
+    </message>
+    <message>
+        <source>%1 has colours that are not kept as they are: %2 % of its pixels lie beyond BT.2020, in which pictures are kept, and are printed less saturated; save it in a smaller space, such as Adobe RGB, to choose how</source>
+        <translation>%1: há cores que não se mantêm como são; %2 % dos pixels estão fora do BT.2020, em que as imagens são guardadas, e são impressos menos saturados; salve-a em um espaço menor, como Adobe RGB, para decidir como</translation>
+    </message>
+</context>
+<context>
     <name>Cradle</name>
     <message>
         <source>%1: the body tips out of its cradle where it is not fixed; what stays dry does not lie on all sides of its middle. Fix it through the bore, or turn the pose</source>
@@ -1202,6 +1213,10 @@
     <message>
         <source>The sheets would take about %1 GB of memory, and this computer has %2 GB: choose a lower resolution or a smaller film</source>
         <translation>As folhas ocupariam cerca de %1 GB de memória, e este computador tem %2 GB: escolha uma resolução menor ou um filme menor</translation>
+    </message>
+    <message>
+        <source>The picture on the film</source>
+        <translation>A imagem no filme</translation>
     </message>
 </context>
 <context>
@@ -3592,6 +3607,10 @@
     <message>
         <source>The text “%1” is to be set in %2, which this computer does not have, and is set in another; install that font or choose one that is here</source>
         <translation>O texto “%1” deve usar a fonte %2, que este computador não tem, e usa outra; instale essa fonte ou escolha uma que exista aqui</translation>
+    </message>
+    <message>
+        <source>The picture of the layer “%1”</source>
+        <translation>A imagem da camada “%1”</translation>
     </message>
 </context>
 <context>
@@ -6326,6 +6345,37 @@ impresso em cartão rígido e impermeável</translation>
     <message>
         <source>Close this notice</source>
         <translation>Fechar este aviso</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::NumberBox</name>
+    <message>
+        <source>“%1” has a unit, and this field has none; type the number alone</source>
+        <translation>“%1” tem uma unidade e este campo não tem nenhuma; digite só o número</translation>
+    </message>
+    <message>
+        <source>“%1” is in no unit of this field; type a number in %2</source>
+        <translation>“%1” não está em nenhuma unidade deste campo; digite um número em %2</translation>
+    </message>
+    <message>
+        <source>There is no number</source>
+        <translation>Não há número</translation>
+    </message>
+    <message>
+        <source>“%1” is no number</source>
+        <translation>“%1” não é um número</translation>
+    </message>
+    <message>
+        <source>“%1” is not within %2 to %3%4</source>
+        <translation>“%1” não está entre %2 e %3%4</translation>
+    </message>
+    <message>
+        <source>“%1” can be %2 or %3; type one of them</source>
+        <translation>“%1” pode ser %2 ou %3; digite um deles</translation>
+    </message>
+    <message>
+        <source>“%1” is no whole number</source>
+        <translation>“%1” não é um número inteiro</translation>
     </message>
 </context>
 <context>
@@ -9077,6 +9127,21 @@ mm por mm</translation>
     <message>
         <source>The photo is cut off in the middle; copy it from the camera again</source>
         <translation>A foto está cortada no meio; copie-a de novo da câmera</translation>
+    </message>
+    <message>
+        <source>The picture in Lab is damaged, or kept in a way that is not read; save it anew as RGB, or as TIFF in 8 or 16 bits without tiles and planes</source>
+        <translation>A imagem em Lab está danificada ou guardada de um modo que não é lido; salve-a de novo como RGB, ou como TIFF em 8 ou 16 bits sem blocos e planos</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::TexturedMesh</name>
+    <message>
+        <source>The model&apos;s texture</source>
+        <translation>A textura do modelo</translation>
+    </message>
+    <message>
+        <source>Texture %1 of the model</source>
+        <translation>Textura %1 do modelo</translation>
     </message>
 </context>
 <context>

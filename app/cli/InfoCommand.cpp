@@ -1,6 +1,7 @@
 #include "cli/Arguments.h"
 #include "geometry/FieldGrid.h"
 #include "geometry/TriangleMesh.h"
+#include "model/TextureNotes.h"
 #include "model/TexturedMesh.h"
 #include "project/Project.h"
 #include "settings/FilmSettings.h"
@@ -51,6 +52,9 @@ void printModel(const TexturedMesh& model, const QString& remarks, QTextStream& 
         out << QStringLiteral("Texture: %1 × %2 pixels\n")
                    .arg(texture.width())
                    .arg(texture.height());
+    }
+    for (const QString& note : colourNotes(model)) {
+        out << QStringLiteral("Note: %1\n").arg(note);
     }
 }
 

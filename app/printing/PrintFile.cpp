@@ -1,6 +1,7 @@
 #include "printing/PrintFile.h"
 
 #include "base/Error.h"
+#include "base/Sha256.h"
 #include "disk/AtomicFile.h"
 #include "printing/PrintReach.h"
 #include "sheet/prepress/PrinterColour.h"
@@ -20,6 +21,25 @@ struct Text {
 };
 
 constexpr double leastShortfall = 1; // mm² that are worth a word
+
+// What of a profile changes a sheet's plates, the same for profiles that make the same plates.
+// Empty: it changes none.
+QByteArray platesText(const PrinterProfile& profile) {
+    QByteArrayList parts;
+    if (profile.scaleX != 1 || profile.scaleY != 1) {
+        parts << "scale " + QByteArray::number(profile.scaleX, 'g', 17) + ' ' +
+                     QByteArray::number(profile.scaleY, 'g', 17);
+    }
+    if (!profile.iccProfile.isEmpty()) {
+        parts << "icc " + sha256Hex(profile.iccProfile).toLatin1()
+              << "intent " + QByteArray::number(int(profile.intent))
+              << "black " + QByteArray::number(int(profile.blackPoint));
+        if (profile.totalInk) {
+            parts << "ink " + QByteArray::number(*profile.totalInk, 'g', 17);
+        }
+    }
+    return parts.join('\n');
+}
 
 } // namespace
 
@@ -47,6 +67,21 @@ TileSettings tileSettings(QSizeF paper, const QMarginsF& lost) {
     settings.paper = paper;
     settings.margins = larger(lost, settings.margins);
     return settings;
+}
+
+Sheet numberedFor(const std::optional<PrinterProfile>& profile, const Sheet& sheet) {
+    constexpr int digits = 6;
+    const QByteArray plates = profile ? platesText(*profile) : QByteArray();
+    Sheet numbered = sheet;
+    if (plates.isEmpty()) {
+        return numbered;
+    }
+    const QString suffix = QLatin1Char('-') + sha256Hex(plates).left(digits);
+    numbered.job.hash += suffix;
+    for (SheetPiece& piece : numbered.pieces) {
+        piece.job.hash += suffix;
+    }
+    return numbered;
 }
 
 bool isTiff(const QString& path) {
@@ -114,8 +149,9 @@ QStringList writeSheetFile(const Sheet& sheet, const PrintFileRequest& request,
 
 } // namespace
 
-QStringList writePrintFile(const Sheet& sheet, const PrintFileRequest& request, const QString& path,
-                           const PrintHistory& history) {
+QStringList writePrintFile(const Sheet& original, const PrintFileRequest& request,
+                           const QString& path, const PrintHistory& history) {
+    const Sheet sheet = numberedFor(request.profile, original);
     QStringList warnings = writeSheetFile(sheet, request, path);
     PrintRecord record = recordOf(sheet, request.source, request.profile,
                                   request.tilePaper.value_or(pageSize(sheet)));

@@ -22,6 +22,12 @@ PrintCorrection printCorrection(const std::optional<PrinterProfile>& profile,
 // Pieces on such paper, clear of its edges that are lost and never nearer to them than usual.
 TileSettings tileSettings(QSizeF paper, const QMarginsF& lost);
 
+// The sheet with the job numbers that it has when it is printed by the profile. Where that changes
+// scale, colours or inks, a dash and six hexadecimal digits of what it changes follow the job's own
+// number: different plates of one job have different numbers. Of a film with several jobs, those of
+// its pieces too.
+Sheet numberedFor(const std::optional<PrinterProfile>& profile, const Sheet& sheet);
+
 bool isTiff(const QString& path);
 
 // Sentences on what the sheet has and its print does not: spot inks, without a colour in CMYK, and
@@ -40,8 +46,8 @@ struct PrintFileRequest {
 // PDF, or TIFF where the name ends so, kept in the history when it is written. Returns what is to
 // be said about it. Throws Error, as for a sheet that is printed, where the printer does not reach
 // colour near the sheet's edge.
-QStringList writePrintFile(const Sheet& sheet, const PrintFileRequest& request, const QString& path,
-                           const PrintHistory& history);
+QStringList writePrintFile(const Sheet& original, const PrintFileRequest& request,
+                           const QString& path, const PrintHistory& history);
 
 // A sheet's film on white as the printer will show it, and the share of its paint that the printer
 // cannot make.

@@ -1,6 +1,8 @@
 #include "printing/PrintReach.h"
 
 #include "base/Error.h"
+#include "sheet/page/InkedPixels.h"
+#include "sheet/prepress/PrinterColour.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -18,29 +20,14 @@ double lostEdge(double half, double margin, double scale) {
     return std::max(margin, half - (half - margin) * scale);
 }
 
-// The part of the page, in mm, that has ink of the film image.
-QRectF paintedBox(const Sheet& sheet) {
-    const QImage image = sheet.image.convertToFormat(QImage::Format_RGBA8888);
-    QRect box;
-    for (int y = 0; y < image.height(); ++y) {
-        const uchar* pixel = image.constScanLine(y);
-        int first = -1;
-        int last = -1;
-        for (int x = 0; x < image.width(); ++x, pixel += 4) {
-            if (pixel[3] != 0 && (pixel[0] & pixel[1] & pixel[2]) != 255) {
-                first = first < 0 ? x : first;
-                last = x;
-            }
-        }
-        if (first >= 0) {
-            box |= QRect(QPoint(first, y), QPoint(last, y));
-        }
-    }
+// The part of the page, in mm, that has ink of the film's plates.
+QRectF paintedBox(const Sheet& sheet, InkedPlates plates) {
+    const QRect box = inkedBox(sheet, plates);
     const QSizeF film(sheet.filmWidth.value(), sheet.filmHeight.value());
     const QSizeF page = pageSize(sheet);
     const QPointF corner((page.width() - film.width()) / 2, (page.height() - film.height()) / 2);
-    const double x = film.width() / image.width();
-    const double y = film.height() / image.height();
+    const double x = film.width() / sheet.image.width();
+    const double y = film.height() / sheet.image.height();
     return box.isEmpty() ? QRectF()
                          : QRectF(corner + QPointF(box.x() * x, box.y() * y),
                                   QSizeF(box.width() * x, box.height() * y));
@@ -94,7 +81,8 @@ Sheet withinReach(const Sheet& sheet, const QMarginsF& margins, const PrintCorre
         widest(lostOnPage(sheet, larger(margins, {clear, clear, clear, clear}), correction)));
     const QMarginsF lost = lostOnPage(sheet, margins, correction);
     const QRectF reach = QRectF({0, 0}, pageSize(sheet)).marginsRemoved(lost);
-    const QRectF painted = paintedBox(sheet);
+    const bool inks = correction.colour && correction.colour->isCmyk();
+    const QRectF painted = paintedBox(sheet, inks ? InkedPlates::All : InkedPlates::Picture);
     if (painted.isEmpty() ||
         reach.adjusted(-sharpness, -sharpness, sharpness, sharpness).contains(painted)) {
         return inside;

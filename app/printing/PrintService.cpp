@@ -406,7 +406,8 @@ private:
 
 } // namespace
 
-PrintPlan planPrint(PrintSystem& system, const Sheet& original, const PrintRequest& request) {
+PrintPlan planPrint(PrintSystem& system, const Sheet& unnumbered, const PrintRequest& request) {
+    const Sheet original = numberedFor(request.profile, unnumbered);
     PrintPlan plan;
     plan.printer = readyPrinter(system, request.printer);
     checkColour(plan.printer, original, request, plan.warnings);

@@ -1,6 +1,7 @@
 #include "artwork/EditArtwork.h"
 
 #include "artwork/LayerPicture.h"
+#include "base/ColourNote.h"
 #include "base/Error.h"
 #include "geometry/SurfaceQuery.h"
 
@@ -96,6 +97,16 @@ QStringList fontWarnings(const Artwork& artwork) {
         }
     }
     return warnings;
+}
+
+QStringList colourNotes(const Artwork& artwork) {
+    QStringList notes;
+    for (const ArtworkLayer& layer : artwork.layers) {
+        notes << colourNoteText(layer.picture.image,
+                                Text::tr("The picture of the layer “%1”").arg(layer.name));
+    }
+    notes.removeAll(QString());
+    return notes;
 }
 
 } // namespace dipwright

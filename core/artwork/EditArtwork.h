@@ -29,5 +29,8 @@ std::array<Millimetres, 2> shownSize(const ArtworkLayer& layer);
 // A sentence for each layer whose font this computer has not: it is drawn in another. Needs a
 // QGuiApplication.
 QStringList fontWarnings(const Artwork& artwork);
+// What is to be said of how the colours of its pictures were read, a sentence for each of which
+// something is (base/ColourNote.h).
+QStringList colourNotes(const Artwork& artwork);
 
 } // namespace dipwright

@@ -1,6 +1,7 @@
 #include "base/Png.h"
 
 #include "base/Bytes.h"
+#include "base/ColourNote.h"
 #include "base/Error.h"
 #include "base/WideGamut.h"
 #include "parallel/ParallelFor.h"
@@ -61,6 +62,12 @@ QByteArray resolution(const QImage& image) {
     append(bytes, quint32(image.dotsPerMeterX()));
     append(bytes, quint32(image.dotsPerMeterY()));
     return chunk("pHYs", bytes.append('\1'));
+}
+
+// Nothing where there is no note of the picture's colours.
+QByteArray colourText(const QString& note) {
+    return note.isEmpty() ? QByteArray()
+                          : chunk("tEXt", QByteArray(colourNoteKey) + '\0' + note.toLatin1());
 }
 
 // A row as its differences from what Paeth's filter expects of the pixels to the left and above
@@ -184,7 +191,8 @@ QByteArray pngBytes(const QImage& image, const QString& where) {
     if (plain.colorSpace().isValid()) {
         bytes += colourProfile(plain.colorSpace());
     }
-    return bytes + resolution(plain) + pixels(plain) + chunk("IEND", QByteArray());
+    return bytes + resolution(plain) + colourText(colourNoteValue(image)) + pixels(plain) +
+           chunk("IEND", QByteArray());
 }
 
 void writePng(const QImage& image, QIODevice& device, const QString& where) {

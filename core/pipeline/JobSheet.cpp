@@ -37,9 +37,16 @@ QString scaleText(const FilmSettings& film) {
     return Text::tr("1:1, swell %1 × %2 taken out").arg(plain(film.swellX), plain(film.swellY));
 }
 
-// Of the image and of every setting that it came from; where the project lies plays no part, nor
-// does whether the solver was named or found by "auto": which one it was, the image shows.
-QString jobHash(const Project& project, const Immersion& immersion, const QImage& filmImage) {
+void addPixels(Sha256& hash, const QImage& image) {
+    for (int row = 0; row < image.height(); ++row) {
+        const auto* line = reinterpret_cast<const char*>(image.constScanLine(row));
+        hash.add(QByteArrayView(line, qsizetype(image.width()) * image.depth() / 8));
+    }
+}
+
+// Of the film's pictures and of every setting that they came from; where the project lies plays no
+// part, nor does whether the solver was named or found by "auto": which one it was, they show.
+QString jobHash(const Project& project, const Immersion& immersion, const PrintedFilm& film) {
     Project anonymous = project;
     anonymous.process.solver = ProcessSettings().solver;
     anonymous.baseColour.clear(); // nothing of it is printed
@@ -61,9 +68,12 @@ QString jobHash(const Project& project, const Immersion& immersion, const QImage
                     QJsonArray{immersion.offset[0].value(), immersion.offset[1].value()});
     Sha256 hash;
     hash.add(QJsonDocument(settings).toJson(QJsonDocument::Compact));
-    for (int row = 0; row < filmImage.height(); ++row) {
-        const auto* line = reinterpret_cast<const char*>(filmImage.constScanLine(row));
-        hash.add(QByteArrayView(line, qsizetype(filmImage.width()) * filmImage.depth() / 8));
+    addPixels(hash, film.colours);
+    for (const QImage& image : {film.white, film.wanted, film.stretch}) {
+        addPixels(hash, image); // null where there is none
+    }
+    for (const QImage& tints : film.spots) {
+        addPixels(hash, tints);
     }
     return QString::fromLatin1(hash.result().toHex().left(hashLetters));
 }
@@ -96,7 +106,8 @@ void checkSpots(const Project& project) {
     }
 }
 
-Sheet jobSheet(const Project& project, const Immersion& immersion, const PrintedFilm& film) {
+Sheet jobSheet(const Project& project, const Immersion& immersion, const PrintedFilm& film,
+               const CancelToken& user) {
     Sheet sheet;
     sheet.image = film.colours;
     const std::vector<ArtworkLayer> spots = project.artwork.spots();
@@ -106,6 +117,7 @@ Sheet jobSheet(const Project& project, const Immersion& immersion, const Printed
     }
     if (!film.white.isNull()) {
         const double pixels = film.white.width() / project.film.width.value(); // to the mm
+        user.throwIfCancelled();
         sheet.plates.push_back({project.sheet.whiteName,
                                 choked(film.white, project.sheet.whiteChoke.value() * pixels),
                                 project.sheet.white == WhiteLayer::First});
@@ -113,12 +125,13 @@ Sheet jobSheet(const Project& project, const Immersion& immersion, const Printed
     if (!film.wanted.isNull()) {
         sheet.wanted = WantedInk{film.wanted, film.stretch, project.ink};
     }
+    user.throwIfCancelled();
     sheet.filmWidth = project.film.width;
     sheet.filmHeight = project.film.height;
     sheet.settings = project.sheet;
     sheet.job = {
         project.name,           immersion.name,          project.date,
-        filmText(project.film), scaleText(project.film), jobHash(project, immersion, film.colours)};
+        filmText(project.film), scaleText(project.film), jobHash(project, immersion, film)};
     return sheet;
 }
 

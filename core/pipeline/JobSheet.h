@@ -1,6 +1,7 @@
 // The sheet of one immersion: its film image with the job line that tells it from every other.
 #pragma once
 
+#include "base/Progress.h"
 #include "sheet/page/Sheet.h"
 
 namespace dipwright {
@@ -19,6 +20,8 @@ struct PrintedFilm {
 // Throws Error where two plates of a sheet had one name, or the artwork has too many.
 void checkSpots(const Project& project);
 
-Sheet jobSheet(const Project& project, const Immersion& immersion, const PrintedFilm& film);
+// Throws Cancelled.
+Sheet jobSheet(const Project& project, const Immersion& immersion, const PrintedFilm& film,
+               const CancelToken& user = {});
 
 } // namespace dipwright

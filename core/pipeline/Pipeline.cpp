@@ -3,9 +3,11 @@
 #include "accuracy/correction/SheetCorrection.h"
 #include "artwork/EditArtwork.h"
 #include "artwork/PaintArtwork.h"
+#include "base/ColourNote.h"
 #include "base/Error.h"
 #include "base/WideGamut.h"
 #include "film/FilmGrid.h"
+#include "model/TextureNotes.h"
 #include "parallel/Tasks.h"
 #include "pipeline/JobCradles.h"
 #include "pipeline/JobSheet.h"
@@ -127,11 +129,13 @@ void dip(ImmersionResult& result, const Run& run, std::size_t number, const Dist
 
 // What is not measured yet: the coverage of film that was just dipped, or taken over from dips that
 // were kept; the sheet read back of that, and of a body that looked otherwise before.
-void measure(ImmersionResult& result, const ImmersionResult* earlier) {
+void measure(ImmersionResult& result, const ImmersionResult* earlier, const CancelToken& user) {
     const bool isLaidAnew = !result.coverage;
+    user.throwIfCancelled();
     if (isLaidAnew) {
         result.coverage = std::make_shared<const Coverage>(coverage(*result.laid));
     }
+    user.throwIfCancelled();
     if (isLaidAnew || earlier->appearance != result.appearance) {
         result.readBack = readBackError(*result.laid, *result.laid, *result.appearance);
     }
@@ -317,15 +321,19 @@ std::optional<double> shortfallOf(const Sheet& sheet,
 void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison& comparison) {
     const ImmersionResult* earlier = run.earlier(number);
     Tasks measuring;
-    measuring.run([&] { measure(now, earlier); });
+    measuring.run([&] { measure(now, earlier, run.user); });
     if (!earlier || earlier->inputs != now.inputs) {
-        now.sheet = jobSheet(run.project, now.immersion,
-                             printedFilm(*now.texture, now.inputs, run.project, number));
+        run.user.throwIfCancelled();
+        const PrintedFilm film = printedFilm(*now.texture, now.inputs, run.project, number);
+        run.user.throwIfCancelled();
+        now.sheet = jobSheet(run.project, now.immersion, film, run.user);
+        run.user.throwIfCancelled();
         now.inkShortfall = shortfallOf(now.sheet, run.project.profiles.printer);
     }
     measuring.wait();
     if (comparison.isWanted) {
         comparison.dips.wait();
+        run.user.throwIfCancelled();
         now.certainty = std::make_shared<const CertaintyEstimate>(
             certaintyEstimate(*now.laid, std::exchange(comparison.films, {})));
     }
@@ -441,7 +449,10 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
     Tasks pictures; // each begins a sheet
     const auto leave = qScopeGuard([&left] { left.cancel(); });
     if (!hasProof || !hasCoverage) {
-        pictures.run([&] { stage = proofStage(*run.project.model); });
+        pictures.run([&] {
+            run.user.throwIfCancelled();
+            stage = proofStage(*run.project.model);
+        });
     }
     const auto beginPicture = [&](std::size_t number) {
         pictures.run([&, number] {
@@ -493,6 +504,7 @@ QStringList notesOf(const JobResult& result) {
         notes.append(insideOutNote());
     }
     notes += fontWarnings(result.project.artwork);
+    notes += colourNotes(*result.project.model) + colourNotes(result.project.artwork);
     for (const ImmersionResult& immersion : result.immersions) {
         notes += immersion.solverNotes;
     }
@@ -554,6 +566,10 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     }
     result.solver = result.immersions.back().solver;
     result.notes += notesOf(result);
+    if (const QString note = colourNoteText(options.filmImage, Text::tr("The picture on the film"));
+        !note.isEmpty()) {
+        result.notes += note;
+    }
     result.verdict = togetherVerdict(result, run.zones.get());
     return result;
 }

@@ -5,6 +5,7 @@
 #include "dip/FilmFit.h"
 #include "dip/FilmUnderBody.h"
 #include "film/FilmGrid.h"
+#include "model/TextureNotes.h"
 #include "pipeline/JobSheet.h"
 #include "pipeline/ModelNotes.h"
 #include "pipeline/SheetMemory.h"
@@ -113,6 +114,7 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
         warnings.append(Text::tr("The model has no texture, its plain colours are printed"));
     }
     warnings += fontWarnings(project.artwork);
+    warnings += colourNotes(*project.model) + colourNotes(project.artwork);
     for (const Immersion& immersion : project.immersions) {
         checkImmersion(project, immersion, query, warnings);
     }

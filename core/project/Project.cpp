@@ -1,6 +1,7 @@
 #include "project/Project.h"
 
 #include "base/Error.h"
+#include "base/OneLine.h"
 #include "project/FieldJson.h"
 #include "project/ProfileFields.h"
 #include "project/Profiles.h"
@@ -243,7 +244,7 @@ bool setFieldAt(Owner& owner, const std::vector<Field<Owner>>& fields, const QSt
 } // namespace
 
 QString projectName(const QString& path) {
-    return QFileInfo(path).completeBaseName().left(longestProjectName);
+    return oneLine(QFileInfo(path).completeBaseName()).left(longestProjectName);
 }
 
 void applyPreset(Project& project, const QString& preset) {

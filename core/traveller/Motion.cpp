@@ -18,6 +18,8 @@ struct Text {
 };
 
 constexpr qint64 longestTemplate = 1 << 20; // bytes
+// The slowest move that Marlin does not speed up (MINIMUM_PLANNER_SPEED); GRBL's limit is lower.
+constexpr MillimetresPerSecond holdSpeed{0.05};
 
 QString plain(double number) {
     const QString text = QString::number(number, 'f', 3);
@@ -46,7 +48,10 @@ QMap<QString, QString> valuesOf(const DipMotion& motion) {
             {QStringLiteral("approach_mm_min"), plain(motion.approach.value() * 60)},
             {QStringLiteral("dip_s"), plain(motion.dipTime().value())},
             {QStringLiteral("hold_s"), plain(motion.hold.value())},
-            {QStringLiteral("hold_ms"), plain(motion.hold.value() * 1000)}};
+            {QStringLiteral("hold_ms"), plain(motion.hold.value() * 1000)},
+            {QStringLiteral("hold_depth_mm"),
+             plain(motion.depth.value() + holdSpeed.value() * motion.hold.value() / 2)},
+            {QStringLiteral("hold_mm_min"), plain(holdSpeed.value() * 60)}};
 }
 
 } // namespace

@@ -35,9 +35,11 @@ std::vector<MotionPoint> motionPoints(const DipMotion& motion);
 QByteArray motionCsv(const DipMotion& motion);
 
 // A template with its {names} filled in: project, immersion, job, park_mm, start_mm, depth_mm,
-// speed_mm_s, speed_mm_min, approach_mm_min, dip_s, hold_s, hold_ms. Names lose their line ends and
-// control characters, so that none of them can become a command. Throws Error for a name that there
-// is not; `where` is what the user knows the template by.
+// speed_mm_s, speed_mm_min, approach_mm_min, dip_s, hold_s, hold_ms; hold_depth_mm and hold_mm_min:
+// the hold as a slow move a little deeper and back, for controllers that are not of one mind about
+// the unit of a dwell. Names lose their line ends and control characters, so that none of them can
+// become a command. Throws Error for a name that there is not; `where` is what the user knows the
+// template by.
 QByteArray filledTemplate(const DipMotion& motion, const QString& text, const QString& where);
 
 struct MotionTemplate {

@@ -1,5 +1,6 @@
 #include "traveller/PageInk.h"
 
+#include "sheet/page/PrintableText.h"
 #include "sheet/page/SheetLayout.h"
 
 #include <QPen>
@@ -14,11 +15,13 @@ double PageInk::text(const QRectF& place, double height, const QString& text,
     painter_.save();
     painter_.translate(place.topLeft());
     painter_.scale(typeUnit, typeUnit);
-    painter_.setFont(sheetFont(height));
+    const QFont font = sheetFont(height);
+    painter_.setFont(font);
     painter_.setPen(Qt::black);
     const QRectF room(0, 0, place.width() / typeUnit, 1e6);
     QRectF taken;
-    painter_.drawText(room, int(alignment) | Qt::AlignTop | Qt::TextWordWrap, text, &taken);
+    painter_.drawText(room, int(alignment) | Qt::AlignTop | Qt::TextWordWrap,
+                      printableText(text, font), &taken);
     painter_.restore();
     return place.y() + taken.height() * typeUnit;
 }

@@ -61,6 +61,7 @@ void DipJob::process(const Progress& progress) {
     for (const ImmersionResult& immersion : outcome_.result->immersions) {
         progress(dipDone, QCoreApplication::translate("DipJob", "Preparing the views"));
         outcome_.readings.push_back(std::make_shared<FilmReadout>(immersion.laid));
+        progress.cancelToken.throwIfCancelled();
         outcome_.sheets.push_back(sheetPreview(immersion.sheet));
     }
 }

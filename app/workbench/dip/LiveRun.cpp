@@ -1,5 +1,7 @@
 #include "workbench/dip/LiveRun.h"
 
+#include "pipeline/SameSheets.h"
+
 namespace dipwright {
 
 namespace {
@@ -23,13 +25,28 @@ void LiveRun::setDocument(const Document* document) {
     }
 }
 
+void LiveRun::stop() {
+    delay_.stop();
+    cancelled_.reset();
+}
+
+void LiveRun::cancel() {
+    stop();
+    if (document_) {
+        cancelled_ = document_->project();
+    }
+}
+
 void LiveRun::setHeld(bool held) {
     held_ = held;
     consider();
 }
 
 void LiveRun::consider() {
-    if (wanted_ && !held_ && document_ && document_->result() && !document_->isFresh()) {
+    if (!wanted_ || held_ || !document_ || !document_->result() || document_->isFresh()) {
+        return;
+    }
+    if (!cancelled_ || !makeSameSheets(*cancelled_, document_->project())) {
         delay_.start();
     }
 }

@@ -4,6 +4,7 @@
 #include "workbench/document/Document.h"
 
 #include <QTimer>
+#include <optional>
 
 namespace dipwright {
 
@@ -18,7 +19,10 @@ public:
     void setWanted(bool wanted) { wanted_ = wanted; }
     // While something is dragged, nothing is run; afterwards what has changed is.
     void setHeld(bool held);
-    void stop() { delay_.stop(); } // it has been run, or is not to be
+    void stop(); // it has been run, or is not to be
+    // The user does not want what is about to run, or runs: nothing is run before the project's
+    // sheets come out otherwise than they would now.
+    void cancel();
 
 signals:
     void runAsked();
@@ -29,6 +33,7 @@ private:
     const Document* document_ = nullptr;
     bool wanted_ = false;
     bool held_ = false;
+    std::optional<Project> cancelled_; // what is not to be run
     QTimer delay_;
 };
 

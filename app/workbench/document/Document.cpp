@@ -1,5 +1,6 @@
 #include "workbench/document/Document.h"
 
+#include "base/OneLine.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
 
@@ -76,7 +77,7 @@ void Document::showProject(const Project& project) {
 }
 
 QString Document::title() const {
-    return path_.isEmpty() ? project_.name : QFileInfo(path_).completeBaseName();
+    return path_.isEmpty() ? project_.name : oneLine(QFileInfo(path_).completeBaseName());
 }
 
 void Document::save() {

@@ -56,7 +56,10 @@ void DipController::showDocument() {
 }
 
 void DipController::setPreferences(const Preferences& preferences) {
-    actions_.live->setChecked(preferences.liveUpdate);
+    // What the user has ticked since holds until the preference itself is changed.
+    if (std::exchange(livePreference_, preferences.liveUpdate) != preferences.liveUpdate) {
+        actions_.live->setChecked(preferences.liveUpdate);
+    }
     keeper_.setWanted(preferences.keepsResults);
 }
 
@@ -68,7 +71,7 @@ void DipController::run(bool live) {
 }
 
 void DipController::cancel() {
-    live_.stop();
+    live_.cancel();
     session_.cancel();
     emit cancelled();
 }

@@ -53,6 +53,7 @@ private:
     LiveRun live_;
     DipCacheUpdater keeper_;
     bool isLive_ = false; // what runs, or ran last
+    std::optional<bool> livePreference_;
 };
 
 } // namespace dipwright

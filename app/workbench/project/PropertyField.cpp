@@ -73,6 +73,7 @@ public:
                 box->setPrefix(partName + QStringLiteral("  "));
             }
             connect(box, &QDoubleSpinBox::valueChanged, this, [this, part] { changed(part); });
+            connect(box, &NumberBox::refused, this, &PropertyField::refused);
             row->addWidget(box, 1);
             boxes_.push_back(box);
         }

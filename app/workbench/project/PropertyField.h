@@ -42,7 +42,8 @@ public:
 
 signals:
     void edited(const QJsonValue& value);
-    void left(); // the user has turned to something else
+    void left();                           // the user has turned to something else
+    void refused(const QString& sentence); // what was typed was not accepted
 
 protected:
     PropertyField(const PropertySpec& spec, QWidget* parent) : QWidget(parent), spec_(spec) {}

@@ -177,6 +177,7 @@ void PropertyPanel::addField(QFormLayout& form, const PropertySpec& spec) {
              [&](Project& project) { setValueAt(project, spec.path, value); });
         field->show(valueAt(document_->project(), spec.path));
     });
+    connect(field, &PropertyField::refused, this, &PropertyPanel::failed);
     connect(field, &PropertyField::left, this, [this] {
         if (document_) {
             document_->endMerge();

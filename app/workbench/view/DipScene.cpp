@@ -13,6 +13,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dipwright {
 
@@ -187,6 +188,7 @@ void DipScene::setResult(std::shared_ptr<const JobResult> result,
                          std::shared_ptr<const FilmReadout> reading) {
     if (result_ != result) {
         deeper_ = nullptr;
+        asksForDeeper_ = true;
     }
     result_ = std::move(result);
     reading_ = std::move(reading);
@@ -342,6 +344,7 @@ void DipScene::setHeat(FilmQuantity quantity, const HeatScale& scale) {
 
 void DipScene::setBodyLook(BodyLook look) {
     bodyLook_ = look;
+    asksForDeeper_ = true;
     updateBody();
     showEndAnew();
 }
@@ -351,6 +354,7 @@ void DipScene::setShownPrint(const ShownPrint& print) {
         return;
     }
     shownPrint_ = print;
+    asksForDeeper_ = true;
     if (bodyLook_ == BodyLook::Print) {
         updateBody();
     }
@@ -513,7 +517,7 @@ void DipScene::slip(FilmAppearance& film) {
         return;
     }
     film.slip.deeper = Millimetres(0); // until it is there
-    if (result_->project.process.depth) {
+    if (result_->project.process.depth && std::exchange(asksForDeeper_, false)) {
         emit deeperFilmWanted(result_);
     }
 }

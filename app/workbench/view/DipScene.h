@@ -116,7 +116,10 @@ private:
     std::shared_ptr<const JobResult> result_;
     std::shared_ptr<const FilmReadout> reading_;
     std::shared_ptr<const LaidFilm> deeper_; // its last film dipped deeper; null: not yet
-    std::unique_ptr<SurfaceQuery> query_;    // of the model
+    // Whether that has not been asked for since the result, the look or the print that needs it is
+    // another: a dip that was cancelled is not begun again for a view that is drawn anew.
+    bool asksForDeeper_ = true;
+    std::unique_ptr<SurfaceQuery> query_; // of the model
     Moment moment_ = Moment::Setup;
     Eigen::Isometry3d modelToWorld_ = Eigen::Isometry3d::Identity();
     double descent_ = 0;

@@ -1,39 +1,118 @@
 #include "workbench/widgets/NumberBox.h"
 
+#include "workbench/widgets/PlainTexts.h"
+#include "workbench/widgets/Theme.h"
+#include "workbench/widgets/TypedNumber.h"
+
+#include <QLineEdit>
+#include <QTimer>
+#include <QToolTip>
 #include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
 
 namespace dipwright {
-namespace {
 
-// The sign that was typed in the digits of `text` becomes the locale's. Groups of digits are never
-// shown, so that a comma or a point can only be the decimal sign.
-void useDecimalSign(QString& text, const QDoubleSpinBox& box) {
-    const auto first = text.startsWith(box.prefix()) ? box.prefix().size() : 0;
-    const auto last = text.endsWith(box.suffix()) ? text.size() - box.suffix().size() : text.size();
-    const QString sign = box.locale().decimalPoint();
-    for (auto place = first; place < last; ++place) {
-        if (text[place] == u',' || text[place] == u'.') {
-            text[place] = sign.front();
-        }
-    }
-}
-
-} // namespace
+// A value, or why there is none.
+struct NumberBox::Reading {
+    std::optional<double> value;
+    QString refusal;
+};
 
 NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setFocusPolicy(Qt::StrongFocus);
+    connect(lineEdit(), &QLineEdit::textChanged, this, &NumberBox::colourText);
 }
 
-// Two signs are two decimal signs then, which no number has.
-QValidator::State NumberBox::validate(QString& text, int& position) const {
-    useDecimalSign(text, *this);
-    return QDoubleSpinBox::validate(text, position);
+NumberBox::Reading NumberBox::read(const QString& text) const {
+    if (!specialValueText().isEmpty() && text == specialValueText()) {
+        return {minimum(), {}};
+    }
+    const auto first = text.startsWith(prefix()) ? prefix().size() : 0;
+    const auto last = text.endsWith(suffix()) ? text.size() - suffix().size() : text.size();
+    const QString own = text.mid(first, std::max<qsizetype>(0, last - first)).trimmed();
+    const QString unit = suffix().trimmed();
+    const TypedNumber typed = typedNumber(own, unit, locale());
+    if (!typed.unknownUnit.isEmpty()) {
+        return {{},
+                unit.isEmpty()
+                    ? tr("“%1” has a unit, and this field has none; type the number alone").arg(own)
+                    : tr("“%1” is in no unit of this field; type a number in %2").arg(own, unit)};
+    }
+    if (typed.values.empty()) {
+        return {{}, own.isEmpty() ? tr("There is no number") : tr("“%1” is no number").arg(own)};
+    }
+    return readingOf(own, typed.values);
+}
+
+// Which of the values, written `own`, the field takes.
+NumberBox::Reading NumberBox::readingOf(const QString& own,
+                                        const std::vector<double>& values) const {
+    constexpr double rounding = 1e-9; // of a limit that is shown in another unit
+    QLocale plain = locale();
+    plain.setNumberOptions(QLocale::OmitGroupSeparator);
+    const auto shown = [&plain](double value) { return plain.toString(value, 'g', 12); };
+    std::vector<double> within;
+    for (const double value : values) {
+        const double bound = qBound(minimum(), value, maximum());
+        if (std::abs(value - bound) <= rounding * std::abs(bound)) {
+            within.push_back(bound);
+        }
+    }
+    if (within.empty()) {
+        return {{},
+                tr("“%1” is not within %2 to %3%4")
+                    .arg(own, shown(minimum()), shown(maximum()), suffix())};
+    }
+    if (within.size() > 1) {
+        return {{},
+                tr("“%1” can be %2 or %3; type one of them")
+                    .arg(own, shown(within[0]), shown(within[1]))};
+    }
+    if (decimals() == 0 && within[0] != std::round(within[0])) {
+        return {{}, tr("“%1” is no whole number").arg(own)};
+    }
+    return {within[0], {}};
+}
+
+// Whatever is typed stays until it is read as a whole.
+QValidator::State NumberBox::validate(QString& text, int&) const {
+    constexpr int longest = 60;
+    if (text.size() > longest + prefix().size() + suffix().size()) {
+        return QValidator::Invalid;
+    }
+    return read(text).value ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
 double NumberBox::valueFromText(const QString& text) const {
-    QString own = text;
-    useDecimalSign(own, *this);
-    return QDoubleSpinBox::valueFromText(own);
+    return read(text).value.value_or(value());
+}
+
+// Called when the field is left with what it does not take; the value then stays.
+void NumberBox::fixup(QString& text) const {
+    const QString refusal = read(text).refusal;
+    if (refusal.isEmpty()) {
+        return;
+    }
+    emit refused(refusal);
+    // Tool tips go when the focus does, which is still on its way.
+    QTimer::singleShot(0, this, [this, refusal] {
+        if (isVisible()) {
+            constexpr int shownFor = 10'000; // ms
+            QToolTip::showText(mapToGlobal(rect().bottomLeft()), inLines(refusal),
+                               const_cast<NumberBox*>(this), {}, shownFor);
+        }
+    });
+}
+
+void NumberBox::colourText() {
+    QPalette colours = palette();
+    if (!read(lineEdit()->text()).value) {
+        colours.setColor(QPalette::Text, isDark() ? QColor(255, 130, 120) : QColor(190, 20, 20));
+    }
+    lineEdit()->setPalette(colours);
 }
 
 QString NumberBox::textFromValue(double value) const {

@@ -1,5 +1,6 @@
 #include "import/sandboxed/PictureColour.h"
 
+#include "base/ColourNote.h"
 #include "base/Error.h"
 #include "base/WideGamut.h"
 #include "import/sandboxed/PictureFile.h"
@@ -196,41 +197,79 @@ bool isTiff(const QByteArray& file) {
            file.startsWith(QByteArrayView("MM\0*", 4));
 }
 
-std::optional<InkPicture> inksOfTiff(const QByteArray& file) {
-    const TiffFile tiff(file);
+// Of a picture of 8 or 16 bits in rows, its size; none where it is kept otherwise or has fewer
+// samples a pixel than `least`.
+std::optional<QSize> rowsOf(const TiffFile& tiff, int least) {
     const auto samples = tiff.number<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL);
     const auto bits = tiff.number<std::uint16_t>(TIFFTAG_BITSPERSAMPLE);
-    if (tiff.number<std::uint16_t>(TIFFTAG_PHOTOMETRIC) != PHOTOMETRIC_SEPARATED || samples < 4 ||
-        (bits != 8 && bits != 16) || TIFFIsTiled(tiff.get()) ||
+    if (samples < least || (bits != 8 && bits != 16) || TIFFIsTiled(tiff.get()) ||
         tiff.number<std::uint16_t>(TIFFTAG_PLANARCONFIG) != PLANARCONFIG_CONTIG) {
         return std::nullopt;
     }
-    InkPicture picture{{int(tiff.number<std::uint32_t>(TIFFTAG_IMAGEWIDTH)),
-                        int(tiff.number<std::uint32_t>(TIFFTAG_IMAGELENGTH))},
-                       {}};
-    const std::size_t rowBytes = std::size_t(picture.size.width()) * samples * bits / 8;
+    const QSize size(int(tiff.number<std::uint32_t>(TIFFTAG_IMAGEWIDTH)),
+                     int(tiff.number<std::uint32_t>(TIFFTAG_IMAGELENGTH)));
+    return size.isEmpty() ? std::nullopt : std::optional(size);
+}
+
+// Calls take(samples) of each pixel with its samples in 16 bits, those of 8 bits times 257. False
+// where the file ends before its picture.
+template <typename Take>
+bool forTiffPixels(const TiffFile& tiff, QSize size, const Take& take) {
+    const std::size_t samples = tiff.number<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL);
+    const auto bits = tiff.number<std::uint16_t>(TIFFTAG_BITSPERSAMPLE);
+    const std::size_t rowBytes = std::size_t(size.width()) * samples * bits / 8;
     std::vector<uchar> row(std::size_t(TIFFScanlineSize(tiff.get())));
-    if (picture.size.isEmpty() || row.size() < rowBytes) {
-        return std::nullopt;
+    if (row.size() < rowBytes) {
+        return false;
     }
-    picture.inks.reserve(std::size_t(picture.size.width()) * std::size_t(picture.size.height()));
-    for (int y = 0; y < picture.size.height(); ++y) {
+    std::vector<quint16> pixel(samples);
+    for (int y = 0; y < size.height(); ++y) {
         if (TIFFReadScanline(tiff.get(), row.data(), std::uint32_t(y), 0) != 1) {
-            return std::nullopt;
+            return false;
         }
-        for (std::size_t x = 0; x < std::size_t(picture.size.width()); ++x) {
-            std::array<quint16, 4>& inks = picture.inks.emplace_back();
-            for (std::size_t ink = 0; ink < 4; ++ink) {
-                const std::size_t at = x * samples + ink;
+        for (std::size_t x = 0; x < std::size_t(size.width()); ++x) {
+            for (std::size_t sample = 0; sample < samples; ++sample) {
+                const std::size_t at = x * samples + sample;
                 if (bits == 16) {
-                    std::memcpy(&inks[ink], &row[2 * at], 2); // libtiff has turned the bytes
+                    std::memcpy(&pixel[sample], &row[2 * at], 2); // libtiff has turned the bytes
                 } else {
-                    inks[ink] = quint16(row[at] * 257);
+                    pixel[sample] = quint16(row[at] * 257);
                 }
             }
+            take(pixel);
         }
     }
-    return picture;
+    return true;
+}
+
+std::optional<InkPicture> inksOfTiff(const QByteArray& file) {
+    const TiffFile tiff(file);
+    const std::optional<QSize> size =
+        tiff.number<std::uint16_t>(TIFFTAG_PHOTOMETRIC) == PHOTOMETRIC_SEPARATED ? rowsOf(tiff, 4)
+                                                                                 : std::nullopt;
+    if (!size) {
+        return std::nullopt;
+    }
+    InkPicture picture{*size, {}};
+    picture.inks.reserve(std::size_t(size->width()) * std::size_t(size->height()));
+    const bool whole = forTiffPixels(tiff, *size, [&](const std::vector<quint16>& samples) {
+        picture.inks.push_back({samples[0], samples[1], samples[2], samples[3]});
+    });
+    return whole ? std::optional(std::move(picture)) : std::nullopt;
+}
+
+bool isLab(int photometric) {
+    return photometric == PHOTOMETRIC_CIELAB || photometric == PHOTOMETRIC_ICCLAB;
+}
+
+// a* or b* of TIFF 6.0, section 23 (signed), or of the supplement's ICCLab (128 more), from sixteen
+// bits.
+float chromaOf(quint16 number, int bits, bool isIcc) {
+    if (bits == 8) {
+        const int byte = number / 257;
+        return float(isIcc ? byte - 128 : int(qint8(byte)));
+    }
+    return isIcc ? float(number) / 256 - 128 : float(qint16(number)) / 256;
 }
 
 struct JpegErrors {
@@ -296,8 +335,8 @@ struct DeleteTransform {
 using ProfileHandle = std::unique_ptr<void, CloseProfile>;
 using Transform = std::unique_ptr<void, DeleteTransform>;
 
-// What a picture becomes.
-enum class Target { Srgb, Wide };
+// What a picture becomes. Open: the wide space's colours and those beyond it, below 0 or above 1.
+enum class Target { Srgb, Wide, Open };
 
 ProfileHandle profileFrom(const QByteArray& bytes) {
     return ProfileHandle(cmsOpenProfileFromMem(bytes.constData(), cmsUInt32Number(bytes.size())));
@@ -305,14 +344,17 @@ ProfileHandle profileFrom(const QByteArray& bytes) {
 
 Transform transformTo(Target target, const QByteArray& profile, cmsUInt32Number pixels,
                       const QString& where) {
-    const bool wide = target == Target::Wide;
+    const bool wide = target != Target::Srgb;
+    const cmsUInt32Number numbers = target == Target::Srgb   ? TYPE_RGBA_8
+                                    : target == Target::Wide ? TYPE_RGBA_16
+                                                             : TYPE_RGB_FLT;
     const ProfileHandle from = profileFrom(profile);
     const ProfileHandle to =
         wide ? profileFrom(wideSpace().iccProfile()) : ProfileHandle(cmsCreate_sRGBProfile());
-    Transform transform(
-        from ? cmsCreateTransform(from.get(), pixels, to.get(), wide ? TYPE_RGBA_16 : TYPE_RGBA_8,
-                                  INTENT_RELATIVE_COLORIMETRIC, cmsFLAGS_HIGHRESPRECALC)
-             : nullptr);
+    Transform transform(from ? cmsCreateTransform(from.get(), pixels, to.get(), numbers,
+                                                  INTENT_RELATIVE_COLORIMETRIC,
+                                                  cmsFLAGS_HIGHRESPRECALC)
+                             : nullptr);
     if (!transform) {
         throwNotFit(where);
     }
@@ -342,11 +384,19 @@ cmsUInt32Number numbersOf(const InkPicture&, const QByteArray&) {
 cmsUInt32Number numbersOf(const QImage&, const QByteArray& profile) {
     return spaceOf(profile) == "GRAY" ? TYPE_GRAY_16 : TYPE_RGB_16;
 }
+cmsUInt32Number numbersOf(const LabPicture&, const QByteArray&) {
+    return TYPE_Lab_FLT;
+}
 
 // One row at a time: a large picture is not held once more in sixteen bits.
 void convertRow(cmsHTRANSFORM transform, const InkPicture& picture, int y, QImage& row, Target) {
     const auto width = std::size_t(row.width());
     cmsDoTransform(transform, &picture.inks[std::size_t(y) * width], row.bits(),
+                   cmsUInt32Number(width));
+}
+void convertRow(cmsHTRANSFORM transform, const LabPicture& picture, int y, QImage& row, Target) {
+    const auto width = std::size_t(row.width());
+    cmsDoTransform(transform, &picture.colours[std::size_t(y) * width], row.bits(),
                    cmsUInt32Number(width));
 }
 void convertRow(cmsHTRANSFORM transform, const QImage& picture, int y, QImage& row, Target target) {
@@ -383,6 +433,77 @@ QSize sizeOf(const InkPicture& picture) {
 QSize sizeOf(const QImage& picture) {
     return picture.size();
 }
+QSize sizeOf(const LabPicture& picture) {
+    return picture.size;
+}
+
+// A row in floating point, for what comes out beyond a space; nothing of pictures whose colours
+// cannot be far beyond: inks and grey.
+struct OpenRow {
+    cmsUInt32Number numbers = 0;
+    std::vector<float> values;
+};
+OpenRow openRow(const InkPicture&, const QByteArray&, int) {
+    return {};
+}
+OpenRow openRow(const LabPicture& picture, const QByteArray&, int y) {
+    const auto width = std::size_t(picture.size.width());
+    const float* first = picture.colours[std::size_t(y) * width].data();
+    return {TYPE_Lab_FLT, {first, first + 3 * width}};
+}
+OpenRow openRow(const QImage& picture, const QByteArray& profile, int y) {
+    if (spaceOf(profile) != "RGB ") {
+        return {};
+    }
+    constexpr float full = 65535;
+    const QImage source =
+        picture.copy(0, y, picture.width(), 1).convertToFormat(QImage::Format_RGBA64);
+    const auto* pixel = reinterpret_cast<const quint16*>(source.constBits());
+    OpenRow row{TYPE_RGB_FLT, {}};
+    for (int x = 0; x < picture.width(); ++x, pixel += 4) {
+        row.values.insert(row.values.end(), {pixel[0] / full, pixel[1] / full, pixel[2] / full});
+    }
+    return row;
+}
+
+// Whether any colour came out at an end of the wide space's range: only these can be beyond it.
+bool touchesWideEnds(const QImage& texture, int y) {
+    const auto* pixel = reinterpret_cast<const quint16*>(texture.constScanLine(y));
+    for (int x = 0; x < texture.width(); ++x, pixel += 4) {
+        const auto [least, most] = std::minmax({pixel[0], pixel[1], pixel[2]});
+        if (least != most && (least == 0 || most == 65535)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Share of the pixels of a wide texture whose colour lies beyond it by more than the eye forgives.
+template <typename Picture>
+double clippedShare(const Picture& picture, const QByteArray& profile, const QImage& texture,
+                    const QString& where) {
+    constexpr float visible = 0.02F; // of a channel's range, by the curve of the space
+    const cmsUInt32Number numbers = openRow(picture, profile, 0).numbers;
+    if (numbers == 0) {
+        return 0;
+    }
+    const Transform open = transformTo(Target::Open, profile, numbers, where);
+    std::vector<float> colours(3 * std::size_t(texture.width()));
+    qint64 beyond = 0;
+    for (int y = 0; y < texture.height(); ++y) {
+        if (!touchesWideEnds(texture, y)) {
+            continue;
+        }
+        const OpenRow row = openRow(picture, profile, y);
+        cmsDoTransform(open.get(), row.values.data(), colours.data(),
+                       cmsUInt32Number(texture.width()));
+        for (std::size_t at = 0; at < colours.size(); at += 3) {
+            const auto [least, most] = std::minmax({colours[at], colours[at + 1], colours[at + 2]});
+            beyond += least < -visible || most > 1 + visible;
+        }
+    }
+    return double(beyond) / (double(texture.width()) * texture.height());
+}
 
 template <typename Picture>
 QImage converted(const Picture& picture, const QByteArray& profile, const QString& where,
@@ -418,7 +539,9 @@ QImage widerWhereNeeded(const Picture& picture, const QByteArray& profile, const
             convertRow(toWide.get(), picture, y, row, Target::Wide);
             if (!isHeldBySrgb(row)) {
                 texture = QImage(); // first, for there is not room for much
-                return converted(picture, profile, where, Target::Wide);
+                texture = converted(picture, profile, where, Target::Wide);
+                const ColourNote note{false, clippedShare(picture, profile, texture, where)};
+                return note.isEmpty() ? texture : withColourNote(texture, note);
             }
         }
     }
@@ -459,6 +582,38 @@ std::optional<InkPicture> readInks(const QByteArray& file) {
     return isTiff(file)                      ? inksOfTiff(file)
            : file.startsWith("\xff\xd8\xff") ? inksOfJpeg(file)
                                              : std::nullopt;
+}
+
+bool isOfLab(const QByteArray& file) {
+    return isTiff(file) && isLab(TiffFile(file).number<std::uint16_t>(TIFFTAG_PHOTOMETRIC));
+}
+
+std::optional<LabPicture> readLab(const QByteArray& file) {
+    const TiffFile tiff(file);
+    const std::optional<QSize> size = rowsOf(tiff, 3);
+    if (!size) {
+        return std::nullopt;
+    }
+    const int bits = tiff.number<std::uint16_t>(TIFFTAG_BITSPERSAMPLE);
+    const bool isIcc = tiff.number<std::uint16_t>(TIFFTAG_PHOTOMETRIC) == PHOTOMETRIC_ICCLAB;
+    const float full = isIcc && bits == 16 ? 65280 : 65535; // of L*
+    LabPicture picture{*size, {}};
+    picture.colours.reserve(std::size_t(size->width()) * std::size_t(size->height()));
+    const bool whole = forTiffPixels(tiff, *size, [&](const std::vector<quint16>& samples) {
+        picture.colours.push_back({100 * float(samples[0]) / full,
+                                   chromaOf(samples[1], bits, isIcc),
+                                   chromaOf(samples[2], bits, isIcc)});
+    });
+    return whole ? std::optional(std::move(picture)) : std::nullopt;
+}
+
+QImage textureOf(const LabPicture& picture, const QString& where) {
+    const ProfileHandle lab(cmsCreateLab4Profile(nullptr)); // D50
+    cmsUInt32Number size = 0;
+    cmsSaveProfileToMem(lab.get(), nullptr, &size);
+    QByteArray profile(qsizetype(size), '\0');
+    cmsSaveProfileToMem(lab.get(), profile.data(), &size);
+    return widerWhereNeeded(picture, profile, where);
 }
 
 QImage textureOf(const InkPicture& picture, const QByteArray& profile, const QString& where) {

@@ -1,7 +1,9 @@
 #include "import/sandboxed/PictureReader.h"
 
 #include "base/Budgets.h"
+#include "base/ColourNote.h"
 #include "base/Error.h"
+#include "base/WideGamut.h"
 #include "import/sandboxed/PictureColour.h"
 #include "import/sandboxed/PictureFile.h"
 
@@ -131,6 +133,10 @@ QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned
         count(announced, bytes.size(), where);
     }
     requireWhole(bytes, where, turned);
+    if (isOfLab(bytes)) { // Qt would take it for RGB
+        const QImage texture = readInLab(bytes, announced, where);
+        return turned == Turned::Upright ? inSrgb(texture) : texture;
+    }
     const QByteArray profile = embeddedProfile(bytes, where);
     if (!profile.isEmpty() && turned == Turned::AsStored) { // photos are looked at, not printed
         if (const auto inks = readInks(bytes)) {
@@ -153,7 +159,25 @@ QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned
     if (!announced.isValid()) {
         count(image.size(), bytes.size(), where);
     }
-    return asTexture(std::move(image), profile, where, turned);
+    const bool assumesInks = profile.isEmpty() && turned == Turned::AsStored && readInks(bytes);
+    image = asTexture(std::move(image), profile, where, turned);
+    return assumesInks ? withColourNote(image, {.assumesInks = true}) : image;
+}
+
+// `announced`: by Qt; not valid where it does not say.
+QImage PictureReader::readInLab(const QByteArray& bytes, const QSize& announced,
+                                const QString& where) {
+    const auto lab = readLab(bytes);
+    if (!lab) {
+        throw Error(Text::tr("The picture in Lab is damaged, or kept in a way that is not read; "
+                             "save it anew as RGB, or as TIFF in 8 or 16 bits without tiles and "
+                             "planes"),
+                    where);
+    }
+    if (!announced.isValid()) {
+        count(lab->size, bytes.size(), where);
+    }
+    return textureOf(*lab, where);
 }
 
 QImage PictureReader::take(QImage image, const QString& where) {

@@ -27,6 +27,7 @@ public:
     QImage take(QImage image, const QString& where);
 
 private:
+    QImage readInLab(const QByteArray& bytes, const QSize& announced, const QString& where);
     void count(const QSize& size, qint64 fileBytes, const QString& where);
 
     qint64 pixels_ = 0, fileBytes_ = 0;

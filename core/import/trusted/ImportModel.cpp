@@ -5,6 +5,7 @@
 #include "import/trusted/ReadPictures.h"
 #include "import/trusted/ReaderProcess.h"
 #include "model/MeshRepair.h"
+#include "model/TextureNotes.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -252,6 +253,7 @@ ImportedModel import(const QString& path, const ImportOptions& options, const Pr
     report.repairs = sentencesOf(report.repaired);
     scaleAsAsked(model.mesh, options, path);
     dropUselessTextures(model, report.warnings);
+    report.warnings += colourNotes(model);
     progress(0.9, Text::tr("Finding the texture's charts"));
     model.chart = findCharts(model);
     describe(model, report);

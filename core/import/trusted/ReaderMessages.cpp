@@ -1,5 +1,6 @@
 #include "import/trusted/ReaderMessages.h"
 
+#include "base/ColourNote.h"
 #include "base/WideGamut.h"
 
 #include <QDataStream>
@@ -68,15 +69,18 @@ QByteArray pictureHeaderBytes(const QImage& picture) {
     return streamed([&](QDataStream& stream) {
         stream << qint32(picture.width()) << qint32(picture.height())
                << qint32(picture.dotsPerMeterX()) << qint32(picture.dotsPerMeterY())
-               << qint32(isWide(picture));
+               << qint32(isWide(picture)) << qint32(colourNote(picture).assumesInks)
+               << colourNote(picture).clipped;
     });
 }
 
 QImage emptyPicture(const QByteArray& header) {
     QDataStream stream(header);
     stream.setByteOrder(QDataStream::LittleEndian);
-    qint32 width = 0, height = 0, dotsPerMeterX = 0, dotsPerMeterY = 0, wide = 0;
-    stream >> width >> height >> dotsPerMeterX >> dotsPerMeterY >> wide;
+    qint32 width = 0, height = 0, dotsPerMeterX = 0, dotsPerMeterY = 0, wide = 0, inks = 0;
+    ColourNote note;
+    stream >> width >> height >> dotsPerMeterX >> dotsPerMeterY >> wide >> inks >> note.clipped;
+    note.assumesInks = inks != 0;
     if (width <= 0 || height <= 0) {
         return QImage();
     }
@@ -88,7 +92,7 @@ QImage emptyPicture(const QByteArray& header) {
         picture.setDotsPerMeterX(dotsPerMeterX);
         picture.setDotsPerMeterY(dotsPerMeterY);
     }
-    return picture;
+    return note.isEmpty() || picture.isNull() ? picture : withColourNote(picture, note);
 }
 
 } // namespace dipwright

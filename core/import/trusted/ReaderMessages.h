@@ -17,7 +17,8 @@ enum class ReaderMessage : quint8 {
     Ask,      // name of a file, UTF-8
     Progress, // share (double), text
     Photo,    // what a photo says of itself (PhotoFacts); then, as a message of its own kind, it
-    Picture,  // width, height (i32), dots per metre of both, wide (i32), rows without gaps
+    Picture,  // width, height (i32), dots per metre of both, wide (i32), colour note: assumed inks
+              // (i32), share that was clipped (double); rows without gaps
     Model,    // warnings; then, as a message of its own kind, the mesh
     Mesh,     // as StoredModel has it
     Failed    // message and place, for an Error
@@ -54,7 +55,7 @@ PhotoFacts readFacts(const QByteArray& bytes);
 
 // The part of a picture's message before its pixels.
 QByteArray pictureHeaderBytes(const QImage& picture);
-constexpr qint64 pictureHeaderLength = 20;
+constexpr qint64 pictureHeaderLength = 32;
 // A picture of that size to be filled; null where there is none or no memory for it. Throws
 // nothing.
 QImage emptyPicture(const QByteArray& header);

@@ -2,8 +2,8 @@
 
 #include "base/Error.h"
 #include "base/WideGamut.h"
+#include "sheet/page/InkedPixels.h"
 #include "sheet/page/PieceInk.h"
-#include "sheet/page/SheetLayout.h"
 #include "texture/StretchPlane.h"
 
 #include <QCoreApplication>
@@ -23,40 +23,6 @@ struct Text {
 
 QString nameOf(const PieceToPack& piece) {
     return QStringLiteral("%1, %2").arg(piece.sheet.job.project, piece.sheet.job.immersion);
-}
-
-// The smallest box with all pixels of a picture that print, each `bytes` long.
-template <typename Prints>
-QRect printedBox(const QImage& image, int bytes, Prints isPrinted) {
-    int left = image.width(), right = -1, top = -1, bottom = -1;
-    for (int y = 0; y < image.height(); ++y) {
-        const uchar* row = image.constScanLine(y);
-        int x = 0;
-        while (x < image.width() && !isPrinted(row + bytes * qsizetype(x))) {
-            ++x;
-        }
-        if (x == image.width()) {
-            continue;
-        }
-        left = std::min(left, x);
-        for (x = image.width() - 1; x > right && !isPrinted(row + bytes * qsizetype(x));) {
-            --x;
-        }
-        right = std::max(right, x);
-        top = top < 0 ? y : top;
-        bottom = y;
-    }
-    return {QPoint(left, top), QPoint(right, bottom)};
-}
-
-// Of all plates, spots too.
-QRect inkedBox(const Sheet& sheet) {
-    QRect box = printedBox(sheet.image.convertToFormat(QImage::Format_RGBA8888), 4, prints);
-    for (const SheetPlate& plate : sheet.plates) {
-        const QRect spot = printedBox(plate.tint, 1, [](const uchar* tint) { return *tint != 0; });
-        box = !spot.isValid() ? box : !box.isValid() ? spot : box.united(spot);
-    }
-    return box;
 }
 
 // The plates of all pieces, without their tints; white is the last before the four inks or after

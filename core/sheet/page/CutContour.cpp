@@ -1,6 +1,7 @@
 #include "sheet/page/CutContour.h"
 
 #include "sheet/page/InkDistance.h"
+#include "sheet/page/InkedPixels.h"
 
 #include <QPolygonF>
 #include <algorithm>
@@ -20,17 +21,17 @@ struct InkedPlaces {
     QSize grid;
     std::vector<unsigned char> inked;
 
-    InkedPlaces(const QImage& image, QSizeF film)
+    // `mask`: of the film's pixels, 0 where there is no ink.
+    InkedPlaces(const QImage& mask, QSizeF film)
         : size(std::max(finestPlace, std::max(film.width(), film.height()) / mostPlaces)),
           grid(int(std::ceil(film.width() / size)) + 2, int(std::ceil(film.height() / size)) + 2),
           inked(std::size_t(grid.width()) * std::size_t(grid.height()), 0) {
-        const QImage pixels = image.convertToFormat(QImage::Format_RGBA8888);
-        const double across = film.width() / image.width() / size;
-        const double down = film.height() / image.height() / size;
-        for (int y = 0; y < pixels.height(); ++y) {
-            const uchar* pixel = pixels.constScanLine(y);
-            for (int x = 0; x < pixels.width(); ++x, pixel += 4) {
-                if (pixel[3] != 0 && (pixel[0] & pixel[1] & pixel[2]) != 255) {
+        const double across = film.width() / mask.width() / size;
+        const double down = film.height() / mask.height() / size;
+        for (int y = 0; y < mask.height(); ++y) {
+            const uchar* row = mask.constScanLine(y);
+            for (int x = 0; x < mask.width(); ++x) {
+                if (row[x] != 0) {
                     mark(QRectF(x * across, y * down, across, down));
                 }
             }
@@ -181,7 +182,7 @@ QPainterPath cutContour(const Sheet& sheet, const SheetLayout& layout) {
     if (settings.cutLine != CutLine::Ink) {
         return path;
     }
-    const InkedPlaces places(sheet.image, layout.film.size());
+    const InkedPlaces places(inkedPixels(sheet, sheet.image.rect()), layout.film.size());
     std::vector<float> distances = distancesTo(places.inked, places.grid);
     for (int y = 0; y < places.grid.height(); ++y) {
         for (int x = 0; x < places.grid.width(); ++x) {

@@ -1,5 +1,6 @@
 #include "sheet/page/PieceInk.h"
 
+#include "sheet/page/PrintableText.h"
 #include "sheet/page/QrCode.h"
 #include "sheet/page/SheetInk.h"
 
@@ -58,12 +59,14 @@ void paintFoot(QPainter& painter, const SheetPiece& piece) {
     const QRectF foot(1, piece.size.height() - pieceFoot, piece.size.width() - 2, pieceFoot - 1);
     paintQrCode(painter, {foot.topLeft(), QSizeF(codeSide, codeSide)}, pieceCode(piece));
     const JobLine& job = piece.job;
+    const QFont font = sheetFont(type);
     const QString lines[]{
         Text::tr("Job %1").arg(job.hash.simplified()),
         Text::tr("Dip %1, copy %2 of %3").arg(piece.dip).arg(piece.copy).arg(piece.copies),
         Text::tr("%1 · %2 · %3 · Film %4 · Scale %5")
-            .arg(job.project.simplified(), job.immersion.simplified(), job.date.simplified(),
-                 job.film.simplified(), job.scale.simplified())};
+            .arg(printableText(job.project.simplified(), font),
+                 printableText(job.immersion.simplified(), font), job.date.simplified(),
+                 printableText(job.film.simplified(), font), job.scale.simplified())};
     const QPointF start = foot.topLeft() + QPointF(codeSide + 1, lineHeight - 0.4);
     for (int line = 0; line < 3; ++line) {
         paintLine(painter, start + QPointF(0, line * lineHeight), foot.right() - start.x(),

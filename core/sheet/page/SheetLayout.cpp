@@ -1,6 +1,8 @@
 #include "sheet/page/SheetLayout.h"
 
 #include "base/Error.h"
+#include "sheet/page/InkedPixels.h"
+#include "sheet/page/PrintableText.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -42,23 +44,21 @@ QSizeF paperSize(const SheetSettings& settings, QSizeF film) {
     return settings.landscape ? portrait.transposed() : portrait;
 }
 
-// Tells whether the film image has colour in a part of the page.
+// Tells whether a part of the page gets ink of the film's plates. Keeps a reference to the sheet.
 class Paint {
 public:
-    Paint(const QImage& image, const QRectF& film)
-        : image_(image.convertToFormat(QImage::Format_RGBA8888)), film_(film) {}
+    Paint(const Sheet& sheet, const QRectF& film) : sheet_(sheet), film_(film) {}
 
     double share(const QRectF& box) const {
         const QRect pixels = pixelBox(box.intersected(film_));
         if (pixels.isEmpty()) {
             return 0;
         }
+        const QImage mask = inkedPixels(sheet_, pixels);
         qint64 painted = 0;
-        for (int y = pixels.top(); y <= pixels.bottom(); ++y) {
-            const uchar* pixel = image_.constScanLine(y) + qsizetype(pixels.left()) * 4;
-            for (int x = 0; x < pixels.width(); ++x, pixel += 4) {
-                painted += prints(pixel);
-            }
+        for (int y = 0; y < mask.height(); ++y) {
+            const uchar* row = mask.constScanLine(y);
+            painted += mask.width() - std::count(row, row + mask.width(), 0);
         }
         return double(painted) / (double(pixels.width()) * pixels.height());
     }
@@ -68,12 +68,13 @@ private:
         if (box.isEmpty()) {
             return {};
         }
+        const QImage& image = sheet_.image;
         const QTransform toPixels =
             QTransform::fromTranslate(-film_.x(), -film_.y()) *
-            QTransform::fromScale(image_.width() / film_.width(), image_.height() / film_.height());
-        return toPixels.mapRect(box).toAlignedRect().intersected(image_.rect());
+            QTransform::fromScale(image.width() / film_.width(), image.height() / film_.height());
+        return toPixels.mapRect(box).toAlignedRect().intersected(image.rect());
     }
-    QImage image_;
+    const Sheet& sheet_;
     QRectF film_;
 };
 
@@ -183,7 +184,7 @@ std::optional<SheetStrip> placeRuler(Places& places) {
 }
 
 QString shortened(const QString& name) {
-    const QString text = name.simplified();
+    const QString text = printableText(name.simplified(), sheetFont(jobLineType));
     return text.size() <= longestName ? text : text.left(longestName - 1) + u'…';
 }
 
@@ -247,7 +248,7 @@ SheetLayout sheetLayout(const Sheet& sheet) {
     layout.film = QRectF(QPointF((layout.page.width() - film.width()) / 2,
                                  (layout.page.height() - film.height()) / 2),
                          film);
-    const Paint paint(sheet.image, layout.film);
+    const Paint paint(sheet, layout.film);
     const double clearance = sheet.clearance.value();
     layout.pieces = sheet.pieces;
     if (sheet.settings.marks && sheet.pieces.empty()) {

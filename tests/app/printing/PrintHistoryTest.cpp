@@ -3,6 +3,8 @@
 #include "printing/PrintHistory.h"
 
 #include "ChessSheet.h"
+#include "PaperMeasure.h"
+#include "TestProfiles.h"
 
 #include "base/Error.h"
 #include "printing/PrintFile.h"
@@ -146,6 +148,53 @@ private slots:
         QCOMPARE(records[0].file, path);
         QCOMPARE(records[0].mediumSize, QSizeF(120, 160));
         QCOMPARE(records[0].fate, PrintFate::WrittenToFile);
+    }
+
+    // One job on paper in two ways is two sheets: a number finds one of them.
+    void otherPlatesOfAJobHaveAnotherNumber() {
+        PrinterProfile inks;
+        inks.name = QStringLiteral("Pigment");
+        inks.iccProfile = simpleCmykProfile(0.002);
+        std::vector<PrinterProfile> profiles(6, inks);
+        profiles[1].intent = RenderingIntent::Perceptual;
+        profiles[2].iccProfile = simpleCmykProfile(0.01);
+        profiles[3].totalInk = 2.4;
+        profiles[4].blackPoint = false;
+        profiles[5].scaleX = 1.01;
+        const QString path = folder_->filePath(QStringLiteral("sheet.pdf"));
+        QStringList jobs;
+        for (const PrinterProfile& profile : profiles) {
+            PrintFileRequest file;
+            file.profile = profile;
+            writePrintFile(chessSheet(QStringLiteral("Top")), file, path, history());
+            jobs << history().records()[0].job;
+            QVERIFY2(jobs.back().startsWith(QStringLiteral("3fa9c2d1-")), qPrintable(jobs.back()));
+        }
+        PrintRequest toPrinter = request();
+        toPrinter.profile = profiles[3];
+        QCOMPARE(planPrint(printer_, chessSheet(QStringLiteral("Top")), toPrinter).record->job,
+                 jobs[3]);
+        jobs.removeDuplicates();
+        QCOMPARE(jobs.size(), qsizetype(profiles.size()));
+        // Nothing of this profile changes what is printed.
+        PrinterProfile plain = inks;
+        plain.iccProfile.clear();
+        plain.queue = QStringLiteral("pigment");
+        PrintFileRequest file;
+        file.profile = plain;
+        writePrintFile(chessSheet(QStringLiteral("Top")), file, path, history());
+        QCOMPARE(history().records()[0].job, QStringLiteral("3fa9c2d1"));
+    }
+
+    // In RGB, whose lettering is text.
+    void theNumberOfThePlatesStandsOnTheSheet() {
+        PrintFileRequest file;
+        file.profile = PrinterProfile();
+        file.profile->scaleY = 0.99;
+        const QString path = folder_->filePath(QStringLiteral("sheet.pdf"));
+        writePrintFile(chessSheet(QStringLiteral("Top")), file, path, history());
+        const QByteArray words = output("pdftotext", {path, "-"}).simplified();
+        QVERIFY2(words.contains("Job " + history().records()[0].job.toLatin1()), words);
     }
 
     void printsGoOnWhereNothingCanBeKept() {

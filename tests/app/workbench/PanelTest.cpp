@@ -164,9 +164,92 @@ private slots:
         box.selectAll();
         QTest::keyClicks(&box, typed);
         QCOMPARE(box.value(), 1.06);
-        QString both = QStringLiteral("1.234,5 mm");
-        int end = 0;
-        QCOMPARE(box.validate(both, end), QValidator::Invalid);
+    }
+
+    void aLengthIsReadInItsUnit_data() {
+        QTest::addColumn<QLocale>("locale");
+        QTest::addColumn<QString>("suffix");
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<double>("value");
+        const QLocale english(QLocale::English), german(QLocale::German);
+        const auto row = [](const QLocale& locale, const char* suffix, const char* typed,
+                            double value) {
+            QTest::addRow("%s in%s, %s", typed, suffix, qPrintable(locale.name()))
+                << locale << QString::fromUtf8(suffix) << QString::fromUtf8(typed) << value;
+        };
+        row(english, " mm", "2in", 50.8);
+        row(english, " mm", "2\"", 50.8);
+        row(english, " mm", "1.5 cm", 15);
+        row(english, " mm", "0.2 m", 200);
+        row(english, " mm", "1'", 304.8);
+        row(german, " mm", "2 zoll", 50.8);
+        row(german, " mm", "1,5 cm", 15);
+        row(english, " in", "1 mm", 1 / 25.4);
+        row(english, " mm/s", "6 cm/min", 1);
+        row(english, " s", "2 min", 120);
+        row(english, " mm", "1,234.5", 1234.5);
+        row(german, " mm", "1.234,5", 1234.5);
+        row(english, " mm", "1.234,5", 1234.5);
+        row(german, " mm", "1 234,5", 1234.5);
+        row(english, " mm", "1.2345", 1.2345); // no digit is cut off
+        row(english, " mm", "0,125", 0.125);
+        row(english, " ×", "4,321", 4.321); // its other meaning is beyond the limits
+    }
+    void aLengthIsReadInItsUnit() {
+        QFETCH(QLocale, locale);
+        QFETCH(QString, suffix);
+        QFETCH(QString, typed);
+        QFETCH(double, value);
+        NumberBox box;
+        box.setLocale(locale);
+        box.setRange(0, suffix == QStringLiteral(" ×") ? 10 : 5000);
+        box.setSuffix(suffix);
+        box.setKeyboardTracking(false);
+        const QSignalSpy refused(&box, &NumberBox::refused);
+        box.selectAll();
+        QTest::keyClicks(&box, typed);
+        QTest::keyClick(&box, Qt::Key_Return);
+        QVERIFY(refused.isEmpty());
+        QVERIFY2(std::abs(box.value() - value) < 1e-9, QByteArray::number(box.value(), 'g', 12));
+    }
+
+    void whatCannotBeReadIsRefusedAndTold_data() {
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<QString>("says");
+        QTest::newRow("unknown unit") << "2 furlongs"
+                                      << "furlongs";
+        QTest::newRow("another quantity") << "2 s"
+                                          << "mm";
+        QTest::newRow("two meanings") << "1,234"
+                                      << "1.234 or 1234";
+        QTest::newRow("groups that are none") << "1,23.4"
+                                              << "1,23.4";
+        QTest::newRow("beyond the limits") << "9000"
+                                           << "5000";
+        QTest::newRow("beyond the limits in another unit") << "9 m"
+                                                           << "5000";
+        QTest::newRow("nothing") << ""
+                                 << "no number";
+    }
+    void whatCannotBeReadIsRefusedAndTold() {
+        QFETCH(QString, typed);
+        QFETCH(QString, says);
+        NumberBox box;
+        box.setLocale(QLocale(QLocale::English));
+        box.setRange(0, 5000);
+        box.setSuffix(QStringLiteral(" mm"));
+        box.setValue(12);
+        box.setKeyboardTracking(false);
+        const QSignalSpy refused(&box, &NumberBox::refused);
+        box.selectAll();
+        QTest::keyClick(&box, Qt::Key_Delete);
+        QTest::keyClicks(&box, typed);
+        QTest::keyClick(&box, Qt::Key_Return);
+        QCOMPARE(refused.size(), 1);
+        const QString sentence = refused[0][0].toString();
+        QVERIFY2(sentence.contains(says), qPrintable(sentence));
+        QCOMPARE(box.value(), 12.0);
+        QCOMPARE(box.text(), QStringLiteral("12 mm")); // what holds is what is shown
     }
 
     void areasAndPlacesFollowTheUnitToo() {

@@ -10,6 +10,7 @@
 #include "workbench/document/DocumentSession.h"
 #include "workbench/document/ModelImport.h"
 #include "workbench/document/RecentProjects.h"
+#include "workbench/document/SnapshotEdits.h"
 #include "workbench/jobs/WriteFiles.h"
 
 #include <QFile>
@@ -396,6 +397,23 @@ private slots:
         live.setWanted(false);
         setWidth(document, 170);
         QVERIFY(!asked.wait(800));
+    }
+
+    void whatWasCancelledIsRunAgainByAChangeOfTheSheetsAlone() {
+        Document document(boxProject());
+        LiveRun live;
+        live.setDocument(&document);
+        live.setWanted(true);
+        document.setResult(resultOf(document.project()));
+        QSignalSpy asked(&live, &LiveRun::runAsked);
+        setWidth(document, 190);
+        live.cancel();
+        takeSnapshot(document, QStringLiteral("Before lunch"));
+        live.setHeld(true);
+        live.setHeld(false); // looked at, and not turned
+        QVERIFY(!asked.wait(800));
+        setWidth(document, 180);
+        QVERIFY(asked.wait(patience()));
     }
 
     void nothingRunsWhileTheBodyIsHeld() {

@@ -2,6 +2,7 @@
 // profile directly.
 #include "TestProfiles.h"
 
+#include "base/ColourNote.h"
 #include "base/Error.h"
 #include "base/Png.h"
 #include "base/WideGamut.h"
@@ -171,7 +172,9 @@ QByteArray tiffFile(Kind kind, const QByteArray& profile, const QString& path, i
                  : kind == Kind::Rgb ? PHOTOMETRIC_RGB
                                      : PHOTOMETRIC_SEPARATED);
     TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_LZW);
-    TIFFSetField(tiff, TIFFTAG_ICCPROFILE, std::uint32_t(profile.size()), profile.constData());
+    if (!profile.isEmpty()) {
+        TIFFSetField(tiff, TIFFTAG_ICCPROFILE, std::uint32_t(profile.size()), profile.constData());
+    }
     const QByteArray bytes = pixels(kind);
     const int row = 8 * side * int(kind);
     for (int y = 0; y < 8 * side; ++y) {
@@ -300,6 +303,10 @@ private slots:
     void profileIsFoundBehindFillBytes();
     void profileIsFoundHoweverItsPartsAreNumbered();
     void profileOfWebpIsKeptTo();
+    void labIsReadAsLab_data();
+    void labIsReadAsLab();
+    void inksWithoutProfileAreToldOf();
+    void coloursBeyondTheWorkingSpaceAreToldOf();
 };
 
 void PictureColourTest::printerIsSentWhatTheTextureMeans_data() {
@@ -539,6 +546,120 @@ void PictureColourTest::profileOfWebpIsKeptTo() {
                  .rgb(texture)
                  .pixelColor(4, 4),
              green);
+}
+
+namespace {
+
+using Lab = std::array<double, 3>;
+
+// Half each of the two colours, in TIFF's own Lab or ICC's.
+QByteArray labTiff(const Lab& left, const Lab& right, int bits, bool isIcc, const QString& path) {
+    constexpr int width = 8;
+    TIFF* tiff = TIFFOpen(qPrintable(path), "w");
+    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, width);
+    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, width);
+    TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, bits);
+    TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 3);
+    TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+    TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, isIcc ? PHOTOMETRIC_ICCLAB : PHOTOMETRIC_CIELAB);
+    for (int y = 0; y < width; ++y) {
+        std::vector<quint16> words;
+        std::vector<uchar> octets;
+        for (int x = 0; x < width; ++x) {
+            const Lab& lab = x < width / 2 ? left : right;
+            for (int channel = 0; channel < 3; ++channel) {
+                const double value = lab[std::size_t(channel)];
+                const double shifted = isIcc && channel > 0 ? value + 128 : value;
+                octets.push_back(uchar(int(std::lround(channel == 0 ? value * 2.55 : shifted))));
+                words.push_back(quint16(int(std::lround(
+                    channel == 0 ? value / 100 * (isIcc ? 65280 : 65535) : shifted * 256))));
+            }
+        }
+        TIFFWriteScanline(
+            tiff, bits == 16 ? static_cast<void*>(words.data()) : static_cast<void*>(octets.data()),
+            std::uint32_t(y));
+    }
+    TIFFClose(tiff);
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+double differenceFrom(const Lab& wanted, const QColor& shown) {
+    const cmsHPROFILE screen = cmsCreate_sRGBProfile();
+    const cmsHPROFILE lab = cmsCreateLab4Profile(nullptr);
+    const cmsHTRANSFORM look =
+        cmsCreateTransform(screen, TYPE_RGB_8, lab, TYPE_Lab_DBL, INTENT_RELATIVE_COLORIMETRIC, 0);
+    const uchar rgb[3] = {uchar(shown.red()), uchar(shown.green()), uchar(shown.blue())};
+    cmsCIELab seen;
+    cmsDoTransform(look, rgb, &seen, 1);
+    cmsDeleteTransform(look);
+    cmsCloseProfile(screen);
+    cmsCloseProfile(lab);
+    const cmsCIELab meant{wanted[0], wanted[1], wanted[2]};
+    return cmsDeltaE(&seen, &meant);
+}
+
+} // namespace
+
+void PictureColourTest::labIsReadAsLab_data() {
+    QTest::addColumn<int>("bits");
+    QTest::addColumn<bool>("isIcc");
+    QTest::newRow("8 bits") << 8 << false;
+    QTest::newRow("16 bits") << 16 << false;
+    QTest::newRow("8 bits, as ICC has it") << 8 << true;
+    QTest::newRow("16 bits, as ICC has it") << 16 << true;
+}
+
+void PictureColourTest::labIsReadAsLab() {
+    QFETCH(int, bits);
+    QFETCH(bool, isIcc);
+    const QTemporaryDir folder;
+    const Lab brown{45, 22, 30}, blue{60, -8, -28};
+    const QImage texture =
+        readPictures({{labTiff(brown, blue, bits, isIcc, folder.filePath("lab.tif")), "lab"}})
+            .front();
+    QCOMPARE(texture.size(), QSize(8, 8));
+    const double left = differenceFrom(brown, texture.pixelColor(1, 4));
+    const double right = differenceFrom(blue, texture.pixelColor(6, 4));
+    QVERIFY2(left < 1, QByteArray::number(left));
+    QVERIFY2(right < 1, QByteArray::number(right));
+}
+
+void PictureColourTest::inksWithoutProfileAreToldOf() {
+    const auto noteOf = [](const QByteArray& file) {
+        return colourNoteText(readPictures({{file, QStringLiteral("inks")}}).front(), "Inks");
+    };
+    const QTemporaryDir folder;
+    for (const QByteArray& file :
+         {jpegFile(Kind::Cmyk, {}), tiffFile(Kind::Cmyk, {}, folder.filePath("inks.tif"), 8)}) {
+        const QImage texture = readPictures({{file, QStringLiteral("inks")}}).front();
+        QVERIFY2(noteOf(file).contains("CMYK"), qPrintable(noteOf(file)));
+        // And still when the project has it, as PNG.
+        QVERIFY(noteOf(pngBytes(texture, {})).contains("CMYK"));
+    }
+    QVERIFY(noteOf(jpegFile(Kind::Cmyk, profileOf(Kind::Cmyk))).isEmpty());
+    QVERIFY(noteOf(jpegFile(Kind::Rgb, {})).isEmpty());
+}
+
+// A quarter of the picture is the green of ProPhoto's primary, which nothing shows.
+void PictureColourTest::coloursBeyondTheWorkingSpaceAreToldOf() {
+    QImage picture(8, 8, QImage::Format_RGB32);
+    picture.fill(QColor(120, 100, 90));
+    for (int y = 0; y < 4; ++y) {
+        for (int x = 0; x < 4; ++x) {
+            picture.setPixelColor(x, y, QColor(0, 255, 0));
+        }
+    }
+    picture.setColorSpace(QColorSpace::ProPhotoRgb);
+    const QImage texture = readPictures({{fileOf(picture, "png"), QStringLiteral("wide")}}).front();
+    QVERIFY(std::abs(colourNote(texture).clipped - 0.25) < 1e-9);
+    const QString said = colourNoteText(texture, "The texture");
+    QVERIFY2(said.contains("25"), qPrintable(said));
+    const QImage again = readPictures({{pngBytes(texture, {}), QStringLiteral("kept")}}).front();
+    QCOMPARE(colourNoteText(again, "The texture"), said);
+    picture.setColorSpace(QColorSpace::AdobeRgb); // the working space holds all of it
+    const QImage held = readPictures({{fileOf(picture, "png"), QStringLiteral("held")}}).front();
+    QVERIFY(colourNoteText(held, "The texture").isEmpty());
 }
 
 QTEST_GUILESS_MAIN(PictureColourTest)

@@ -8,6 +8,7 @@
 #include "sheet/prepress/Separation.h"
 #include "sheet/prepress/SheetFiles.h"
 #include "sheet/prepress/TiledSheet.h"
+#include "texture/StretchPlane.h"
 
 #include <QScopeGuard>
 #include <QtTest>
@@ -129,6 +130,8 @@ private slots:
     void inkKeepsToItsTotal();
     void cutLineIsAPlateOfItsOwn();
     void cutLineKeepsItsDistanceFromTheInk();
+    void cutLineGoesRoundAllPlates_data();
+    void cutLineGoesRoundAllPlates();
     void colourGoesOnPastTheCut();
     void whiteIsAPlateOfItsOwn_data();
     void whiteIsAPlateOfItsOwn();
@@ -347,6 +350,44 @@ void PrepressTest::cutLineKeepsItsDistanceFromTheInk() {
     const std::vector<double> sides = darkMiddles(edge, true, edge.height() / 2);
     QCOMPARE(sides.size(), std::size_t(2));
     QVERIFY(std::abs(sides[1] - sides[0] - pixels(100)) < pixels(0.02));
+}
+
+void PrepressTest::cutLineGoesRoundAllPlates_data() {
+    QTest::addColumn<int>("plate");
+    QTest::newRow("white printed last") << 0;
+    QTest::newRow("varnish printed first") << 1;
+    QTest::newRow("ink compensated by itself") << 2;
+}
+
+// 4 mm round a square of 10 mm in the upper left corner, where the picture has nothing.
+void PrepressTest::cutLineGoesRoundAllPlates() {
+    QFETCH(int, plate);
+    constexpr int dpi = 150;
+    const auto pixels = [](double mm) { return mm / millimetresPerInch * dpi; };
+    Sheet sheet = patchSheet();
+    sheet.settings.marks = false;
+    sheet.settings.cutLine = CutLine::Ink;
+    sheet.settings.cutDistance = Millimetres(4);
+    QImage tint(sheet.image.size(), QImage::Format_Grayscale8);
+    tint.fill(0);
+    for (int y = int(pixels(10)); y < int(pixels(20)); ++y) {
+        std::fill_n(tint.scanLine(y) + int(pixels(10)), int(pixels(10)), 180);
+    }
+    if (plate == 2) {
+        QImage wanted = sheet.image;
+        QPainter(&wanted).fillRect(QRectF(pixels(10), pixels(10), pixels(10), pixels(10)),
+                                   QColor(30, 40, 160));
+        sheet.wanted = WantedInk{wanted, unstretched(wanted.size()), {}};
+    } else {
+        sheet.plates = {{QStringLiteral("Spot"), tint, plate == 1}};
+    }
+    const QImage line = separations(pdfOf(sheet, {.colour = &inks_}), dpi).at("CutContour");
+    const std::vector<double> middles = darkMiddles(line, true, int(pixels(15)));
+    QCOMPARE(middles.size(), std::size_t(2));
+    QVERIFY2(std::abs(middles[0] - pixels(6)) < pixels(0.3),
+             qPrintable(QString::number(middles[0] / pixels(1))));
+    QVERIFY2(std::abs(middles[1] - pixels(24)) < pixels(0.3),
+             qPrintable(QString::number(middles[1] / pixels(1))));
 }
 
 // The patches of 60 × 10 mm in the middle of the film, cut 1 mm from them, with 3 mm of bleed.

@@ -4,6 +4,7 @@
 #include "base/Error.h"
 
 #include <QtTest>
+#include <cmath>
 
 using namespace dipwright;
 
@@ -49,9 +50,36 @@ private slots:
                 commands << command;
             }
         }
-        QCOMPARE(commands, QStringList({"G21", "G90", "G1 Z50.000 F1200.000", "M0",
-                                        "G1 Z0.500 F1200.000", "G1 Z-42.000 F240.000",
-                                        "G4 P5000.000", "M0", "G1 Z50.000 F240.000", "M2"}));
+        QCOMPARE(commands,
+                 QStringList({"G21", "G90", "G1 Z50.000 F1200.000", "M0", "G1 Z0.500 F1200.000",
+                              "G1 Z-42.000 F240.000", "G1 Z-42.125 F3.000", "G1 Z-42.000 F3.000",
+                              "M0", "G1 Z50.000 F240.000", "M2"}));
+    }
+
+    // A dwell is ms to some controllers and s to others: the hold is moves, as long as it is to be.
+    void theHoldIsAsLongOnEveryController() {
+        const MotionTemplate shipped = motionTemplate();
+        const QString code =
+            QString::fromUtf8(filledTemplate(motion(), shipped.text, shipped.where));
+        double height = 0, minutes = 0; // below the end of the dip
+        for (const QString& line : code.split(u'\n')) {
+            const QString command = line.section(u';', 0, 0).trimmed();
+            QVERIFY2(!command.startsWith(QStringLiteral("G4")), qPrintable(command));
+            static const QRegularExpression move(QStringLiteral("^G1 Z([-0-9.]+) F([0-9.]+)$"));
+            if (const auto match = move.match(command); match.hasMatch()) {
+                const double next = match.captured(1).toDouble();
+                if (height <= -motion().depth.value() && next <= -motion().depth.value()) {
+                    minutes += std::abs(next - height) / match.captured(2).toDouble();
+                }
+                height = next;
+            }
+        }
+        QVERIFY2(std::abs(60 * minutes - motion().hold.value()) < 0.05,
+                 QByteArray::number(60 * minutes));
+        const QString header = code.section(u'\n', 0, 4);
+        for (const char* dialect : {"Marlin", "GRBL", "LinuxCNC"}) {
+            QVERIFY2(header.contains(QLatin1String(dialect)), dialect);
+        }
     }
 
     void noNameBecomesACommand() {

@@ -1,0 +1,67 @@
+#include "base/ColourNote.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(ColourNote)
+};
+
+const QString key = QString::fromLatin1(colourNoteKey);
+const QString inks = QStringLiteral("assumed-inks");
+const QString beyond = QStringLiteral("clipped=");
+
+} // namespace
+
+QImage withColourNote(QImage picture, const ColourNote& note) {
+    QStringList parts;
+    if (note.assumesInks) {
+        parts << inks;
+    }
+    if (note.clipped > 0) {
+        parts << beyond + QString::number(note.clipped, 'g', 4);
+    }
+    picture.setText(key, parts.join(u' '));
+    return picture;
+}
+
+ColourNote colourNote(const QImage& picture) {
+    ColourNote note;
+    for (const QString& part : picture.text(key).split(u' ')) {
+        note.assumesInks = note.assumesInks || part == inks;
+        if (part.startsWith(beyond)) {
+            const double share = part.mid(beyond.size()).toDouble(); // 0 where it is none
+            note.clipped = share > 0 ? std::min(share, 1.0) : 0;
+        }
+    }
+    return note;
+}
+
+QString colourNoteValue(const QImage& picture) {
+    return withColourNote({}, colourNote(picture)).text(key);
+}
+
+QString colourNoteText(const QImage& picture, const QString& name) {
+    const ColourNote note = colourNote(picture);
+    if (note.assumesInks) {
+        return Text::tr("%1 is in CMYK and names no ICC profile: its colours are guessed by a "
+                        "formula and can be far off; save it with its profile, or as sRGB")
+            .arg(name);
+    }
+    if (note.clipped > 0) {
+        const double percent = std::max(0.1, 100 * note.clipped);
+        return Text::tr("%1 has colours that are not kept as they are: %2 % of its pixels lie "
+                        "beyond BT.2020, in which pictures are kept, and are printed less "
+                        "saturated; save it in a smaller space, such as Adobe RGB, to choose how")
+            .arg(name, QLocale().toString(percent, 'f', 1));
+    }
+    return {};
+}
+
+} // namespace dipwright
