@@ -17,9 +17,7 @@ const QString key = QString::fromLatin1(colourNoteKey);
 const QString inks = QStringLiteral("assumed-inks");
 const QString beyond = QStringLiteral("clipped=");
 
-} // namespace
-
-QImage withColourNote(QImage picture, const ColourNote& note) {
+QString valueOf(const ColourNote& note) {
     QStringList parts;
     if (note.assumesInks) {
         parts << inks;
@@ -27,7 +25,13 @@ QImage withColourNote(QImage picture, const ColourNote& note) {
     if (note.clipped > 0) {
         parts << beyond + QString::number(note.clipped, 'g', 4);
     }
-    picture.setText(key, parts.join(u' '));
+    return parts.join(u' ');
+}
+
+} // namespace
+
+QImage withColourNote(QImage picture, const ColourNote& note) {
+    picture.setText(key, valueOf(note));
     return picture;
 }
 
@@ -44,7 +48,7 @@ ColourNote colourNote(const QImage& picture) {
 }
 
 QString colourNoteValue(const QImage& picture) {
-    return withColourNote({}, colourNote(picture)).text(key);
+    return valueOf(colourNote(picture));
 }
 
 QString colourNoteText(const QImage& picture, const QString& name) {
