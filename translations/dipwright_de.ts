@@ -1220,6 +1220,17 @@
     </message>
 </context>
 <context>
+    <name>PlainFile</name>
+    <message>
+        <source>it is a folder</source>
+        <translation>es ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>it is a pipe or a device; save what it sends as a file, and name that</source>
+        <translation>es ist eine Pipe oder ein Gerät; was sie liefert, als Datei speichern und diese angeben</translation>
+    </message>
+</context>
+<context>
     <name>Png</name>
     <message>
         <source>The picture cannot be stored as PNG: %1</source>
@@ -10162,17 +10173,6 @@ mm je mm</translation>
     <message>
         <source>Projects to open.</source>
         <translation>Projekte, die geöffnet werden.</translation>
-    </message>
-</context>
-<context>
-    <name>PlainFile</name>
-    <message>
-        <source>it is a folder</source>
-        <translation>es ist ein Ordner</translation>
-    </message>
-    <message>
-        <source>it is a pipe or a device; save what it sends as a file, and name that</source>
-        <translation>es ist eine Pipe oder ein Gerät; was sie liefert, als Datei speichern und diese angeben</translation>
     </message>
 </context>
 </TS>

@@ -1220,6 +1220,17 @@
     </message>
 </context>
 <context>
+    <name>PlainFile</name>
+    <message>
+        <source>it is a folder</source>
+        <translation>é uma pasta</translation>
+    </message>
+    <message>
+        <source>it is a pipe or a device; save what it sends as a file, and name that</source>
+        <translation>é um pipe ou um dispositivo; salve o que ele envia como arquivo e indique esse arquivo</translation>
+    </message>
+</context>
+<context>
     <name>Png</name>
     <message>
         <source>The picture cannot be stored as PNG: %1</source>
@@ -10162,17 +10173,6 @@ mm por mm</translation>
     <message>
         <source>Projects to open.</source>
         <translation>Projetos a abrir.</translation>
-    </message>
-</context>
-<context>
-    <name>PlainFile</name>
-    <message>
-        <source>it is a folder</source>
-        <translation>é uma pasta</translation>
-    </message>
-    <message>
-        <source>it is a pipe or a device; save what it sends as a file, and name that</source>
-        <translation>é um pipe ou um dispositivo; salve o que ele envia como arquivo e indique esse arquivo</translation>
     </message>
 </context>
 </TS>
