@@ -20,6 +20,7 @@ enum Chapter {
     Immersions,
     Dipping,
     Results,
+    Verdict,
     Printing,
     Projects,
     Wrong
@@ -49,7 +50,7 @@ QMap<QString, GuidePlace> placesByName() {
         {QStringLiteral("propertyPanel/7"), {Printing, Text::tr("ICC profile")}},
         {QStringLiteral("propertyPanel/8"), tolerances},
         {QStringLiteral("searchPage"), {Immersions, Text::tr("Dip ▸ Find Poses")}},
-        {QStringLiteral("results/0"), certainty},
+        {QStringLiteral("results/0"), {Verdict, {}}},
         {QStringLiteral("results/1"), {Results, Text::tr("Stretch")}},
         {QStringLiteral("results/2"), {Results, Text::tr("Texture")}},
         {QStringLiteral("results/3"), {Results, Text::tr("Proof")}},

@@ -276,7 +276,7 @@ private slots:
 
     void missingFilesAndFoldersAreRefused() {
         QVERIFY(refusal(path("missing.dipw")).contains("missing.dipw"));
-        QVERIFY(refusal(folder_.path()).contains("not a file"));
+        QVERIFY(refusal(folder_.path()).contains("it is a folder"));
     }
 
     void aFileCutOffAnywhereIsRefused() {
