@@ -252,18 +252,6 @@
         <translation>%1 mm²</translation>
     </message>
     <message>
-        <source>Film that tore</source>
-        <translation>Gerissener Film</translation>
-    </message>
-    <message>
-        <source>Film that found no rest</source>
-        <translation>Film, der keine Ruhe fand</translation>
-    </message>
-    <message>
-        <source>Film let go of</source>
-        <translation>Losgelassener Film</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -290,6 +278,18 @@
     <message>
         <source>The body is larger than the film on all sides, %1 × %2 mm on the water, and no film is left to go round it; %3</source>
         <translation>Der Körper ist auf allen Seiten größer als der Film, %1 × %2 mm auf dem Wasser, und es bleibt kein Film, der sich um ihn legt; %3</translation>
+    </message>
+    <message>
+        <source>Torn film</source>
+        <translation>Gerissener Film</translation>
+    </message>
+    <message>
+        <source>Film that did not converge</source>
+        <translation>Film, der nicht konvergierte</translation>
+    </message>
+    <message>
+        <source>Released film</source>
+        <translation>Losgelassener Film</translation>
     </message>
 </context>
 <context>
@@ -329,15 +329,15 @@
         <translation>Erste Berührung</translation>
     </message>
     <message>
-        <source>Air is caught under the body</source>
-        <translation>Luft wird unter dem Körper gefangen</translation>
-    </message>
-    <message>
         <source>Film tears</source>
         <translation>Film reißt</translation>
     </message>
     <message>
-        <source>Film is let go of at an overhang</source>
+        <source>Air is trapped under the body</source>
+        <translation>Luft wird unter dem Körper eingeschlossen</translation>
+    </message>
+    <message>
+        <source>Film is released at an overhang</source>
         <translation>Film löst sich an einem Überhang</translation>
     </message>
 </context>
@@ -422,10 +422,6 @@
     <message>
         <source>Grows by at most</source>
         <translation>Wächst höchstens um</translation>
-    </message>
-    <message>
-        <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
-        <translation>Um wie viel länger als zu Beginn des Tauchvorgangs die schwimmende Folie am Ende wird. Bei 0 wächst sie nicht.</translation>
     </message>
     <message>
         <source>Contact distance</source>
@@ -535,6 +531,10 @@
     <message>
         <source>Film holds on faces that turn upwards by no more than this.</source>
         <translation>Film hält auf Flächen, die sich höchstens so weit nach oben wenden.</translation>
+    </message>
+    <message>
+        <source>Total growth of the floating film after a long time, relative to its length at the start of the dip. 0: the film does not grow.</source>
+        <translation>Gesamtes Wachstum des schwimmenden Films nach langer Zeit, bezogen auf seine Länge zu Beginn des Tauchens. 0: Der Film wächst nicht.</translation>
     </message>
 </context>
 <context>
@@ -2353,10 +2353,6 @@
         <translation>Die Seite der Zellen der simulierten Folie dort, wo der Körper eintaucht. Kleinere Zellen zeigen feinere Einzelheiten und dauern länger.</translation>
     </message>
     <message>
-        <source>Share the body out</source>
-        <translation>Körper aufteilen</translation>
-    </message>
-    <message>
         <source>Each dip paints the places that it paints better, and leaves the others blank. If not, both paint all that they reach, and some places are painted twice.</source>
         <translation>Jeder Tauchvorgang färbt die Stellen, die er besser färbt, und lässt die anderen frei. Sonst färben beide alles, was sie erreichen, und manche Stellen werden doppelt gefärbt.</translation>
     </message>
@@ -2499,10 +2495,6 @@
     <message>
         <source>The side of the cells that the cradle&apos;s form is computed on. Smaller is smoother, slower and makes larger files.</source>
         <translation>Die Seite der Zellen, auf denen die Form der Halterung berechnet wird. Kleiner ist glatter, langsamer und macht größere Dateien.</translation>
-    </message>
-    <message>
-        <source>Off by, to either side</source>
-        <translation>Abweichung, nach beiden Seiten</translation>
     </message>
     <message>
         <source>Body on the water</source>
@@ -2819,6 +2811,14 @@
     <message>
         <source>What a film comes to whose swell nobody has measured.</source>
         <translation>Was ein Film ergibt, dessen Quellung niemand gemessen hat.</translation>
+    </message>
+    <message>
+        <source>Split the body between the dips</source>
+        <translation>Den Körper auf die Tauchvorgänge aufteilen</translation>
+    </message>
+    <message>
+        <source>Expected deviations (±)</source>
+        <translation>Erwartete Abweichungen (±)</translation>
     </message>
 </context>
 <context>
@@ -3336,42 +3336,6 @@
         <translation>%1, Charge %2, haltbar bis %3.</translation>
     </message>
     <message>
-        <source>Sheet %1 lies on the water, ink side up, its upper edge where the arrow of the plate points.</source>
-        <translation>Bogen %1 liegt auf dem Wasser, Farbseite oben, die obere Kante dort, wohin der Pfeil der Platte zeigt.</translation>
-    </message>
-    <message>
-        <source>Soaked: %1</source>
-        <translation>Gequollen: %1</translation>
-    </message>
-    <message>
-        <source>Activator sprayed, waited: %1</source>
-        <translation>Aktivator gesprüht, gewartet: %1</translation>
-    </message>
-    <message>
-        <source>Dipped from %1 mm above the water to %2 mm under it, at %3 mm/s: %4 s</source>
-        <translation>Getaucht von %1 mm über dem Wasser bis %2 mm darunter, mit %3 mm/s: %4 s</translation>
-    </message>
-    <message>
-        <source>Held under water %1 s, the film round it cleared, out at %2 mm/s</source>
-        <translation>%1 s unter Wasser gehalten, den Film ringsum entfernt, mit %2 mm/s heraus</translation>
-    </message>
-    <message>
-        <source>Left to flash before rinsing: %1</source>
-        <translation>Vor dem Abspülen abgelüftet: %1</translation>
-    </message>
-    <message>
-        <source>Rinsed, dried: %1</source>
-        <translation>Abgespült, getrocknet: %1</translation>
-    </message>
-    <message>
-        <source>Compared with the picture before dip %1: colour in its place, no tear, no fold, dry where the next cradle holds it</source>
-        <translation>Vor Tauchvorgang %1 mit dem Bild verglichen: Farbe an ihrem Platz, kein Riss, keine Falte, trocken, wo die nächste Halterung greift</translation>
-    </message>
-    <message>
-        <source>Compared with the picture</source>
-        <translation>Mit dem Bild verglichen</translation>
-    </message>
-    <message>
         <source>At the tank</source>
         <translation>Am Becken</translation>
     </message>
@@ -3388,10 +3352,6 @@
         <translation>Geprüft von</translation>
     </message>
     <message>
-        <source>So it has to look after dip %1: as it hung, from the film&apos;s lower edge, from its right edge, and from below</source>
-        <translation>So muss es nach Tauchvorgang %1 aussehen: wie es hing, von der unteren und von der rechten Kante des Films und von unten</translation>
-    </message>
-    <message>
         <source>Swell measured on %1.</source>
         <translation>Quellung gemessen am %1.</translation>
     </message>
@@ -3402,6 +3362,50 @@
     <message>
         <source>Verdict: %1</source>
         <translation>Urteil: %1</translation>
+    </message>
+    <message>
+        <source>as the film maker says (no time given)</source>
+        <translation>wie der Hersteller des Films angibt (keine Zeit angegeben)</translation>
+    </message>
+    <message>
+        <source>Lay sheet %1 on the water, ink side up; its upper edge lies where the arrow of the plate points.</source>
+        <translation>Bogen %1 auf das Wasser legen, Farbseite oben; seine obere Kante liegt dort, wohin der Pfeil der Platte zeigt.</translation>
+    </message>
+    <message>
+        <source>Soak the film: %1</source>
+        <translation>Film einweichen: %1</translation>
+    </message>
+    <message>
+        <source>Spray the activator, then wait: %1</source>
+        <translation>Aktivator aufsprühen, dann warten: %1</translation>
+    </message>
+    <message>
+        <source>Dip from %1 mm above the water to %2 mm below it, at %3 mm/s: %4 s</source>
+        <translation>Von %1 mm über dem Wasser bis %2 mm darunter tauchen, mit %3 mm/s: %4 s</translation>
+    </message>
+    <message>
+        <source>Hold under water for %1 s, clear the film around the part, lift it out at %2 mm/s</source>
+        <translation>%1 s unter Wasser halten, den Film um das Teil entfernen, mit %2 mm/s herausheben</translation>
+    </message>
+    <message>
+        <source>Let it flash off before rinsing: %1</source>
+        <translation>Vor dem Abspülen ablüften lassen: %1</translation>
+    </message>
+    <message>
+        <source>Rinse and dry: %1</source>
+        <translation>Abspülen und trocknen: %1</translation>
+    </message>
+    <message>
+        <source>Compare the part with the picture before dip %1: colour in its place, no tear, no fold, dry where the next cradle holds it</source>
+        <translation>Vor Tauchvorgang %1 das Teil mit dem Bild vergleichen: Farbe an ihrem Platz, kein Riss, keine Falte, trocken, wo die nächste Halterung es hält</translation>
+    </message>
+    <message>
+        <source>Compare the part with the picture</source>
+        <translation>Das Teil mit dem Bild vergleichen</translation>
+    </message>
+    <message>
+        <source>After dip %1 the part should look like this: seen from the film&apos;s lower edge, from its right edge, and from below</source>
+        <translation>Nach Tauchvorgang %1 soll das Teil so aussehen: von der unteren Kante des Films, von der rechten Kante und von unten gesehen</translation>
     </message>
 </context>
 <context>
@@ -4078,10 +4082,6 @@
         <translation>Was sich wiederholt, und die Korrektur</translation>
     </message>
     <message>
-        <source>What the parts are off again and again is shown here.</source>
-        <translation>Hier wird gezeigt, um wie viel die Teile immer wieder abweichen.</translation>
-    </message>
-    <message>
         <source>Parts that the job keeps</source>
         <translation>Teile, die der Auftrag behält</translation>
     </message>
@@ -4160,6 +4160,10 @@
     <message>
         <source>To keep a part, find the corners of its print on the page “Dipped Part”, with pairs that are places of the body itself.</source>
         <translation>Um ein Teil zu behalten, suchen Sie die Ecken seines Drucks auf der Seite „Getauchtes Teil“, mit Paaren, die Stellen des Körpers selbst sind.</translation>
+    </message>
+    <message>
+        <source>The repeating error of the parts is shown here.</source>
+        <translation>Hier ist der wiederkehrende Fehler der Teile zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -6902,12 +6906,12 @@ Dehnung</translation>
         <translation>≈ %1</translation>
     </message>
     <message>
-        <source>Against yours: %1</source>
-        <translation>Gegen Ihre: %1</translation>
-    </message>
-    <message>
         <source>Misses a limit. %1</source>
         <translation>Verfehlt eine Grenze. %1</translation>
+    </message>
+    <message>
+        <source>Compared with your pose: %1</source>
+        <translation>Verglichen mit Ihrer Lage: %1</translation>
     </message>
 </context>
 <context>
@@ -7068,22 +7072,6 @@ Dehnung</translation>
 <context>
     <name>dipwright::PrintDialog</name>
     <message>
-        <source>Cut into pieces where the paper is smaller</source>
-        <translation>In Stücke geschnitten, wo das Papier kleiner ist</translation>
-    </message>
-    <message>
-        <source>Grey, on a printer without colour</source>
-        <translation>Grau, auf einem Drucker ohne Farbe</translation>
-    </message>
-    <message>
-        <source>Without what lies where the printer does not reach</source>
-        <translation>Ohne das, was der Drucker nicht erreicht</translation>
-    </message>
-    <message>
-        <source>Though the paper is not loaded as far as is known</source>
-        <translation>Obwohl das Papier nicht eingelegt ist, soweit bekannt</translation>
-    </message>
-    <message>
         <source>Print Sheets</source>
         <translation>Bögen drucken</translation>
     </message>
@@ -7118,10 +7106,6 @@ Dehnung</translation>
     <message>
         <source>Sheets</source>
         <translation>Bögen</translation>
-    </message>
-    <message>
-        <source>Print even so</source>
-        <translation>Auch dann drucken</translation>
     </message>
     <message>
         <source>Looking for printers …</source>
@@ -7274,6 +7258,26 @@ Dehnung</translation>
     <message>
         <source>None is set up</source>
         <translation>Keiner eingerichtet</translation>
+    </message>
+    <message>
+        <source>Tile the sheet if the paper is too small</source>
+        <translation>Bogen in Stücke teilen, wenn das Papier zu klein ist</translation>
+    </message>
+    <message>
+        <source>Print in grey on a monochrome printer</source>
+        <translation>Auf einem Schwarzweißdrucker grau drucken</translation>
+    </message>
+    <message>
+        <source>Clip what lies outside the printable area</source>
+        <translation>Abschneiden, was außerhalb des druckbaren Bereichs liegt</translation>
+    </message>
+    <message>
+        <source>The printer does not report this paper as loaded</source>
+        <translation>Der Drucker meldet dieses Papier nicht als eingelegt</translation>
+    </message>
+    <message>
+        <source>Print anyway</source>
+        <translation>Trotzdem drucken</translation>
     </message>
 </context>
 <context>
@@ -8122,14 +8126,6 @@ Dehnung</translation>
         <translation>Zustand</translation>
     </message>
     <message>
-        <source>What came of it</source>
-        <translation>Was daraus wurde</translation>
-    </message>
-    <message>
-        <source>Took</source>
-        <translation>Dauer</translation>
-    </message>
-    <message>
         <source>Folder for the results</source>
         <translation>Ordner für die Ergebnisse</translation>
     </message>
@@ -8206,6 +8202,14 @@ Ergebnisse: %2</translation>
     <message>
         <source>&amp;Stop Them</source>
         <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
     </message>
 </context>
 <context>
@@ -8354,10 +8358,6 @@ mm je mm</translation>
         <translation>Verlässlichkeit des Bogens</translation>
     </message>
     <message>
-        <source>How far the ink may be off for numerical reasons; ink side up</source>
-        <translation>Wie weit die Farbe aus numerischen Gründen daneben liegen kann; Farbseite oben</translation>
-    </message>
-    <message>
         <source>more</source>
         <translation>mehr</translation>
     </message>
@@ -8417,10 +8417,6 @@ mm je mm</translation>
 %1</translation>
     </message>
     <message>
-        <source>A certain place is off by %1 at most · magenta: paints in one of the dips only</source>
-        <translation>Eine sichere Stelle weicht höchstens %1 ab · Magenta: nur in einem der Tauchvorgänge bemalt</translation>
-    </message>
-    <message>
         <source>off by
 ± %1</source>
         <translation>daneben um
@@ -8429,6 +8425,14 @@ mm je mm</translation>
     <message>
         <source>On the body: 95 % within ±%1</source>
         <translation>Auf dem Körper: 95 % innerhalb ±%1</translation>
+    </message>
+    <message>
+        <source>Numerical error of the ink&apos;s position; ink side up</source>
+        <translation>Numerischer Fehler der Lage der Farbe; Farbseite oben</translation>
+    </message>
+    <message>
+        <source>Limit: %1 · magenta: painted in only one of the dips</source>
+        <translation>Grenze: %1 · Magenta: nur in einem der Tauchvorgänge bemalt</translation>
     </message>
 </context>
 <context>
@@ -10079,16 +10083,16 @@ mm je mm</translation>
         <translation>Was der Film in der Ansicht trägt</translation>
     </message>
     <message>
-        <source>Film Wears</source>
-        <translation>Film trägt</translation>
-    </message>
-    <message>
         <source>Turn &amp;Body</source>
         <translation>&amp;Körper drehen</translation>
     </message>
     <message>
         <source>Mo&amp;ve Body</source>
         <translation>Körper &amp;verschieben</translation>
+    </message>
+    <message>
+        <source>Film appearance</source>
+        <translation>Aussehen des Films</translation>
     </message>
 </context>
 <context>

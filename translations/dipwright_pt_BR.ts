@@ -252,18 +252,6 @@
         <translation>%1 mm²</translation>
     </message>
     <message>
-        <source>Film that tore</source>
-        <translation>Filme que rasgou</translation>
-    </message>
-    <message>
-        <source>Film that found no rest</source>
-        <translation>Filme que não encontrou repouso</translation>
-    </message>
-    <message>
-        <source>Film let go of</source>
-        <translation>Filme que se soltou</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -290,6 +278,18 @@
     <message>
         <source>The body is larger than the film on all sides, %1 × %2 mm on the water, and no film is left to go round it; %3</source>
         <translation>O corpo é maior que o filme em todos os lados, %1 × %2 mm sobre a água, e não sobra filme para envolvê-lo; %3</translation>
+    </message>
+    <message>
+        <source>Torn film</source>
+        <translation>Filme rasgado</translation>
+    </message>
+    <message>
+        <source>Film that did not converge</source>
+        <translation>Filme que não convergiu</translation>
+    </message>
+    <message>
+        <source>Released film</source>
+        <translation>Filme solto</translation>
     </message>
 </context>
 <context>
@@ -329,16 +329,16 @@
         <translation>Primeiro contato</translation>
     </message>
     <message>
-        <source>Air is caught under the body</source>
-        <translation>O ar fica preso sob o corpo</translation>
-    </message>
-    <message>
         <source>Film tears</source>
         <translation>O filme rasga</translation>
     </message>
     <message>
-        <source>Film is let go of at an overhang</source>
-        <translation>O filme se solta em uma saliência</translation>
+        <source>Air is trapped under the body</source>
+        <translation>Ar fica preso sob o corpo</translation>
+    </message>
+    <message>
+        <source>Film is released at an overhang</source>
+        <translation>O filme se solta numa saliência</translation>
     </message>
 </context>
 <context>
@@ -422,10 +422,6 @@
     <message>
         <source>Grows by at most</source>
         <translation>Cresce no máximo</translation>
-    </message>
-    <message>
-        <source>How much longer than at the begin of the dip the floating film becomes in the end. At 0 it does not grow.</source>
-        <translation>Quanto mais comprido do que no início da imersão o filme flutuante fica no fim. Com 0 não cresce.</translation>
     </message>
     <message>
         <source>Contact distance</source>
@@ -535,6 +531,10 @@
     <message>
         <source>Film holds on faces that turn upwards by no more than this.</source>
         <translation>O filme adere a faces que se voltam para cima até este ângulo.</translation>
+    </message>
+    <message>
+        <source>Total growth of the floating film after a long time, relative to its length at the start of the dip. 0: the film does not grow.</source>
+        <translation>Crescimento total do filme flutuante depois de muito tempo, em relação ao comprimento no início da imersão. 0: o filme não cresce.</translation>
     </message>
 </context>
 <context>
@@ -2353,10 +2353,6 @@
         <translation>O lado das células do filme simulado onde o corpo desce. Células menores mostram detalhes mais finos e demoram mais.</translation>
     </message>
     <message>
-        <source>Share the body out</source>
-        <translation>Repartir o corpo</translation>
-    </message>
-    <message>
         <source>Each dip paints the places that it paints better, and leaves the others blank. If not, both paint all that they reach, and some places are painted twice.</source>
         <translation>Cada imersão pinta os lugares que pinta melhor e deixa os outros em branco. Senão, ambas pintam tudo o que alcançam, e alguns lugares são pintados duas vezes.</translation>
     </message>
@@ -2499,10 +2495,6 @@
     <message>
         <source>The side of the cells that the cradle&apos;s form is computed on. Smaller is smoother, slower and makes larger files.</source>
         <translation>O lado das células em que a forma do berço é calculada. Menor é mais liso, mais lento e gera arquivos maiores.</translation>
-    </message>
-    <message>
-        <source>Off by, to either side</source>
-        <translation>Desvio, para os dois lados</translation>
     </message>
     <message>
         <source>Body on the water</source>
@@ -2819,6 +2811,14 @@
     <message>
         <source>What a film comes to whose swell nobody has measured.</source>
         <translation>O que resulta de um filme cujo inchamento ninguém mediu.</translation>
+    </message>
+    <message>
+        <source>Split the body between the dips</source>
+        <translation>Dividir o corpo entre as imersões</translation>
+    </message>
+    <message>
+        <source>Expected deviations (±)</source>
+        <translation>Desvios esperados (±)</translation>
     </message>
 </context>
 <context>
@@ -3336,42 +3336,6 @@
         <translation>%1, lote %2, válido até %3.</translation>
     </message>
     <message>
-        <source>Sheet %1 lies on the water, ink side up, its upper edge where the arrow of the plate points.</source>
-        <translation>A folha %1 está na água, lado da tinta para cima, com a borda superior para onde aponta a seta da placa.</translation>
-    </message>
-    <message>
-        <source>Soaked: %1</source>
-        <translation>De molho: %1</translation>
-    </message>
-    <message>
-        <source>Activator sprayed, waited: %1</source>
-        <translation>Ativador aplicado, espera: %1</translation>
-    </message>
-    <message>
-        <source>Dipped from %1 mm above the water to %2 mm under it, at %3 mm/s: %4 s</source>
-        <translation>Mergulhado de %1 mm acima da água até %2 mm abaixo, a %3 mm/s: %4 s</translation>
-    </message>
-    <message>
-        <source>Held under water %1 s, the film round it cleared, out at %2 mm/s</source>
-        <translation>Mantido %1 s sob a água, filme em volta removido, retirado a %2 mm/s</translation>
-    </message>
-    <message>
-        <source>Left to flash before rinsing: %1</source>
-        <translation>Deixado evaporar antes do enxágue: %1</translation>
-    </message>
-    <message>
-        <source>Rinsed, dried: %1</source>
-        <translation>Enxaguado, seco: %1</translation>
-    </message>
-    <message>
-        <source>Compared with the picture before dip %1: colour in its place, no tear, no fold, dry where the next cradle holds it</source>
-        <translation>Comparado com a figura antes do mergulho %1: cor no lugar, sem rasgo, sem dobra, seco onde o próximo berço o segura</translation>
-    </message>
-    <message>
-        <source>Compared with the picture</source>
-        <translation>Comparado com a figura</translation>
-    </message>
-    <message>
         <source>At the tank</source>
         <translation>No tanque</translation>
     </message>
@@ -3388,10 +3352,6 @@
         <translation>Conferido por</translation>
     </message>
     <message>
-        <source>So it has to look after dip %1: as it hung, from the film&apos;s lower edge, from its right edge, and from below</source>
-        <translation>Assim deve ficar após o mergulho %1: como estava pendurado, da borda inferior do filme, da borda direita e de baixo</translation>
-    </message>
-    <message>
         <source>Swell measured on %1.</source>
         <translation>Inchamento medido em %1.</translation>
     </message>
@@ -3402,6 +3362,50 @@
     <message>
         <source>Verdict: %1</source>
         <translation>Veredito: %1</translation>
+    </message>
+    <message>
+        <source>as the film maker says (no time given)</source>
+        <translation>como indica o fabricante do filme (tempo não informado)</translation>
+    </message>
+    <message>
+        <source>Lay sheet %1 on the water, ink side up; its upper edge lies where the arrow of the plate points.</source>
+        <translation>Pôr a folha %1 na água, lado da tinta para cima; a borda superior fica para onde aponta a seta da placa.</translation>
+    </message>
+    <message>
+        <source>Soak the film: %1</source>
+        <translation>Deixar o filme de molho: %1</translation>
+    </message>
+    <message>
+        <source>Spray the activator, then wait: %1</source>
+        <translation>Borrifar o ativador, depois esperar: %1</translation>
+    </message>
+    <message>
+        <source>Dip from %1 mm above the water to %2 mm below it, at %3 mm/s: %4 s</source>
+        <translation>Mergulhar de %1 mm acima da água até %2 mm abaixo, a %3 mm/s: %4 s</translation>
+    </message>
+    <message>
+        <source>Hold under water for %1 s, clear the film around the part, lift it out at %2 mm/s</source>
+        <translation>Manter debaixo d&apos;água por %1 s, afastar o filme ao redor da peça, retirar a %2 mm/s</translation>
+    </message>
+    <message>
+        <source>Let it flash off before rinsing: %1</source>
+        <translation>Deixar evaporar antes de enxaguar: %1</translation>
+    </message>
+    <message>
+        <source>Rinse and dry: %1</source>
+        <translation>Enxaguar e secar: %1</translation>
+    </message>
+    <message>
+        <source>Compare the part with the picture before dip %1: colour in its place, no tear, no fold, dry where the next cradle holds it</source>
+        <translation>Antes da imersão %1, comparar a peça com a imagem: cor no lugar, sem rasgo, sem dobra, seca onde o próximo berço a segura</translation>
+    </message>
+    <message>
+        <source>Compare the part with the picture</source>
+        <translation>Comparar a peça com a imagem</translation>
+    </message>
+    <message>
+        <source>After dip %1 the part should look like this: seen from the film&apos;s lower edge, from its right edge, and from below</source>
+        <translation>Depois da imersão %1 a peça deve ficar assim: vista da borda inferior do filme, da borda direita e de baixo</translation>
     </message>
 </context>
 <context>
@@ -4078,10 +4082,6 @@
         <translation>O que se repete e a correção</translation>
     </message>
     <message>
-        <source>What the parts are off again and again is shown here.</source>
-        <translation>Aqui se mostra o desvio que se repete nas peças.</translation>
-    </message>
-    <message>
         <source>Parts that the job keeps</source>
         <translation>Peças que o trabalho guarda</translation>
     </message>
@@ -4160,6 +4160,10 @@
     <message>
         <source>To keep a part, find the corners of its print on the page “Dipped Part”, with pairs that are places of the body itself.</source>
         <translation>Para guardar uma peça, procure os cantos da impressão na página “Peça mergulhada”, com pares que são lugares do próprio corpo.</translation>
+    </message>
+    <message>
+        <source>The repeating error of the parts is shown here.</source>
+        <translation>Aqui se vê o erro que se repete nas peças.</translation>
     </message>
 </context>
 <context>
@@ -6902,12 +6906,12 @@ estiramento</translation>
         <translation>≈ %1</translation>
     </message>
     <message>
-        <source>Against yours: %1</source>
-        <translation>Contra a sua: %1</translation>
-    </message>
-    <message>
         <source>Misses a limit. %1</source>
         <translation>Não cumpre um limite. %1</translation>
+    </message>
+    <message>
+        <source>Compared with your pose: %1</source>
+        <translation>Comparado com a sua pose: %1</translation>
     </message>
 </context>
 <context>
@@ -7068,22 +7072,6 @@ estiramento</translation>
 <context>
     <name>dipwright::PrintDialog</name>
     <message>
-        <source>Cut into pieces where the paper is smaller</source>
-        <translation>Cortado em pedaços onde o papel é menor</translation>
-    </message>
-    <message>
-        <source>Grey, on a printer without colour</source>
-        <translation>Em cinza, em impressora sem cor</translation>
-    </message>
-    <message>
-        <source>Without what lies where the printer does not reach</source>
-        <translation>Sem o que fica fora do alcance da impressora</translation>
-    </message>
-    <message>
-        <source>Though the paper is not loaded as far as is known</source>
-        <translation>Mesmo que o papel não esteja carregado, até onde se sabe</translation>
-    </message>
-    <message>
         <source>Print Sheets</source>
         <translation>Imprimir folhas</translation>
     </message>
@@ -7118,10 +7106,6 @@ estiramento</translation>
     <message>
         <source>Sheets</source>
         <translation>Folhas</translation>
-    </message>
-    <message>
-        <source>Print even so</source>
-        <translation>Imprimir mesmo assim</translation>
     </message>
     <message>
         <source>Looking for printers …</source>
@@ -7274,6 +7258,26 @@ estiramento</translation>
     <message>
         <source>None is set up</source>
         <translation>Nenhuma configurada</translation>
+    </message>
+    <message>
+        <source>Tile the sheet if the paper is too small</source>
+        <translation>Dividir a folha em partes se o papel for pequeno demais</translation>
+    </message>
+    <message>
+        <source>Print in grey on a monochrome printer</source>
+        <translation>Imprimir em cinza numa impressora monocromática</translation>
+    </message>
+    <message>
+        <source>Clip what lies outside the printable area</source>
+        <translation>Cortar o que fica fora da área imprimível</translation>
+    </message>
+    <message>
+        <source>The printer does not report this paper as loaded</source>
+        <translation>A impressora não informa este papel como carregado</translation>
+    </message>
+    <message>
+        <source>Print anyway</source>
+        <translation>Imprimir assim mesmo</translation>
     </message>
 </context>
 <context>
@@ -8122,14 +8126,6 @@ estiramento</translation>
         <translation>Estado</translation>
     </message>
     <message>
-        <source>What came of it</source>
-        <translation>O que resultou</translation>
-    </message>
-    <message>
-        <source>Took</source>
-        <translation>Duração</translation>
-    </message>
-    <message>
         <source>Folder for the results</source>
         <translation>Pasta dos resultados</translation>
     </message>
@@ -8206,6 +8202,14 @@ Resultados: %2</translation>
     <message>
         <source>&amp;Stop Them</source>
         <translation>&amp;Parar</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Duração</translation>
     </message>
 </context>
 <context>
@@ -8354,10 +8358,6 @@ mm por mm</translation>
         <translation>Confiabilidade da folha</translation>
     </message>
     <message>
-        <source>How far the ink may be off for numerical reasons; ink side up</source>
-        <translation>Quanto a tinta pode desviar por razões numéricas; lado da tinta para cima</translation>
-    </message>
-    <message>
         <source>more</source>
         <translation>mais</translation>
     </message>
@@ -8417,10 +8417,6 @@ mm por mm</translation>
 %1</translation>
     </message>
     <message>
-        <source>A certain place is off by %1 at most · magenta: paints in one of the dips only</source>
-        <translation>Um lugar certo desvia no máximo %1 · magenta: pinta em apenas uma das imersões</translation>
-    </message>
-    <message>
         <source>off by
 ± %1</source>
         <translation>desvio
@@ -8429,6 +8425,14 @@ mm por mm</translation>
     <message>
         <source>On the body: 95 % within ±%1</source>
         <translation>No corpo: 95 % dentro de ±%1</translation>
+    </message>
+    <message>
+        <source>Numerical error of the ink&apos;s position; ink side up</source>
+        <translation>Erro numérico da posição da tinta; lado da tinta para cima</translation>
+    </message>
+    <message>
+        <source>Limit: %1 · magenta: painted in only one of the dips</source>
+        <translation>Limite: %1 · magenta: pintado em só uma das imersões</translation>
     </message>
 </context>
 <context>
@@ -10079,16 +10083,16 @@ mm por mm</translation>
         <translation>O que o filme veste na vista</translation>
     </message>
     <message>
-        <source>Film Wears</source>
-        <translation>Filme veste</translation>
-    </message>
-    <message>
         <source>Turn &amp;Body</source>
         <translation>Girar &amp;corpo</translation>
     </message>
     <message>
         <source>Mo&amp;ve Body</source>
         <translation>&amp;Mover corpo</translation>
+    </message>
+    <message>
+        <source>Film appearance</source>
+        <translation>Aparência do filme</translation>
     </message>
 </context>
 <context>

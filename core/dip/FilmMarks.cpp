@@ -56,11 +56,11 @@ double MarkedArea::of(solver::PointMark mark) const {
 QString markText(solver::PointMark mark) {
     switch (mark) {
     case solver::PointMark::Torn:
-        return Text::tr("Film that tore");
+        return Text::tr("Torn film");
     case solver::PointMark::Unbalanced:
-        return Text::tr("Film that found no rest");
+        return Text::tr("Film that did not converge");
     case solver::PointMark::LetGo:
-        return Text::tr("Film let go of");
+        return Text::tr("Released film");
     }
     return {};
 }

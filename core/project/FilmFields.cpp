@@ -64,8 +64,8 @@ void addFloating(std::vector<MaterialField<Film>>& fields) {
         {uncountedWhenUsual(number<Film>(
              "growth_limit", 0, mostGrowth, [](auto& f) -> auto& { return f.growthLimit; })),
          {.label = Text::tr("Grows by at most"),
-          .help = Text::tr("How much longer than at the begin of the dip the floating film becomes "
-                           "in the end. At 0 it does not grow."),
+          .help = Text::tr("Total growth of the floating film after a long time, relative to its "
+                           "length at the start of the dip. 0: the film does not grow."),
           .unit = Unit::Share,
           .isOfProductionFilm = true}});
     fields.push_back(

@@ -441,16 +441,15 @@ private:
 };
 
 MapSubject certaintySubject(const ToldDistances& told) {
-    return {
-        Text::tr("Certainty of the sheet"),
-        Text::tr("How far the ink may be off for numerical reasons; ink side up"),
-        Text::tr("change\n%1").arg(unitSign(told.unit)),
-        Text::tr("A certain place is off by %1 at most · magenta: paints in one of the dips only")
-            .arg(told.text(told.limit, 2)),
-        told.scale,
-        told.unit,
-        false,
-        told.marks};
+    return {Text::tr("Certainty of the sheet"),
+            Text::tr("Numerical error of the ink's position; ink side up"),
+            Text::tr("change\n%1").arg(unitSign(told.unit)),
+            Text::tr("Limit: %1 · magenta: painted in only one of the dips")
+                .arg(told.text(told.limit, 2)),
+            told.scale,
+            told.unit,
+            false,
+            told.marks};
 }
 
 MapSubject toleranceSubject(const ToldDistances& told) {

@@ -43,7 +43,8 @@ QString plain(double number, int decimals = 1) {
 }
 
 QString secondsText(const std::optional<Seconds>& time) {
-    return time ? Text::tr("%1 s").arg(plain(time->value())) : Text::tr("not given");
+    return time ? Text::tr("%1 s").arg(plain(time->value()))
+                : Text::tr("as the film maker says (no time given)");
 }
 
 std::optional<Seconds> ofFilm(const Traveller& traveller, Seconds FilmProfile::*time) {
@@ -240,28 +241,29 @@ QStringList stepsOf(const Traveller& traveller, std::size_t number) {
     const TravellerDip& dip = traveller.dips[number];
     const DipMotion& motion = dip.motion;
     QStringList steps{
-        Text::tr("Sheet %1 lies on the water, ink side up, its upper edge where the arrow of the "
-                 "plate points.")
+        Text::tr("Lay sheet %1 on the water, ink side up; its upper edge lies where the arrow of "
+                 "the plate points.")
             .arg(dip.job),
-        Text::tr("Soaked: %1").arg(secondsText(ofFilm(traveller, &FilmProfile::soakTime))),
-        Text::tr("Activator sprayed, waited: %1")
+        Text::tr("Soak the film: %1").arg(secondsText(ofFilm(traveller, &FilmProfile::soakTime))),
+        Text::tr("Spray the activator, then wait: %1")
             .arg(secondsText(ofFilm(traveller, &FilmProfile::activatorTime))),
-        Text::tr("Dipped from %1 mm above the water to %2 mm under it, at %3 mm/s: %4 s")
+        Text::tr("Dip from %1 mm above the water to %2 mm below it, at %3 mm/s: %4 s")
             .arg(plain(motion.start.value()), plain(motion.depth.value()),
                  plain(motion.speed.value(), 2), plain(motion.dipTime().value())),
-        Text::tr("Held under water %1 s, the film round it cleared, out at %2 mm/s")
+        Text::tr(
+            "Hold under water for %1 s, clear the film around the part, lift it out at %2 mm/s")
             .arg(plain(motion.hold.value()), plain(motion.speed.value(), 2)),
-        Text::tr("Left to flash before rinsing: %1")
+        Text::tr("Let it flash off before rinsing: %1")
             .arg(secondsText(ofFilm(traveller, &FilmProfile::flashTime))),
-        Text::tr("Rinsed, dried: %1")
+        Text::tr("Rinse and dry: %1")
             .arg(secondsText(ofFilm(traveller, &FilmProfile::dryingTime)))};
     if (number + 1 < traveller.dips.size()) {
         steps << Text::tr(
-                     "Compared with the picture before dip %1: colour in its place, no tear, no "
-                     "fold, dry where the next cradle holds it")
+                     "Compare the part with the picture before dip %1: colour in its place, no "
+                     "tear, no fold, dry where the next cradle holds it")
                      .arg(number + 2);
     } else {
-        steps << Text::tr("Compared with the picture");
+        steps << Text::tr("Compare the part with the picture");
     }
     return steps;
 }
@@ -287,8 +289,8 @@ void paintAfter(QPainter& painter, const Traveller& traveller, std::size_t numbe
     const double width = page.width() - 2 * margin;
     const double bottom = page.height() - margin - signature;
     const double y = ink.text({margin, top, width, 0}, headHeight,
-                              Text::tr("So it has to look after dip %1: as it hung, from the "
-                                       "film's lower edge, from its right edge, and from below")
+                              Text::tr("After dip %1 the part should look like this: seen from "
+                                       "the film's lower edge, from its right edge, and from below")
                                   .arg(number + 1));
     ink.picture({margin, y + 1, width, bottom - y - 3}, traveller.dips[number].after);
     const QStringList words{Text::tr("Done by"), Text::tr("Date, time"), Text::tr("Checked by")};

@@ -105,7 +105,7 @@ void WindowMenus::makeViewToolBar(QMainWindow& window, const WindowActions& a) {
     auto* film = new QToolButton;
     film->setIcon(icon(QStringLiteral("film")));
     film->setToolTip(tr("What the film wears in the view"));
-    film->setAccessibleName(tr("Film Wears"));
+    film->setAccessibleName(tr("Film appearance"));
     film->setPopupMode(QToolButton::InstantPopup);
     film->setMenu(film_);
     bar->addWidget(film);

@@ -30,7 +30,7 @@ BuiltPage::BuiltPage(QWidget* parent)
       corrects_(new QCheckBox(tr("&Correct the next sheets"))), strength_(new NumberBox),
       dip_(new QComboBox), hint_(new QLabel), words_(new QLabel), legend_(new QLabel),
       picture_(new PicturePanel(tr("What repeats, and the correction"),
-                                tr("What the parts are off again and again is shown here."))) {
+                                tr("The repeating error of the parts is shown here."))) {
     parts_->setObjectName(QStringLiteral("builtParts"));
     parts_->setAccessibleName(tr("Parts that the job keeps"));
     parts_->setHorizontalHeaderLabels({tr("Date"), tr("Accepted by"), tr("Photos"), tr("Off")});

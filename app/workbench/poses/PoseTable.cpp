@@ -82,7 +82,7 @@ void PoseTable::setResult(const SearchResult& result, const SearchSettings& sett
         }
         QString reasons =
             rank == 0 && result.current
-                ? tr("Against yours: %1")
+                ? tr("Compared with your pose: %1")
                       .arg(
                           reasonText(differences(poses, *result.current, settings, result.equator)))
             : rank == 0 ? QString()

@@ -42,10 +42,10 @@ PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion,
       source_(printSource(outcome.result->project, projectFile)), shown_(immersion),
       preview_(new PicturePanel(tr("Page"), {})), printer_(new QComboBox), paper_(new QComboBox),
       orientation_(new QComboBox), proof_(new QComboBox), copies_(new QSpinBox),
-      tile_(new QCheckBox(tr("Cut into pieces where the paper is smaller"))),
-      grey_(new QCheckBox(tr("Grey, on a printer without colour"))),
-      clipped_(new QCheckBox(tr("Without what lies where the printer does not reach"))),
-      otherPaper_(new QCheckBox(tr("Though the paper is not loaded as far as is known"))),
+      tile_(new QCheckBox(tr("Tile the sheet if the paper is too small"))),
+      grey_(new QCheckBox(tr("Print in grey on a monochrome printer"))),
+      clipped_(new QCheckBox(tr("Clip what lies outside the printable area"))),
+      otherPaper_(new QCheckBox(tr("The printer does not report this paper as loaded"))),
       notice_(new NoticeBar), verdict_(new QLabel), gamut_(new QLabel), progress_(new QProgressBar),
       print_(nullptr), save_(nullptr) {
     setWindowTitle(tr("Print Sheets"));
@@ -288,7 +288,7 @@ void PrintDialog::saveFile() {
 }
 
 QWidget* PrintDialog::makeExceptions() {
-    auto* box = new QGroupBox(tr("Print even so"));
+    auto* box = new QGroupBox(tr("Print anyway"));
     auto* layout = new QVBoxLayout(box);
     for (QCheckBox* exception : {tile_, grey_, clipped_, otherPaper_}) {
         exception->setToolTip(tr("Without this tick such a print is refused, with the reason."));

@@ -252,7 +252,7 @@ std::vector<PropertySection> shareProperties() {
     const auto isShared = [](const Project& project) { return project.share.enabled; };
     return {{{},
              {{.path = QStringLiteral("share.enabled"),
-               .label = Text::tr("Share the body out"),
+               .label = Text::tr("Split the body between the dips"),
                .help = Text::tr("Each dip paints the places that it paints better, and leaves the "
                                 "others blank. If not, both paint all that they reach, and some "
                                 "places are painted twice.")},
@@ -427,7 +427,7 @@ std::vector<PropertySection> inkProperties() {
 
 PropertySection offProperties() {
     const QString x = QStringLiteral("X"), y = QStringLiteral("Y"), z = QStringLiteral("Z");
-    PropertySection off{Text::tr("Off by, to either side"), {}};
+    PropertySection off{Text::tr("Expected deviations (±)"), {}};
     off.specs = {
         {.path = QStringLiteral("tolerance.position_mm"),
          .label = Text::tr("Body on the water"),

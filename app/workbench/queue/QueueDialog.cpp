@@ -59,8 +59,7 @@ QueueDialog::QueueDialog(JobQueue& queue, QWidget* parent)
     setObjectName(QStringLiteral("jobQueue"));
     setWindowTitle(tr("Job Queue"));
     table_->setAccessibleName(tr("Projects in the queue"));
-    table_->setHorizontalHeaderLabels(
-        {tr("Project"), tr("State"), tr("What came of it"), tr("Took")});
+    table_->setHorizontalHeaderLabels({tr("Project"), tr("State"), tr("Result"), tr("Duration")});
     table_->verticalHeader()->hide();
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setSectionResizeMode(Outcome, QHeaderView::Stretch);

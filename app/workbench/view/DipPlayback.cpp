@@ -18,9 +18,9 @@ struct Text {
 
 QString textOf(DipEvent event) {
     return event == DipEvent::FirstContact ? Text::tr("First contact")
-           : event == DipEvent::AirCaught  ? Text::tr("Air is caught under the body")
+           : event == DipEvent::AirCaught  ? Text::tr("Air is trapped under the body")
            : event == DipEvent::Torn       ? Text::tr("Film tears")
-                                           : Text::tr("Film is let go of at an overhang");
+                                           : Text::tr("Film is released at an overhang");
 }
 
 QColor colourOf(DipEvent event) {

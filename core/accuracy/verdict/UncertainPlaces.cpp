@@ -87,7 +87,9 @@ public:
         }
         std::vector<UncertainPlace> places;
         for (const auto& [part, place] : byPart) {
-            places.push_back(place);
+            if (place.area >= leastPlaceArea) {
+                places.push_back(place);
+            }
         }
         std::stable_sort(places.begin(), places.end(),
                          [](const auto& a, const auto& b) { return a.area > b.area; });

@@ -63,8 +63,9 @@ struct UncertainPlace {
 struct Verdict {
     Advice advice = Advice::NotJudged;
     std::vector<VerdictReason> reasons; // the worst first
-    std::vector<UncertainPlace> places; // the largest first, mostPlaces at most
-    double uncertainArea = 0;           // of all such places, mm² of the body
+    // The largest first, at most mostPlaces, each of leastPlaceArea or more.
+    std::vector<UncertainPlace> places;
+    double uncertainArea = 0; // of all such places, mm² of the body
 };
 
 // The numerical error may take so much of a zone's tolerance, so that handling has the rest: 95 %
@@ -79,6 +80,7 @@ inline constexpr double spoiltPaintedOnce = 0.15; // of the body's surface
 // fall as the cells do.
 inline constexpr double finestCellNamed = 0.15;
 inline constexpr std::size_t mostPlaces = 12;
+inline constexpr double leastPlaceArea = 1; // mm², that somebody can look at
 
 // A dip and what is known of it.
 struct JudgedDip {

@@ -295,6 +295,7 @@ private slots:
         record.source = printSource(window_->document()->project(), path);
         record.fate = PrintFate::Printed;
         QVERIFY(PrintHistory().keep(record).isEmpty());
+        QTest::qWait(5); // so that the other one is the newer
         PrintRecord other;
         other.job = QStringLiteral("ba9876543210");
         other.fate = PrintFate::Failed;

@@ -60,7 +60,7 @@ private slots:
     void everyRankSaysWhatItHasAndWhy() {
         QCOMPARE(table_->rowCount(), 3);
         const auto text = [this](int row) { return table_->item(row, 3)->text(); };
-        QVERIFY2(text(0).contains(QLatin1String("Against yours")), qPrintable(text(0)));
+        QVERIFY2(text(0).contains(QLatin1String("Compared with your pose")), qPrintable(text(0)));
         QVERIFY2(text(1).contains(QLatin1String("coverage"), Qt::CaseInsensitive) &&
                      text(1).contains(QLatin1String("stretch"), Qt::CaseInsensitive),
                  qPrintable(text(1)));

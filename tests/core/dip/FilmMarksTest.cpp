@@ -91,7 +91,7 @@ private slots:
         marked.add(torn, 30);
         marked.add(letGo, 20);
         const QString text = markedText(marked, 1000);
-        for (const char* part : {"50 mm²", "5.0 %", "tore: 30 mm²", "let go of: 20 mm²"}) {
+        for (const char* part : {"50 mm²", "5.0 %", "Torn film: 30 mm²", "Released film: 20 mm²"}) {
             QVERIFY2(text.contains(QString::fromUtf8(part)), qPrintable(text));
         }
     }

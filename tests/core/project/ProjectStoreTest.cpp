@@ -128,6 +128,9 @@ private slots:
     void namesStayInTheirLine() {
         writeFile(path("name.dipw"), zip(withDocument(renamed("A\nFake: line\rX\x1b[31m"))));
         QCOMPARE(loadProject(path("name.dipw")).name, QStringLiteral("A Fake: line X [31m"));
+        // What turns the order of letters round is seen, and turns none.
+        writeFile(path("turned.dipw"), zip(withDocument(renamed("abc\u202edef"))));
+        QCOMPARE(loadProject(path("turned.dipw")).name, QStringLiteral("abc\uFFFDdef"));
     }
 
     // "textures" is there for models of several pictures; other programs write and change

@@ -306,7 +306,7 @@ public:
     LongWords() { QCoreApplication::installTranslator(this); }
     bool isEmpty() const override { return false; }
     QString translate(const char*, const char* text, const char*, int) const override {
-        return QString::fromUtf8(text).contains(QLatin1String("certain place"))
+        return QString::fromUtf8(text).contains(QLatin1String("Limit: "))
                    ? QString::fromUtf8(text) + QLatin1Char(' ') + QString::fromUtf8(text)
                    : QString();
     }

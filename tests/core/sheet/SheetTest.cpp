@@ -92,6 +92,7 @@ private slots:
     void rulerMeasuresAHundredMillimetres();
     void marksStandInTheCorners();
     void jobLineCanBeRead();
+    void aLetterThatNoFontHasIsPrintedAsItsNumber();
     void partsCanBeSwitchedOff();
     void partsKeepOffThePaint();
     void partsStandOnPaintOnlyWhereItIsEverywhere();
@@ -215,6 +216,14 @@ void SheetTest::jobLineCanBeRead() {
                                 QStringLiteral("1:1, swell 1 × 1"), QStringLiteral("3fa9c2d1")}) {
         QVERIFY2(text.contains(part), qPrintable(part + " in " + text));
     }
+}
+
+// U+0378 is no letter, and so in no font.
+void SheetTest::aLetterThatNoFontHasIsPrintedAsItsNumber() {
+    Sheet sheet = patchSheet();
+    sheet.job.project = QStringLiteral("Box \u0378");
+    const QString text = pdfWords(save(pdfOf(sheet), "letters.pdf"));
+    QVERIFY2(text.contains(QStringLiteral("Box \\u0378")), qPrintable(text));
 }
 
 void SheetTest::partsCanBeSwitchedOff() {

@@ -76,9 +76,10 @@ private slots:
         QCOMPARE(pages.size(), 2);
         const QString& first = pages.front();
         for (const char* words :
-             {"Dip 1 of 2: Below", "aaaaaaaaaaa1", "12.5°", "Soaked: 60 s", "waited: 10 s",
-              "before rinsing: not given", "dried: 5400 s", "lot L-77", "250 × 330 mm apart",
-              "72 mm under it, at 5 mm/s: 14.5 s", "picture before dip 2", "Done by"}) {
+             {"Dip 1 of 2: Below", "aaaaaaaaaaa1", "12.5°", "Soak the film: 60 s",
+              "then wait: 10 s", "before rinsing: as the film maker says", "dry: 5400 s",
+              "lot L-77", "250 × 330 mm apart", "72 mm below it, at 5 mm/s: 14.5 s",
+              "picture before dip 2", "Done by"}) {
             QVERIFY2(first.contains(QString::fromUtf8(words)), words);
         }
         QVERIFY(pages.back().contains(QStringLiteral("Dip 2 of 2: Above")));
