@@ -79,8 +79,8 @@ private slots:
     void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
 
     void aCertainSheetMovesByNoMoreThanItSays() {
-        const ImmersionResult result = run(ball(97));
-        const ImmersionCertainty check = fullCheck(ball(97));
+        const ImmersionResult result = run(ball(81));
+        const ImmersionCertainty check = fullCheck(ball(81));
         QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Print it"));
         QVERIFY(isCertain(check));
         const double offBy = result.certainty->offBy.percentile95;
