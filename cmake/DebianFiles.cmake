@@ -1,6 +1,6 @@
-# Run by cpack on the installed tree before it is packed: what Debian wants otherwise than other places.
-# Manual pages are compressed, and the list of changes is in Debian's own form, with the date of the
-# newest release in CHANGELOG.md. The same bytes every time.
+# Adapts the installed tree to Debian's rules before cpack packs it. Compresses the manual pages and writes
+# the changes in Debian's format, with the date of the newest release in CHANGELOG.md. The output is the
+# same bytes every time.
 if(NOT CPACK_GENERATOR STREQUAL "DEB")
     return()
 endif()

@@ -1,5 +1,5 @@
-# What every target of the project shares: the language level, the warnings, where binaries go,
-# and the functions with which folders declare their library and their tests.
+# Shared settings of all targets: language level, warnings and output folders. Also defines the functions
+# by which folders declare their library and their tests.
 include(DipwrightRooms)
 
 set(CMAKE_CXX_STANDARD 20)
@@ -12,9 +12,9 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
 set(DIPWRIGHT_PLUGIN_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin/plugins)
-# Where the samples are made (resources/samples): NAME.dipw, models/NAME.obj.
+# Output folder of the samples (resources/samples): NAME.dipw, models/NAME.obj.
 set(DIPWRIGHT_SAMPLE_FOLDER ${CMAKE_BINARY_DIR}/share/samples)
-# Plugins that misbehave, for the tests: where no program looks for any.
+# Plugins that misbehave, for the tests, in a folder where no program searches.
 set(DIPWRIGHT_BAD_MODULE_FOLDER ${CMAKE_BINARY_DIR}/tests/bad-modules)
 if(NOT CMAKE_BUILD_TYPE)
     set(CMAKE_BUILD_TYPE Release)
@@ -31,9 +31,8 @@ else()
         $<$<BOOL:${DIPWRIGHT_WERROR}>:-Werror>>)
 endif()
 if(DIPWRIGHT_SANITIZE)
-    # The first fault ends the program, which is checked in half the code then, and compiled in half the
-    # time. GCC's warnings about uninitialised values and bounds are wrong too often in code that it
-    # instruments.
+    # The first fault ends the program: this halves the checking code and the compile time. In instrumented
+    # code, GCC's warnings about uninitialised values and bounds are wrong too often.
     target_compile_options(dipwright_options INTERFACE
         -fsanitize=${DIPWRIGHT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
         "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-array-bounds>")
@@ -44,9 +43,9 @@ target_compile_definitions(dipwright_options INTERFACE
     $<$<CXX_COMPILER_ID:MSVC>:_USE_MATH_DEFINES>)
 
 # dipwright_library(NAME SOURCES … PRIVATE_HEADERS … PUBLIC … PRIVATE …)
-#   One room of core, solvers or app as a static library; headers alone where there are no SOURCES.
-#   PUBLIC are the rooms that its headers include, PRIVATE those that only its sources include;
-#   PRIVATE_HEADERS are for this room alone. What is not linked cannot be included (DipwrightRooms).
+#   Declares one room of core, solvers or app as a static library, without SOURCES as headers only.
+#   PUBLIC lists the rooms that its headers include, PRIVATE the rooms that only its sources include.
+#   PRIVATE_HEADERS belong to this room alone. A room that is not linked cannot be included (DipwrightRooms).
 function(dipwright_library name)
     cmake_parse_arguments(LIB "" "" "SOURCES;PRIVATE_HEADERS;PUBLIC;PRIVATE" ${ARGN})
     if(LIB_SOURCES)
@@ -67,10 +66,9 @@ function(dipwright_library name)
 endfunction()
 
 # dipwright_threads_meet_in(SOURCE …)
-#   Sources of the current folder in which threads meet by means of a library that the thread
-#   sanitizer cannot see into (TBB, Qt). It sees nothing of what that library's headers bring into
-#   them either, and so does not take one half of an exchange for a race; parallel/ForkAndJoin.h
-#   tells it what both halves do.
+#   Marks sources of the current folder whose threads synchronise through a library that the thread
+#   sanitizer cannot see (TBB, Qt). It then ignores the code from that library's headers, too, so that
+#   it does not report half an exchange as a race. parallel/ForkAndJoin.h tells it what both halves do.
 function(dipwright_threads_meet_in)
     if(DIPWRIGHT_SANITIZE MATCHES "thread")
         set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -fno-sanitize=thread
@@ -78,13 +76,13 @@ function(dipwright_threads_meet_in)
     endif()
 endfunction()
 
-# What moc is told of the platform, for slots in #ifdef: it reads none of Qt's headers, which say so.
+# Platform macros for moc, for slots in #ifdef: moc does not read Qt's headers, which define them.
 set(DIPWRIGHT_MOC_DEFINITIONS $<$<NOT:$<PLATFORM_ID:Windows>>:-DQ_OS_UNIX> $<$<PLATFORM_ID:Linux>:-DQ_OS_LINUX>
     $<$<PLATFORM_ID:Darwin>:-DQ_OS_MACOS> $<$<PLATFORM_ID:Windows>:-DQ_OS_WIN>)
 
 # dipwright_moc(TARGET)
-#   Runs moc on every header of the current folder for TARGET. Not AUTOMOC: it has moc read all that a
-#   header includes, which takes fifty times as long and says the same.
+#   Runs moc on every header of the current folder for TARGET. AUTOMOC also reads all included headers,
+#   which takes fifty times as long and gives the same result.
 function(dipwright_moc target)
     file(GLOB headers CONFIGURE_DEPENDS *.h)
     set(includes "")
@@ -107,7 +105,7 @@ function(dipwright_moc target)
 endfunction()
 
 # dipwright_moc_source(TARGET SOURCE)
-#   Makes NAME.moc of SOURCE, NAME.cpp, which includes it at its end.
+#   Makes NAME.moc from SOURCE, NAME.cpp. NAME.cpp includes it at its end.
 function(dipwright_moc_source target source)
     cmake_path(GET source STEM name)
     set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_moc)
@@ -121,7 +119,7 @@ function(dipwright_moc_source target source)
     target_include_directories(${target} PRIVATE ${folder})
 endfunction()
 
-# How tests are compiled: they are measured by what they find, not by how fast they look for it.
+# Compile options of the tests: little optimisation, since the speed of tests does not matter.
 add_library(dipwright_test_compilation INTERFACE)
 target_link_libraries(dipwright_test_compilation INTERFACE dipwright_options)
 if(NOT MSVC AND NOT DIPWRIGHT_SANITIZE)
@@ -131,7 +129,7 @@ add_library(dipwright_test_options INTERFACE)
 target_link_libraries(dipwright_test_options INTERFACE dipwright_test_compilation TestFolders Qt6::Test)
 
 # dipwright_test_helper(NAME SOURCES … LINK …)
-#   What several tests share, as a library of its file's name: NAME.cpp, and other SOURCES.
+#   Declares a library that several tests share, named after its file: NAME.cpp, and other SOURCES.
 function(dipwright_test_helper name)
     cmake_parse_arguments(HLP "" "" "SOURCES;LINK" ${ARGN})
     add_library(${name} STATIC ${name}.cpp ${HLP_SOURCES})
@@ -141,10 +139,9 @@ function(dipwright_test_helper name)
 endfunction()
 
 # dipwright_schedule(NAME WAITS COST)
-#   Labels a test with the folders below tests in which its source lies (`ctest -L sheet`, `ctest -L
-#   core`), and says how many of ctest's slots it takes: two, or one where WAITS is true. scripts/test
-#   gives ctest two slots for each core, and one more, so that a test which waits runs beside as many
-#   that compute as there are cores.
+#   Labels a test with the folders of its source below tests (`ctest -L sheet`, `ctest -L core`). Sets
+#   how many of ctest's slots it takes: two, or one if WAITS is true. scripts/test gives ctest two slots
+#   for each core and one more. So a waiting test can run beside one computing test for each core.
 function(dipwright_schedule name waits cost)
     file(RELATIVE_PATH labels "${PROJECT_SOURCE_DIR}/tests" "${CMAKE_CURRENT_SOURCE_DIR}")
     string(REPLACE "/" ";" labels "${labels}")
@@ -158,12 +155,11 @@ function(dipwright_schedule name waits cost)
 endfunction()
 
 # dipwright_test(NAME [ON_SCREEN] [WAITS] SOURCES … LINK … INSIDE … NEEDS … ENVIRONMENT … COST …)
-#   A Qt Test program: class NAME in NAME.cpp (and other SOURCES), built as NAME, which ctest runs by
-#   the name NAME: without a display, or ON_SCREEN on a screen of its own where there is xvfb-run.
-#   INSIDE names rooms whose private headers it sees as well, NEEDS targets that have to be there when
-#   it runs; ENVIRONMENT adds variables. COST is about how many seconds it takes, where that is more
-#   than ten: ctest starts the longest first. WAITS: it mostly waits, for other processes or for time to
-#   pass, and computes for less than half its time.
+#   Declares a Qt Test program with class NAME in NAME.cpp (and other SOURCES). ctest runs it by this
+#   name, without a display, or with ON_SCREEN on its own screen if there is xvfb-run. INSIDE names
+#   rooms whose private headers it may include. NEEDS names targets that must exist when it runs.
+#   ENVIRONMENT adds variables. COST is its time in seconds, if more than ten: ctest starts the longest
+#   first. WAITS: it computes for less than half its time and otherwise waits.
 find_program(DIPWRIGHT_XVFB_RUN xvfb-run)
 set(DIPWRIGHT_TEST_SECONDS 900)
 if(DIPWRIGHT_SANITIZE) # slows programs down up to twenty times
@@ -179,7 +175,7 @@ function(dipwright_test name)
     foreach(room IN LISTS TST_INSIDE)
         target_include_directories(${name} PRIVATE ${PROJECT_BINARY_DIR}/rooms/${room}/private)
     endforeach()
-    # Whatever reads a model or a picture starts it.
+    # Every test that reads a model or a picture starts the reader.
     add_dependencies(${name} dipwright-reader ${TST_NEEDS})
     set(launcher "")
     set(platform QT_QPA_PLATFORM=offscreen)
@@ -188,7 +184,7 @@ function(dipwright_test name)
         set(platform QT_QPA_PLATFORM=xcb)
     endif()
     add_test(NAME ${name} COMMAND ${launcher} $<TARGET_FILE:${name}>)
-    # Qt Test has a limit of five minutes a case of its own, which a busy machine can pass.
+    # Qt Test's own timeout is five minutes for each case, which a busy machine can exceed.
     dipwright_schedule(${name} ${TST_WAITS} "${TST_COST}")
     set_tests_properties(${name} PROPERTIES TIMEOUT ${DIPWRIGHT_TEST_SECONDS}
         ENVIRONMENT "${platform};QTEST_FUNCTION_TIMEOUT=${DIPWRIGHT_TEST_SECONDS}000;DIPWRIGHT_PLUGIN_PATH=${DIPWRIGHT_PLUGIN_OUTPUT_DIRECTORY};${TST_ENVIRONMENT}")

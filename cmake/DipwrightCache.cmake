@@ -1,6 +1,6 @@
-# Where there is ccache, compilers are started through it. It is told to take paths below the repository
-# as relative, so that it finds in one checkout what was compiled in another, and to believe that
-# headers compiled once for all (DipwrightPrecompiled) are what their sources say.
+# Starts compilers through ccache, if it is installed. Paths below the repository count as relative, so that
+# one checkout finds the results of another. ccache trusts precompiled headers (DipwrightPrecompiled) to
+# match their sources.
 find_program(DIPWRIGHT_CCACHE ccache)
 if(DIPWRIGHT_CCACHE)
     set(launcher ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_DEPEND=1 CCACHE_NOHASHDIR=1

@@ -1,2 +1,2 @@
-# find_package(Dipwright): the interface that solvers are written against, a header without a library.
+# find_package(Dipwright): provides the solver interface, a header without a library.
 include(${CMAKE_CURRENT_LIST_DIR}/DipwrightTargets.cmake)

@@ -1,4 +1,4 @@
-# Sets DIPWRIGHT_HAS_CUDA where the CUDA plugin can be built, and enables the language then.
+# Sets DIPWRIGHT_HAS_CUDA and enables CUDA, if the CUDA plugin can be built.
 
 set(DIPWRIGHT_HAS_CUDA OFF)
 if(DIPWRIGHT_SANITIZE)

@@ -1,7 +1,7 @@
-# Where an installed tree has its parts, below whatever prefix it is given:
+# Defines the folders of an installed tree, below any prefix:
 #   cmake --install build/release --prefix …
-# Programs find the rest from their own place (core/base/ShippedFolders), so the tree can be moved.
-# Profiles, translations, guide and pictures travel inside the programs.
+# Programs find the other folders from their own location (core/base/ShippedFolders), so the tree can be
+# moved. Profiles, translations, guide and pictures are inside the programs.
 if(NOT CMAKE_INSTALL_DOCDIR)
     set(CMAKE_INSTALL_DOCDIR share/doc/dipwright)
 endif()
@@ -9,7 +9,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(DIPWRIGHT_PLUGIN_DESTINATION ${CMAKE_INSTALL_LIBDIR}/dipwright/plugins)
-# Programs that only ours start.
+# Programs that only Dipwright's programs start.
 set(DIPWRIGHT_HELPER_DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/dipwright)
 set(DIPWRIGHT_SAMPLE_DESTINATION ${CMAKE_INSTALL_DATADIR}/dipwright/samples)
 set(DIPWRIGHT_PACKAGE_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Dipwright)
@@ -20,13 +20,13 @@ file(RELATIVE_PATH DIPWRIGHT_HELPERS_FROM_PROGRAM
 file(RELATIVE_PATH DIPWRIGHT_SAMPLES_FROM_PROGRAM
     ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR}/dipwright/samples)
 
-# There are no shared libraries of our own. Those of others that lie outside the system's folders
-# are looked for where they were when building.
+# Dipwright has no shared libraries. Other libraries outside the system's folders are searched where they
+# were during the build.
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 
 # dipwright_install_package(TARGET HEADER)
-#   What a solver of one's own is built with: find_package(Dipwright) gives Dipwright::SolverInterface,
-#   from an installed tree and, without installing, from the build's folder.
+#   Installs what a separate solver needs: find_package(Dipwright) provides Dipwright::SolverInterface, from
+#   an installed tree or from the build folder.
 function(dipwright_install_package target header)
     set(package ${PROJECT_BINARY_DIR}/lib/cmake/Dipwright)
     configure_file(${PROJECT_SOURCE_DIR}/cmake/DipwrightConfig.cmake ${package}/DipwrightConfig.cmake

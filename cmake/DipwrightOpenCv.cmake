@@ -1,6 +1,5 @@
-# OpenCV's core and imgproc as the target `dipwright_opencv`. Debian has each module in a package of its
-# own, and the file that tells CMake of them only in the one that brings all: so they are looked for
-# by name where that file is missing.
+# Provides OpenCV's core and imgproc as the target `dipwright_opencv`. Debian packages each module
+# separately, but the CMake file only with all modules. Without that file, the modules are searched by name.
 find_package(OpenCV 4.5 QUIET COMPONENTS core imgproc)
 add_library(dipwright_opencv INTERFACE)
 if(OpenCV_FOUND)

@@ -1,5 +1,5 @@
-# Packages of the installed tree, by `cpack` in the build's folder (scripts/package): on Linux a tarball
-# that can be unpacked anywhere and a package for Debian, elsewhere an archive.
+# Packs the installed tree when `cpack` runs in the build folder (scripts/package). On Linux it makes a
+# tarball that can be unpacked anywhere and a Debian package, elsewhere an archive.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON) # packs what is built, and builds no tests for it
 set(CPACK_PACKAGE_NAME dipwright)
 set(CPACK_PACKAGE_VENDOR Dipwright)
@@ -27,8 +27,8 @@ if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
     list(APPEND CPACK_GENERATOR DEB)
     set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
     set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
-    # The libraries that programs and plugins are linked to are found by dpkg-shlibdeps. Qt loads the
-    # readers of TIFF and WebP itself, and draws type with whatever fonts there are.
+    # dpkg-shlibdeps finds the linked libraries. Not linked: Qt loads the readers of TIFF and WebP and the
+    # fonts at run time.
     set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
     set(CPACK_DEBIAN_PACKAGE_DEPENDS "qt6-image-formats-plugins, fonts-dejavu-core")
     set(CPACK_DEBIAN_PACKAGE_RECOMMENDS

@@ -1,11 +1,11 @@
-# What nearly every source includes of the standard library, of Qt and of Eigen: most of the time of
-# compiling one goes into these, so they are compiled once for each family of targets. Sources name what
-# they need all the same; the presets `headless` and `fuzz` compile without this.
+# Precompiles the headers of the standard library, Qt and Eigen that nearly every source includes, once for
+# each family of targets. They take most of the compile time. Sources still include what they need: the
+# presets `headless` and `fuzz` compile without precompiled headers.
 option(DIPWRIGHT_PRECOMPILE "Compile headers that nearly all sources include once for all" ON)
 
 # dipwright_precompiled(FAMILY LINK … FOLDERS … HEADERS …)
-#   The headers of a family, beside those that all families have. FOLDERS are where they lie: Qt Gui and
-#   Widgets are not linked, since their macros would be others than where they are not linked.
+#   Adds the headers of one family to the headers of all families, and the FOLDERS that contain them. Qt Gui
+#   and Widgets are not linked, because linking them changes macros.
 function(dipwright_precompiled family)
     cmake_parse_arguments(PCH "" "" "LINK;FOLDERS;HEADERS" ${ARGN})
     set(target dipwright_precompiled_${family})

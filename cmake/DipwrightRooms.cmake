@@ -1,14 +1,15 @@
-# A room is a folder of core, solvers, app or plugins, or `parallel` below these, with a target of
-# its own. Its headers are included by their path below core, solvers or app:
-# "film/DippedFilm.h", "parallel/ParallelFor.h". They are not reached through the source tree, where every room lies beside every other, but through a
-# folder in the build tree that has, for each header of this one room, a file that includes it:
-#   rooms/TARGET/public/film/DippedFilm.h   for whoever links the target
+# Makes a room includable only by the rooms that link it. A room is a folder of core, solvers, app or
+# plugins, or `parallel` below these, with its own target. Its headers are included by their path below
+# core, solvers or app: "film/DippedFilm.h", "parallel/ParallelFor.h".
+# The include path is not the source tree, where all rooms are side by side. It is a folder in the build
+# tree with one forwarding file for each header of the room:
+#   rooms/TARGET/public/film/DippedFilm.h   for targets that link the room
 #   rooms/TARGET/private/film/Ledger.h      for the room itself, and for tests that say INSIDE TARGET
-# So a room that does not link another cannot include it: its build fails.
+# A room that does not link another room cannot include it: its build fails.
 
 # dipwright_room(TARGET SOURCES … PRIVATE_HEADERS …)
-#   Makes these folders and gives them to TARGET. The room is the folders in which SOURCES lie, or
-#   the current one where there are none. A new header is found at the next build.
+#   Makes these folders and adds them to TARGET. The room consists of the folders of SOURCES, or of the
+#   current folder without SOURCES. The next build finds a new header.
 function(dipwright_room target)
     cmake_parse_arguments(ROOM "" "" "SOURCES;PRIVATE_HEADERS" ${ARGN})
     set(forwards ${PROJECT_BINARY_DIR}/rooms/${target})
@@ -37,8 +38,8 @@ function(dipwright_room target)
             cmake_path(GET header FILENAME file)
             cmake_path(GET header PARENT_PATH home)
             if(home STREQUAL folder)
-                # Touched only where it says something new, so that nothing is built again for it.
-                # Relative, so that a compiler cache finds it again from another checkout.
+                # Written only if its content changes, so that nothing is rebuilt.
+                # Relative, so that a compiler cache also matches another checkout.
                 cmake_path(RELATIVE_PATH header BASE_DIRECTORY ${forwards}/${side}/${prefix}
                     OUTPUT_VARIABLE there)
                 file(CONFIGURE OUTPUT ${forwards}/${side}/${prefix}/${file}
@@ -67,9 +68,9 @@ function(dipwright_room target)
 endfunction()
 
 # dipwright_write_rooms()
-#   Writes what the rooms are and what they link into rooms.json, in the order in which they were
-#   declared, for tests/house to hold against what their sources include. The keys are the targets'
-#   properties: LINK_LIBRARIES is all that a room links, INTERFACE_LINK_LIBRARIES what it hands on.
+#   Writes the rooms and their links to rooms.json, in the order of their declaration. tests/house compares
+#   them with the includes of the sources. The keys are target properties: LINK_LIBRARIES lists everything
+#   that a room links, INTERFACE_LINK_LIBRARIES what it passes on.
 function(dipwright_write_rooms)
     get_property(rooms GLOBAL PROPERTY DIPWRIGHT_ROOMS)
     set(entries "")

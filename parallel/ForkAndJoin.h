@@ -1,7 +1,8 @@
-// Tells the thread sanitizer that what was written before a fork is seen by its pieces, and what
-// these write after the join, but not what one piece writes by another. The sanitizer cannot see it
-// by itself: the libraries by which threads meet are not built with it. In other builds there is
-// nothing of this. For sources that are declared by dipwright_threads_meet_in() only.
+// Tells the thread sanitizer how a fork and a join order memory accesses. Pieces see what was
+// written before the fork, and the code after the join sees what the pieces wrote. One piece does
+// not see what another wrote. The sanitizer cannot know this by itself, because the threading
+// libraries are not built with it. In other builds these types do nothing. Only for sources
+// declared by dipwright_threads_meet_in().
 #pragma once
 
 #ifdef DIPWRIGHT_THREAD_SANITIZER
@@ -20,7 +21,7 @@ public:
     ForkAndJoin(const ForkAndJoin&) = delete;
     ForkAndJoin& operator=(const ForkAndJoin&) = delete;
 
-    // Lives while a piece is worked on.
+    // Lives while a piece runs.
     class Piece {
     public:
         explicit Piece(const ForkAndJoin& whole) : whole_(whole) { __tsan_acquire(&whole_.fork_); }

@@ -1,7 +1,7 @@
-// Loops spread over all cores. Which thread does what, and when, differs from run to run: a body
-// writes nothing that another index reads or writes. Each returns when all indices are done, and
-// the caller sees all that they wrote. If a body throws, those not begun are left out, and one of
-// the exceptions is thrown to the caller. A body may contain a loop of its own.
+// Parallel loops over all cores. The order and the threads differ from run to run, so a body must
+// not write anything that another index reads or writes. Each loop returns when all indices are
+// done, and the caller sees everything they wrote. If a body throws, indices that have not begun
+// are skipped and one of the exceptions is thrown to the caller. Loops may be nested.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,12 @@ namespace dipwright {
 namespace parallel {
 
 enum class Sharing {
-    Balanced, // pieces are cut smaller where threads are idle
-    Even      // as many pieces as threads; a thread mostly gets the one it had in the last loop
+    Balanced, // splits pieces further where threads are idle
+    Even      // one piece for each thread; a thread mostly gets the same piece as in the last loop
 };
 
-// Calls work(body, first, last) for pieces of [begin, end), none of which was halved that had no
-// more than `least` indices.
+// Calls work(body, first, last) for pieces of [begin, end). Pieces with at most `least` indices are
+// not split.
 using Work = void (*)(const void* body, std::ptrdiff_t first, std::ptrdiff_t last);
 void forPieces(std::ptrdiff_t begin, std::ptrdiff_t end, std::ptrdiff_t least, Sharing sharing,
                Work work, const void* body);
@@ -40,15 +40,15 @@ void parallelFor(Index begin, Index end, const Body& body) {
     parallel::forEach(begin, end, parallel::Sharing::Balanced, body);
 }
 
-// The same for bodies that all take as long: every thread gets as many, and in the next loop of
-// this length mostly the same ones, whose data may still be in its cache.
+// The same for bodies of equal cost. Every thread gets the same number of indices. In the next loop
+// of this length it mostly gets the same indices, whose data may still be in its cache.
 template <typename Index, typename Body>
 void parallelForEvenly(Index begin, Index end, const Body& body) {
     parallel::forEach(begin, end, parallel::Sharing::Even, body);
 }
 
-// Calls body(first, last) for pieces of [begin, end) that together are all of it. None is halved
-// that has no more than `least` indices: for bodies that are short, or prepare something.
+// Calls body(first, last) for pieces that together cover [begin, end). Pieces with at most `least`
+// indices are not split. Use it for bodies that are short or have setup costs.
 template <typename Index, typename Body>
 void parallelForPieces(Index begin, Index end, Index least, const Body& body) {
     const parallel::Work work = [](const void* each, std::ptrdiff_t first, std::ptrdiff_t last) {

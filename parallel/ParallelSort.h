@@ -8,8 +8,8 @@
 
 namespace dipwright {
 
-// Sorts [begin, end) by <, elements that are equal in any order: the same one on every run, for any
-// number of threads.
+// Sorts [begin, end) by <. The order of equal elements is unspecified, but the same in every run
+// and for any number of threads.
 template <typename RandomAccessIterator>
 void parallelSort(RandomAccessIterator begin, RandomAccessIterator end) {
     constexpr std::ptrdiff_t sortedAtOnce = 8192;

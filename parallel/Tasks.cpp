@@ -11,13 +11,15 @@
 
 namespace dipwright {
 
-// An exception that reached TBB would break off the loops of the other tasks half-way.
+// Exceptions are caught here, because one that reached TBB would cancel the loops of the other
+// tasks.
 struct Tasks::Group {
     tbb::task_group group;
     std::mutex mutex;
     std::exception_ptr failure;
-    bool isGivenUp = false;                 // what has not begun is left out
-    std::list<parallel::ForkAndJoin> forks; // a task each; go before `failure`, which a task made
+    bool isGivenUp = false; // tasks that have not begun are skipped
+    // one for each task; destroyed before `failure`, which a task made
+    std::list<parallel::ForkAndJoin> forks;
 
     const parallel::ForkAndJoin& fork() {
         const std::scoped_lock lock(mutex);

@@ -1,4 +1,4 @@
-// Pieces of work that go on beside each other and beside the one who begins them.
+// Tasks that run in parallel with each other and with the thread that starts them.
 #pragma once
 
 #include <functional>
@@ -6,20 +6,20 @@
 
 namespace dipwright {
 
-// Tasks that are spread over the threads of the parallel loops, and may contain such loops and
-// tasks of their own. Each is called once, in no certain order, on any thread.
+// A group of tasks on the threads of the parallel loops. Tasks may contain loops and further tasks.
+// Each task is called once, in any order, on any thread.
 class Tasks {
 public:
     Tasks();
-    // Leaves out what has not begun and waits for the rest, whatever they throw.
+    // Skips tasks that have not begun and waits for the others. Ignores their exceptions.
     ~Tasks();
     Tasks(const Tasks&) = delete;
     Tasks& operator=(const Tasks&) = delete;
 
-    // May be called by a task, too. What it reads was written before, or by the task itself.
+    // Starts a task. Tasks may call it too. A task sees everything that was written before run().
     void run(std::function<void()> task);
-    // Returns when all are done, and the caller sees all that they wrote. If a task throws, those
-    // not begun are left out, and the first exception is thrown to the caller.
+    // Returns when all tasks are done; the caller sees everything they wrote. If a task throws,
+    // tasks that have not begun are skipped and the first exception is thrown to the caller.
     void wait();
 
 private:
@@ -27,8 +27,8 @@ private:
     std::unique_ptr<Group> group_;
 };
 
-// Calls `work` on this thread, which meanwhile takes up nothing but the loops and tasks within it:
-// what is begun beside it does not hold it up.
+// Calls `work` on this thread. While the thread waits within it, it takes only loops and tasks from
+// inside `work`, so that other work does not delay it.
 void undisturbed(const std::function<void()>& work);
 
 } // namespace dipwright

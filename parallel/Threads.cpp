@@ -39,7 +39,7 @@ ThreadTeam::ThreadTeam(int threads)
 ThreadTeam::~ThreadTeam() = default;
 
 void ThreadTeam::run(const std::function<void()>& work) {
-    // Where all its places are taken, one of the team's own threads does the work.
+    // If all places in the team are taken, one of its own threads does the work.
     const parallel::ForkAndJoin forkAndJoin{};
     arena_->arena.execute([&] {
         const parallel::ForkAndJoin::Piece piece(forkAndJoin);

@@ -1,4 +1,4 @@
-// How many threads the parallel loops are spread over.
+// The number of threads of the parallel loops.
 #pragma once
 
 #include <functional>
@@ -7,9 +7,9 @@
 namespace dipwright {
 
 int coreCount();   // of this machine, as far as this process may use them
-int loopThreads(); // that a loop begun here is spread over
+int loopThreads(); // threads of a loop that begins here
 
-// No more than so many threads compute, in the whole process, while an object of this class lives.
+// Limits the number of computing threads of the whole process while an object of this class lives.
 class ThreadLimit {
 public:
     explicit ThreadLimit(int threads); // 0: no limit
@@ -20,14 +20,13 @@ private:
     std::unique_ptr<Control> control_;
 };
 
-// Threads of its own for the loops of one computation.
+// A separate set of threads for the loops of one computation.
 class ThreadTeam {
 public:
-    explicit ThreadTeam(int threads); // 0: one a core
+    explicit ThreadTeam(int threads); // 0: one for each core
     ~ThreadTeam();
 
-    // Calls work once and returns after it; loops within are spread over this team. Throws what
-    // `work` throws.
+    // Calls `work` once and waits for it. Loops inside run on this team. Throws what `work` throws.
     void run(const std::function<void()>& work);
 
 private:

@@ -1,5 +1,5 @@
-// Where a test finds what is built and what lies in the repository. `below` is a path from there,
-// with a slash in front.
+// Gives tests the folders of the build and of the repository. `below` is a path below the folder
+// and begins with a slash.
 #pragma once
 
 #include <QString>
@@ -9,4 +9,4 @@ QString pluginFolder(const char* below = "");    // solvers that work
 QString badModuleFolder(const char* below = ""); // solvers that misbehave
 QString sampleFolder(const char* below = "");    // the sample projects, and models in /models
 QString sourceFolder(const char* below = "");    // the repository
-QString sharedFolder(const char* below = "");    // the models beside it, which may be missing
+QString sharedFolder(const char* below = ""); // shared models beside the repository; may be missing

@@ -1,6 +1,6 @@
-// How much of what is slow a test does: in an ordinary run a small sample, always the same one; in
-// a whole run, DIPWRIGHT_TEST_ALL=1, as `scripts/test --all` sets it, all of it. Both assert the
-// same (docs/contributing.md, "Test").
+// Tells slow tests how many cases to run. An ordinary run takes a small, fixed sample. A whole run
+// (DIPWRIGHT_TEST_ALL=1, set by `scripts/test --all`) takes all cases. Both assert the same
+// (docs/contributing.md, "Test").
 #pragma once
 
 #include <cstdlib>
@@ -13,7 +13,7 @@ inline bool isWholeRun() {
     return all && std::string_view(all) == "1";
 }
 
-// How many photographs, draws, damaged files or kill points.
+// Returns the number of photos, draws, damaged files or kill points for this run.
 inline int sampleOf(int small, int whole) {
     return isWholeRun() ? whole : small;
 }

@@ -28,19 +28,19 @@ Setting parsedSetting(const QString& text) {
     const auto equals = text.indexOf(QLatin1Char('='));
     if (equals <= 0) {
         throw UsageError(
-            QStringLiteral("A setting is written PATH=VALUE, such as film.points=240x360"),
+            QStringLiteral("Write a setting as PATH=VALUE, for example film.points=240x360"),
             QStringLiteral("--set %1").arg(text));
     }
     return {text.left(equals).trimmed(), text.mid(equals + 1).trimmed()};
 }
 
 [[noreturn]] void throwMissing(const QString& argument) {
-    throw UsageError(QStringLiteral("%1 is missing, see --help").arg(argument),
+    throw UsageError(QStringLiteral("%1 is missing; see --help").arg(argument),
                      QStringLiteral("command line"));
 }
 
 [[noreturn]] void throwTooMany(const QString& argument) {
-    throw UsageError(QStringLiteral("There is one argument too many, see --help"), argument);
+    throw UsageError(QStringLiteral("There is one argument too many; see --help"), argument);
 }
 
 } // namespace
@@ -64,14 +64,14 @@ void requireNoPositionalArgument(const QCommandLineParser& parser) {
 
 QString Words::take(const QString& what) {
     if (words_.isEmpty()) {
-        throw UsageError(QStringLiteral("%1 is missing, see --help").arg(what), command_);
+        throw UsageError(QStringLiteral("%1 is missing; see --help").arg(what), command_);
     }
     return words_.takeFirst();
 }
 
 void Words::finish() const {
     if (!words_.isEmpty()) {
-        throw UsageError(QStringLiteral("There is one argument too many, see --help"),
+        throw UsageError(QStringLiteral("There is one argument too many; see --help"),
                          words_.first());
     }
 }
@@ -81,7 +81,7 @@ double numberOption(const QCommandLineParser& parser, const QString& option, dou
     bool isNumber = false;
     const double number = QLocale::c().toDouble(parser.value(option), &isNumber);
     if (!isNumber || !(number >= minimum && number <= maximum)) {
-        throw UsageError(QStringLiteral("“%1” does not fit here, give a number from %2 to %3")
+        throw UsageError(QStringLiteral("“%1” is not valid; give a number from %2 to %3")
                              .arg(parser.value(option))
                              .arg(minimum)
                              .arg(maximum),
@@ -107,7 +107,7 @@ QString pictureOption(const QCommandLineParser& parser, const QString& option,
         return path.endsWith(ending, Qt::CaseInsensitive);
     };
     if (parser.isSet(option) && std::none_of(endings.begin(), endings.end(), ends)) {
-        throw UsageError(QStringLiteral("“%1” does not fit here, name a file that ends on %2")
+        throw UsageError(QStringLiteral("“%1” is not valid; name a file that ends in %2")
                              .arg(path, endings.join(QStringLiteral(" or "))),
                          QStringLiteral("--") + option);
     }
@@ -125,9 +125,9 @@ void setByOption(Project& project, const QString& path, const QString& value,
 
 void declareSettings(CommandSyntax& syntax) {
     syntax.addOption({setOption,
-                      QStringLiteral("Sets a value by its path in the project file, such as "
+                      QStringLiteral("Sets a value by its path in the project file, for example "
                                      "film.points=240x360 or immersions[0].rotation_deg=0;45;0. "
-                                     "May be repeated. A project that is read stays as it is."),
+                                     "May be repeated. The project file itself does not change."),
                       QStringLiteral("PATH=VALUE")});
 }
 
@@ -160,7 +160,7 @@ Project projectArgument(const QCommandLineParser& parser) {
 void declareProjects(CommandSyntax& syntax) {
     syntax.addPositionalArgument(
         QStringLiteral("JOB.dipw"),
-        QStringLiteral("The project, or several that are done one after the other."));
+        QStringLiteral("The project. Several projects are processed one after the other."));
     declareSettings(syntax);
 }
 
@@ -187,8 +187,8 @@ void printWarnings(const QStringList& warnings, QTextStream& out) {
 void declareFilmImage(CommandSyntax& syntax) {
     syntax.addOption(
         {filmImageOption,
-         QStringLiteral("Puts this picture on the film, stretched to all of it, or the built-in "
-                        "chessboard; the proof shows where the dip carries it."),
+         QStringLiteral("Prints this picture on the film, stretched to the whole film, or the "
+                        "built-in chessboard. The proof shows where it ends up on the part."),
          QStringLiteral("chessboard|FILE")});
 }
 
@@ -202,7 +202,7 @@ void applyFilmImage(JobOptions& options, const QCommandLineParser& parser) {
 
 void declareThreads(CommandSyntax& syntax) {
     syntax.addOption({threadsOption,
-                      QStringLiteral("Computes with at most N threads. The results are the same."),
+                      QStringLiteral("Uses at most N threads. The results do not depend on N."),
                       QStringLiteral("N")});
 }
 

@@ -1,4 +1,4 @@
-// What several commands read from their command line.
+// Parses the arguments and options that several commands share.
 #pragma once
 
 #include "cli/Command.h"
@@ -15,18 +15,18 @@ struct Project;
 
 namespace dipwright::cli {
 
-// The one positional argument that the command was declared with. Throws UsageError.
+// Returns the only positional argument. Throws UsageError if it is missing or if there are more.
 QString positionalArgument(const QCommandLineParser& parser, const QString& name);
 void requireNoPositionalArgument(const QCommandLineParser& parser);
 
-// The words after a command that does several things: what to do, and with what.
+// The words after a command with several actions: the action first, then its arguments.
 class Words {
 public:
     Words(const QString& command, const QStringList& words) : command_(command), words_(words) {}
 
-    // The next one; throws UsageError that `what` is missing.
+    // Returns the next word. Throws UsageError, naming `what`, if there is none.
     QString take(const QString& what);
-    // Throws UsageError where some are left.
+    // Throws UsageError if any words are left.
     void finish() const;
 
 private:
@@ -34,44 +34,44 @@ private:
     QStringList words_;
 };
 
-// A number within limits; throws UsageError naming the option.
+// Returns the option's number. Throws UsageError, naming the option, outside the limits.
 double numberOption(const QCommandLineParser& parser, const QString& option, double minimum,
                     double maximum);
 int wholeNumberOption(const QCommandLineParser& parser, const QString& option, int minimum,
                       int maximum);
 
-// The file that a picture is to be written to, empty without the option; throws UsageError where
-// its name does not end on one of `endings` (".png").
+// Returns the picture file to write, or an empty string without the option. Throws UsageError
+// unless the name ends in one of `endings`, for example ".png".
 QString pictureOption(const QCommandLineParser& parser, const QString& option,
                       const QStringList& endings);
 
-// setByPath on behalf of an option: a refusal is a UsageError that names the option.
+// Calls setByPath() for an option. A refused value becomes a UsageError that names the option.
 void setByOption(Project& project, const QString& path, const QString& value,
                  const QString& option);
 
-// --set PATH=VALUE, repeatable.
+// Declares --set PATH=VALUE, which may be repeated.
 void declareSettings(CommandSyntax& syntax);
-// A film's preset and size are set before all else, so that --set film.points holds wherever it
-// stands. Throws UsageError for an unknown path or a value out of range.
+// Applies all --set options. A film preset and film size are set first, so the order of the options
+// does not matter. Throws UsageError for an unknown path or a value out of range.
 void applySettings(Project& project, const QCommandLineParser& parser);
 
-// JOB.dipw and --set.
+// Declares and reads JOB.dipw and --set.
 void declareProject(CommandSyntax& syntax);
 QString projectPath(const QCommandLineParser& parser);
 Project projectArgument(const QCommandLineParser& parser);
-// The same for a command that takes several; throws UsageError where there is none.
+// Does the same for commands that take several projects. Throws UsageError if there is none.
 void declareProjects(CommandSyntax& syntax);
 QStringList projectPaths(const QCommandLineParser& parser);
 Project readProject(const QString& path, const QCommandLineParser& parser);
 
-// What the user is to know of how a result came about, a line each.
+// Prints one line for each warning about a result.
 void printWarnings(const QStringList& warnings, QTextStream& out);
 
-// --film-image chessboard|FILE. Throws Error for a picture that cannot be read.
+// Declares and reads --film-image chessboard|FILE. Throws Error if the picture cannot be read.
 void declareFilmImage(CommandSyntax& syntax);
 void applyFilmImage(JobOptions& options, const QCommandLineParser& parser);
 
-// --threads N: no more than N threads compute while the object lives.
+// Declares --threads N. At most N threads compute while the returned object exists.
 void declareThreads(CommandSyntax& syntax);
 ThreadLimit threadLimit(const QCommandLineParser& parser);
 

@@ -24,15 +24,15 @@ const std::map<QString, LayerKind> kinds{{QStringLiteral("picture"), LayerKind::
                                          {QStringLiteral("camouflage"), LayerKind::Camouflage},
                                          {QStringLiteral("wood"), LayerKind::Wood}};
 
-// A layer's number, from 1, as its index.
+// Reads a layer's number, counted from 1, and returns its index.
 std::size_t takeLayer(Words& words, const Artwork& artwork) {
     const QString word = words.take(QStringLiteral("N"));
     bool isNumber = false;
     const uint number = word.toUInt(&isNumber);
     if (!isNumber || number < 1 || number > artwork.layers.size()) {
-        throw UsageError(
-            QStringLiteral("There is no such layer, the project has %1").arg(artwork.layers.size()),
-            word);
+        throw UsageError(QStringLiteral("There is no such layer; the project has %1 layers")
+                             .arg(artwork.layers.size()),
+                         word);
     }
     return number - 1;
 }
@@ -43,7 +43,7 @@ void applyToLayer(Project& project, std::size_t layer, const QCommandLineParser&
         const auto equals = setting.indexOf(QLatin1Char('='));
         if (equals <= 0) {
             throw UsageError(
-                QStringLiteral("A setting is written KEY=VALUE, such as size_mm=40;20"), where);
+                QStringLiteral("Write a setting as KEY=VALUE, for example size_mm=40;20"), where);
         }
         try {
             setByPath(project,
@@ -63,7 +63,8 @@ void list(const Project& project, const QCommandLineParser& parser, QTextStream&
     }
     const QJsonValue base = json.value(QLatin1String("base_colour"));
     out << QStringLiteral("base  %1\n")
-               .arg(base.isString() ? base.toString() : QStringLiteral("the model's own look"));
+               .arg(base.isString() ? base.toString()
+                                    : QStringLiteral("the model's own appearance"));
     const QJsonArray layers = json.value(QLatin1String("layers")).toArray();
     for (int index = 0; index < layers.size(); ++index) {
         const QJsonObject layer = layers.at(index).toObject();
@@ -89,9 +90,10 @@ void add(Project& project, Words& words, const QCommandLineParser& parser, QText
     const QString word = words.take(QStringLiteral("What to add"));
     const auto kind = kinds.find(word);
     if (kind == kinds.end()) {
-        throw UsageError(QStringLiteral("There is no such layer, use picture, text, carbon, "
-                                        "camouflage or wood"),
-                         word);
+        throw UsageError(
+            QStringLiteral(
+                "There is no such kind of layer; use picture, text, carbon, camouflage or wood"),
+            word);
     }
     ArtworkLayer layer = newLayer(kind->second, word);
     if (layer.kind == LayerKind::Picture) {
@@ -116,7 +118,7 @@ void move(Artwork& artwork, Words& words, QTextStream& out) {
     const ArtworkLayer layer = artwork.layers[from];
     artwork.layers.erase(artwork.layers.begin() + std::ptrdiff_t(from));
     artwork.layers.insert(artwork.layers.begin() + std::ptrdiff_t(to), layer);
-    out << QStringLiteral("%1 is layer %2 from now on\n").arg(layer.name).arg(to + 1);
+    out << QStringLiteral("%1 is now layer %2\n").arg(layer.name).arg(to + 1);
 }
 
 void remove(Artwork& artwork, Words& words, QTextStream& out) {
@@ -136,16 +138,16 @@ void setBase(Project& project, Words& words, QTextStream& out) {
     } catch (const Error& error) {
         throw UsageError(error.message(), colour);
     }
-    out << QStringLiteral("Below all layers lies %1\n")
+    out << QStringLiteral("The base colour is now %1\n")
                .arg(project.artwork.base ? project.artwork.base->name()
-                                         : QStringLiteral("the model's own look"));
+                                         : QStringLiteral("the model's own appearance"));
 }
 
 class ArtworkCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("artwork"); }
     QString summary() const override {
-        return QStringLiteral("Lays pictures, text and patterns on a project's body.");
+        return QStringLiteral("Puts pictures, text and patterns on a project's part.");
     }
 
     void declare(CommandSyntax& syntax) const override {
@@ -153,16 +155,16 @@ public:
             QStringLiteral("list JOB.dipw | add JOB.dipw picture FILE | add JOB.dipw text TEXT | "
                            "add JOB.dipw carbon|camouflage|wood | set JOB.dipw N | "
                            "move JOB.dipw N TO | remove JOB.dipw N | base JOB.dipw COLOUR|own"),
-            QStringLiteral("What to do. Layers are numbered from 1, the lowest. A new one lies "
-                           "over the others, in the middle of the body's front. `base` says what "
-                           "lies below all: a colour such as #ffffff, which is no ink, or the "
-                           "model's own look."));
+            QStringLiteral(
+                "The action. Layers are numbered from 1, the lowest. A new layer goes on top, in "
+                "the middle of the part's front. `base` sets what lies below all layers: a colour, "
+                "for example #ffffff, which prints no ink, or `own`, the model's own appearance."));
         syntax.addOption(
             {setOption,
-             QStringLiteral("For `add` and `set`: a value of the layer, such as size_mm=40;20, "
-                            "place_mm=0;10;25, turn_deg=15, placement=cylinder, repeat_mm=8, or "
-                            "spot=Varnish for a "
-                            "plate of its own in place of its colours. May be repeated."),
+             QStringLiteral(
+                 "For `add` and `set`: sets a value of the layer, for example size_mm=40;20, "
+                 "place_mm=0;10;25, turn_deg=15, placement=cylinder or repeat_mm=8. spot=Varnish "
+                 "prints the layer as a spot colour on its own plate. May be repeated."),
              QStringLiteral("KEY=VALUE")});
         syntax.addOption({jsonOption, QStringLiteral("For `list`: prints JSON.")});
     }
@@ -193,7 +195,7 @@ public:
         } else if (action == QLatin1String("base")) {
             setBase(project, words, out);
         } else {
-            throw UsageError(QStringLiteral("There is no such action, see --help"), action);
+            throw UsageError(QStringLiteral("There is no such action; see --help"), action);
         }
         file.save(project);
     }

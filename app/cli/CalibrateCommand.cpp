@@ -32,11 +32,11 @@ QSizeF paperSize(const QString& name) {
             return paper.size(QPageSize::Millimeter);
         }
     }
-    throw UsageError(QStringLiteral("The paper is one of A5, A4, A3, A2 and Letter"),
+    throw UsageError(QStringLiteral("Choose the paper A5, A4, A3, A2 or Letter"),
                      QStringLiteral("--paper %1").arg(name));
 }
 
-// The profile found, or a new one of that name.
+// Returns the profile that was found, or a new one with this name.
 PrinterProfile profileOf(const std::optional<Profile>& found, const QString& name) {
     if (found) {
         return std::get<PrinterProfile>(*found);
@@ -51,7 +51,8 @@ Millimetres parsedLength(const QString& text) {
     const double length = QLocale::c().toDouble(text.trimmed(), &isNumber);
     if (!isNumber || !(length > 0 && length < 10000)) {
         throw UsageError(
-            QStringLiteral("“%1” is no length in mm, give X and Y as 170.7x219.4").arg(text),
+            QStringLiteral("“%1” is not a length in mm; give X and Y, for example 170.7x219.4")
+                .arg(text),
             QStringLiteral("--measured"));
     }
     return Millimetres(length);
@@ -65,17 +66,15 @@ Measured measured(const QCommandLineParser& parser) {
     const QStringList parts =
         parser.value(measuredOption).split(QRegularExpression(QStringLiteral("[x;]")));
     if (parts.size() != 2) {
-        throw UsageError(
-            QStringLiteral(
-                "Give the lengths of the horizontal and the vertical ruler in mm, such as "
-                "170.7x219.4"),
-            QStringLiteral("--measured"));
+        throw UsageError(QStringLiteral("Give the lengths of the horizontal and the vertical ruler "
+                                        "in mm, for example 170.7x219.4"),
+                         QStringLiteral("--measured"));
     }
     return {parsedLength(parts[0]), parsedLength(parts[1])};
 }
 
-void takeOver(const Measured& lengths, const CalibrationPage& page,
-              const std::optional<Profile>& known, PrinterProfile profile, QTextStream& out) {
+void saveScale(const Measured& lengths, const CalibrationPage& page,
+               const std::optional<Profile>& known, PrinterProfile profile, QTextStream& out) {
     profile = calibrated(profile, page, lengths.x, lengths.y);
     ProfileLibrary().save(profile, known);
     out << QStringLiteral("The printer profile %1 now has the scale %2 × %3\n")
@@ -84,10 +83,11 @@ void takeOver(const Measured& lengths, const CalibrationPage& page,
                .arg(profile.scaleY, 0, 'f', 5);
 }
 
-void tellLengths(const CalibrationPage& page, QTextStream& out) {
+void printRulerLengths(const CalibrationPage& page, QTextStream& out) {
     const CalibrationLengths lengths = calibrationLengths(page);
-    out << QStringLiteral("The rulers must measure %1 and %2 mm; give what they do measure with "
-                          "%3--measured %1x%2\n")
+    out << QStringLiteral(
+               "The rulers must measure %1 and %2 mm. Measure both and enter the lengths with "
+               "%3--measured %1x%2\n")
                .arg(lengths.x.value())
                .arg(lengths.y.value())
                .arg(page.verifies() ? QStringLiteral("--verify ") : QString());
@@ -95,12 +95,12 @@ void tellLengths(const CalibrationPage& page, QTextStream& out) {
 
 BoardKind boardKind(const QString& word) {
     if (word != QLatin1String("film") && word != QLatin1String("card")) {
-        throw UsageError(QStringLiteral("There is no such page, choose film, card or wedge"), word);
+        throw UsageError(QStringLiteral("There is no such page; choose film, card or wedge"), word);
     }
     return word == QLatin1String("film") ? BoardKind::Film : BoardKind::Card;
 }
 
-// Of the printer that a page goes to, where one is named.
+// Takes the scale of the printer profile, if --profile names one.
 template <typename Page>
 void takeScale(Page& page, const QCommandLineParser& parser) {
     if (parser.isSet(profileOption)) {
@@ -111,7 +111,7 @@ void takeScale(Page& page, const QCommandLineParser& parser) {
     }
 }
 
-// A page of the film watch, into a file.
+// Writes a page for the film watch into a file.
 void writeWatchPage(const QString& kind, const QCommandLineParser& parser, const QString& path,
                     QTextStream& out) {
     WatchPage page;
@@ -129,8 +129,8 @@ void writeWatchPage(const QString& kind, const QCommandLineParser& parser, const
             ? writeWatchPng(page, DotsPerInch(600), device)
             : writeWatchPdf(page, device);
     });
-    out << QStringLiteral("Wrote %1: %2 × %3 squares of %4 mm; print it at true size, and see that "
-                          "both rulers measure %5 mm\n")
+    out << QStringLiteral("Wrote %1: %2 × %3 squares of %4 mm. Print it at true size and check "
+                          "that both rulers measure %5 mm\n")
                .arg(path)
                .arg(board.columns)
                .arg(board.rows)
@@ -138,7 +138,7 @@ void writeWatchPage(const QString& kind, const QCommandLineParser& parser, const
                .arg(watchRuler);
 }
 
-// One of the first three inks alone, for a printer of RGB.
+// Returns the colour of a patch of cyan, magenta or yellow alone, for an RGB printer.
 QColor patchColour(FilmInk ink, double density) {
     QColor colour(Qt::white);
     const auto value = float(srgbFromLinear(std::pow(10, -density)));
@@ -167,7 +167,8 @@ WedgeRow rgbRow(FilmInk ink) {
     return row;
 }
 
-// As much of an ink as is so dense by the printer's ICC profile; the row ends where it has no more.
+// Fills the row with the ink amounts that reach each density by the printer's ICC profile. The row
+// ends at the highest density that the ink reaches.
 WedgeRow inkRow(FilmInk ink, const PrinterColour& colour) {
     WedgeRow row{inkName(ink), {}};
     const std::array<float, 256> densities = colour.inkDensities(int(ink));
@@ -186,8 +187,8 @@ WedgeRow inkRow(FilmInk ink, const PrinterColour& colour) {
     return row;
 }
 
-// Patches of the four inks themselves where the printer's ICC profile is in CMYK, else of the three
-// that pictures in RGB know.
+// Adds a row of patches for each ink. With a CMYK ICC profile the patches use the printer's four
+// inks. Otherwise they use cyan, magenta and yellow, as RGB colours.
 void addRows(WedgePage& page, const QCommandLineParser& parser, const QString& path) {
     std::optional<PrinterProfile> printer;
     if (parser.isSet(profileOption)) {
@@ -197,8 +198,8 @@ void addRows(WedgePage& page, const QCommandLineParser& parser, const QString& p
     const std::unique_ptr<PrinterColour> colour = printerColour(printer);
     const bool inks = colour && colour->isCmyk();
     if (inks && path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)) {
-        throw UsageError(QStringLiteral("The wedge of a printer in CMYK is of its inks, which PNG "
-                                        "has not; name the file .pdf"),
+        throw UsageError(QStringLiteral("The step wedge of a CMYK printer consists of its inks, "
+                                        "which PNG cannot hold; choose a file that ends in .pdf"),
                          path);
     }
     for (const FilmInk ink : {FilmInk::Cyan, FilmInk::Magenta, FilmInk::Yellow}) {
@@ -216,7 +217,7 @@ void addRows(WedgePage& page, const QCommandLineParser& parser, const QString& p
     }
 }
 
-// The step wedge, and beside it the table for its readings.
+// Writes the step wedge and, beside it, the table for its readings.
 void writeWedgePage(const QCommandLineParser& parser, const QString& path, QTextStream& out) {
     WedgePage page;
     page.paper = paperSize(parser.value(paperOption));
@@ -235,8 +236,8 @@ void writeWedgePage(const QCommandLineParser& parser, const QString& path, QText
     const QString table = path.left(path.lastIndexOf(u'.')) + QStringLiteral(".csv");
     writeAtomically(table,
                     [&](QIODevice& device) { device.write(blankWedge(4, !page.inks.isEmpty())); });
-    out << QStringLiteral("Wrote %1 and, for its readings, %2; both rulers are %3 mm long before "
-                          "the film is stretched\n")
+    out << QStringLiteral("Wrote %1 and the table for its readings, %2. Both rulers are %3 mm long "
+                          "before the film is stretched\n")
                .arg(path, table)
                .arg(wedgeRuler);
 }
@@ -250,8 +251,9 @@ void writePage(const QCommandLineParser& parser, QTextStream& out) {
         boardKind(kind);
     }
     if (path.isEmpty()) {
-        throw UsageError(QStringLiteral("Say where the page goes with --to FILE.pdf or FILE.png"),
-                         QStringLiteral("--to"));
+        throw UsageError(
+            QStringLiteral("Name the file for the page with --to FILE.pdf or --to FILE.png"),
+            QStringLiteral("--to"));
     }
     isWedge ? writeWedgePage(parser, path, out) : writeWatchPage(kind, parser, path, out);
 }
@@ -260,35 +262,33 @@ class CalibrateCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("calibrate"); }
     QString summary() const override {
-        return QStringLiteral(
-            "Prints a page of rulers and makes a printer's scale of their lengths, or the pages "
-            "by which a film is measured.");
+        return QStringLiteral("Calibrates a printer's scale with a page of rulers, or writes the "
+                              "pages that measure a film.");
     }
 
     void declare(CommandSyntax& syntax) const override {
         syntax.addPositionalArgument(
             QStringLiteral("[film | card | wedge]"),
-            QStringLiteral("In place of the rulers: the chessboard to print on a film, the card "
-                           "that lies beside it on the water, or the step wedge that tells how ink "
-                           "thins on stretched film, with a table for its readings. With --to "
-                           "FILE.pdf or FILE.png; --profile corrects its scale, and a "
-                           "wedge is of that printer's inks where its colours are in CMYK."));
+            QStringLiteral("Instead of the rulers: the chessboard to print on a film, the card "
+                           "that lies beside it on the water, or the step wedge that shows how ink "
+                           "thins on stretched film, with a table for its readings. Needs --to "
+                           "FILE.pdf or FILE.png. --profile corrects the printer's scale. With a "
+                           "CMYK ICC profile the wedge uses the printer's inks."));
         declarePrinter(syntax);
         syntax.addOption({paperOption, QStringLiteral("A5, A4, A3, A2 or Letter."),
                           QStringLiteral("PAPER"), QStringLiteral("A4")});
-        syntax.addOption({lotOption, QStringLiteral("The film's lot, to stand on its page."),
+        syntax.addOption({lotOption, QStringLiteral("The film's lot, printed on the page."),
                           QStringLiteral("TEXT")});
-        syntax.addOption({dateOption, QStringLiteral("The day, to stand on the film's page."),
-                          QStringLiteral("TEXT")});
+        syntax.addOption(
+            {dateOption, QStringLiteral("The date, printed on the page."), QStringLiteral("TEXT")});
         syntax.addOption(
             {verifyOption,
-             QStringLiteral("The second page, corrected by the profile; with --measured: the "
-                            "lengths are from that page.")});
-        syntax.addOption(
-            {measuredOption,
-             QStringLiteral("The measured lengths of the horizontal and the vertical ruler go "
-                            "into the profile; nothing is printed."),
-             QStringLiteral("XxY")});
+             QStringLiteral("Prints a second page that the profile has corrected. With --measured: "
+                            "the lengths are from this second page.")});
+        syntax.addOption({measuredOption,
+                          QStringLiteral("Writes the measured lengths of the horizontal and the "
+                                         "vertical ruler into the profile. Prints nothing."),
+                          QStringLiteral("XxY")});
     }
 
     void run(const QCommandLineParser& parser, Console& console) const override {
@@ -303,17 +303,16 @@ public:
         }
         const QString name = parser.value(profileOption);
         if (name.simplified().isEmpty()) {
-            throw UsageError(
-                QStringLiteral("Name the profile that the printer has or shall get with --profile "
-                               "NAME"),
-                QStringLiteral("--profile"));
+            throw UsageError(QStringLiteral("Name the printer profile with --profile NAME. It is "
+                                            "made if it does not exist"),
+                             QStringLiteral("--profile"));
         }
         const std::optional<Profile> known = ProfileLibrary().found(ProfileKind::Printer, name);
         const PrinterProfile profile = profileOf(known, name);
         const CalibrationPage page = calibrationPage(profile, paperSize(parser.value(paperOption)),
                                                      parser.isSet(verifyOption));
         if (parser.isSet(measuredOption)) {
-            takeOver(measured(parser), page, known, profile, console.out());
+            saveScale(measured(parser), page, known, profile, console.out());
             return;
         }
         const PrintTarget target = printTarget(parser);
@@ -329,7 +328,7 @@ public:
             const PrintPlan plan = planCalibration(*system, page, request);
             printAndTell(*system, {plan}, console.progress(), console.out());
         }
-        tellLengths(page, console.out());
+        printRulerLengths(page, console.out());
     }
 };
 

@@ -1,4 +1,4 @@
-// One command of dipwright-cli, and what all commands share.
+// The interface of a dipwright-cli command, its exceptions and the list of all commands.
 #pragma once
 
 #include "base/Error.h"
@@ -11,13 +11,13 @@
 
 namespace dipwright::cli {
 
-// Thrown for a command line that makes no sense: exit code 2. Shown as Error is.
+// Thrown for an invalid command line: exit code 2. Shown in the same way as Error.
 class UsageError : public Error {
 public:
     using Error::Error;
 };
 
-// Thrown, once all is written, where a verdict is worse than was asked for: exit code 3.
+// Thrown after all results are written, if a verdict is worse than required: exit code 3.
 class VerdictError : public Error {
 public:
     using Error::Error;
@@ -27,18 +27,20 @@ class Command {
 public:
     virtual ~Command() = default;
     virtual QString name() const = 0;
-    virtual QString summary() const = 0; // a sentence for --help
-    // Adds options and positional arguments; --help, --quiet and the command's name are there.
+    virtual QString summary() const = 0; // one sentence for --help
+    // Adds the command's own options and positional arguments. --help, --quiet and --version are
+    // added for every command.
     virtual void declare(CommandSyntax& syntax) const = 0;
-    // Whether it needs files that a dead program may have left unfinished (UnfinishedWrites.h).
+    // Returns whether the command needs files that a crashed program may have left unfinished
+    // (UnfinishedWrites.h).
     virtual bool needsFiles() const { return true; }
-    // Does it. Throws Error, UsageError or Cancelled.
+    // Executes the command. Throws Error, UsageError or Cancelled.
     virtual void run(const QCommandLineParser& parser, Console& console) const = 0;
 };
 
-// All commands, in the order in which --help lists them.
+// Returns all commands, in the order in which --help lists them.
 std::vector<std::unique_ptr<Command>> allCommands();
-// What a command declares, after the options that all have.
+// Returns the options of all commands, followed by what this command declares.
 CommandSyntax syntaxOf(const Command& command);
 
 std::unique_ptr<Command> newCommand();

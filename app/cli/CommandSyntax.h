@@ -1,5 +1,5 @@
-// What may be written after a command: made into its parser, its help, the manual page and what
-// shells complete.
+// Describes the options and arguments of a command. The parser, the help, the manual page and the
+// shell completions are made from it.
 #pragma once
 
 #include <QCommandLineOption>
@@ -9,7 +9,8 @@
 namespace dipwright::cli {
 
 struct CommandSyntax {
-    // An alternative a word: "list | show KIND NAME". Capitals stand for what the user fills in.
+    // Alternatives are separated by |: "list | show KIND NAME". The user fills in words in
+    // capitals.
     struct Argument {
         QString name, description;
     };
@@ -22,10 +23,10 @@ struct CommandSyntax {
     }
 };
 
-// Understands what `syntax` has. Not copyable, and so filled in place.
+// Adds the options and arguments of `syntax` to the parser, which cannot be copied.
 void fill(QCommandLineParser& parser, const CommandSyntax& syntax);
 
-// "-h", "--help": as they are typed, in the order in which they were declared.
+// Returns the names as the user types them, "-h" and "--help", in declaration order.
 QStringList typedNames(const QCommandLineOption& option);
 
 } // namespace dipwright::cli

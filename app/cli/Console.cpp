@@ -9,8 +9,8 @@ namespace dipwright::cli {
 namespace {
 
 constexpr int barWidth = 30;
-constexpr int barInterval = 50;  // ms between two drawings
-constexpr int linePercents = 10; // between two plain lines of one piece of work
+constexpr int barInterval = 50;  // ms between two updates
+constexpr int linePercents = 10; // step between two plain lines of one task, in %
 constexpr int textWidth = 44;
 
 } // namespace

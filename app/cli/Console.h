@@ -1,4 +1,4 @@
-// Where a command's words go: results to standard output, progress and errors to standard error.
+// Writes results to standard output, and progress and errors to standard error.
 #pragma once
 
 #include "base/Error.h"
@@ -14,15 +14,15 @@ class Console {
 public:
     Console();
 
-    // The progress of the whole command: a bar on a terminal, plain lines otherwise, nothing when
-    // quiet. Cancelled by an interrupt from the keyboard or a request to terminate.
+    // Returns the progress of the whole command. It is a bar on a terminal, plain lines otherwise,
+    // and nothing when quiet. SIGINT and SIGTERM cancel it.
     Progress progress();
     void setQuiet(bool quiet) { quiet_ = quiet; }
 
     QTextStream& out() { return out_; }
-    // "error: <what> (<where>)", on one line.
+    // Prints "error: <what> (<where>)" on one line.
     void error(const Error& error);
-    // False where standard output could not take everything (a full disk, a closed pipe).
+    // Returns false if standard output could not take everything (full disk, closed pipe).
     bool finish();
 
 private:

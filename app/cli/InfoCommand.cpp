@@ -46,7 +46,7 @@ void printModel(const TexturedMesh& model, const QString& remarks, QTextStream& 
                     plain(volume(model.mesh) / 1000),
                     isClosed(model.mesh) ? QStringLiteral("closed") : QStringLiteral("not closed"));
     if (!remarks.isEmpty()) {
-        out << QStringLiteral("Of its file: %1\n").arg(remarks);
+        out << QStringLiteral("Notes from the import: %1\n").arg(remarks);
     }
     for (const QImage& texture : model.textures) {
         out << QStringLiteral("Texture: %1 × %2 pixels\n")
@@ -63,7 +63,7 @@ QString pointsText(const FilmSettings& film) {
     case FilmResolution::Automatic:
         return QStringLiteral("cells as fine as each pose needs");
     case FilmResolution::Cell:
-        return QStringLiteral("cells of %1 mm over the body").arg(plain(film.cell.value()));
+        return QStringLiteral("cells of %1 mm over the part").arg(plain(film.cell.value()));
     case FilmResolution::Points:
         break;
     }
@@ -81,21 +81,22 @@ void printFilm(const FilmSettings& film, QTextStream& out) {
 }
 
 void printImmersion(const Immersion& immersion, QTextStream& out) {
-    out << QStringLiteral("Immersion %1: turned by %2°, %3°, %4° about X, Y, Z, offset %5, %6 mm\n")
+    out << QStringLiteral(
+               "Dip %1: rotated by %2°, %3°, %4° about X, Y, Z; offset x %5 mm, z %6 mm\n")
                .arg(immersion.name, plain(immersion.rotation[0].value()),
                     plain(immersion.rotation[1].value()), plain(immersion.rotation[2].value()),
                     plain(immersion.offset[0].value()), plain(immersion.offset[1].value()));
 }
 
 void printProject(const Project& project, QTextStream& out) {
-    out << QStringLiteral("Project: %1, made on %2\n").arg(project.name, project.date);
+    out << QStringLiteral("Project: %1, created on %2\n").arg(project.name, project.date);
     printModel(*project.model, project.modelOrigin.remarks, out);
     printFilm(project.film, out);
     const TriangleMesh& mesh = project.model->mesh;
     const FieldGrid field =
         fieldGrid(mesh, project.fieldResolution, thinnestPart(mesh, SurfaceQuery(mesh)));
-    out << QStringLiteral("Process: %1 mm/s, solver %2, a distance field of %3 × %4 × %5 samples, "
-                          "%6 mm apart\n")
+    out << QStringLiteral("Process: %1 mm/s, solver %2, signed distance field of %3 × %4 × %5 "
+                          "samples with a spacing of %6 mm\n")
                .arg(plain(project.process.dipSpeed.value()), project.process.solver)
                .arg(field.size[0])
                .arg(field.size[1])
@@ -111,12 +112,12 @@ void printProject(const Project& project, QTextStream& out) {
 class InfoCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("info"); }
-    QString summary() const override { return QStringLiteral("Says what is in a project."); }
+    QString summary() const override { return QStringLiteral("Shows what a project contains."); }
     void declare(CommandSyntax& syntax) const override {
         declareProject(syntax);
         syntax.addOption(
-            {jsonOption, QStringLiteral("Prints JSON: the project file's document and, "
-                                        "as \"model_info\", the model's figures.")});
+            {jsonOption, QStringLiteral("Prints JSON: the project file's document and, as "
+                                        "\"model_info\", the model's figures.")});
     }
     void run(const QCommandLineParser& parser, Console& console) const override {
         const Project project = projectArgument(parser);

@@ -16,9 +16,10 @@ namespace {
 
 const QString acceptedOption = QStringLiteral("accepted-by");
 const QString correctOption = QStringLiteral("correct");
-const QString projectOption = QStringLiteral("project"); // of “part”, as is this
+const QString projectOption =
+    QStringLiteral("project"); // declared by InspectPart.cpp, as is `pairs`
 const QString pairsOption = QStringLiteral("pairs");
-const QString updateOption = QStringLiteral("update-job"); // of “fit”
+const QString updateOption = QStringLiteral("update-job"); // declared by InspectFit.cpp
 
 QString number(double value, int decimals) {
     return QString::number(value, 'f', decimals);
@@ -28,7 +29,7 @@ QString pictureName(int dip) {
     return QStringLiteral("correction-%1.png").arg(dip);
 }
 
-// Sets whether the next sheets are corrected, and by how much of what repeats.
+// Sets how much of the repeating error the next sheets correct; 0 turns the correction off.
 void setCorrection(AsBuilt& built, const QCommandLineParser& parser) {
     if (parser.isSet(correctOption)) {
         const double strength = numberOption(parser, correctOption, 0, 1);
@@ -52,7 +53,7 @@ void writePictures(const Project& project, const QString& folder) {
     files.commit();
 }
 
-// The part that the photos show, as the next of the job's.
+// Adds the part in the photos to the parts of the job.
 void addPart(Project& project, const QStringList& files, const QCommandLineParser& parser,
              const std::optional<Lens>& lens,
              const std::function<QString(const std::optional<QDateTime>&)>& dateOf,
@@ -65,10 +66,11 @@ void addPart(Project& project, const QStringList& files, const QCommandLineParse
     const auto seen = placesOnPart(photos, pairs, parser, lens, progress.part(0.1, 0.5));
     for (const PrintedPlace& place : seen) {
         if (place.dip >= int(project.immersions.size())) {
-            throw Error(QStringLiteral("A place is said to be of dip %1, and the job has %2")
-                            .arg(place.dip + 1)
-                            .arg(project.immersions.size()),
-                        parser.value(pairsOption));
+            throw Error(
+                QStringLiteral("The table names a place of dip %1, but the job has only %2 dips")
+                    .arg(place.dip + 1)
+                    .arg(project.immersions.size()),
+                parser.value(pairsOption));
         }
     }
     const std::vector<BuiltPlace> places =
@@ -88,13 +90,13 @@ void addPart(Project& project, const QStringList& files, const QCommandLineParse
 } // namespace
 
 void declareBuilt(CommandSyntax& syntax) {
-    syntax.addOption({acceptedOption,
-                      QStringLiteral("Of “built”: who has said that the part's figures may "
-                                     "count."),
-                      QStringLiteral("NAME")});
+    syntax.addOption(
+        {acceptedOption,
+         QStringLiteral("For `built`: the name of the person who accepts the part's measurements."),
+         QStringLiteral("NAME")});
     syntax.addOption({correctOption,
-                      QStringLiteral("Of “built”: how much of what repeats is taken off the next "
-                                     "sheets, 0 (nothing) to 1."),
+                      QStringLiteral("For `built`: the share of the repeating error that the next "
+                                     "sheets correct, from 0 (none) to 1 (all)."),
                       QStringLiteral("SHARE")});
 }
 
@@ -104,17 +106,18 @@ void inspectBuilt(const QStringList& files, const QCommandLineParser& parser,
                   Console& console) {
     const QString path = parser.value(projectOption);
     if (path.isEmpty()) {
-        throw UsageError(QStringLiteral("Name the job that was dipped with --project JOB.dipw"),
+        throw UsageError(QStringLiteral("Name the job of this part with --project JOB.dipw"),
                          QStringLiteral("--project"));
     }
     if (parser.value(acceptedOption).trimmed().isEmpty()) {
-        throw UsageError(QStringLiteral("Say who accepts the part with --accepted-by NAME"),
-                         QStringLiteral("--accepted-by"));
+        throw UsageError(
+            QStringLiteral("Name the person who accepts the part with --accepted-by NAME"),
+            QStringLiteral("--accepted-by"));
     }
-    dateOf({});                      // refused before any work
-    std::optional<ProjectFile> file; // before it is read: nobody else writes it meanwhile
+    dateOf({});                      // refuses a wrong date before any work
+    std::optional<ProjectFile> file; // locks the job against other writers before it is read
     if (parser.isSet(updateOption)) {
-        checkWritable(path); // better now than after the work
+        checkWritable(path); // fails now instead of after the work
         file.emplace(path);
     }
     Project project = loadProject(path);
@@ -124,7 +127,7 @@ void inspectBuilt(const QStringList& files, const QCommandLineParser& parser,
     writePictures(project, parser.value(QStringLiteral("out")));
     progress(1, QStringLiteral("Done"));
     const BuiltPart& part = project.asBuilt.parts.back();
-    console.out() << QStringLiteral("Part %1: off by %2 mm on the sheet (root mean square)\n")
+    console.out() << QStringLiteral("Part %1: root mean square error %2 mm on the sheet\n")
                          .arg(project.asBuilt.parts.size())
                          .arg(number(part.residual, 3));
     for (int dip = 1; dip <= int(project.immersions.size()); ++dip) {
@@ -135,10 +138,10 @@ void inspectBuilt(const QStringList& files, const QCommandLineParser& parser,
     }
     if (file) {
         file->save(project);
-        console.out() << QStringLiteral("%1 keeps the part; its sheets are %2\n")
+        console.out() << QStringLiteral("Saved the part in %1; the next sheets %2\n")
                              .arg(path, project.asBuilt.corrects
-                                            ? QStringLiteral("corrected from now on")
-                                            : QStringLiteral("not corrected"));
+                                            ? QStringLiteral("are corrected")
+                                            : QStringLiteral("are not corrected"));
     }
 }
 

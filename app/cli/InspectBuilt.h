@@ -1,4 +1,4 @@
-// “inspect built”: keeps with a job how a part of it came out, and says what repeats.
+// “inspect built”: measures a finished part, finds the repeating error and saves both in the job.
 #pragma once
 
 #include "cli/Command.h"
@@ -11,8 +11,8 @@
 namespace dipwright::cli {
 
 void declareBuilt(CommandSyntax& syntax);
-// `lens`: of a camera measured before. `dateOf`: the day of the photos, where the first says when
-// it was taken or nothing.
+// `lens`: of a camera that was measured before, if known. `dateOf`: returns the date of the photos
+// from the time at which the first one was taken, if it is known.
 void inspectBuilt(const QStringList& files, const QCommandLineParser& parser,
                   const std::optional<Lens>& lens,
                   const std::function<QString(const std::optional<QDateTime>&)>& dateOf,

@@ -31,7 +31,7 @@ const QString rulerErrorOption = QStringLiteral("ruler-error");
 const QString focalOption = QStringLiteral("focal-35mm");
 const QString lensOption = QStringLiteral("lens");
 
-// Two numbers within limits, joined by x.
+// Reads two numbers within limits, joined by x.
 std::array<double, 2> pairOption(const QCommandLineParser& parser, const QString& option,
                                  double minimum, double maximum) {
     const QStringList parts =
@@ -43,12 +43,12 @@ std::array<double, 2> pairOption(const QCommandLineParser& parser, const QString
         isGood = isGood && numbers[i] >= minimum && numbers[i] <= maximum;
     }
     if (!isGood) {
-        throw UsageError(QStringLiteral("“%1” does not fit here, give two numbers from %2 to %3 "
-                                        "joined by x")
-                             .arg(parser.value(option))
-                             .arg(minimum)
-                             .arg(maximum),
-                         QStringLiteral("--") + option);
+        throw UsageError(
+            QStringLiteral("“%1” is not valid; give two numbers from %2 to %3, joined by x")
+                .arg(parser.value(option))
+                .arg(minimum)
+                .arg(maximum),
+            QStringLiteral("--") + option);
     }
     return numbers;
 }
@@ -69,29 +69,31 @@ std::array<Millimetres, 2> rulersOf(const QCommandLineParser& parser, const QStr
     return {Millimetres(measured[0]), Millimetres(measured[1])};
 }
 
-// What is told besides the photos and their times.
+// Returns what the options say about the film, the card and the camera.
 FilmOnWater filmOnWater(const QCommandLineParser& parser) {
-    FilmOnWater told;
-    told.cardRulers = rulersOf(parser, cardRulersOption);
-    told.filmRulers = rulersOf(parser, filmRulersOption);
+    FilmOnWater filmOptions;
+    filmOptions.cardRulers = rulersOf(parser, cardRulersOption);
+    filmOptions.filmRulers = rulersOf(parser, filmRulersOption);
     if (parser.isSet(rulerErrorOption)) {
-        told.rulerError = Millimetres(numberOption(parser, rulerErrorOption, 0, mostRulerError));
+        filmOptions.rulerError =
+            Millimetres(numberOption(parser, rulerErrorOption, 0, mostRulerError));
     }
     if (const auto lens = lensOf(parser)) {
-        told.lensK1 = lens->k1;
-        told.lensK2 = lens->k2;
+        filmOptions.lensK1 = lens->k1;
+        filmOptions.lensK2 = lens->k2;
     }
     if (parser.isSet(cardAboveOption)) {
-        told.cardAbove =
+        filmOptions.cardAbove =
             Millimetres(numberOption(parser, cardAboveOption, -mostCardAbove, mostCardAbove));
     }
     if (parser.isSet(focalOption)) {
-        told.focalAs35 = Millimetres(numberOption(parser, focalOption, leastFocal, mostFocal));
+        filmOptions.focalAs35 =
+            Millimetres(numberOption(parser, focalOption, leastFocal, mostFocal));
     }
-    return told;
+    return filmOptions;
 }
 
-// Seconds since the film was laid, of each photo.
+// Finds the time of each photo, in seconds since the film was laid on the water.
 class Clock {
 public:
     Clock(const QCommandLineParser& parser, qsizetype photos) {
@@ -100,29 +102,30 @@ public:
             times_.push_back(QLocale::c().toDouble(text, &isNumber));
             if (!isNumber || !(times_.back() >= 0 && times_.back() <= longestWatch)) {
                 throw UsageError(
-                    QStringLiteral("“%1” are no seconds since the film was laid on the water")
+                    QStringLiteral(
+                        "“%1” is not a number of seconds since the film was laid on the water")
                         .arg(text),
                     QStringLiteral("--time"));
             }
         }
         if (!times_.empty() && qsizetype(times_.size()) != photos) {
-            throw UsageError(QStringLiteral("Give as many times as photos, in the same order"),
+            throw UsageError(QStringLiteral("Give one time for each photo, in the same order"),
                              QStringLiteral("--time"));
         }
         if (parser.isSet(laidOption)) {
             laid_ = QDateTime::fromString(parser.value(laidOption), Qt::ISODate);
             if (!laid_.isValid()) {
-                throw UsageError(QStringLiteral("“%1” is no date and time, write it as "
-                                                "2026-11-22T14:03:07")
-                                     .arg(parser.value(laidOption)),
-                                 QStringLiteral("--laid"));
+                throw UsageError(
+                    QStringLiteral("“%1” is not a date and time; write it as 2026-11-22T14:03:07")
+                        .arg(parser.value(laidOption)),
+                    QStringLiteral("--laid"));
             }
         }
         if (photos > 1 && times_.empty() && !laid_.isValid()) {
-            throw UsageError(QStringLiteral("Several photos need their times: --time SECONDS for "
-                                            "each, or --laid with the camera's time when the film "
-                                            "was laid on the water"),
-                             QStringLiteral("--time"));
+            throw UsageError(
+                QStringLiteral("Several photos need times: give --time SECONDS for each photo, or "
+                               "--laid with the camera's time when the film was laid on the water"),
+                QStringLiteral("--time"));
         }
     }
 
@@ -135,12 +138,13 @@ public:
         }
         const double seconds = photo.taken ? double(laid_.msecsTo(*photo.taken)) / 1000 : -1;
         if (!(seconds >= 0 && seconds <= longestWatch)) {
-            throw Error(photo.taken
-                            ? QStringLiteral("The photo was made before the film was laid, or days "
-                                             "after; compare --laid with the camera's clock")
-                            : QStringLiteral("The photo does not say when it was made; give the "
-                                             "times with --time"),
-                        photo.where);
+            throw Error(
+                photo.taken
+                    ? QStringLiteral("The photo was taken before the film was laid, or days after; "
+                                     "compare --laid with the camera's clock")
+                    : QStringLiteral(
+                          "The photo does not say when it was taken; give the times with --time"),
+                photo.where);
         }
         return seconds;
     }
@@ -157,8 +161,9 @@ WatchNotes notesOf(const QCommandLineParser& parser, const std::optional<QDateTi
         const QDate day = taken ? taken->date() : QDate::currentDate();
         notes.date = day.toString(Qt::ISODate);
     } else if (!QDate::fromString(notes.date, Qt::ISODate).isValid()) {
-        throw UsageError(QStringLiteral("“%1” is no date, write it as 2026-11-22").arg(notes.date),
-                         QStringLiteral("--date"));
+        throw UsageError(
+            QStringLiteral("“%1” is not a date; write it as 2026-11-22").arg(notes.date),
+            QStringLiteral("--date"));
     }
     notes.lot = parser.value(lotOption);
     if (parser.isSet(waterOption)) {
@@ -167,7 +172,7 @@ WatchNotes notesOf(const QCommandLineParser& parser, const std::optional<QDateTi
     return notes;
 }
 
-// The profile to be written, if one was named: the one of that name, or a new one.
+// The film profile to write, if --profile names one: an existing profile or a new one.
 struct Target {
     std::optional<Profile> known;
     FilmProfile profile;
@@ -190,63 +195,70 @@ class InspectCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("inspect"); }
     QString summary() const override {
-        return QStringLiteral("Measures a film on the water, or a dipped part, by photos.");
+        return QStringLiteral("Measures a film on the water, or a dipped part, from photos.");
     }
 
     void declare(CommandSyntax& syntax) const override {
         syntax.addPositionalArgument(
             QStringLiteral("film FILE… | part FILE… | fit FILE… | built FILE…"),
-            QStringLiteral("Photos of the page of “calibrate film” floating on the water, with the "
-                           "card of “calibrate card” beside it in each; or photos of a "
-                           "dipped part."));
-        syntax.addOption({outOption, QStringLiteral("Where the results go; made if missing."),
-                          QStringLiteral("DIR")});
+            QStringLiteral("The photos. For `film`: the page of “calibrate film” floats on the "
+                           "water, and the card of “calibrate card” lies beside it in each photo. "
+                           "Otherwise: photos of a dipped part."));
+        syntax.addOption(
+            {outOption, QStringLiteral("The folder for the results. It is made if it is missing."),
+             QStringLiteral("DIR")});
         declarePart(syntax);
         declareFit(syntax);
         declareBuilt(syntax);
         syntax.addOption({timeOption,
-                          QStringLiteral("When a photo was made, in seconds since the film was "
-                                         "laid on the water; once for each photo."),
+                          QStringLiteral("The time of a photo, in seconds since the film was laid "
+                                         "on the water. Give it once for each photo."),
                           QStringLiteral("SECONDS")});
         syntax.addOption({laidOption,
-                          QStringLiteral("In place of --time: when the film was laid, by the "
-                                         "camera's clock, such as 2026-11-22T14:03:07."),
+                          QStringLiteral("Instead of --time: when the film was laid, by the "
+                                         "camera's clock, for example 2026-11-22T14:03:07."),
                           QStringLiteral("TIME")});
-        syntax.addOption({dipOption,
-                          QStringLiteral("Seconds after which the dip begins; else as the profile "
-                                         "has it, soak and activator time together."),
-                          QStringLiteral("SECONDS")});
-        syntax.addOption({profileOption,
-                          QStringLiteral("The film profile that takes what was measured; made if "
-                                         "there is none of that name."),
-                          QStringLiteral("NAME")});
-        syntax.addOption({lotOption, QStringLiteral("The film's lot."), QStringLiteral("TEXT")});
-        syntax.addOption({dateOption,
-                          QStringLiteral("The day of the photos; else as the first of them says, "
-                                         "or today."),
-                          QStringLiteral("DATE")});
         syntax.addOption(
-            {waterOption, QStringLiteral("Of the water, °C."), QStringLiteral("DEGREES")});
+            {dipOption,
+             QStringLiteral("The start of the dip, in seconds since the film was laid. Without it: "
+                            "the profile's soak time plus its activator time."),
+             QStringLiteral("SECONDS")});
+        syntax.addOption(
+            {profileOption,
+             QStringLiteral(
+                 "The film profile that takes the measurements. It is made if it does not exist."),
+             QStringLiteral("NAME")});
+        syntax.addOption({lotOption, QStringLiteral("The film's lot."), QStringLiteral("TEXT")});
+        syntax.addOption(
+            {dateOption,
+             QStringLiteral(
+                 "The date of the photos. Without it: the date of the first photo, or today."),
+             QStringLiteral("DATE")});
+        syntax.addOption({waterOption, QStringLiteral("The water temperature in °C."),
+                          QStringLiteral("DEGREES")});
         syntax.addOption({cardRulersOption,
-                          QStringLiteral("What the card's two rulers measure, across and down, "
-                                         "mm; without it 100x100."),
+                          QStringLiteral("The measured lengths of the card's two rulers, across "
+                                         "and down, in mm. Without it 100x100."),
                           QStringLiteral("XxY")});
-        syntax.addOption({filmRulersOption, QStringLiteral("What the dry film's rulers measure."),
-                          QStringLiteral("XxY")});
+        syntax.addOption(
+            {filmRulersOption,
+             QStringLiteral("The measured lengths of the dry film's two rulers, in mm."),
+             QStringLiteral("XxY")});
         syntax.addOption({rulerErrorOption,
-                          QStringLiteral("How exactly each ruler was read, mm at 95 %; the swell's "
-                                         "interval then holds it."),
+                          QStringLiteral("The error of each ruler reading in mm, at 95 %. It "
+                                         "widens the interval of the swell."),
                           QStringLiteral("MM")});
         syntax.addOption({cardAboveOption,
-                          QStringLiteral("How far the card's print lies above the film, mm."),
+                          QStringLiteral("The height of the card's print above the film in mm."),
                           QStringLiteral("MM")});
-        syntax.addOption({focalOption,
-                          QStringLiteral("The camera's focal length as of a 35 mm camera, where "
-                                         "the photos do not say; only for --card-above."),
-                          QStringLiteral("MM")});
+        syntax.addOption(
+            {focalOption,
+             QStringLiteral("The camera's focal length as the 35 mm equivalent, if the photos do "
+                            "not contain it. Needed only for --card-above."),
+             QStringLiteral("MM")});
         syntax.addOption({lensOption,
-                          QStringLiteral("The camera's distortion k1xk2 as film-watch.json has it, "
-                                         "in place of what each photo says."),
+                          QStringLiteral("The lens distortion k1xk2 as film-watch.json states it, "
+                                         "instead of the value found from each photo."),
                           QStringLiteral("K1xK2")});
     }
 
@@ -257,11 +269,12 @@ public:
                                           QStringLiteral("fit"), QStringLiteral("built")};
         if (files.isEmpty() || !subjects.contains(subject)) {
             throw UsageError(
-                QStringLiteral("Say what to inspect, film, part, fit or built, and the photos"),
+                QStringLiteral(
+                    "Say what to inspect (film, part, fit or built) and name the photos"),
                 QStringLiteral("film FILE… | part FILE… | fit FILE… | built FILE…"));
         }
         if (parser.value(outOption).isEmpty()) {
-            throw UsageError(QStringLiteral("Say where the results go with --out DIR"),
+            throw UsageError(QStringLiteral("Name the folder for the results with --out DIR"),
                              QStringLiteral("--out"));
         }
         if (subject == QLatin1String("film")) {
@@ -280,7 +293,7 @@ public:
 private:
     static void inspectFilm(const QStringList& files, const QCommandLineParser& parser,
                             Console& console) {
-        const FilmOnWater told = filmOnWater(parser);
+        const FilmOnWater filmOptions = filmOnWater(parser);
         const Clock clock(parser, files.size());
         Target target = targetOf(parser);
         const double begin =
@@ -298,11 +311,12 @@ private:
             taken = i == 0 ? photo.taken : taken;
             photos.push_back(
                 {files[i], photo.sha256, seconds, photo.picture.size(),
-                 measureFlatFilm(photo.picture, flatSettings(told, photo.focalLength, files[i]),
+                 measureFlatFilm(photo.picture,
+                                 flatSettings(filmOptions, photo.focalLength, files[i]),
                                  files[i])});
         }
         progress(1, QStringLiteral("Done"));
-        finish(watchedFilm(std::move(photos), begin, told.rulerError.value()),
+        finish(watchedFilm(std::move(photos), begin, filmOptions.rulerError.value()),
                notesOf(parser, taken), std::move(target), parser.value(outOption), console);
     }
 
@@ -313,7 +327,7 @@ private:
         const FittedPart part = fitPart(files, parser, lensOf(parser), console);
         const WatchNotes notes = notesOf(parser, part.taken);
         const bool hasProfile = !target.profile.name.isEmpty();
-        if (hasProfile) { // refused before anything is written
+        if (hasProfile) { // fails before anything is written
             target.profile = withFit(target.profile, part.fit, part.photos, notes);
         }
         writeFilmFit(part.fit, part.pairs, part.photos, notes, parser.value(outOption));
@@ -327,26 +341,27 @@ private:
     static void save(const Target& target, Console& console) {
         if (!target.profile.name.isEmpty()) {
             ProfileLibrary().save(target.profile, target.known);
-            console.out()
-                << QStringLiteral("The film profile %1 has them now\n").arg(target.profile.name);
+            console.out() << QStringLiteral("Saved the measurements in the film profile %1\n")
+                                 .arg(target.profile.name);
         }
     }
 
     static void finish(const FilmWatch& watch, const WatchNotes& notes, Target target,
                        const QString& folder, Console& console) {
         const bool hasProfile = !target.profile.name.isEmpty();
-        if (hasProfile) { // refused before anything is written
+        if (hasProfile) { // fails before anything is written
             target.profile = withMeasurement(target.profile, watch, notes);
         }
         writeFilmWatch(watch, notes, folder);
         for (const WatchedPhoto& photo : watch.photos) {
             const FlatFilm& film = photo.film;
-            console.out() << QStringLiteral("%1: %2 corners of the film and %3 of the card, "
-                                            "%4 px off\n")
-                                 .arg(photo.where)
-                                 .arg(film.corners.size())
-                                 .arg(film.cardCorners.size())
-                                 .arg(film.residualPixels, 0, 'f', 3);
+            console.out()
+                << QStringLiteral(
+                       "%1: %2 corners of the film and %3 of the card, rms residual %4 px\n")
+                       .arg(photo.where)
+                       .arg(film.corners.size())
+                       .arg(film.cardCorners.size())
+                       .arg(film.residualPixels, 0, 'f', 3);
         }
         for (const QString& sentence : watchSentences(watch)) {
             console.out() << sentence << '\n';

@@ -13,7 +13,8 @@ namespace {
 const QString placesOption = QStringLiteral("places");
 const QString fitOption = QStringLiteral("fit");
 const QString updateOption = QStringLiteral("update-job");
-const QString projectOption = QStringLiteral("project"); // of “part”, as are these
+const QString projectOption =
+    QStringLiteral("project"); // declared by InspectPart.cpp, as are the next two
 const QString keepOption = QStringLiteral("keep-camera");
 const QString pairsOption = QStringLiteral("pairs");
 
@@ -45,33 +46,32 @@ FitPairs pairsOf(const std::vector<PartPhoto>& photos, const QCommandLineParser&
 void declareFit(CommandSyntax& syntax) {
     syntax.addOption(
         {placesOption,
-         QStringLiteral("Of “fit” and “built”: where the print is seen, a table like the "
-                        "part-places.csv of “part”; without it the print's corners "
-                        "are looked for."),
+         QStringLiteral(
+             "For `fit` and `built`: a table of the places where the print is seen, like the "
+             "part-places.csv of `part`. Without it the corners of the print are searched for."),
          QStringLiteral("FILE.csv")});
-    syntax.addOption({fitOption,
-                      QStringLiteral("Of “fit”: what to find, joined by commas: shift_x, shift_z, "
-                                     "turn, swell_x, swell_y, relaxation, growth, "
-                                     "contact_distance, depth; without it the first six, as far "
-                                     "as the photos tell them."),
-                      QStringLiteral("LIST")});
     syntax.addOption(
-        {updateOption,
-         QStringLiteral("Of “fit”: writes placement and depth into the job; of “built”: "
-                        "the part.")});
+        {fitOption,
+         QStringLiteral("For `fit`: the quantities to find, joined by commas: shift_x, shift_z, "
+                        "turn, swell_x, swell_y, relaxation, growth, contact_distance, depth. "
+                        "Without it: the first six, as far as the photos determine them."),
+         QStringLiteral("LIST")});
+    syntax.addOption(
+        {updateOption, QStringLiteral("For `fit`: writes placement and depth into the job. For "
+                                      "`built`: writes the part into the job.")});
 }
 
 FittedPart fitPart(const QStringList& files, const QCommandLineParser& parser,
                    const std::optional<Lens>& lens, Console& console) {
     const QString path = parser.value(projectOption);
     if (path.isEmpty()) {
-        throw UsageError(QStringLiteral("Name the job that was dipped with --project JOB.dipw"),
+        throw UsageError(QStringLiteral("Name the job of this part with --project JOB.dipw"),
                          QStringLiteral("--project"));
     }
     const FitWish wish = wishOf(parser, lens);
     FittedPart part;
     if (parser.isSet(updateOption)) {
-        checkWritable(path); // better now than after the work
+        checkWritable(path); // fails now instead of after the work
         part.job = std::make_unique<ProjectFile>(path);
     }
     const Project project = loadProject(path);
@@ -99,7 +99,7 @@ void updateJob(const FittedPart& part, const QCommandLineParser& parser, Console
     }
     const QString path = parser.value(projectOption);
     part.job->save(withPlacement(loadProject(path), part.fit));
-    console.out() << QStringLiteral("%1 has placement and depth now\n").arg(path);
+    console.out() << QStringLiteral("Saved placement and depth in %1\n").arg(path);
 }
 
 } // namespace dipwright::cli

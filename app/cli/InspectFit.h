@@ -1,4 +1,4 @@
-// “inspect fit”: what film and dip were, by photos of a dipped part.
+// “inspect fit”: finds the real film and dip parameters from photos of a dipped part.
 #pragma once
 
 #include "cli/Command.h"
@@ -14,15 +14,15 @@ struct FittedPart {
     FitPairs pairs;
     FilmFit fit;
     std::vector<FittedPhoto> photos;
-    std::optional<QDateTime> taken;   // the first of them
-    std::unique_ptr<ProjectFile> job; // where it is to be updated: nobody else writes it meanwhile
+    std::optional<QDateTime> taken;   // when the first photo was taken
+    std::unique_ptr<ProjectFile> job; // set for --update-job; locks the job against other writers
 };
 
 void declareFit(CommandSyntax& syntax);
-// `lens`: of a camera measured before.
+// `lens`: of a camera that was measured before, if known.
 FittedPart fitPart(const QStringList& files, const QCommandLineParser& parser,
                    const std::optional<Lens>& lens, Console& console);
-// Writes placement and depth into the job, where that is asked for.
+// Writes placement and depth into the job if --update-job is given.
 void updateJob(const FittedPart& part, const QCommandLineParser& parser, Console& console);
 
 } // namespace dipwright::cli

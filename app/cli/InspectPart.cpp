@@ -21,14 +21,14 @@ const QString placesOption = QStringLiteral("places");
 const QString projectOption = QStringLiteral("project");
 const QString keepOption = QStringLiteral("keep-camera");
 
-constexpr qint64 mostTableBytes = 4 << 20; // of pairs
+constexpr qint64 mostTableBytes = 4 << 20; // in a table of pairs or places
 
-void tell(const std::vector<PlacePair>& pairs, const PartView& view, QTextStream& out) {
+void printAccuracy(const std::vector<PlacePair>& pairs, const PartView& view, QTextStream& out) {
     const PartFigures& figures = view.figures;
     const auto number = [](double value, int decimals) {
         return QString::number(value, 'f', decimals);
     };
-    out << QStringLiteral("Camera: focal length %1 ± %2 half diagonals, k1 %3\n")
+    out << QStringLiteral("Camera: focal length %1 ± %2 half diagonals, distortion k1 %3\n")
                .arg(number(view.focalLength.value, 4), number(view.focalLength.off, 4),
                     number(view.lens.k1, 4));
     out << QStringLiteral("N %1 · R %2 ± %3 px · %4 % of the diagonal\n")
@@ -36,28 +36,28 @@ void tell(const std::vector<PlacePair>& pairs, const PartView& view, QTextStream
                .arg(number(figures.meanPixels, 2), number(figures.deviationPixels, 2),
                     number(100 * figures.shareOfDiagonal, 3));
     const PlacePair& worst = pairs[figures.worstPair];
-    out << QStringLiteral("On the body: 95 % within %1 mm, the farthest %2 mm at %3, %4, %5 mm of "
-                          "the model\n")
+    out << QStringLiteral("On the part: 95 % of the places within %1 mm; largest error %2 mm at "
+                          "%3, %4, %5 mm on the model\n")
                .arg(number(figures.percentile95, 3), number(figures.worst, 3),
                     number(worst.model.x(), 1), number(worst.model.y(), 1),
                     number(worst.model.z(), 1));
 }
 
-// Where the print is meant to be, by the dips of the job.
+// Returns the corners of the print where the job's dips put them.
 std::vector<PrintedCorner> cornersOf(const Project& project, const QCommandLineParser& parser,
                                      const Progress& progress) {
     JobOptions options;
     applyFilmImage(options, parser);
     if (!options.filmImage.isNull()) {
-        throw UsageError(QStringLiteral("Only chessboard is looked for in photos, and what the "
-                                        "model has for its texture"),
+        throw UsageError(QStringLiteral("Only the built-in chessboard, or the chess squares in the "
+                                        "model's texture, can be searched for in photos"),
                          QStringLiteral("--film-image"));
     }
     return printedCorners(project, dippedFilms(project, progress),
                           options.chessboard ? PartPrint::Chessboard : PartPrint::Texture);
 }
 
-void tellFound(const FoundPrint& print, QTextStream& out) {
+void printFoundCorners(const FoundPrint& print, QTextStream& out) {
     for (std::size_t photo = 0; photo < print.expected.size(); ++photo) {
         const auto found =
             std::count_if(print.places.begin(), print.places.end(),
@@ -69,9 +69,9 @@ void tellFound(const FoundPrint& print, QTextStream& out) {
     }
     if (!print.expected.empty()) {
         out << (print.followsPrint
-                    ? QStringLiteral("The camera follows the print: what all of it is shifted or "
-                                     "turned by does not show\n")
-                    : QStringLiteral("The camera is that of the pairs given\n"));
+                    ? QStringLiteral("The camera was fitted to the print, so a shift or rotation "
+                                     "of the whole print does not show\n")
+                    : QStringLiteral("The camera was fitted to the given pairs\n"));
     }
 }
 
@@ -81,7 +81,7 @@ std::vector<std::shared_ptr<const LaidFilm>> dippedFilms(Project project,
                                                          const Progress& progress) {
     JobOptions options;
     options.estimatesCertainty = false;
-    project.sheet.resolution = DotsPerInch(72); // the sheets are not kept
+    project.sheet.resolution = DotsPerInch(72); // low, as the sheets are not kept
     const JobResult result = runJob(project, SolverRegistry(), options, nullptr, progress);
     std::vector<std::shared_ptr<const LaidFilm>> dips;
     for (const ImmersionResult& immersion : result.immersions) {
@@ -102,7 +102,7 @@ std::vector<PlacePair> partPairs(const QCommandLineParser& parser, int photos) {
 std::vector<PartPhoto> readPartPhotos(const QStringList& files, const Progress& progress) {
     constexpr qsizetype mostPhotos = 50;
     if (files.size() > mostPhotos) {
-        throw UsageError(QStringLiteral("Give %1 photos at most").arg(mostPhotos),
+        throw UsageError(QStringLiteral("Give at most %1 photos").arg(mostPhotos),
                          QStringLiteral("FILE…"));
     }
     std::vector<PartPhoto> photos;
@@ -121,9 +121,9 @@ FoundPrint searchPrint(const std::vector<PartPhoto>& photos, const std::vector<P
     const Project project = loadProject(path);
     const auto corners = cornersOf(project, parser, progress.part(0.2, 0.7));
     if (corners.empty()) {
-        throw Error(QStringLiteral("The model's texture has no chess squares to look for; print "
-                                   "and dip the chessboard and name it with --film-image "
-                                   "chessboard, or leave --project out"),
+        throw Error(QStringLiteral(
+                        "The model's texture has no chess squares to search for. Dip the printed "
+                        "chessboard and add --film-image chessboard, or leave out --project"),
                     path);
     }
     std::vector<QImage> pictures;
@@ -153,22 +153,21 @@ std::vector<PrintedPlace> placesOnPart(const std::vector<PartPhoto>& photos,
 void declarePart(CommandSyntax& syntax) {
     syntax.addOption(
         {pairsOption,
-         QStringLiteral("Of “part” and “fit”: a table of places in the photos and on the model "
-                        "with the columns photo,x_px,y_px,x_mm,y_mm,z_mm."),
+         QStringLiteral("For `part`, `fit` and `built`: a table of places in the photos and on the "
+                        "model, with the columns photo,x_px,y_px,x_mm,y_mm,z_mm."),
          QStringLiteral("FILE.csv")});
     syntax.addOption(
         {projectOption,
-         QStringLiteral("Of “part” and “fit”: the job that was dipped. The corners of its print "
-                        "are then looked for in the photos, from the pairs on: of "
-                        "chess squares in its texture, or of --film-image "
-                        "chessboard."),
+         QStringLiteral("For `part`, `fit` and `built`: the job of this part. The corners of its "
+                        "print are then searched for in the photos, starting from the pairs: chess "
+                        "squares in its texture, or --film-image chessboard."),
          QStringLiteral("JOB.dipw")});
     declareFilmImage(syntax);
     syntax.addOption(
         {keepOption,
-         QStringLiteral("Of “fit”, and of “part” with --project: the camera stays as the pairs "
-                        "alone have it, which are of the body itself, so that a "
-                        "print that is shifted as a whole shows.")});
+         QStringLiteral(
+             "For `fit`, and for `part` with --project: fits the camera to the pairs alone, which "
+             "must be places on the part itself. A shift of the whole print then shows.")});
 }
 
 void inspectPart(const QStringList& files, const QCommandLineParser& parser,
@@ -186,8 +185,8 @@ void inspectPart(const QStringList& files, const QCommandLineParser& parser,
     }
     writePartView(photos, pairs, print.view, print.places, parser.value(QStringLiteral("out")));
     progress(1, QStringLiteral("Done"));
-    tellFound(print, console.out());
-    tell(pairs, print.view, console.out());
+    printFoundCorners(print, console.out());
+    printAccuracy(pairs, print.view, console.out());
 }
 
 } // namespace dipwright::cli

@@ -1,4 +1,4 @@
-// “inspect part”: how far what photos of a dipped part show lies from where it was to be.
+// “inspect part”: measures how far a dipped part's print lies from its intended place, from photos.
 #pragma once
 
 #include "cli/Command.h"
@@ -12,22 +12,22 @@
 namespace dipwright::cli {
 
 void declarePart(CommandSyntax& syntax);
-// `lens`: of a camera measured before.
+// `lens`: of a camera that was measured before, if known.
 void inspectPart(const QStringList& files, const QCommandLineParser& parser,
                  const std::optional<Lens>& lens, Console& console);
 
-// What “inspect fit” does as well. Throw UsageError or Error.
+// Shared with “inspect fit” and “inspect built”. These functions throw UsageError or Error.
 std::vector<PlacePair> partPairs(const QCommandLineParser& parser, int photos);
 std::vector<PartPhoto> readPartPhotos(const QStringList& files, const Progress& progress);
-// The films of --project as they lie on the body.
+// Simulates the dips of the project and returns the films as they lie on the body.
 std::vector<std::shared_ptr<const LaidFilm>> dippedFilms(Project project, const Progress& progress);
-// The places of --places, or else the corners of the print of --project in the photos, where they
-// were printed: on a sheet that was corrected beside where the film was made.
+// Returns the places of --places or, without it, the corners of the print that were found in the
+// photos. The places refer to the printed sheet, which may differ from the film by a correction.
 std::vector<PrintedPlace> placesOnPart(const std::vector<PartPhoto>& photos,
                                        const std::vector<PlacePair>& clicked,
                                        const QCommandLineParser& parser,
                                        const std::optional<Lens>& lens, const Progress& progress);
-// The corners of the print of --project in the photos.
+// Searches the photos for the corners of the print of --project.
 FoundPrint searchPrint(const std::vector<PartPhoto>& photos, const std::vector<PlacePair>& clicked,
                        const QCommandLineParser& parser, const std::optional<Lens>& lens,
                        const Progress& progress);

@@ -13,14 +13,13 @@ class ManualCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("manual"); }
     QString summary() const override {
-        return QStringLiteral(
-            "Prints the manual page, or what a shell needs to complete commands.");
+        return QStringLiteral("Prints the manual page or the completion script for a shell.");
     }
     bool needsFiles() const override { return false; }
     void declare(CommandSyntax& syntax) const override {
         syntax.addPositionalArgument(
-            formArgument, QStringLiteral("The page for man, or the script for a shell, such as "
-                                         "source <(dipwright-cli manual bash)."));
+            formArgument, QStringLiteral("The format: a page for man, or a script for a shell, for "
+                                         "example: source <(dipwright-cli manual bash)."));
     }
     void run(const QCommandLineParser& parser, Console& console) const override {
         const QString form = positionalArgument(parser, formArgument);
@@ -34,8 +33,8 @@ public:
         } else if (form == QLatin1String("fish")) {
             console.out() << fishCompletion(commands);
         } else {
-            throw UsageError(QStringLiteral("There is no such form, choose man, bash, zsh or fish"),
-                             form);
+            throw UsageError(
+                QStringLiteral("There is no such format; choose man, bash, zsh or fish"), form);
         }
     }
 };

@@ -27,7 +27,7 @@ const QString presetOption = QStringLiteral("preset");
 const QString immersionOption = QStringLiteral("immersion");
 const QString jigOption = QStringLiteral("jig");
 
-// One KEY=VALUE of a SPEC into the immersion of that index.
+// Applies one KEY=VALUE of a SPEC to the immersion with this index.
 void applyPart(Project& project, std::size_t index, const QString& part) {
     static const QMap<QString, QString> fields{
         {QStringLiteral("name"), QStringLiteral("name")},
@@ -36,8 +36,7 @@ void applyPart(Project& project, std::size_t index, const QString& part) {
     const auto equals = part.indexOf(QLatin1Char('='));
     const QString key = part.left(qMax(equals, 0)).trimmed();
     if (!fields.contains(key)) {
-        throw UsageError(QStringLiteral("An immersion is written "
-                                        "name=Top,rotation=rx;ry;rz,offset=x;z"),
+        throw UsageError(QStringLiteral("Write a dip as name=Top,rotation=rx;ry;rz,offset=x;z"),
                          QStringLiteral("--immersion %1").arg(part));
     }
     setByOption(project, QStringLiteral("immersions[%1].%2").arg(index).arg(fields.value(key)),
@@ -46,8 +45,9 @@ void applyPart(Project& project, std::size_t index, const QString& part) {
 
 void applyImmersions(Project& project, const QStringList& specs) {
     if (specs.size() > mostImmersions) {
-        throw UsageError(QStringLiteral("A body is dipped once or twice, give one or two"),
-                         QStringLiteral("--immersion"));
+        throw UsageError(
+            QStringLiteral("A part is dipped once or twice; give --immersion at most twice"),
+            QStringLiteral("--immersion"));
     }
     if (specs.isEmpty()) {
         return;
@@ -55,7 +55,7 @@ void applyImmersions(Project& project, const QStringList& specs) {
     project.immersions.clear();
     for (const QString& spec : specs) {
         const std::size_t index = project.immersions.size();
-        project.immersions.emplace_back().name = QStringLiteral("Immersion %1").arg(index + 1);
+        project.immersions.emplace_back().name = QStringLiteral("Dip %1").arg(index + 1);
         for (const QString& part : spec.split(QLatin1Char(','))) {
             applyPart(project, index, part);
         }
@@ -101,14 +101,14 @@ struct JigSpec {
     ImportOptions options;
 };
 
-// FILE,name=Knob,rotation=rx;ry;rz,offset=x;z,height=y,size=N
+// Parses FILE,name=Knob,rotation=rx;ry;rz,offset=x;z,height=y,size=N.
 JigSpec jigSpec(const QString& text) {
     static const QRegularExpression next(
         QStringLiteral(",(?=(?:name|rotation|offset|height|size)=)"));
     QStringList words = text.split(next);
     JigSpec spec;
     spec.path = words.takeFirst();
-    Project place; // whose immersion knows how to read it, and the limits
+    Project place; // holds the immersion that parses and checks the values
     place.immersions.resize(1);
     place.immersions[0].name = QFileInfo(spec.path).completeBaseName();
     for (const QString& word : words) {
@@ -120,8 +120,9 @@ JigSpec jigSpec(const QString& text) {
         bool isNumber = false;
         const double value = word.section(QLatin1Char('='), 1).toDouble(&isNumber);
         if (!isNumber || !(value >= (isHeight ? 0 : 0.1) && value <= 10'000)) {
-            throw UsageError(QStringLiteral("A height is 0 to 10,000 mm, a size 0.1 to 10,000 mm"),
-                             QStringLiteral("--jig %1").arg(text));
+            throw UsageError(
+                QStringLiteral("The height must be 0 to 10,000 mm and the size 0.1 to 10,000 mm"),
+                QStringLiteral("--jig %1").arg(text));
         }
         if (isHeight) {
             spec.part.height = Millimetres(value);
@@ -133,7 +134,8 @@ JigSpec jigSpec(const QString& text) {
     return spec;
 }
 
-// The field is as fine for each part as it would be for the part alone, as far as fields go.
+// Returns a resolution that gives the smallest part as many samples as it would have alone, up to
+// `most`.
 int jigFieldResolution(int resolution, const std::vector<JigPart>& parts, const TexturedMesh& jig) {
     constexpr int most = 512;
     double smallest = longestEdgeOf(jig.mesh);
@@ -167,13 +169,12 @@ void importJig(Project& project, const std::vector<JigSpec>& specs,
     project.model = std::move(jig);
 }
 
-// A model or picture that the project takes in is not replaced by it.
+// Throws UsageError if the project would replace a model or picture that it reads.
 void requireOther(const QString& path, const QString& taken) {
     const QString source = QFileInfo(taken).canonicalFilePath();
     if (!source.isEmpty() && source == QFileInfo(path).canonicalFilePath()) {
-        throw UsageError(QStringLiteral("The project would replace its own source, name another "
-                                        "file"),
-                         path);
+        throw UsageError(
+            QStringLiteral("The project would replace its own source; choose another file"), path);
     }
 }
 
@@ -181,39 +182,44 @@ class NewCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("new"); }
     QString summary() const override {
-        return QStringLiteral("Makes a project of a textured model, which it embeds.");
+        return QStringLiteral("Makes a project from a textured model, which it embeds.");
     }
 
     void declare(CommandSyntax& syntax) const override {
         syntax.addPositionalArgument(
             QStringLiteral("OUT.dipw"),
-            QStringLiteral("The project to write. A file of that name is replaced."));
+            QStringLiteral("The project to write. An existing file is replaced."));
         syntax.addOption({modelOption, QStringLiteral("The model: %1.").arg(modelFormatNames()),
                           QStringLiteral("FILE")});
-        syntax.addOption({textureOption, QStringLiteral("A picture in place of the model's own."),
+        syntax.addOption({textureOption,
+                          QStringLiteral("A picture that replaces the model's own texture."),
                           QStringLiteral("FILE")});
         syntax.addOption(
-            {outsideOption, QStringLiteral("Reads files that the model names outside its folder, "
-                                           "too. Without it such a model is refused.")});
+            {outsideOption, QStringLiteral("Also reads files that the model names outside its "
+                                           "folder. Without it such a model is refused.")});
         syntax.addOption({sizeOption,
                           QStringLiteral("Scales the longest edge of the bounding box to N mm. "
-                                         "Without it one unit of the file is one millimetre."),
+                                         "Without it one unit of the file is 1 mm."),
                           QStringLiteral("N")});
-        syntax.addOption({presetOption, QStringLiteral("production (the default) or paper-2020."),
-                          QStringLiteral("NAME"), QStringLiteral("production")});
+        syntax.addOption(
+            {presetOption,
+             QStringLiteral(
+                 "The preset for film and process: production (the default) or paper-2020."),
+             QStringLiteral("NAME"), QStringLiteral("production")});
         syntax.addOption(
             {immersionOption,
-             QStringLiteral("One dip: name=Top,rotation=rx;ry;rz,offset=x;z, degrees about X, Y, Z "
-                            "in that order and millimetres on the water. Give one or two; without "
-                            "it the model is dipped once, as it stands."),
+             QStringLiteral(
+                 "One dip: name=Top,rotation=rx;ry;rz,offset=x;z. The rotation is in degrees about "
+                 "X, Y and Z in this order; the offset is in mm on the water. Give it once or "
+                 "twice. Without it the model is dipped once, as it stands."),
              QStringLiteral("SPEC")});
         syntax.addOption(
             {jigOption,
              QStringLiteral(
-                 "In place of --model, once for each of several models on one jig that "
-                 "are dipped at once: FILE,name=Knob,rotation=rx;ry;rz,offset=x;z,"
-                 "height=y,size=N. The offset is of its middle, the height of its lowest "
-                 "point, the size of its longest edge, all in mm."),
+                 "Instead of --model, once for each model: dips several models together on one "
+                 "jig. FILE,name=Knob,rotation=rx;ry;rz,offset=x;z,height=y,size=N. The offset "
+                 "refers to the model's middle, the height to its lowest point and the size to its "
+                 "longest edge, all in mm."),
              QStringLiteral("FILE")});
         declareSettings(syntax);
     }
@@ -226,18 +232,21 @@ public:
             requireOther(path, jig.back().path);
         }
         if (parser.value(modelOption).isEmpty() == jig.empty()) {
-            throw UsageError(QStringLiteral("Name the model with --model FILE, or the models on a "
-                                            "jig with --jig FILE each"),
-                             QStringLiteral("--model"));
+            throw UsageError(
+                QStringLiteral(
+                    "Name the model with --model FILE, or each model on a jig with --jig FILE"),
+                QStringLiteral("--model"));
         }
         if (!jig.empty() && (parser.isSet(textureOption) || parser.isSet(sizeOption))) {
-            throw UsageError(QStringLiteral("On a jig each model has its own texture and size"),
-                             QStringLiteral("--jig"));
+            throw UsageError(
+                QStringLiteral(
+                    "--texture and --size-mm do not apply to a jig; give each model its own size"),
+                QStringLiteral("--jig"));
         }
         requireOther(path, parser.value(modelOption));
         requireOther(path, parser.value(textureOption));
         ProjectFile file(path);
-        checkWritable(path); // better now than after the work
+        checkWritable(path); // fails now instead of after the work
         Project project;
         project.name = projectName(path);
         project.date = QDate::currentDate().toString(Qt::ISODate);

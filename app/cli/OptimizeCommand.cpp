@@ -52,7 +52,7 @@ QString posesText(const RankedPoses& ranked) {
     return poses.join(QStringLiteral(" and "));
 }
 
-// A measure a column: painted is what a user calls coverage.
+// Prints one column for each measure.
 void printRow(const QString& name, const RankedPoses& ranked, QTextStream& out) {
     out << QStringLiteral("%1  %2").arg(name, 7).arg(100 * ranked.objective, 9, 'f', 2);
     for (const Measure measure : allMeasures()) {
@@ -63,8 +63,8 @@ void printRow(const QString& name, const RankedPoses& ranked, QTextStream& out) 
 }
 
 void printRanking(const SearchResult& result, const SearchSettings& settings, QTextStream& out) {
-    out << "   Rank  objective    quality    painted    stretch    certain   wrinkled       torn"
-           "        air       join     narrow  film used  turned about X, Y, Z\n";
+    out << "   Rank  objective    quality   coverage    stretch   unmarked   wrinkled       torn   "
+           "     air       seam     narrow  film used  rotation about X, Y, Z\n";
     const std::size_t shown = std::min(result.ranking.size(), shownPoses);
     for (std::size_t rank = 0; rank < shown; ++rank) {
         printRow(QString::number(rank + 1), result.ranking[rank], out);
@@ -76,20 +76,21 @@ void printRanking(const SearchResult& result, const SearchSettings& settings, QT
         return reasonText(differences(one, other, settings, result.equator));
     };
     for (std::size_t rank = 1; rank < shown; ++rank) {
-        out << QStringLiteral("%1 against 1: %2\n")
+        out << QStringLiteral("%1 compared with 1: %2\n")
                    .arg(rank + 1)
                    .arg(reasons(result.ranking[rank], result.ranking.front()));
     }
     if (result.current) {
-        out << QStringLiteral("1 against now: %1\n")
+        out << QStringLiteral("1 compared with now: %1\n")
                    .arg(reasons(result.ranking.front(), *result.current));
     }
     if (!result.isComplete) {
-        out << "Stopped before the end: the best so far; the project is as it was\n";
+        out << "Stopped before the end: these are the best poses so far. The project was not "
+               "changed\n";
     }
 }
 
-// --weight and --limit: NAME=NUMBER each, and NAME=none for no limit.
+// Reads --weight and --limit: NAME=NUMBER each, or NAME=none for no limit.
 template <typename Set>
 void applyPairs(const QCommandLineParser& parser, const QString& option, PoseAims& aims,
                 const Set& set) {
@@ -101,7 +102,8 @@ void applyPairs(const QCommandLineParser& parser, const QString& option, PoseAim
         const double number = value.toDouble(&isNumber);
         const bool isNone = option == limitOption && value == QLatin1String("none");
         if (equals < 1 || !(isNumber || isNone)) {
-            throw UsageError(QStringLiteral("Give it as NAME=NUMBER, as in coverage=0.9"), where);
+            throw UsageError(QStringLiteral("Write it as NAME=NUMBER, for example coverage=0.9"),
+                             where);
         }
         try {
             set(aims, name, isNone ? std::nullopt : std::optional(number));
@@ -111,10 +113,10 @@ void applyPairs(const QCommandLineParser& parser, const QString& option, PoseAim
     }
 }
 
-// Weights and limits are the project's, but for what the options say.
+// Returns the project's weights and limits, overridden by the options.
 SearchSettings settingsOf(const QCommandLineParser& parser, const Project& project) {
     if (!parser.isSet(immersionsOption)) {
-        throw UsageError(QStringLiteral("Say how many dips to plan with --immersions 1 or 2"),
+        throw UsageError(QStringLiteral("Give the number of dips with --immersions 1 or 2"),
                          QStringLiteral("--immersions"));
     }
     SearchSettings settings;
@@ -143,7 +145,7 @@ SearchSettings settingsOf(const QCommandLineParser& parser, const Project& proje
     return settings;
 }
 
-// "3/8": the number of the part and how many there are.
+// Reads "3/8": the number of the part and how many parts there are.
 std::array<int, 2> shardOf(const QCommandLineParser& parser) {
     const QStringList parts = parser.value(shardOption).split(QLatin1Char('/'));
     bool isNumber = false, isCount = false;
@@ -151,10 +153,11 @@ std::array<int, 2> shardOf(const QCommandLineParser& parser) {
     const int count = parts.value(1).toInt(&isCount);
     if (parts.size() != 2 || !isNumber || !isCount || number < 1 || number > count ||
         count > mostParts) {
-        throw UsageError(QStringLiteral("Give it as NUMBER/COUNT, from 1/COUNT to COUNT/COUNT, "
-                                        "and no more than %1 of them")
-                             .arg(mostParts),
-                         QStringLiteral("--shard"));
+        throw UsageError(
+            QStringLiteral(
+                "Write it as NUMBER/COUNT, from 1/COUNT to COUNT/COUNT, with COUNT at most %1")
+                .arg(mostParts),
+            QStringLiteral("--shard"));
     }
     return {number, count};
 }
@@ -163,7 +166,7 @@ class OptimizeCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("optimize"); }
     QString summary() const override {
-        return QStringLiteral("Searches dip poses and writes the best into the project.");
+        return QStringLiteral("Searches dip poses and writes the best ones into the project.");
     }
 
     void declare(CommandSyntax& syntax) const override {
@@ -172,54 +175,54 @@ public:
             syntax.addOption({option, description, QStringLiteral("N"), QString::number(value)});
         };
         declareProject(syntax);
-        syntax.addOption(
-            {immersionsOption, QStringLiteral("Dips to plan, 1 or 2."), QStringLiteral("1|2")});
+        syntax.addOption({immersionsOption, QStringLiteral("The number of dips, 1 or 2."),
+                          QStringLiteral("1|2")});
         count(candidatesOption,
-              QStringLiteral("Poses to try on a coarse film, 6 to 2000; %1 without it.")
+              QStringLiteral(
+                  "The number of poses to simulate with a coarse film, 6 to 2000; default %1.")
                   .arg(usual.simulated),
               usual.simulated);
         count(directionsOption,
-              QStringLiteral("Directions to judge by the body's shape first, 6 to 20000; %1 "
-                             "without it.")
+              QStringLiteral("The number of directions to rate first by the part's shape alone, 6 "
+                             "to 20000; default %1.")
                   .arg(usual.directions),
               usual.directions);
         count(refinedOption,
-              QStringLiteral("Of the best, how many to refine, 0 to 50; %1 without it.")
+              QStringLiteral("How many of the best poses to refine, 0 to 50; default %1.")
                   .arg(usual.refined),
               usual.refined);
         count(finerOption,
-              QStringLiteral("Of the best, how many to rank by a finer film, 1 to 100; %1 without "
-                             "it.")
+              QStringLiteral(
+                  "How many of the best poses to rank with a finer film, 1 to 100; default %1.")
                   .arg(usual.finer),
               usual.finer);
         count(confirmedOption,
-              QStringLiteral("Of the best, how many to dip with the project's own film, 0 to 20; "
-                             "%1 without it.")
+              QStringLiteral("How many of the best poses to simulate with the project's own film, "
+                             "0 to 20; default %1.")
                   .arg(usual.confirmed),
               usual.confirmed);
-        count(seedOption, QStringLiteral("Other directions with every number, 0 to 1000000."),
+        count(seedOption, QStringLiteral("The seed of the random directions, 0 to 1000000."),
               usual.seed);
+        syntax.addOption({weightOption,
+                          QStringLiteral("The weight of a measure, or of zone_a, zone_b or zone_c, "
+                                         "instead of the project's weight. May be repeated."),
+                          QStringLiteral("NAME=WEIGHT")});
+        syntax.addOption({limitOption,
+                          QStringLiteral("The limit of a measure, a minimum or a maximum, or none, "
+                                         "instead of the project's limit. May be repeated."),
+                          QStringLiteral("NAME=VALUE")});
         syntax.addOption(
-            {weightOption,
-             QStringLiteral("How much a measure, or zone_a, zone_b, zone_c, counts, in "
-                            "place of what the project says; repeatable."),
-             QStringLiteral("NAME=WEIGHT")});
-        syntax.addOption(
-            {limitOption,
-             QStringLiteral("The least or the most that is wanted of a measure, or none, "
-                            "in place of what the project says; repeatable."),
-             QStringLiteral("NAME=VALUE")});
-        syntax.addOption({shardOption,
-                          QStringLiteral("Dips only part K of N of the poses, into --out."),
-                          QStringLiteral("K/N")});
+            {shardOption,
+             QStringLiteral("Simulates only part K of N of the poses and writes it to --out."),
+             QStringLiteral("K/N")});
         syntax.addOption({outOption, QStringLiteral("The file for the part of --shard."),
                           QStringLiteral("FILE")});
         syntax.addOption({mergeOption,
-                          QStringLiteral("Takes the poses dipped by --shard from this file; "
-                                         "repeatable, once a part."),
+                          QStringLiteral("Reads the poses that --shard simulated from this file. "
+                                         "May be repeated, once for each part."),
                           QStringLiteral("FILE")});
         syntax.addOption({solverOption,
-                          QStringLiteral("The solver plugin, in place of the project's choice."),
+                          QStringLiteral("The solver plugin, instead of the project's choice."),
                           QStringLiteral("ID")});
         declareThreads(syntax);
     }
@@ -243,9 +246,9 @@ private:
         const auto [number, count] = shardOf(parser);
         const QString out = parser.value(outOption);
         if (out.isEmpty() || parser.isSet(mergeOption)) {
-            throw UsageError(QStringLiteral("Name the file for the part with --out, without "
-                                            "--merge"),
-                             QStringLiteral("--shard"));
+            throw UsageError(
+                QStringLiteral("Name the file for the part with --out, and leave out --merge"),
+                QStringLiteral("--shard"));
         }
         checkWritable(out);
         const SolverRegistry registry;
@@ -261,12 +264,13 @@ private:
 
     static void search(const QCommandLineParser& parser, Console& console) {
         if (parser.isSet(outOption)) {
-            throw UsageError(QStringLiteral("It goes with --shard only"), QStringLiteral("--out"));
+            throw UsageError(QStringLiteral("--out works only with --shard"),
+                             QStringLiteral("--out"));
         }
         const QString path = projectPath(parser);
-        ProjectFile file(path); // before it is read: nobody else writes it meanwhile
+        ProjectFile file(path); // locks the project against other writers before it is read
         const Project project = projectArgument(parser);
-        checkWritable(path); // better now than after the work
+        checkWritable(path); // fails now instead of after the work
         const SearchSettings settings = settingsOf(parser, project);
         std::vector<SearchShard> parts;
         for (const QString& name : parser.values(mergeOption)) {
@@ -284,7 +288,7 @@ private:
         if (!result.isComplete) {
             throw Cancelled();
         }
-        // Into the file as it is: what --set changed was for the search alone.
+        // --set applies to the search alone, so the poses go into the stored project.
         Project stored = loadProject(path);
         stored.immersions = result.ranking.front().immersions;
         file.save(stored);

@@ -20,14 +20,14 @@ const QString feedOption = QStringLiteral("feed");
 const QString turnOption = QStringLiteral("turn");
 const QString dpiOption = QStringLiteral("dpi");
 const QString solverOption = QStringLiteral("solver");
-constexpr double mostLength = 3000; // mm a side; of a roll that is not said to be shorter
+constexpr double mostLength = 3000; // mm along one side, also of a roll of unknown length
 
 struct PackedProject {
     QString path;
     int copies = 1;
 };
 
-// "JOB.dipw:3"; a file that is called so counts first.
+// Reads "JOB.dipw:3". An existing file with that whole name takes precedence.
 PackedProject packedProject(const QString& word) {
     static const QRegularExpression counted(QStringLiteral("^(.+):(\\d{1,9})$"));
     const QRegularExpressionMatch match = counted.match(word);
@@ -36,13 +36,13 @@ PackedProject packedProject(const QString& word) {
     }
     const int copies = match.captured(2).toInt();
     if (copies < 1 || copies > mostPieces) {
-        throw UsageError(QStringLiteral("Name 1 to %1 copies as in JOB.dipw:3").arg(mostPieces),
-                         word);
+        throw UsageError(
+            QStringLiteral("Give 1 to %1 copies, for example JOB.dipw:3").arg(mostPieces), word);
     }
     return {match.captured(1), copies};
 }
 
-// A name, WIDTHxHEIGHT, roll:WIDTH or roll:WIDTHxLENGTH.
+// Reads a film's name, WIDTHxHEIGHT, roll:WIDTH or roll:WIDTHxLENGTH.
 void setFilm(PackingFilm& film, const QString& text) {
     static const QRegularExpression sizes(
         QStringLiteral("^(roll:)?(\\d+(?:\\.\\d+)?)(?:x(\\d+(?:\\.\\d+)?))?$"));
@@ -59,7 +59,7 @@ void setFilm(PackingFilm& film, const QString& text) {
     if (!match.hasMatch() || !(hasLength || film.isRoll) ||
         std::min(film.size.width(), film.size.height()) < least ||
         std::max(film.size.width(), film.size.height()) > mostLength) {
-        throw UsageError(QStringLiteral("Name the film as %1, WIDTHxHEIGHT, roll:WIDTH or "
+        throw UsageError(QStringLiteral("Write the film as %1, WIDTHxHEIGHT, roll:WIDTH or "
                                         "roll:WIDTHxLENGTH in mm, %2 to %3")
                              .arg(filmSizeNames().join(QStringLiteral(", ")))
                              .arg(least)
@@ -82,8 +82,9 @@ PackSettings packSettings(const QCommandLineParser& parser) {
     }
     const QString feed = parser.value(feedOption);
     if (!feed.isEmpty() && feed != QLatin1String("short") && feed != QLatin1String("long")) {
-        throw UsageError(QStringLiteral("The edge that is fed first is short or long"),
-                         QStringLiteral("--feed"));
+        throw UsageError(
+            QStringLiteral("Give the edge that enters the printer first, short or long"),
+            QStringLiteral("--feed"));
     }
     settings.feed = feed == QLatin1String("long") ? FeedDirection::LongEdgeFirst
                                                   : FeedDirection::ShortEdgeFirst;
@@ -95,7 +96,8 @@ class PackCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("pack"); }
     QString summary() const override {
-        return QStringLiteral("Lays the sheets of several projects, and copies, on one film.");
+        return QStringLiteral(
+            "Packs the sheets of several projects, and copies of them, on one film.");
     }
 
     void declare(CommandSyntax& syntax) const override {
@@ -104,19 +106,19 @@ public:
             syntax.addOption({name, QString::fromUtf8(words), QString::fromLatin1(kind)});
         };
         value(outOption,
-              "The folder for the films as PDF, PNG and TIFF; earlier ones are replaced.", "DIR");
+              "The folder for the packed films as PDF, PNG and TIFF. Earlier films are replaced.",
+              "DIR");
         value(filmOption,
-              "The film: A4, another size by its name, WIDTHxHEIGHT, or a roll, roll:WIDTH or "
-              "roll:WIDTHxLENGTH, that is cut off behind the last piece; mm. Without it A4.",
+              "The film: the name of a size, WIDTHxHEIGHT, or a roll as roll:WIDTH or "
+              "roll:WIDTHxLENGTH, in mm. A roll is cut off after the last piece. Without it A4.",
               "SIZE");
-        value(spacingOption, "mm between two pieces, 0 to 200; 3 without it.", "MM");
-        value(marginOption, "mm of bare film round what is inked, 7 to 200; 7 without it.", "MM");
-        value(feedOption, "Which edge of the film goes into the printer first.", "short|long");
-        syntax.addOption(
-            {turnOption, QStringLiteral("Turns pieces by a quarter where that saves "
-                                        "film and their film swells alike both ways.")});
-        value(dpiOption, "The resolution of all sheets, in place of the projects' own.", "N");
-        value(solverOption, "The solver plugin, in place of the projects' choice.", "ID");
+        value(spacingOption, "The distance between two pieces in mm, 0 to 200; default 3.", "MM");
+        value(marginOption, "The bare film around the ink in mm, 7 to 200; default 7.", "MM");
+        value(feedOption, "The edge of the film that enters the printer first.", "short|long");
+        syntax.addOption({turnOption, QStringLiteral("Turns pieces by 90° to save film, if their "
+                                                     "film swells equally in both directions.")});
+        value(dpiOption, "The resolution of all sheets, instead of the projects' own.", "N");
+        value(solverOption, "The solver plugin, instead of the projects' choice.", "ID");
         declarePrinter(syntax);
         declareThreads(syntax);
     }
@@ -200,9 +202,9 @@ private:
             return;
         }
         if (sheets.size() > 1) {
-            throw Error(
-                QStringLiteral("This takes %1 films; write them with --out DIR").arg(sheets.size()),
-                target.file);
+            throw Error(QStringLiteral("The pieces need %1 films; write them with --out DIR")
+                            .arg(sheets.size()),
+                        target.file);
         }
         PrintFileRequest file;
         file.profile = request.profile;

@@ -5,7 +5,7 @@
 namespace dipwright::cli {
 namespace {
 
-// In UTF-8, in which all that is written comes: C2 80 … C2 9F are control characters, too.
+// Removes control characters from UTF-8 text, including C2 80 to C2 9F.
 QByteArray plain(const QByteArray& text) {
     QByteArray kept;
     kept.reserve(text.size());

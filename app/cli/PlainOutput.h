@@ -1,4 +1,5 @@
-// Text for a terminal, whoever has written it.
+// Writes text without control characters, so that file names and plugins cannot control the
+// terminal.
 #pragma once
 
 #include <QFile>
@@ -6,8 +7,7 @@
 
 namespace dipwright::cli {
 
-// Writes to `file`, but for control characters other than the ends of lines and tabulators: names
-// come from files and plugins, and a terminal would do what they say.
+// Writes to `file` and drops all control characters except line ends and tabs.
 class PlainOutput : public QIODevice {
 public:
     explicit PlainOutput(std::FILE* file);

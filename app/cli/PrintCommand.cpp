@@ -38,7 +38,7 @@ PrintRequest requestOf(const QCommandLineParser& parser, const PrintTarget& targ
     return request;
 }
 
-// What can be said before the work: a sheet with nothing on it meets the same printer and paper.
+// Checks the printer and the paper with a blank sheet, so that errors show before the work.
 void checkBefore(PrintSystem& system, const Project& project, const PrintRequest& request) {
     Sheet blank;
     blank.filmWidth = project.film.width;
@@ -66,7 +66,7 @@ void printSheets(PrintSystem& system, const JobResult& result, const PrintReques
     printAndTell(system, plans, progress, out);
 }
 
-// Papers by their names in a project; other sizes as width x height in mm.
+// Returns the size of a paper: one of the project's names, or WIDTHxHEIGHT in mm.
 QSizeF tilePaperSize(const QString& name) {
     static const QRegularExpression sizes(
         QStringLiteral("^(\\d+(?:\\.\\d+)?)x(\\d+(?:\\.\\d+)?)$"));
@@ -79,9 +79,10 @@ QSizeF tilePaperSize(const QString& name) {
                         : named.contains(name) ? filmSize(name)
                                                : QSizeF();
     if (size.isEmpty() || std::max(size.width(), size.height()) > largest) {
-        throw UsageError(QStringLiteral("Pieces in a file are for A4, A3, Letter or WIDTHxHEIGHT "
-                                        "in mm, up to 5000"),
-                         QStringLiteral("--tile-paper"));
+        throw UsageError(
+            QStringLiteral(
+                "With --to, the paper must be A4, A3, Letter or WIDTHxHEIGHT in mm, up to 5000"),
+            QStringLiteral("--tile-paper"));
     }
     return size;
 }
@@ -104,17 +105,17 @@ void writeProof(const Sheet& sheet, const PrintRequest& request, const QString& 
     writeAtomically(path, [&](QIODevice& device) { writePng(proof, device, path); });
 }
 
-void tellGamut(const Sheet& sheet, const PrintRequest& request, QTextStream& out) {
+void printGamutShare(const Sheet& sheet, const PrintRequest& request, QTextStream& out) {
     const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
     if (colour) {
         const double share = colour->gamutWarning(askedColours(sheet, *colour)).share;
-        out << QStringLiteral("%1: %2 % of the printed colour is out of the printer's reach\n")
+        out << QStringLiteral("%1: %2 % of the printed colour is out of the printer's gamut\n")
                    .arg(sheet.job.immersion)
                    .arg(100 * share, 0, 'f', 1);
     }
 }
 
-// Keeps only the immersion that was asked for.
+// Keeps only the immersion of --immersion.
 void chooseImmersion(Project& project, const QCommandLineParser& parser) {
     if (parser.isSet(immersionOption)) {
         const int count = int(project.immersions.size());
@@ -123,23 +124,24 @@ void chooseImmersion(Project& project, const QCommandLineParser& parser) {
     }
 }
 
-// Where the soft proof goes; empty where none is asked for.
+// Returns the file for the soft proof, or an empty string without --proof.
 QString proofFile(const QCommandLineParser& parser, const Project& project,
                   const PrintTarget& target, const PrintRequest& request) {
     const QString proof = pictureOption(parser, proofOption, {".png"});
     if (!(target.file + proof).isEmpty() && project.immersions.size() > 1) {
-        throw UsageError(QStringLiteral("The project has two sheets, choose one with --immersion"),
+        throw UsageError(QStringLiteral("The project has two sheets; choose one with --immersion"),
                          target.file + proof);
     }
     if (!proof.isEmpty() && !printerColour(request.profile)) {
-        throw Error(QStringLiteral("A soft proof needs a printer profile with an ICC profile"),
+        throw Error(QStringLiteral("A soft proof needs a printer profile with an ICC profile; "
+                                   "choose one with --profile"),
                     proof);
     }
     return proof;
 }
 
-// A print a line, the newest first.
-void tellHistory(QTextStream& out) {
+// Prints one line for each print, newest first.
+void listHistory(QTextStream& out) {
     for (const PrintRecord& record : PrintHistory().records()) {
         out << QStringLiteral("%1  job %2  %3 – %4  %5  %6 × %7 mm  ×%8  %9\n")
                    .arg(record.when.toString(QStringLiteral("yyyy-MM-dd HH:mm")), record.job,
@@ -163,29 +165,32 @@ public:
         declareProject(syntax);
         declarePrinter(syntax);
         syntax.addOption(
-            {historyOption, QStringLiteral("Lists what was printed, the newest first, by the job "
+            {historyOption, QStringLiteral("Lists what was printed, newest first, with the job "
                                            "numbers that stand on the sheets.")});
         syntax.addOption({immersionOption,
-                          QStringLiteral("Only the sheet of this immersion, 1 or 2."),
+                          QStringLiteral("Prints only the sheet of this dip, 1 or 2."),
+                          QStringLiteral("N")});
+        syntax.addOption({copiesOption, QStringLiteral("The number of copies of each sheet."),
                           QStringLiteral("N")});
         syntax.addOption(
-            {copiesOption, QStringLiteral("Copies of each sheet."), QStringLiteral("N")});
-        syntax.addOption(
             {tileOption,
-             QStringLiteral("Cuts sheets into pieces of the printer's largest paper.")});
-        syntax.addOption({tilePaperOption,
-                          QStringLiteral("Cuts sheets into pieces of this paper of the printer; "
-                                         "with --to A4, A3, Letter or WIDTHxHEIGHT in mm."),
-                          QStringLiteral("NAME")});
-        syntax.addOption({greyOption, QStringLiteral("Prints coloured sheets on a grey printer.")});
+             QStringLiteral("Splits each sheet into tiles for the printer's largest paper.")});
         syntax.addOption(
-            {clippingOption, QStringLiteral("Gives up colour where the printer does not reach.")});
+            {tilePaperOption,
+             QStringLiteral("Splits each sheet into tiles for this paper of the printer. With "
+                            "--to: A4, A3, Letter or WIDTHxHEIGHT in mm."),
+             QStringLiteral("NAME")});
+        syntax.addOption(
+            {greyOption, QStringLiteral("Prints coloured sheets on a printer without colour.")});
+        syntax.addOption(
+            {clippingOption,
+             QStringLiteral("Accepts that colour outside the printable area is lost.")});
         syntax.addOption({proofOption,
-                          QStringLiteral("Also writes a soft proof of the film image as PNG, with "
-                                         "colours out of the printer's reach in magenta."),
+                          QStringLiteral("Also writes a soft proof of the film image as PNG. "
+                                         "Colours out of the printer's gamut are magenta."),
                           QStringLiteral("FILE")});
         syntax.addOption({solverOption,
-                          QStringLiteral("The solver plugin, in place of the project's choice."),
+                          QStringLiteral("The solver plugin, instead of the project's choice."),
                           QStringLiteral("ID")});
         declareFilmImage(syntax);
         declareThreads(syntax);
@@ -199,7 +204,7 @@ public:
         }
         if (parser.isSet(historyOption)) {
             requireNoPositionalArgument(parser);
-            tellHistory(console.out());
+            listHistory(console.out());
             return;
         }
         const ThreadLimit threads = threadLimit(parser);
@@ -208,7 +213,7 @@ public:
         const PrintTarget target = printTarget(parser);
         const PrintRequest request = requestOf(parser, target, project);
         if (!target.file.isEmpty()) {
-            fileRequest(request); // refused before the work
+            fileRequest(request); // fails before the work
         }
         const QString proof = proofFile(parser, project, target, request);
         std::unique_ptr<PrintSystem> system;
@@ -227,7 +232,7 @@ public:
         }
         tellVerdict(result, console.out());
         for (const ImmersionResult& immersion : result.immersions) {
-            tellGamut(immersion.sheet, request, console.out());
+            printGamutShare(immersion.sheet, request, console.out());
         }
         if (!proof.isEmpty()) {
             writeProof(result.immersions.front().sheet, request, proof);

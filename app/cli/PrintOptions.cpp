@@ -16,7 +16,7 @@ QString stateWord(const PrinterInfo& printer) {
         return QStringLiteral("stopped");
     }
     if (!printer.acceptsJobs) {
-        return QStringLiteral("takes no jobs");
+        return QStringLiteral("does not accept jobs");
     }
     return printer.state == PrinterState::Printing ? QStringLiteral("printing")
                                                    : QStringLiteral("ready");
@@ -36,20 +36,21 @@ QString mediaWords(const PrinterMedia& media) {
 } // namespace
 
 void declarePrinter(CommandSyntax& syntax) {
-    syntax.addOption({printerOption, QStringLiteral("The printer, by the system's name."),
+    syntax.addOption({printerOption, QStringLiteral("The printer's name in the system."),
                       QStringLiteral("NAME")});
     syntax.addOption(
-        {printersOption, QStringLiteral("Lists the printers, their paper and state.")});
-    syntax.addOption({toOption,
-                      QStringLiteral("Writes a PDF or TIFF file in the printer's scale and colours "
-                                     "in place of printing."),
-                      QStringLiteral("FILE")});
+        {printersOption, QStringLiteral("Lists the printers with their state and papers.")});
+    syntax.addOption(
+        {toOption,
+         QStringLiteral(
+             "Writes a PDF or TIFF file in the printer's scale and colours instead of printing."),
+         QStringLiteral("FILE")});
     syntax.addOption({profileOption,
-                      QStringLiteral("The printer profile, in place of the project's own."),
+                      QStringLiteral("The printer profile, instead of the project's own."),
                       QStringLiteral("NAME")});
     syntax.addOption(
         {otherPaperOption,
-         QStringLiteral("Prints though the printer says that the paper is not loaded.")});
+         QStringLiteral("Prints even if the printer does not report the paper as loaded.")});
 }
 
 bool acceptsOtherPaper(const QCommandLineParser& parser) {
@@ -85,14 +86,13 @@ void listPrinters(QTextStream& out) {
 PrintTarget printTarget(const QCommandLineParser& parser) {
     PrintTarget target{parser.value(printerOption), parser.value(toOption)};
     if (target.printer.isEmpty() == target.file.isEmpty()) {
-        throw UsageError(
-            QStringLiteral("Name the printer with --printer NAME (--printers lists them), or a "
-                           "file with --to FILE"),
-            QStringLiteral("--printer"));
+        throw UsageError(QStringLiteral("Name the printer with --printer NAME (--printers lists "
+                                        "them), or a file with --to FILE"),
+                         QStringLiteral("--printer"));
     }
     if (!target.file.isEmpty() && !isTiff(target.file) &&
         !target.file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) {
-        throw UsageError(QStringLiteral("A page is written as .pdf, .tif or .tiff"), target.file);
+        throw UsageError(QStringLiteral("The file must end in .pdf, .tif or .tiff"), target.file);
     }
     return target;
 }
@@ -117,8 +117,7 @@ void printAndTell(PrintSystem& system, const std::vector<PrintPlan>& plans,
                     ? QStringLiteral("Printed %1 on %2, job %3\n")
                           .arg(task.title, job.printer)
                           .arg(job.id)
-                    : QStringLiteral(
-                          "Handed %1 over to %2, which does not tell when it is printed\n")
+                    : QStringLiteral("Sent %1 to %2, which does not report when it is printed\n")
                           .arg(task.title, job.printer));
         out.flush();
     };
@@ -128,8 +127,8 @@ void printAndTell(PrintSystem& system, const std::vector<PrintPlan>& plans,
             out << notKeptText(end.notKept) << '\n';
         }
     } catch (const Cancelled&) {
-        throw Error(QStringLiteral("Cancelled; the job was taken back, what the printer had begun "
-                                   "may still come out"),
+        throw Error(QStringLiteral("Cancelled. The job was withdrawn, but pages that the printer "
+                                   "has begun may still come out"),
                     plans.front().task.printer);
     }
 }

@@ -1,4 +1,4 @@
-// What the commands that print share: the printer, its profile, a file in its place.
+// Shared options of the commands that print: the printer, its profile, or a file instead.
 #pragma once
 
 #include "cli/Command.h"
@@ -8,23 +8,23 @@
 
 namespace dipwright::cli {
 
-// --printer, --printers, --to, --profile, --accept-other-paper.
+// Declares and reads --printer, --printers, --to, --profile and --accept-other-paper.
 void declarePrinter(CommandSyntax& syntax);
 bool listsPrinters(const QCommandLineParser& parser);
 bool acceptsOtherPaper(const QCommandLineParser& parser);
 void listPrinters(QTextStream& out);
 
-// Where to print: one of the two is empty.
+// The destination: exactly one of the two is set.
 struct PrintTarget {
     QString printer;
     QString file; // .pdf, .tif or .tiff
 };
-// Throws UsageError unless exactly one of --printer and --to is there.
+// Throws UsageError unless exactly one of --printer and --to is given.
 PrintTarget printTarget(const QCommandLineParser& parser);
-// With the profile of --profile, else the `remembered` one. Throws Error for an unknown profile.
+// Uses the profile of --profile or, without it, `remembered`. Throws Error for an unknown profile.
 PrintRequest printRequest(const QCommandLineParser& parser, const PrintTarget& target,
                           const std::optional<PrinterProfile>& remembered);
-// Prints what was planned, and tells in a line what became of each job.
+// Prints the plans and writes one line with the outcome of each job.
 void printAndTell(PrintSystem& system, const std::vector<PrintPlan>& plans,
                   const Progress& progress, QTextStream& out);
 

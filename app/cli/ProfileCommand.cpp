@@ -62,11 +62,11 @@ void show(Words words, QTextStream& out) {
 void setIccProfile(Profile& profile, const QString& path) {
     auto* printer = std::get_if<PrinterProfile>(&profile);
     if (!printer) {
-        throw UsageError(QStringLiteral("Only printers have an ICC profile"),
+        throw UsageError(QStringLiteral("Only a printer profile has an ICC profile"),
                          QStringLiteral("--icc"));
     }
     printer->iccProfile = readSmallFile(path, mostProfileBytes);
-    // Refuses what no sheet could be printed with.
+    // Throws Error for an ICC profile that no sheet could be printed with.
     PrinterColour(printer->iccProfile, printer->intent, printer->blackPoint, path);
 }
 
@@ -82,7 +82,7 @@ void change(Words words, const QCommandLineParser& parser, QTextStream& out) {
         const auto equals = setting.indexOf(QLatin1Char('='));
         if (equals <= 0) {
             throw UsageError(
-                QStringLiteral("A setting is written PATH=VALUE, such as scale=1.004;0.997"),
+                QStringLiteral("Write a setting as PATH=VALUE, for example scale=1.004;0.997"),
                 QStringLiteral("--set %1").arg(setting));
         }
         try {
@@ -124,7 +124,7 @@ void remove(Words words, QTextStream& out) {
     out << QStringLiteral("Removed the %1 profile %2\n").arg(profileKindName(kind), name);
 }
 
-// The thinning of ink by a step wedge's readings, into a film's profile.
+// Fits how the ink thins to a step wedge's readings, and saves the result in a film profile.
 void takeWedge(Words words, QTextStream& out) {
     const QString name = words.take(QStringLiteral("NAME"));
     const QString path = words.take(QStringLiteral("READINGS.csv"));
@@ -148,8 +148,8 @@ void takeWedge(Words words, QTextStream& out) {
                    .arg(tone.bend, 10, 'f', 3)
                    .arg(tone.mostStretch, 15, 'f', 2);
     }
-    out << QStringLiteral("No reading is further than %1 of density from this. Saved in the film "
-                          "profile %2\n")
+    out << QStringLiteral("The largest difference between a reading and the fit is a density of "
+                          "%1. Saved in the film profile %2\n")
                .arg(fitted.worst, 0, 'f', 3)
                .arg(name);
 }
@@ -163,15 +163,14 @@ void use(Words words, QTextStream& out) {
     Project project = loadProject(path);
     applyProfile(project, ProfileLibrary().profile(kind, name));
     file.save(project);
-    out << QStringLiteral("%1 uses the %2 profile %3 from now on\n")
-               .arg(path, profileKindName(kind), name);
+    out << QStringLiteral("%1 now uses the %2 profile %3\n").arg(path, profileKindName(kind), name);
 }
 
 class ProfileCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("profile"); }
     QString summary() const override {
-        return QStringLiteral("Keeps what is known of printers, films and tanks.");
+        return QStringLiteral("Manages printer, film and tank profiles.");
     }
 
     void declare(CommandSyntax& syntax) const override {
@@ -179,14 +178,13 @@ public:
             QStringLiteral(
                 "list | show KIND NAME | set KIND NAME | import FILE | export KIND NAME FILE | "
                 "remove KIND NAME | use KIND NAME JOB.dipw | wedge NAME READINGS.csv"),
-            QStringLiteral(
-                "What to do. KIND is printer, film or tank. `set` changes a profile or makes a new "
-                "one, `use` takes it over into a project, which keeps its own copy, `wedge` "
-                "fits how ink thins to the readings of a step wedge (`calibrate wedge`) and keeps "
-                "it in a film's profile."));
+            QStringLiteral("The action. KIND is printer, film or tank. `set` changes a profile or "
+                           "makes a new one. `use` copies a profile into a project. `wedge` fits "
+                           "how ink thins to the readings of a step wedge (`calibrate wedge`) and "
+                           "saves the result in a film profile."));
         syntax.addOption({setOption,
-                          QStringLiteral("For `set`: a value by its path in the profile, such as "
-                                         "scale=1.004;0.997. May be repeated."),
+                          QStringLiteral("For `set`: sets a value by its path in the profile, for "
+                                         "example scale=1.004;0.997. May be repeated."),
                           QStringLiteral("PATH=VALUE")});
         syntax.addOption({iccOption, QStringLiteral("For `set`: the printer's ICC profile."),
                           QStringLiteral("FILE")});
@@ -214,7 +212,7 @@ public:
         } else if (action == QLatin1String("use")) {
             use(words, out);
         } else {
-            throw UsageError(QStringLiteral("There is no such action, see --help"), action);
+            throw UsageError(QStringLiteral("There is no such action; see --help"), action);
         }
     }
 };

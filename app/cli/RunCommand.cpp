@@ -31,7 +31,7 @@ const QString lawsOption = QStringLiteral("laws");
 const QString tolerancesOption = QStringLiteral("tolerances");
 const QString requireOption = QStringLiteral("require");
 
-constexpr std::size_t mostPlaces = 8; // not reached, that are listed
+constexpr std::size_t mostPlaces = 8; // that were not reached and are listed
 
 QString number(double value, int decimals) {
     return QString::number(value, 'f', decimals);
@@ -48,7 +48,7 @@ void printPlaces(const ImmersionResult& result, QTextStream& out) {
     }
     const auto area = [](double value) { return QStringLiteral("%1 mm²").arg(number(value, 0)); };
     for (const UncertainPlace& place : result.verdict.places) {
-        out << QStringLiteral("  at %1, %2 mm on the film: %3\n")
+        out << QStringLiteral("  at x %1 mm, z %2 mm on the film: %3\n")
                    .arg(number(double(place.rest.x()), 0), number(double(place.rest.y()), 0),
                         placeText(place, millimetres, area));
     }
@@ -62,24 +62,25 @@ void printLaws(const std::vector<LawChange>& laws, QTextStream& out) {
 
 void printTolerances(const DipTolerances& tolerances, QTextStream& out) {
     const auto listed = [](const Spread& spread) {
-        return QStringLiteral("±%1 mm (half within ±%2, at most ±%3)")
+        return QStringLiteral("±%1 mm (95 %; half of it within ±%2 mm, at most ±%3 mm)")
             .arg(number(spread.percentile95, 2), number(spread.median, 2),
                  number(spread.maximum, 2));
     };
     out << QStringLiteral("  colours land within %1\n").arg(listed(tolerances.spread));
     for (const Contribution& contribution : tolerances.contributions) {
-        out << QStringLiteral("    %1 ±%2 %3: %4 %, %5\n")
+        out << QStringLiteral("    %1 ±%2 %3: %4 % of the spread, %5\n")
                    .arg(contributorText(contribution.contributor))
                    .arg(contribution.tolerance)
                    .arg(contributorUnit(contribution.contributor),
                         number(100 * contribution.share, 1), listed(contribution.spread));
         if (contribution.lost + contribution.gained >= 1) { // mm²
-            out << QStringLiteral("      moves the border: %1 mm² less or %2 mm² more painted\n")
+            out << QStringLiteral(
+                       "      moves the border of the paint: %1 mm² less or %2 mm² more painted\n")
                        .arg(number(contribution.lost, 0), number(contribution.gained, 0));
         }
     }
     for (const WorstPlace& worst : tolerances.worst) {
-        out << QStringLiteral("    ±%1 mm at %2, %3, %4 mm of the model, most by: %5\n")
+        out << QStringLiteral("    ±%1 mm at %2, %3, %4 mm on the model, mostly from: %5\n")
                    .arg(number(worst.spread, 2), number(double(worst.place.x()), 1),
                         number(double(worst.place.y()), 1), number(double(worst.place.z()), 1),
                         contributorText(worst.contributor));
@@ -101,8 +102,8 @@ void printShare(const JobResult& result, QTextStream& out) {
         return QStringLiteral("%1 mm² (%2 %)")
             .arg(number(area, 0), number(100 * area / areas.total(), 1));
     };
-    out << QStringLiteral(
-               "Shared out: %1 %2, %3 %4, both %5 in a band of %6 to %7 mm, neither %8\n")
+    out << QStringLiteral("Split between the dips: %1 %2, %3 %4, overlap %5 with a width of %6 to "
+                          "%7 mm, not painted %8\n")
                .arg(result.immersions[0].immersion.name, part(areas.first),
                     result.immersions[1].immersion.name, part(areas.second), part(areas.both),
                     number(result.share->overlap.least, 1), number(result.share->overlap.most, 1),
@@ -110,18 +111,18 @@ void printShare(const JobResult& result, QTextStream& out) {
     const std::vector<UnpaintedPlace>& places = result.share->unpainted;
     const std::size_t listed = std::min(places.size(), mostPlaces);
     for (const UnpaintedPlace& place : std::span(places).first(listed)) {
-        out << QStringLiteral("  not reached: %1 mm² at %2, %3, %4 mm of the model\n")
+        out << QStringLiteral("  not reached: %1 mm² at %2, %3, %4 mm on the model\n")
                    .arg(number(place.area, 0), number(double(place.place.x()), 1),
                         number(double(place.place.y()), 1), number(double(place.place.z()), 1));
     }
     if (listed < places.size()) {
-        out << QStringLiteral("  and %1 smaller places, in report.json\n")
+        out << QStringLiteral("  and %1 smaller places, listed in report.json\n")
                    .arg(places.size() - listed);
     }
     const double equator = result.share->equator.cost;
-    out << QStringLiteral("Join: %1 mm long").arg(number(result.share->cost.length, 0));
+    out << QStringLiteral("Seam: %1 mm long").arg(number(result.share->cost.length, 0));
     if (equator > 0) {
-        out << QStringLiteral(", seen %1 % as much as a plain cut halfway between the poses")
+        out << QStringLiteral(", %1 % as visible as a plain cut halfway between the poses")
                    .arg(number(100 * result.share->cost.cost / equator, 0));
     }
     out << '\n';
@@ -130,9 +131,8 @@ void printShare(const JobResult& result, QTextStream& out) {
 void printCradle(const QString& name, const Cradle& cradle, QTextStream& out) {
     if (!cradle.mesh.triangles.empty()) {
         const CradleCheck& check = cradle.check;
-        out << QStringLiteral(
-                   "%1: its cradle keeps %2 mm off the body and %3 mm off the film, holds "
-                   "it by %4 mm², and may be tilted by %5°\n")
+        out << QStringLiteral("%1: the cradle is %2 mm from the part and %3 mm from the paint, "
+                              "supports %4 mm² of the part and may be tilted by %5°\n")
                    .arg(name, number(check.leastGap, 2), number(check.paintGap, 1),
                         number(check.seatArea, 0), number(check.standing.tiltDegrees, 0));
     }
@@ -161,8 +161,8 @@ void printSummary(const JobResult& result, QTextStream& out) {
             printTolerances(result.tolerances->dips[i], out);
         }
         const DippedFilm& film = immersion.laid->film();
-        out << QStringLiteral("%1: %2 × %3 points, cells of %8 mm over the body, %4 steps in %5 s, "
-                              "%6 % of the body covered, the texture read back to %7 mm\n")
+        out << QStringLiteral("%1: %2 × %3 points, cells of %8 mm over the part, %4 steps in %5 s, "
+                              "coverage %6 %, read-back error of the texture %7 mm (95 %)\n")
                    .arg(immersion.immersion.name)
                    .arg(film.grid.columns)
                    .arg(film.grid.rows)
@@ -181,21 +181,22 @@ void printSummary(const JobResult& result, QTextStream& out) {
         printZones(result.tolerances->zones, out);
     }
     if (const std::optional<SmallerFilm> smaller = smallerFilm(result)) {
-        out << QStringLiteral("%1 % of the film is used: %2, %3 × %4 mm, is enough\n")
+        out << QStringLiteral("%1 % of the film is used: %2, %3 × %4 mm, is large enough\n")
                    .arg(number(100 * filmUsed(result), 0), smaller->format,
                         number(smaller->width.value(), 0), number(smaller->height.value(), 0));
     }
-    out << QStringLiteral("Covered altogether: %1 %\n").arg(number(100 * result.coverageTotal, 1));
+    out << QStringLiteral("Coverage by all dips: %1 %\n")
+               .arg(number(100 * result.coverageTotal, 1));
 }
 
-// Has core speak a language from here on.
-void speak(const QString& code) {
+// Sets the language of all texts from core.
+void setLanguage(const QString& code) {
     const QStringList known{QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("pt_BR")};
     auto* words = new QTranslator(QCoreApplication::instance());
     if (!known.contains(code) ||
         (code != known.first() &&
          !words->load(QStringLiteral(":/translations/dipwright_") + code))) {
-        throw UsageError(QStringLiteral("There is no language %1 here, choose one of %2")
+        throw UsageError(QStringLiteral("There is no language %1; choose one of %2")
                              .arg(code, known.join(QStringLiteral(", "))),
                          QStringLiteral("--language"));
     }
@@ -203,7 +204,7 @@ void speak(const QString& code) {
     QCoreApplication::installTranslator(words);
 }
 
-// The worst verdict that the user asked for; nothing: any will do.
+// Returns the worst verdict that the user accepts; empty: any verdict.
 std::optional<Advice> requiredAdvice(const QCommandLineParser& parser) {
     if (!parser.isSet(requireOption)) {
         return std::nullopt;
@@ -215,13 +216,13 @@ std::optional<Advice> requiredAdvice(const QCommandLineParser& parser) {
     if (word == QLatin1String("check")) {
         return Advice::LookFirst;
     }
-    throw UsageError(QStringLiteral("“%1” is no verdict, require print or check").arg(word),
+    throw UsageError(QStringLiteral("“%1” is not a verdict; require print or check").arg(word),
                      QStringLiteral("--require"));
 }
 
-// The verdict that a requirement is held against: what nobody has judged keeps none, whatever else
-// is said of it.
-Advice requirable(const JobResult& result) {
+// Returns the verdict to compare with the requirement. A job whose numerical error was not judged
+// meets no requirement.
+Advice verdictToCompare(const JobResult& result) {
     const bool isJudged = std::ranges::none_of(reasonsOf(result), [](const JobReason& reason) {
         return reason.reason.kind == VerdictReason::Kind::NotAsked;
     });
@@ -237,7 +238,7 @@ void require(std::optional<Advice> required, const std::vector<Advice>& verdicts
     if (failed > 0) {
         throw VerdictError(
             verdicts.size() == 1
-                ? QStringLiteral("The verdict is “%1”, which is not what was required; the "
+                ? QStringLiteral("The verdict is “%1”, which is worse than required; the "
                                  "results are written")
                       .arg(adviceText(verdicts.front()))
                 : QStringLiteral("%1 of %2 verdicts are worse than required; the results are "
@@ -252,46 +253,49 @@ class RunCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("run"); }
     QString summary() const override {
-        return QStringLiteral("Simulates every immersion and writes the sheets to print.");
+        return QStringLiteral("Simulates every dip and writes the sheets to print.");
     }
 
     void declare(CommandSyntax& syntax) const override {
         declareProjects(syntax);
-        syntax.addOption(
-            {outOption,
-             QStringLiteral("The folder for the results, in which each of several projects "
-                            "has one of its own; earlier results are replaced."),
-             QStringLiteral("DIR")});
+        syntax.addOption({outOption,
+                          QStringLiteral("The folder for the results. Several projects get one "
+                                         "subfolder each. Earlier results are replaced."),
+                          QStringLiteral("DIR")});
         syntax.addOption({solverOption,
-                          QStringLiteral("The solver plugin, in place of the project's choice."),
+                          QStringLiteral("The solver plugin, instead of the project's choice."),
                           QStringLiteral("ID")});
         syntax.addOption(
             {dpiOption, QStringLiteral("The sheet's resolution."), QStringLiteral("N")});
         declareFilmImage(syntax);
         syntax.addOption(
-            {certaintyOption, QStringLiteral("Dips no coarser films to judge the sheets by.")});
+            {certaintyOption, QStringLiteral("Skips the dips of coarser films that estimate the "
+                                             "numerical error of the sheets.")});
         syntax.addOption(
-            {lawsOption, QStringLiteral("Dips eight times more an immersion to say how much each "
-                                        "sheet depends on the laws that nobody has measured.")});
+            {lawsOption, QStringLiteral("Simulates eight more dips per sheet, to show how much the "
+                                        "sheet depends on film laws that are not measured.")});
         syntax.addOption(
             {tolerancesOption,
+             QStringLiteral("Simulates dozens of dips per sheet, to show how far the tolerances "
+                            "may move the colours, and which zones stay within their limits.")});
+        syntax.addOption(
+            {cradleOption,
              QStringLiteral(
-                 "Dips dozens of times more an immersion to say how far colours may land "
-                 "off their places for what is off, and which zones keep their limits.")});
-        syntax.addOption({cradleOption, QStringLiteral("Also makes a cradle for each immersion, to "
-                                                       "print in plastic: STL and 3MF.")});
+                 "Also makes a cradle for each dip, to print in plastic: STL and 3MF.")});
         syntax.addOption(
             {requireOption,
-             QStringLiteral("Fails with exit code 3, once all is written, where the verdict is "
-                            "worse than print, or than check (to be looked at first)."),
+             QStringLiteral("Fails with exit code 3, after all results are written, if the verdict "
+                            "is worse than this: print, or check (check first)."),
              QStringLiteral("print|check")});
-        syntax.addOption({motionOption,
-                          QStringLiteral("A text with {names} to fill in for motion-N.gcode."),
-                          QStringLiteral("FILE")});
-        syntax.addOption({languageOption,
-                          QStringLiteral("The language of traveller, job line and notes: en, de or "
-                                         "pt_BR."),
-                          QStringLiteral("CODE")});
+        syntax.addOption(
+            {motionOption,
+             QStringLiteral("A text template whose {names} are filled in for motion-N.gcode."),
+             QStringLiteral("FILE")});
+        syntax.addOption(
+            {languageOption,
+             QStringLiteral(
+                 "The language of the traveller, the job line and the notes: en, de or pt_BR."),
+             QStringLiteral("CODE")});
         declareThreads(syntax);
     }
 
@@ -304,7 +308,7 @@ public:
         const QStringList projects = projectPaths(parser);
         const ThreadLimit threads = threadLimit(parser);
         const SolverRegistry registry;
-        Tasks waking; // a GPU takes longer to wake than a project to read
+        Tasks waking; // waking a GPU takes longer than reading a project
         waking.run([&, cancelToken = console.progress().cancelToken] {
             registry.module(solverToWake(parser, projects.front()), cancelToken);
         });
@@ -321,7 +325,7 @@ public:
     }
 
 private:
-    // The one that the first project is run with, as far as that can be told before it is read.
+    // Returns the first project's solver, as far as it is known before the project is read.
     static QString solverToWake(const QCommandLineParser& parser, const QString& project) {
         if (parser.isSet(solverOption)) {
             return parser.value(solverOption);
@@ -343,7 +347,7 @@ private:
         options.variesLaws = parser.isSet(lawsOption);
         options.tellsTolerances = parser.isSet(tolerancesOption);
         if (parser.isSet(languageOption)) {
-            speak(parser.value(languageOption));
+            setLanguage(parser.value(languageOption));
         }
         if (parser.isSet(motionOption)) {
             options.motion = motionTemplate(parser.value(motionOption));
@@ -353,7 +357,7 @@ private:
         return options;
     }
 
-    // Returns the verdict.
+    // Runs one project and writes its results. Returns the verdict.
     static Advice runOne(const QString& path, const QString& folder, const SolverRegistry& registry,
                          const JobOptions& options, const QCommandLineParser& parser,
                          const Progress& progress, Console& console) {
@@ -365,11 +369,11 @@ private:
         const JobResult result = runAndWrite(project, registry, options, folder, progress);
         printSummary(result, console.out());
         console.out() << QStringLiteral("Wrote %1\n").arg(folder);
-        return requirable(result);
+        return verdictToCompare(result);
     }
 
-    // One after the other; one that fails is told and leaves the others alone. Returns the
-    // verdicts.
+    // Runs the projects one after the other. A project that fails is reported, and the next one
+    // runs. Returns the verdicts.
     static std::vector<Advice> runAll(const QStringList& projects, const QString& folder,
                                       const SolverRegistry& registry, const JobOptions& options,
                                       const QCommandLineParser& parser, Console& console) {
@@ -391,15 +395,16 @@ private:
             } catch (const Error& error) {
                 console.error(error);
             } catch (const Cancelled&) {
-                throw Error(QStringLiteral("Cancelled: %1 of %2 projects were done")
+                throw Error(QStringLiteral("Cancelled: %1 of %2 projects are done")
                                 .arg(verdicts.size())
                                 .arg(projects.size()),
                             projects[number]);
             }
-            console.out().flush(); // what is done is told while the next one runs
+            console.out().flush(); // shows the finished project while the next one runs
         }
         if (verdicts.size() < std::size_t(projects.size())) {
-            throw Error(QStringLiteral("%1 of %2 projects were done, the others failed as told")
+            throw Error(QStringLiteral(
+                            "%1 of %2 projects are done; the errors of the others are listed above")
                             .arg(verdicts.size())
                             .arg(projects.size()),
                         folder);

@@ -12,7 +12,7 @@
 namespace dipwright::cli {
 namespace {
 
-// A signal handler has no other way to reach what it is to change.
+// A signal handler can reach only global variables.
 CancelToken* signalSwitch = nullptr;
 
 extern "C" void onSignal(int number) {
@@ -20,7 +20,7 @@ extern "C" void onSignal(int number) {
     signalSwitch->cancel();
 }
 
-// What is ignored stays so: nohup means it.
+// Leaves ignored signals ignored, as nohup needs it.
 void cancelOn(int number) {
     if (std::signal(number, onSignal) == SIG_IGN) {
         std::signal(number, SIG_IGN);
@@ -43,7 +43,7 @@ void cancelOnSignals(const CancelToken& cancelToken) {
     cancelOn(SIGINT);
     cancelOn(SIGTERM);
 #ifdef SIGHUP
-    cancelOn(SIGHUP); // the terminal is gone
+    cancelOn(SIGHUP); // the terminal was closed
 #endif
 #ifdef SIGXFSZ
     std::signal(SIGXFSZ, SIG_IGN);

@@ -1,4 +1,4 @@
-// What the system is asked: the only file here with calls that differ between platforms.
+// Wraps the system calls of the command line. No other file here differs between platforms.
 #pragma once
 
 #include "base/Progress.h"
@@ -7,8 +7,8 @@ namespace dipwright::cli {
 
 bool standardErrorIsTerminal();
 
-// An interrupt or a request to terminate cancels `cancelToken`, a second one ends the program. A
-// file grown past the user's limit becomes an error of the write instead of a signal.
+// Cancels `cancelToken` on SIGINT, SIGTERM or SIGHUP; a second signal ends the program. A file that
+// exceeds the user's size limit causes a write error instead of a signal.
 void cancelOnSignals(const CancelToken& cancelToken);
 
 } // namespace dipwright::cli

@@ -22,7 +22,7 @@ const QString solverOption = QStringLiteral("solver");
 const QString cellsOption = QStringLiteral("cells");
 const QString plotOption = QStringLiteral("plot");
 
-// The resolutions up to the asked one.
+// Returns the resolutions from 15 cells up to the requested one.
 std::vector<int> resolutions(const QCommandLineParser& parser) {
     const int finest =
         parser.isSet(cellsOption) ? wholeNumberOption(parser, cellsOption, 15, 120) : 60;
@@ -60,8 +60,9 @@ void validateThePhysics(const QCommandLineParser& parser, Console& console) {
     }
     for (const PhysicsResult& result : results) {
         if (!result.passed()) {
-            throw Error(QStringLiteral("The film is farther from the closed form than allowed"),
-                        result.body);
+            throw Error(
+                QStringLiteral("The film differs from the closed form by more than the limit"),
+                result.body);
         }
     }
 }
@@ -79,8 +80,9 @@ void printChange(const QString& immersion, const QString& finer, const SheetChan
 }
 
 void printCertainty(const std::vector<ImmersionCertainty>& certainty, QTextStream& out) {
-    out << "How far the sheet moves, mm, and the body painted in both dips and in one only\n"
-           "immersion         computed with     mean     95 %      max      both      one\n";
+    out << "How far the sheet moves in mm, and the share of the part painted in both computations "
+           "or in only one\n"
+           "dip               computed with     mean     95 %      max      both      one\n";
     for (const ImmersionCertainty& one : certainty) {
         printChange(one.immersion.name, QStringLiteral("half the step"), one.halfStep, out);
         printChange(one.immersion.name, QStringLiteral("half the cell"), one.halfSpacing, out);
@@ -89,9 +91,8 @@ void printCertainty(const std::vector<ImmersionCertainty>& certainty, QTextStrea
         printWarnings(one.notes, out);
         if (!isCertain(one)) {
             out << "warning: " << one.immersion.name
-                << ": this sheet is not certain; give the film smaller cells or more points, turn "
-                   "the "
-                   "body, or dip it in two immersions\n";
+                << ": the numerical error of this sheet is too large; give the film smaller cells "
+                   "or more points, turn the part, or dip it twice\n";
         }
     }
 }
@@ -102,7 +103,7 @@ void validateTheSheet(const QCommandLineParser& parser, Console& console) {
         project.process.solver = parser.value(solverOption);
     }
     if (parser.isSet(mapsOption)) {
-        checkMapFolder(parser.value(mapsOption)); // better now than after the work
+        checkMapFolder(parser.value(mapsOption)); // fails now instead of after the work
     }
     const SolverRegistry registry;
     const std::vector<ImmersionCertainty> certainty =
@@ -132,36 +133,37 @@ class ValidateCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("validate"); }
     QString summary() const override {
-        return QStringLiteral("Tells whether a project can be run, and what to look at first; "
-                              "with --sheet, how far its sheets move when they are computed more "
-                              "finely; or, with --physics, how far the film is from its closed "
-                              "forms.");
+        return QStringLiteral("Checks whether a project can be run and what to check first. With "
+                              "--sheet: the numerical error of its sheets. With --physics: the "
+                              "difference between the film and its closed forms.");
     }
     void declare(CommandSyntax& syntax) const override {
         declareProject(syntax);
         syntax.addOption(
-            {physicsOption, QStringLiteral("Compares the film with its closed forms instead; takes "
-                                           "no project.")});
+            {physicsOption,
+             QStringLiteral("Compares the film with its closed forms instead. Takes no project.")});
         syntax.addOption(
-            {sheetOption, QStringLiteral("Dips once more with steps half as long, and once with "
-                                         "film cells half as wide, and compares the sheets. Takes "
-                                         "some ten times as long as a run.")});
+            {sheetOption,
+             QStringLiteral(
+                 "Repeats each dip with steps half as long, and once more with film cells half as "
+                 "wide, and compares the sheets. Takes about ten times as long as a run.")});
         syntax.addOption(
             {mapsOption,
-             QStringLiteral("With --sheet: draws where the sheet moves, DIR/certainty-N.png."),
+             QStringLiteral(
+                 "With --sheet: draws maps of how far the sheet moves, DIR/certainty-N.png."),
              QStringLiteral("DIR")});
         syntax.addOption({jsonOption, QStringLiteral("Prints JSON.")});
         syntax.addOption({solverOption,
-                          QStringLiteral("With --sheet or --physics: the solver to judge."),
+                          QStringLiteral("With --sheet or --physics: the solver to check."),
                           QStringLiteral("ID")});
         syntax.addOption({cellsOption,
-                          QStringLiteral("With --physics: the finest resolution, in grid cells in "
-                                         "the contact radius (15, 30, 60 or 120; 60)."),
+                          QStringLiteral("With --physics: the finest resolution, in grid cells per "
+                                         "contact radius: 15, 30, 60 or 120; default 60."),
                           QStringLiteral("N")});
-        syntax.addOption({plotOption,
-                          QStringLiteral("With --physics: draws simulated against exact film "
-                                         "radius into a picture."),
-                          QStringLiteral("FILE.png")});
+        syntax.addOption(
+            {plotOption,
+             QStringLiteral("With --physics: plots the simulated film radius over the exact one."),
+             QStringLiteral("FILE.png")});
     }
     void run(const QCommandLineParser& parser, Console& console) const override {
         requireUse(parser);
@@ -175,12 +177,11 @@ public:
     }
 
 private:
-    // Every option stands for something where it is given.
+    // Throws UsageError for an option that has no effect here.
     static void requireUse(const QCommandLineParser& parser) {
         const bool physics = parser.isSet(physicsOption), sheet = parser.isSet(sheetOption);
         if (physics && sheet) {
-            throw UsageError(QStringLiteral("Validate the physics or a project's sheets, not both "
-                                            "at once"),
+            throw UsageError(QStringLiteral("Use either --physics or --sheet"),
                              QStringLiteral("--physics --sheet"));
         }
         const std::pair<QString, bool> uses[] = {{cellsOption, physics},
@@ -189,7 +190,7 @@ private:
                                                  {solverOption, physics || sheet}};
         for (const auto& [option, isUsed] : uses) {
             if (parser.isSet(option) && !isUsed) {
-                throw UsageError(QStringLiteral("This says nothing here, see --help"),
+                throw UsageError(QStringLiteral("This option has no effect here; see --help"),
                                  QStringLiteral("--") + option);
             }
         }

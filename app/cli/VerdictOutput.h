@@ -1,4 +1,4 @@
-// A job's verdict, as every command that runs one tells it.
+// Prints a job's verdict in the same way for all commands that run a job.
 #pragma once
 
 #include "pipeline/JobResult.h"
@@ -7,7 +7,7 @@
 
 namespace dipwright::cli {
 
-// What is to be done with the sheets, and every reason for it, the worst first.
+// Prints the verdict and all reasons for it, worst first.
 void tellVerdict(const JobResult& result, QTextStream& out);
 
 } // namespace dipwright::cli

@@ -1,4 +1,4 @@
-// dipwright-cli: everything the workbench computes, without a display.
+// dipwright-cli: all computations of the workbench, without a display.
 #include "base/ProgramName.h"
 #include "cli/Command.h"
 #include "disk/UnfinishedWrites.h"
@@ -21,13 +21,13 @@ void printHelp(const std::vector<std::unique_ptr<Command>>& commands, QTextStrea
         out << QStringLiteral("  %1 %2\n").arg(command->name(), -10).arg(command->summary());
     }
     out << "\nOptions:\n"
-           "  -h, --help     This help; after a command, the command's own.\n"
-           "  -v, --version  The version.\n\n"
+           "  -h, --help     Shows this help, or after a command the help of that command.\n"
+           "  -v, --version  Shows the version.\n\n"
            "Exit codes: 0 done, 1 the job failed, 2 wrong usage, 3 a verdict worse than "
            "required.\n";
 }
 
-// The parser's own text, with the command where a user types it.
+// Returns the parser's help text, with the command at the place where a user types it.
 QString commandHelp(const QCommandLineParser& parser, const QString& name) {
     const QString text = parser.helpText();
     const auto end = text.indexOf(QLatin1Char('\n'));
@@ -36,11 +36,11 @@ QString commandHelp(const QCommandLineParser& parser, const QString& name) {
         .arg(name, usage, text.mid(end).trimmed().prepend(QStringLiteral("\n\n")));
 }
 
-// An option that is given an empty value, by a variable that is not set, say, is not left out.
+// Rejects empty option values, for example from a shell variable that is not set.
 void requireValues(const QCommandLineParser& parser) {
     for (const QString& option : parser.optionNames()) {
         if (parser.values(option).contains(QString())) {
-            throw UsageError(QStringLiteral("A value is missing, see --help"),
+            throw UsageError(QStringLiteral("A value is missing; see --help"),
                              QStringLiteral("--") + option);
         }
     }
@@ -50,7 +50,7 @@ void printVersion(QTextStream& out) {
     out << "dipwright-cli " << QCoreApplication::applicationVersion() << '\n';
 }
 
-// `arguments`: the program and what follows the command.
+// `arguments`: the program's name and the words after the command.
 void runCommand(const Command& command, const QStringList& arguments, Console& console) {
     QCommandLineParser parser;
     parser.setApplicationDescription(command.summary());
@@ -96,23 +96,23 @@ void run(const QStringList& arguments, Console& console) {
             return;
         }
     }
-    throw UsageError(first.isEmpty() ? QStringLiteral("A command is missing, see --help")
-                                     : QStringLiteral("There is no such command, see --help"),
+    throw UsageError(first.isEmpty() ? QStringLiteral("A command is missing; see --help")
+                                     : QStringLiteral("There is no such command; see --help"),
                      first.isEmpty() ? QStringLiteral("command line") : first);
 }
 
-// What is not UTF-8 comes with other characters in its place, and would name another file.
+// Rejects arguments that are not UTF-8. Their replacement characters would name another file.
 void requireText(const QStringList& arguments) {
     for (const QString& argument : arguments) {
         if (argument.contains(QChar::ReplacementCharacter)) {
-            throw UsageError(QStringLiteral("This is not text in UTF-8, rename the file"),
-                             argument);
+            throw UsageError(QStringLiteral("This is not UTF-8 text; rename the file"), argument);
         }
     }
     if (QDir::currentPath().contains(QChar::ReplacementCharacter)) {
-        throw UsageError(QStringLiteral("The working folder's name is not text in UTF-8, rename "
-                                        "it or work in another"),
-                         QDir::currentPath());
+        throw UsageError(
+            QStringLiteral(
+                "The working folder's name is not UTF-8 text; rename it or work in another folder"),
+            QDir::currentPath());
     }
 }
 
@@ -134,15 +134,16 @@ int guardedRun(const QStringList& arguments, Console& console) {
     } catch (const Error& error) {
         console.error(error);
     } catch (const Cancelled&) {
-        console.error(Error(QStringLiteral("Cancelled, nothing was written"), arguments.value(1)));
+        console.error(Error(QStringLiteral("Cancelled; nothing was written"), arguments.value(1)));
     } catch (const std::bad_alloc&) {
-        console.error(Error(QStringLiteral("There is not enough memory, choose a smaller film, "
-                                           "field or resolution"),
-                            arguments.value(1)));
+        console.error(
+            Error(QStringLiteral(
+                      "There is not enough memory; choose a smaller film, field or resolution"),
+                  arguments.value(1)));
     } catch (const std::exception& failure) {
-        console.error(Error(QStringLiteral("Something went wrong that should not: %1")
-                                .arg(QString::fromUtf8(failure.what())),
-                            arguments.value(1)));
+        console.error(
+            Error(QStringLiteral("Unexpected error: %1").arg(QString::fromUtf8(failure.what())),
+                  arguments.value(1)));
     }
     return Failed;
 }
@@ -172,11 +173,12 @@ std::vector<std::unique_ptr<Command>> allCommands() {
 
 CommandSyntax syntaxOf(const Command& command) {
     CommandSyntax syntax;
-    syntax.addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("This help.")});
+    syntax.addOption(
+        {{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Shows this help.")});
     syntax.addOption(
         {{QStringLiteral("q"), QStringLiteral("quiet")}, QStringLiteral("Shows no progress.")});
     syntax.addOption(
-        {{QStringLiteral("v"), QStringLiteral("version")}, QStringLiteral("The version.")});
+        {{QStringLiteral("v"), QStringLiteral("version")}, QStringLiteral("Shows the version.")});
     command.declare(syntax);
     return syntax;
 }
@@ -184,13 +186,13 @@ CommandSyntax syntaxOf(const Command& command) {
 } // namespace dipwright::cli
 
 int main(int argc, char* argv[]) {
-    // Type on the sheets needs Qt Gui; a display it does not need, whatever the user's session is.
+    // Text on the sheets needs Qt Gui, but no display.
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    // One error line is all that a script has to read: libraries' warnings are for developers.
+    // Hides the libraries' warnings, so that scripts find only one error line.
     QLoggingCategory::setFilterRules(
         QStringLiteral("*.debug=false\n*.info=false\n*.warning=false"));
     const QGuiApplication application(argc, argv);
-    QLocale::setDefault(QLocale::c()); // the command line speaks English, and so do its maps
+    QLocale::setDefault(QLocale::c()); // all output is in English, also the maps
     dipwright::nameProgram();
     dipwright::cli::Console console;
     return dipwright::cli::guardedRun(QCoreApplication::arguments(), console);

@@ -1,4 +1,4 @@
-// From a printer's profile to its calibration page, and from what was measured there back.
+// Makes a printer's calibration page and computes its scale from the measured rulers.
 #pragma once
 
 #include "settings/Profile.h"
@@ -11,12 +11,12 @@ namespace dipwright {
 // The papers to choose from, A4 first.
 const QList<QPageSize>& calibrationPapers();
 
-// Clear of the profile's margins. The first page shows the printer as it is; the second, which
-// `verifies`, what the profile makes of it.
+// Keeps clear of the profile's margins. The first page is printed without correction. The second
+// page, with `verifies`, uses the profile's correction.
 CalibrationPage calibrationPage(const PrinterProfile& profile, QSizeF paper, bool verifies);
 
-// The profile after the rulers of `page` have measured `x` and `y`. Throws Error as
-// calibratedScale() does.
+// Returns the profile with the scale that follows from the measured rulers `x` and `y` of `page`.
+// Throws Error as calibratedScale() does.
 PrinterProfile calibrated(PrinterProfile profile, const CalibrationPage& page, Millimetres x,
                           Millimetres y);
 

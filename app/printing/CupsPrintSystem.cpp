@@ -1,4 +1,4 @@
-// Printing through CUPS and IPP: the one file that knows them.
+// Prints through CUPS and IPP. No other file depends on them.
 #include "printing/PrintSystem.h"
 
 #include "base/Error.h"
@@ -35,7 +35,7 @@ struct FreeMessage {
 };
 using Message = std::unique_ptr<ipp_t, FreeMessage>;
 
-// What a queue may have been set up to do with every job, and what no sheet may be done to.
+// Queue defaults that would alter a sheet, with the values that turn them off.
 constexpr std::pair<const char*, const char*> trueSizeOptions[] = {
     {"print-scaling", "none"},  {"fit-to-page", "false"},
     {"number-up", "1"},         {"sides", "one-sided"},
@@ -53,7 +53,7 @@ QByteArray trueSizeOption(std::string_view name) {
     return {};
 }
 
-// Options of a job, freed with it.
+// RAII list of a job's options.
 class Options {
 public:
     ~Options() { cupsFreeOptions(count_, options_); }
@@ -80,7 +80,7 @@ QString option(const Dest& dest, const char* name) {
     return QString::fromUtf8(cupsGetOption(name, dest->num_options, dest->options));
 }
 
-// The words that people should read among "none", "paused", "media-empty-error" …
+// Makes IPP reasons such as "media-empty-error" readable; drops "none" and CUPS's own.
 QString readableReasons(const QString& reasons) {
     QStringList words;
     for (QString reason : reasons.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
@@ -104,7 +104,8 @@ PrinterMedia mediaOf(const cups_size_t& size) {
         QMarginsF(size.left / 100.0, size.top / 100.0, size.right / 100.0, size.bottom / 100.0)};
 }
 
-// By size and margins: of the names, some queues take "…_borderless" for the one with margins.
+// Names the paper by size and margins. By name, some queues use "…_borderless" for the paper with
+// margins.
 QByteArray collection(const PrinterMedia& media) {
     const auto hundredths = [](double millimetres) {
         return QString::number(std::lround(millimetres * 100));
@@ -128,9 +129,9 @@ void addMedia(std::vector<PrinterMedia>& media, cups_dest_t* dest, cups_dinfo_t*
     }
 }
 
-constexpr int patience = 3000; // milliseconds, with a connection
+constexpr int patience = 3000; // milliseconds, for a connection
 
-// Whether the device speaks IPP: then it is asked what it does. Any other would print the question.
+// Whether the device speaks IPP and can be queried. Other devices would print the query.
 bool speaksIpp(const QString& uri) {
     return uri.startsWith(QLatin1String("ipp")) || uri.contains(QLatin1String("._ipp"));
 }
@@ -140,16 +141,16 @@ struct CloseConnection {
 };
 using Connection = std::unique_ptr<http_t, CloseConnection>;
 
-// What only the printer itself knows; its queue has no more than its own defaults.
+// What only the printer itself reports; its queue has only its own defaults.
 struct DeviceWord {
-    std::vector<QSizeF> loaded; // sizes; empty where it does not say
+    std::vector<QSizeF> loaded; // sizes; empty if it does not report them
     QString scaling;
-    bool takesTrueSize = false; // jobs in PDF that say themselves that they are not scaled
+    bool takesTrueSize = false; // PDF jobs can forbid scaling
     QString stateReason;
     bool answers = false;
 };
 
-// A connection to a printer past its queue, and where on it the printer is found.
+// A direct connection to a printer, and the resource path of the printer on it.
 struct Device {
     Connection connection;
     QByteArray resource, uri;
@@ -240,7 +241,7 @@ DeviceWord wordOfDevice(cups_dest_t* dest) {
     return word;
 }
 
-// Where a device that does not speak IPP is found, be it behind a backend that tries again
+// Host and port of a device that does not speak IPP, also behind a backend that retries
 // ("beh:/1/0/5/socket://…").
 struct Address {
     QByteArray host;
@@ -263,7 +264,7 @@ std::optional<Address> addressOf(const QString& uri) {
     return Address{match.captured(2).remove(u'[').remove(u']').toUtf8(), port > 0 ? port : usual};
 }
 
-// Whether somebody is there. Nothing is sent.
+// Whether the address accepts a connection. Sends nothing.
 bool isReached(const Address& address) {
     return Connection(httpConnect2(address.host.constData(), address.port, nullptr, AF_UNSPEC,
                                    HTTP_ENCRYPTION_NEVER, 1, patience, nullptr)) != nullptr;
@@ -279,7 +280,7 @@ void markLoaded(std::vector<PrinterMedia>& media, const std::vector<QSizeF>& loa
     }
 }
 
-// Printers that cannot do colour say so by print-color-mode, older queues by their type.
+// Monochrome printers are known by print-color-mode, or on older queues by their type.
 bool printsColour(const Dest& dest, cups_dinfo_t* info) {
     if (cupsCheckDestSupported(CUPS_HTTP_DEFAULT, dest.get(), info, CUPS_PRINT_COLOR_MODE,
                                nullptr)) {
@@ -346,8 +347,9 @@ public:
         info.acceptsJobs = option(dest, "printer-is-accepting-jobs") != QLatin1String("false");
         const DestInfo details(cupsCopyDestInfo(CUPS_HTTP_DEFAULT, dest.get()));
         if (!details) {
-            throw Error(Text::tr("The printer does not say what it can do: %1").arg(lastMessage()),
-                        name);
+            throw Error(
+                Text::tr("The printer does not report its capabilities: %1").arg(lastMessage()),
+                name);
         }
         info.printsColour = printsColour(dest, details.get());
         addMedia(info.media, dest.get(), details.get(), CUPS_MEDIA_FLAGS_BORDERLESS);
@@ -384,7 +386,7 @@ public:
         if (!info ||
             cupsCreateDestJob(CUPS_HTTP_DEFAULT, dest.get(), info.get(), &id, title.constData(),
                               options.count(), options.data()) > IPP_STATUS_OK_CONFLICTING) {
-            throw Error(Text::tr("The printer does not take the job: %1").arg(lastMessage()),
+            throw Error(Text::tr("The printer refuses the job: %1").arg(lastMessage()),
                         task.printer);
         }
         const PrintJob job{task.printer, id};
@@ -412,7 +414,7 @@ public:
                           int(std::size(wanted)), nullptr, wanted);
         });
         if (!answer || ippGetStatusCode(answer.get()) > IPP_STATUS_OK_CONFLICTING) {
-            throw Error(Text::tr("The print system does not tell what became of the job: %1")
+            throw Error(Text::tr("The print system does not report the state of the job: %1")
                             .arg(lastMessage()),
                         job.printer);
         }
@@ -422,8 +424,9 @@ public:
     void cancel(const PrintJob& job) override { ask(job, IPP_OP_CANCEL_JOB); }
 
 private:
-    // Of a device that cannot be asked anything: whether it is there, or cannot be looked for. Once
-    // it was it is left alone: some take one connection at a time, and that is the job's.
+    // Whether a device that cannot be queried accepts connections, or cannot be tested. After one
+    // success it is not tested again: some devices accept one connection at a time, and the job
+    // needs it.
     bool hasAnswered(const QString& uri) {
         const std::optional<Address> address = addressOf(uri);
         if (address && !reached_.contains(uri) && isReached(*address)) {
@@ -432,13 +435,12 @@ private:
         return !address || reached_.contains(uri);
     }
 
-    // To the printer itself, with what its queue would not pass on. What it does not understand it
-    // must say (RFC 8011, 4.1.7), and then it shall not print.
+    // Sends the job directly to the printer, with options that its queue would not pass on. The
+    // printer must report unknown options (RFC 8011, 4.1.7); it must not print then.
     static PrintJob submitToDevice(cups_dest_t* dest, const PrintTask& task) {
         const Device device = deviceOf(dest);
         const auto refused = [&](const QString& reason) {
-            return Error(Text::tr("The printer does not take the job: %1").arg(reason),
-                         task.printer);
+            return Error(Text::tr("The printer refuses the job: %1").arg(reason), task.printer);
         };
         if (!device.connection) {
             throw refused(lastMessage());
@@ -473,13 +475,12 @@ private:
         ipp_attribute_t* scaling = ippFindAttribute(answer.get(), "print-scaling", IPP_TAG_ZERO);
         if (scaling && ippGetGroupTag(scaling) == IPP_TAG_UNSUPPORTED_GROUP) {
             ask(job, IPP_OP_CANCEL_JOB);
-            throw refused(Text::tr("it does not leave the page's size alone"));
+            throw refused(Text::tr("it changes the page size"));
         }
         return job;
     }
 
-    // Puts a question about a job to whoever has it: the queue, or the printer itself. Null where
-    // that does not answer.
+    // Queries a job at its queue or, for direct jobs, at the printer. Null if there is no answer.
     static Message ask(const PrintJob& job, ipp_op_t operation,
                        const std::function<void(ipp_t*)>& add = {}) {
         const auto added = [&](ipp_t* request) {

@@ -20,10 +20,10 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Printing)
 };
 
-constexpr double leastShortfall = 1; // mm² that are worth a word
+constexpr double leastShortfall = 1; // mm²; smaller areas are not reported
 
-// What of a profile changes a sheet's plates, the same for profiles that make the same plates.
-// Empty: it changes none.
+// Text that describes the profile's effect on a sheet's plates. Profiles that make the same plates
+// have the same text. Empty: no effect.
 QByteArray platesText(const PrinterProfile& profile) {
     QByteArrayList parts;
     if (profile.scaleX != 1 || profile.scaleY != 1) {
@@ -98,18 +98,18 @@ QStringList leftOut(const Sheet& sheet, const PrintCorrection& correction, bool 
     }
     if (!inks && std::any_of(sheet.plates.begin(), sheet.plates.end(),
                              [](const auto& plate) { return plate.alternate.isValid(); })) {
-        sentences << Text::tr("The spot inks are left out: they need a printer profile with an ICC "
-                              "profile in CMYK");
+        sentences << Text::tr("The spot colours are left out: they need a printer profile with an "
+                              "ICC profile in CMYK");
     }
     if (sheet.settings.cutLine != CutLine::None && (tiff || !inks)) {
-        sentences << Text::tr("The cut line is left out: it needs a PDF and a printer profile with "
-                              "an ICC profile in CMYK");
+        sentences << Text::tr("The cut contour is left out: it needs a PDF and a printer profile "
+                              "with an ICC profile in CMYK");
     }
     const double area = inkShortfall(sheet, correction);
     if (area >= leastShortfall) {
         sentences << Text::tr(
-                         "On %1 mm² of the part the inks fall visibly short: full ink, the ink "
-                         "limit or the total of ink does not make up for the stretch")
+                         "%1 mm² of the part will be visibly too pale: full ink, the ink limit or "
+                         "the total area coverage does not compensate for the stretch")
                          .arg(std::round(area));
     }
     return sentences;
@@ -125,8 +125,8 @@ QStringList writeSheetFile(const Sheet& sheet, const PrintFileRequest& request,
     QStringList warnings = leftOut(sheet, correction, isTiff(path));
     if (request.tilePaper) {
         if (isTiff(path)) {
-            throw Error(Text::tr("Pieces of a sheet are written as PDF, one page each; name the "
-                                 "file .pdf"),
+            throw Error(Text::tr("A sheet in tiles can only be written as PDF, one page for each "
+                                 "tile; end the file name in .pdf"),
                         path);
         }
         const TileSettings tiles =

@@ -1,4 +1,4 @@
-// A sheet as a file in a printer's scale and colours, in place of sending it there.
+// Writes a sheet to a file in a printer's scale and colours, instead of printing it.
 #pragma once
 
 #include "printing/PrintHistory.h"
@@ -13,52 +13,54 @@
 
 namespace dipwright {
 
-// The profile's colours; null where it has none, or there is no profile. Throws Error.
+// The profile's colours. Null without a profile, or if the profile has no colours. Throws Error.
 std::unique_ptr<PrinterColour> printerColour(const std::optional<PrinterProfile>& profile);
-// The profile's scales and limit of ink, true size without one, with these colours (may be null).
+// The profile's scales and ink limit (true size without a profile), with `colour`, which may be
+// null.
 PrintCorrection printCorrection(const std::optional<PrinterProfile>& profile,
                                 const PrinterColour* colour);
 
-// Pieces on such paper, clear of its edges that are lost and never nearer to them than usual.
+// Tiles for this paper. They stay clear of its unprintable edges, and at least the usual distance
+// from the paper's edges.
 TileSettings tileSettings(QSizeF paper, const QMarginsF& lost);
 
-// The sheet with the job numbers that it has when it is printed by the profile. Where that changes
-// scale, colours or inks, a dash and six hexadecimal digits of what it changes follow the job's own
-// number: different plates of one job have different numbers. Of a film with several jobs, those of
-// its pieces too.
+// The sheet with the job numbers that it has when printed with the profile. If the profile changes
+// scale, colours or inks, the job number gets a suffix: a dash and six hexadecimal digits of these
+// changes. So different plates of one job have different numbers. On a film with several jobs, this
+// applies to its pieces too.
 Sheet numberedFor(const std::optional<PrinterProfile>& profile, const Sheet& sheet);
 
 bool isTiff(const QString& path);
 
-// Sentences on what the sheet has and its print does not: spot inks, without a colour in CMYK, and
-// ink where no more of it makes up for the stretch.
+// Sentences on parts of the sheet that cannot be printed as designed. These are spot colours
+// without a CMYK profile, and places where the ink cannot compensate the stretch.
 QStringList leftOut(const Sheet& sheet, const PrintCorrection& correction, bool tiff);
 
 struct PrintFileRequest {
-    // Scales, margins and colours of the printer; none: true scale and sRGB.
+    // Scales, margins and colours of the printer; none: true size and sRGB.
     std::optional<PrinterProfile> profile;
-    // Cut into pieces of this paper, in mm; PDF only.
+    // Splits the sheet into tiles for this paper, in mm; PDF only.
     std::optional<QSizeF> tilePaper;
-    bool acceptClipping = false; // lose what lies where the printer does not reach
+    bool acceptClipping = false; // lose colour that the printer cannot reach
     PrintSource source;          // for the history
 };
 
-// PDF, or TIFF where the name ends so, kept in the history when it is written. Returns what is to
-// be said about it. Throws Error, as for a sheet that is printed, where the printer does not reach
-// colour near the sheet's edge.
+// Writes TIFF if the file name ends in .tif or .tiff, else PDF. Records the file in the print
+// history. Returns warnings. Throws Error if the printer cannot reach colour near the sheet's edge,
+// as for a printed sheet.
 QStringList writePrintFile(const Sheet& original, const PrintFileRequest& request,
                            const QString& path, const PrintHistory& history);
 
-// A sheet's film on white as the printer will show it, and the share of its paint that the printer
-// cannot make.
+// A sheet's film on white as the printer will show it, and the share of its paint that is out of
+// gamut.
 struct PrintProof {
     QImage page; // opaque, sRGB
     double outOfGamut = 0;
 };
-// `correction` with a colour. What is out of reach is painted over in magenta where `marked`.
+// `correction` must have a colour. With `marked`, out-of-gamut places are painted magenta.
 PrintProof printProof(const Sheet& sheet, const PrintCorrection& correction, bool marked);
-// The colours that the printer is asked for: where it compensates each ink by itself, those that
-// are to show, else those of the film image.
+// The colours requested from the printer. If it compensates each ink separately, these are the
+// wanted colours, else those of the film image.
 const QImage& askedColours(const Sheet& sheet, const PrinterColour& colour);
 
 } // namespace dipwright

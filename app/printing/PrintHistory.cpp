@@ -26,7 +26,7 @@ struct Text {
 const char* const chosenFolder = "DIPWRIGHT_PRINT_HISTORY";
 const QString format = QStringLiteral("dipwright-print");
 constexpr int version = 1;
-constexpr qint64 mostBytes = 64 << 10; // of a record
+constexpr qint64 mostBytes = 64 << 10; // size limit of a record
 constexpr int mostCopies = 100'000;
 constexpr double largestMedium = 100'000; // mm
 
@@ -34,7 +34,7 @@ constexpr double largestMedium = 100'000; // mm
 constexpr std::array fateWords{"sent",      "printed", "handed_over", "written",
                                "cancelled", "failed",  "stopped",     "unknown"};
 
-// The oldest first, by their names.
+// Oldest first; the names sort by time.
 QStringList files(const QDir& folder) {
     return folder.entryList({QStringLiteral("*.print.json")}, QDir::Files, QDir::Name);
 }
@@ -61,7 +61,7 @@ QJsonObject toJson(const PrintRecord& record) {
     };
 }
 
-// A line without control characters, whoever wrote it.
+// Text from any writer, reduced to one line without control characters.
 QString line(const QJsonObject& json, const char* key) {
     constexpr int longest = 4096;
     return json.value(QLatin1String(key)).toString().left(longest).simplified();
@@ -123,7 +123,7 @@ PrintRecord recordOf(const Sheet& sheet, const PrintSource& source,
 QString fateText(const PrintRecord& record) {
     switch (record.fate) {
     case PrintFate::Sent:
-        return Text::tr("Sent, nothing more is known");
+        return Text::tr("Sent, outcome unknown");
     case PrintFate::Printed:
         return Text::tr("Printed");
     case PrintFate::HandedOver:
@@ -139,11 +139,11 @@ QString fateText(const PrintRecord& record) {
     case PrintFate::Unknown:
         break;
     }
-    return Text::tr("Not known: %1").arg(record.reason);
+    return Text::tr("Unknown: %1").arg(record.reason);
 }
 
 QString notKeptText(const QString& reason) {
-    return Text::tr("The print history does not have it: %1").arg(reason);
+    return Text::tr("This print is missing in the print history: %1").arg(reason);
 }
 
 QString PrintHistory::standardFolder() {
@@ -168,7 +168,7 @@ std::vector<PrintRecord> PrintHistory::records() const {
                 found.push_back(*record);
             }
         } catch (const Error&) {
-            continue; // one damaged file must not take the others away
+            continue; // one damaged file must not hide the others
         }
     }
     return found;
@@ -177,7 +177,7 @@ std::vector<PrintRecord> PrintHistory::records() const {
 QString PrintHistory::keep(PrintRecord& record) const {
     const QDir folder(folder_);
     if (!folder.mkpath(QStringLiteral("."))) {
-        return Text::tr("the folder %1 cannot be made").arg(QDir::toNativeSeparators(folder_));
+        return Text::tr("the folder %1 cannot be created").arg(QDir::toNativeSeparators(folder_));
     }
     if (record.id.isEmpty()) {
         record.when = QDateTime::currentDateTimeUtc();

@@ -1,6 +1,6 @@
-// What was printed: when, on what, and from which sheet, by the job number that stands on it. Kept
-// with the user's data, a small file a print, so that any number of programs may write at once, on
-// several machines too.
+// Records what was printed: when, on which printer, and from which sheet, by the job number on the
+// sheet. Stored with the user's data, one small file for each print. So several programs, on
+// several machines, can write at the same time.
 #pragma once
 
 #include "settings/Profile.h"
@@ -14,9 +14,9 @@ namespace dipwright {
 struct Project;
 struct Sheet;
 
-// What is known of it. `Sent` stays where the program ended before it knew. `Failed`: it was not
-// taken, or given up; `Stopped`: the printer stopped, or did not answer, and the job was taken
-// back; `Unknown`: nobody tells, it may be on paper.
+// The known outcome of a print. `Sent`: the program ended before the outcome was known. `Failed`:
+// the job was refused or aborted. `Stopped`: the printer stopped or did not answer, and the job was
+// cancelled. `Unknown`: the outcome cannot be queried; the sheet may have been printed.
 enum class PrintFate {
     Sent,
     Printed,
@@ -28,42 +28,42 @@ enum class PrintFate {
     Unknown
 };
 
-// Where a sheet that is printed comes from, as far as the sheet does not say.
+// Where a printed sheet comes from, in addition to the data on the sheet.
 struct PrintSource {
     QString projectFile; // absolute; empty: never saved
-    QString film;        // its profile's name and lot; empty: it has none
+    QString film;        // name and lot of its profile; empty: no profile
 };
 PrintSource printSource(const Project& project, const QString& projectFile);
 
 struct PrintRecord {
-    QString id; // the name of its file; empty: not kept yet
+    QString id; // the name of its file; empty: not stored yet
     QDateTime when;
     QString job;                // the job number on the sheet, JobLine::hash
-    QString project, immersion; // by name
+    QString project, immersion; // names
     PrintSource source;
-    QString printer;    // the system's name of it …
+    QString printer;    // its name in the system …
     QString file;       // … or the file it was written to, absolute
-    QString profile;    // the printer's; empty: true size and sRGB
-    QString mediumName; // the printer's word for it, or empty
+    QString profile;    // the printer profile; empty: true size and sRGB
+    QString mediumName; // the printer's name for it, or empty
     QSizeF mediumSize;  // mm
     int copies = 1;
     PrintFate fate = PrintFate::Sent;
-    QString reason; // why it was not printed, or why that is not known
+    QString reason; // why it was not printed, or why the outcome is unknown
 };
 
-// A record of the sheet, before it is sent, on a medium of `mediumSize` mm.
+// A record of the sheet before it is sent, on a medium of `mediumSize` mm.
 PrintRecord recordOf(const Sheet& sheet, const PrintSource& source,
                      const std::optional<PrinterProfile>& profile, QSizeF mediumSize);
 
-// "Printed", "Failed: out of paper": what became of it, in words.
+// The outcome in words: "Printed", "Failed: out of paper".
 QString fateText(const PrintRecord& record);
 
-// Where the history cannot be written for this reason: what to say of it.
+// What to tell the user when the history cannot be written for this reason.
 QString notKeptText(const QString& reason);
 
 class PrintHistory {
 public:
-    // Far more than anybody looks through; the oldest go first.
+    // The oldest records are deleted beyond this number.
     static constexpr int mostRecords = 5000;
 
     // DIPWRIGHT_PRINT_HISTORY, or "prints" in the user's folder for program data.
@@ -71,10 +71,11 @@ public:
 
     explicit PrintHistory(const QString& folder = standardFolder());
 
-    // The newest first. Files that are no records are passed over.
+    // Newest first. Skips files that are not records.
     std::vector<PrintRecord> records() const;
-    // Writes the record, whole or not at all: a new one, which is given its time and its id, or
-    // over what was kept of it. Empty when done, else why not: nobody wants a print to fail for it.
+    // Writes the record atomically. A new record gets its time and id; an old one is overwritten.
+    // Returns an empty string, or the reason of a failure: a print must not fail because of its
+    // history.
     QString keep(PrintRecord& record) const;
 
 private:

@@ -15,12 +15,12 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Printing)
 };
 
-// What a margin of the paper takes of the drawing there, `half` a paper from its middle.
+// What is lost of the drawing at a margin of the paper; `half`: half the paper's size.
 double lostEdge(double half, double margin, double scale) {
     return std::max(margin, half - (half - margin) * scale);
 }
 
-// The part of the page, in mm, that has ink of the film's plates.
+// The bounding box, in mm, of the page area with ink of the film's plates.
 QRectF paintedBox(const Sheet& sheet, InkedPlates plates) {
     const QRect box = inkedBox(sheet, plates);
     const QSizeF film(sheet.filmWidth.value(), sheet.filmHeight.value());
@@ -33,7 +33,7 @@ QRectF paintedBox(const Sheet& sheet, InkedPlates plates) {
                                   QSizeF(box.width() * x, box.height() * y));
 }
 
-// The page's left edge is the paper's top edge where it lies across.
+// If the page is rotated, its left edge is the paper's top edge.
 QMarginsF lostOnPage(const Sheet& sheet, const QMarginsF& margins,
                      const PrintCorrection& correction) {
     const QSizeF page = pageSize(sheet);
@@ -92,9 +92,10 @@ Sheet withinReach(const Sheet& sheet, const QMarginsF& margins, const PrintCorre
                  "colour there")
             .arg(std::round(widest(lost) * 100) / 100);
     if (!accept) {
-        throw Error(Text::tr("%1; choose larger or borderless paper, or accept that it is lost")
-                        .arg(sentence),
-                    where);
+        throw Error(
+            Text::tr("%1; choose larger or borderless paper, or accept that this colour is lost")
+                .arg(sentence),
+            where);
     }
     warnings << sentence;
     return inside;

@@ -1,4 +1,5 @@
-// What of a sheet a printer reaches: its margins, and what a corrected scale moves past the paper.
+// Computes which part of a sheet a printer can reach, from its margins and from a corrected scale
+// that moves the sheet beyond the paper.
 #pragma once
 
 #include "settings/Profile.h"
@@ -13,18 +14,18 @@ namespace dipwright {
 QMarginsF larger(const QMarginsF& a, const QMarginsF& b);
 double widest(const QMarginsF& margins);
 
-// What the printer cannot reach of its paper, in mm: by its own word and by the profile's
-// measurement.
+// The unprintable margins of the printer's paper, in mm, from the printer's own report and from the
+// profile's measurement.
 QMarginsF unreachable(const QMarginsF& ofPrinter, const std::optional<PrinterProfile>& profile);
 
-// What is lost of the drawing's edges, in its own mm, when it is drawn on `paper` with the
-// correction's scales about the middle: the margins, and more where a scale below 1 makes the
-// drawing larger than the paper.
+// What is lost at the drawing's edges, in its own mm, when it is drawn centred on `paper` with the
+// correction's scales. These are the margins, and more if a scale below 1 makes the drawing larger
+// than the paper.
 QMarginsF lostEdges(QSizeF paper, const QMarginsF& margins, const PrintCorrection& correction);
 
-// The sheet with marks, ruler and job line as far from the paper's edges as ever, and clear of its
-// margins. Colour that is lost is an Error that says so, naming `where`, or with `accept` one more
-// of the warnings.
+// The sheet with its marks, ruler and job line moved clear of the paper's margins, at least the
+// usual distance from the edges. If colour is lost, throws an Error that names `where`, or with
+// `accept` adds a warning.
 Sheet withinReach(const Sheet& sheet, const QMarginsF& margins, const PrintCorrection& correction,
                   bool accept, const QString& where, QStringList& warnings);
 

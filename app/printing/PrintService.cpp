@@ -24,8 +24,8 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Printing)
 };
 
-constexpr unsigned long pause = 200; // milliseconds, between two questions about a job
-constexpr double sameSize = 0.6;     // mm: sizes in whole points differ by as much
+constexpr unsigned long pause = 200; // milliseconds between two queries about a job
+constexpr double sameSize = 0.6;     // mm: sizes rounded to whole points differ this much
 
 QString plain(double millimetres) {
     return QString::number(millimetres, 'g', 5);
@@ -44,22 +44,22 @@ bool holds(QSizeF paper, QSizeF page) {
     return page.width() <= paper.width() + sameSize && page.height() <= paper.height() + sameSize;
 }
 
-// A page is as large as its paper, and of such IPP's "auto" and "auto-fit" leave the size alone.
+// A page is as large as its paper. For such pages IPP's "auto" and "auto-fit" do not scale.
 bool scalesUnasked(const PrinterInfo& printer) {
     const QStringList harmless{QString(), QStringLiteral("none"), QStringLiteral("auto"),
                                QStringLiteral("auto-fit")};
     return !harmless.contains(printer.scaling);
 }
 
-// That jobs say "none" helps little: CUPS 2.4 keeps it from printers that are sent PDF. A printer
-// that heeds it is told past its queue.
+// Setting "none" in jobs is not enough: CUPS 2.4 does not pass it to printers that are sent PDF. A
+// printer that respects it gets the job directly, past its queue.
 void checkScaling(const PrinterInfo& printer) {
     if (scalesUnasked(printer) && !printer.takesTrueSize) {
-        throw Error(Text::tr("The printer scales pages by itself (\"%1\"), and the print system "
-                             "does not pass on to it that it must not; set its scaling to \"none\" "
-                             "in its own menu")
-                        .arg(printer.scaling),
-                    printer.name);
+        throw Error(
+            Text::tr("The printer scales pages by itself (\"%1\"), and the print system cannot "
+                     "turn this off; set the scaling to \"none\" in the printer's own menu")
+                .arg(printer.scaling),
+            printer.name);
     }
 }
 
@@ -67,12 +67,11 @@ PrinterInfo readyPrinter(PrintSystem& system, const QString& name) {
     const std::optional<PrinterInfo> printer = system.printer(name);
     if (!printer) {
         const QStringList names = system.printers();
-        throw Error(
-            names.isEmpty()
-                ? Text::tr("There is no such printer, and no other; set one up in the system first")
-                : Text::tr("There is no such printer, there are: %1")
-                      .arg(names.join(QStringLiteral(", "))),
-            name);
+        throw Error(names.isEmpty() ? Text::tr("There is no such printer, and no other printer is "
+                                               "set up; set one up in the system first")
+                                    : Text::tr("There is no such printer; choose one of: %1")
+                                          .arg(names.join(QStringLiteral(", "))),
+                    name);
     }
     const QString reason = printer->stateReason.isEmpty()
                                ? QString()
@@ -83,16 +82,16 @@ PrinterInfo readyPrinter(PrintSystem& system, const QString& name) {
                     name);
     }
     if (!printer->acceptsJobs) {
-        throw Error(
-            Text::tr("The printer takes no jobs at the moment%1; let it in the system's settings")
-                .arg(reason),
-            name);
+        throw Error(Text::tr("The printer does not accept jobs at the moment%1; allow it in the "
+                             "system's settings")
+                        .arg(reason),
+                    name);
     }
     checkScaling(*printer);
     return *printer;
 }
 
-// Of several media of one size the one that is printed on farthest.
+// Of several media of one size, the one with the smallest margins.
 const PrinterMedia* mediaOfSize(const std::vector<PrinterMedia>& media, QSizeF size) {
     const PrinterMedia* best = nullptr;
     for (const PrinterMedia& one : media) {
@@ -118,7 +117,7 @@ QString sizeNames(const std::vector<PrinterMedia>& media) {
 
 struct PaperChoice {
     PrinterMedia media;
-    bool turned = false; // the page lies across the paper
+    bool turned = false; // the page is rotated on the paper
 };
 
 bool hasPaperFor(const PrinterInfo& printer, QSizeF page) {
@@ -157,7 +156,7 @@ const PrinterMedia& tilePaper(const PrinterInfo& printer, const QString& name) {
         }
     }
     if (!best) {
-        throw Error(name.isEmpty() ? Text::tr("The printer names no paper to print pieces on")
+        throw Error(name.isEmpty() ? Text::tr("The printer reports no paper to print tiles on")
                                    : Text::tr("The printer has no paper named %1").arg(name),
                     printer.name);
     }
@@ -208,9 +207,9 @@ void addressTask(PrintPlan& plan) {
     plan.task.printer = plan.printer.name;
     plan.task.pastQueue = scalesUnasked(plan.printer);
     if (plan.task.pastQueue) {
-        plan.warnings << Text::tr("The printer scales pages where it is not told otherwise, which "
-                                  "its queue does not pass on; the job goes past the queue, to "
-                                  "the printer itself");
+        plan.warnings << Text::tr(
+            "The printer scales pages by default, and its queue cannot turn this off; the job "
+            "bypasses the queue and goes directly to the printer");
     }
 }
 
@@ -252,7 +251,7 @@ QString stateText(const JobStatus& status, const QString& printerReason) {
     return reason.isEmpty() ? state : QStringLiteral("%1: %2").arg(state, reason);
 }
 
-// A print and its record in the history: kept when it is sent, and again with its end.
+// A print and its record in the history, stored when it is sent and again when it ends.
 class KeptPrint {
 public:
     KeptPrint(const PrintHistory& history, const std::optional<PrintRecord>& record)
@@ -280,21 +279,21 @@ private:
     QString notKept_;
 };
 
-// Takes a job back, and says whether that is known to have worked.
+// Cancels a job and says whether that is known to have worked.
 QString takenBack(PrintSystem& system, const PrintJob& job) {
     constexpr int questions = 10;
     system.cancel(job);
     for (int i = 0; i < questions; ++i) {
         const JobState state = system.status(job).state;
         if (state == JobState::Cancelled || state == JobState::Failed) {
-            return Text::tr("the job is cancelled");
+            return Text::tr("the job was cancelled");
         }
         QThread::msleep(pause);
     }
-    return Text::tr("the job could not be cancelled, remove it from the printer's queue");
+    return Text::tr("the job could not be cancelled, so remove it from the printer's queue");
 }
 
-// The state that a job ends in, or nothing while it goes on.
+// The final state of a job; nothing while it goes on.
 std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const JobStatus& status,
                               const std::optional<PrinterInfo>& printer) {
     const QString reason =
@@ -302,11 +301,11 @@ std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const Jo
     switch (status.state) {
     case JobState::Printed:
         if (printer && !printer->tellsPrinted && !printer->answers) {
-            throw NotPrinted(PrintFate::Unknown,
-                             Text::tr("The print system has done with the job, but the printer "
-                                      "does not answer; look whether the sheet has come out, and "
-                                      "print it anew if not"),
-                             job.printer);
+            throw NotPrinted(
+                PrintFate::Unknown,
+                Text::tr("The print system has finished the job, but the printer does not answer; "
+                         "check whether the sheet was printed, and print it again if not"),
+                job.printer);
         }
         return printer && !printer->tellsPrinted ? JobState::HandedOver : JobState::Printed;
     case JobState::HandedOver:
@@ -315,17 +314,15 @@ std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const Jo
         throw NotPrinted(PrintFate::Cancelled, Text::tr("The job was cancelled at the printer"),
                          job.printer);
     case JobState::Failed:
-        throw NotPrinted(PrintFate::Failed, Text::tr("The printer gave the job up: %1").arg(reason),
+        throw NotPrinted(PrintFate::Failed, Text::tr("The printer aborted the job: %1").arg(reason),
                          job.printer);
     case JobState::Stopped:
         system.cancel(job);
-        throw NotPrinted(
-            PrintFate::Stopped,
-            Text::tr(
-                "The printer stopped in the middle of the job: %1; the rest is cancelled, print "
-                "the sheet anew")
-                .arg(reason),
-            job.printer);
+        throw NotPrinted(PrintFate::Stopped,
+                         Text::tr("The printer stopped in the middle of the job: %1; the rest was "
+                                  "cancelled, so print the sheet again")
+                             .arg(reason),
+                         job.printer);
     case JobState::Waiting:
     case JobState::Held:
     case JobState::Printing:
@@ -333,24 +330,22 @@ std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const Jo
     }
     if (printer && printer->state == PrinterState::Stopped) {
         system.cancel(job);
-        throw NotPrinted(
-            PrintFate::Stopped,
-            Text::tr(
-                "The printer has stopped: %1; the job is cancelled, start the printer and print "
-                "the sheet anew")
-                .arg(printer->stateReason.isEmpty() ? reason : printer->stateReason),
-            job.printer);
+        throw NotPrinted(PrintFate::Stopped,
+                         Text::tr("The printer has stopped: %1; the job was cancelled, so start "
+                                  "the printer and print the sheet again")
+                             .arg(printer->stateReason.isEmpty() ? reason : printer->stateReason),
+                         job.printer);
     }
     return std::nullopt;
 }
 
-// What a job that goes on is waited for, and for how long.
+// Limits how long an unfinished job is waited for.
 class Patience {
 public:
     explicit Patience(std::chrono::milliseconds patience) : patience_(patience) {
         sinceNews_.start();
     }
-    // Throws NotPrinted where it has run out. `told`: what is said of the job now.
+    // Throws NotPrinted if the time is up. `told`: the current message about the job.
     void wait(PrintSystem& system, const PrintJob& job, const JobStatus& status,
               const std::optional<PrinterInfo>& printer, const QString& told) {
         listen(status, printer);
@@ -358,7 +353,7 @@ public:
             throw NotPrinted(
                 PrintFate::Stopped,
                 Text::tr("The printer does not answer (%1); %2; check its power, its cable and its "
-                         "address in the system, and print the sheet anew")
+                         "address in the system, and print the sheet again")
                     .arg(told, takenBack(system, job)),
                 job.printer);
         }
@@ -368,20 +363,19 @@ public:
         }
         if (printer && !printer->tellsPrinted && status.state == JobState::Printing &&
             sinceNews_.hasExpired(10 * patience_.count())) {
-            throw NotPrinted(
-                PrintFate::Unknown,
-                Text::tr("Nothing new was heard of job %1 for a long time (%2), and this printer "
-                         "cannot be asked; look at the printer, and remove the job from its queue "
-                         "if it does not print")
-                    .arg(job.id)
-                    .arg(told),
-                job.printer);
+            throw NotPrinted(PrintFate::Unknown,
+                             Text::tr("The state of job %1 has not changed for a long time (%2), "
+                                      "and this printer cannot be queried; check the printer, and "
+                                      "remove the job from its queue if it does not print")
+                                 .arg(job.id)
+                                 .arg(told),
+                             job.printer);
         }
     }
 
 private:
-    // A job that waits though its printer is idle is one that the queue will try again: what it
-    // hears of the printer in between, for as long as it tries, is no answer.
+    // If a job waits while its printer is idle, the queue will retry it. Reports that the queue
+    // receives between its retries do not count as an answer of the printer.
     void listen(const JobStatus& status, const std::optional<PrinterInfo>& printer) {
         const bool hears =
             printer && printer->answers &&
@@ -399,7 +393,7 @@ private:
     }
 
     std::chrono::milliseconds patience_;
-    QElapsedTimer silence_, answers_; // valid while it is silent, or answers
+    QElapsedTimer silence_, answers_; // valid while the printer is silent, or while it answers
     QElapsedTimer sinceNews_;
     QSet<QString> told_;
 };
@@ -459,18 +453,16 @@ PrintPlan planCalibration(PrintSystem& system, const CalibrationPage& page,
     const PaperChoice paper = paperFor(plan.printer, page.paper);
     if (paper.turned) {
         throw Error(
-            Text::tr("The printer takes this paper only with its other edge first; turn the page"),
+            Text::tr("The printer feeds this paper only with the other edge first; turn the page"),
             request.printer);
     }
     checkLoaded(plan.printer, paper.media, request, plan.warnings);
     const double margin = widest(paper.media.margins);
     if (margin > page.clearance.value()) {
-        throw Error(
-            Text::tr(
-                "The printer does not reach the outer %1 mm of the paper; put its margins into "
-                "its profile first")
-                .arg(plain(margin)),
-            request.printer);
+        throw Error(Text::tr("The printer does not reach the outer %1 mm of the paper; enter its "
+                             "margins in its profile first")
+                        .arg(plain(margin)),
+                    request.printer);
     }
     addressTask(plan);
     plan.task.title = Text::tr("Calibration of %1").arg(page.printer);

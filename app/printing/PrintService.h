@@ -1,5 +1,5 @@
-// Printing sheets at true size: everything is judged before anything is sent, and a job is followed
-// until it is on paper.
+// Prints sheets at true size. Checks everything before it sends anything, and follows a job until
+// it is on paper.
 #pragma once
 
 #include "base/Error.h"
@@ -18,44 +18,44 @@ namespace dipwright {
 struct PrintRequest {
     QString printer;
     int copies = 1;
-    // Scales, margins and colours of the printer; none: true scale and sRGB.
+    // Scales, margins and colours of the printer; none: true size and sRGB.
     std::optional<PrinterProfile> profile;
-    // Cut a sheet that no paper of the printer is made for into pieces of the largest one loaded,
-    // or any sheet into pieces of the media named.
+    // Splits a sheet into tiles: a sheet that fits no paper of the printer onto the largest loaded
+    // paper, or any sheet onto the paper named `tilePaper`.
     bool tile = false;
     QString tilePaper;
     bool acceptMonochrome = false; // print a coloured sheet in grey
-    bool acceptClipping = false;   // lose what lies where the printer does not reach
-    bool acceptOtherPaper = false; // the paper is not loaded, as far as the printer knows
+    bool acceptClipping = false;   // lose colour that the printer cannot reach
+    bool acceptOtherPaper = false; // print on paper that is reported as not loaded
     PrintSource source;            // for the history
 };
 
-// What will be sent, and what to say about it beforehand.
+// What will be sent, and what to tell the user first.
 struct PrintPlan {
     PrinterInfo printer;
     PrintTask task;
     QStringList warnings;
-    std::optional<PrintRecord> record; // for the history; none of a page of rulers
+    std::optional<PrintRecord> record; // for the history; none for a calibration page
 };
 
-// Judges and prepares one sheet. Throws Error, one sentence that says what to do, when the printer
-// is unknown, stopped, refuses jobs or scales pages unasked; has no such paper, or not loaded;
-// prints grey only; does not reach colour near the sheet's edge; and when the sheet is larger than
-// every paper of the printer and is not to be tiled. Nothing is sent.
+// Checks and prepares one sheet. Sends nothing. Throws Error, one sentence that says what to do, in
+// these cases: the printer is unknown or stopped, refuses jobs, or scales pages by itself; it does
+// not have the paper, or has not loaded it; it prints only grey; it cannot reach colour near the
+// sheet's edge; the sheet is larger than every paper and may not be tiled.
 PrintPlan planPrint(PrintSystem& system, const Sheet& sheet, const PrintRequest& request);
 
-// The same for a calibration page, whose scales are its own and not those of the request's profile.
-// Refused as well where the printer does not reach the page's rulers.
+// The same for a calibration page, which has its own scales instead of the profile's. Also throws
+// if the printer cannot reach the rulers.
 PrintPlan planCalibration(PrintSystem& system, const CalibrationPage& page,
                           const PrintRequest& request);
 
-// The plans of several sheets: all are judged before the first is sent, so that a job is never
-// printed by half.
+// Plans several sheets. All are checked before the first is sent, so a job is never printed only in
+// part.
 std::vector<PrintPlan> planPrints(PrintSystem& system, const std::vector<Sheet>& sheets,
                                   const PrintRequest& request);
 
-// How a job has ended that is not known to be printed: what is to be said of it, and what the
-// history keeps.
+// A job ended and is not known to be printed. Has the message for the user and the outcome for the
+// history.
 class NotPrinted : public Error {
 public:
     NotPrinted(PrintFate fate, const QString& message, const QString& where)
@@ -66,26 +66,27 @@ private:
     PrintFate fate_;
 };
 
-// Follows a job that was submitted until it is printed ("HandedOver" where nobody can tell), asking
-// a few times a second. Throws NotPrinted when it fails, is cancelled by somebody else, when the
-// printer stops, or has not answered for as long as `patience`: the job is then cancelled, so that
-// it does not come out unasked later. Of a printer that cannot be asked (PrinterInfo::tellsPrinted)
-// a job is left to its queue, with NotPrinted, when that has told nothing new of it for ten times
-// as long. Tells by `progress` what the printer says meanwhile, "out of paper"; cancelled by it:
-// cancels the job and throws Cancelled. Error where the print system does not answer.
+// Follows a submitted job until it is printed, asking a few times a second. Returns HandedOver if
+// the outcome cannot be queried. Throws NotPrinted if the job fails, somebody else cancels it, the
+// printer stops, or the printer does not answer for `patience`. The job is then cancelled, so that
+// it does not print unexpectedly later. A job for a printer that cannot be queried
+// (PrinterInfo::tellsPrinted) stays in its queue; NotPrinted is thrown after ten times `patience`
+// without news. Reports the printer's messages, such as "out of paper", through `progress`.
+// Cancelling through it cancels the job and throws Cancelled. Throws Error if the print system does
+// not answer.
 JobState followJob(PrintSystem& system, const PrintJob& job, const Progress& progress,
                    std::chrono::milliseconds patience = std::chrono::minutes(1));
 
-// Hears of each job when it has come to its end.
+// Called for each job when it has ended.
 using JobEndObserver = std::function<void(const PrintTask&, const PrintJob&, JobState)>;
 
 struct PrintEnd {
-    JobState state = JobState::Waiting; // of the last job
-    QString notKept;                    // why the history does not have them all; empty: it has
+    JobState state = JobState::Waiting; // the last job
+    QString notKept;                    // why some jobs are missing in the history; empty: none
 };
 
-// Sends what was planned, one job after the other, each followed as above and kept in the history,
-// with its end whatever that is.
+// Sends the plans one after the other. Follows each as above and records it, with its outcome, in
+// the history.
 PrintEnd printPlans(PrintSystem& system, const std::vector<PrintPlan>& plans,
                     const PrintHistory& history, const Progress& progress,
                     const JobEndObserver& ended = {});

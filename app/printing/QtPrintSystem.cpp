@@ -1,4 +1,4 @@
-// Printing through QPrinter, which every platform of Qt has.
+// Prints through QPrinter, which exists on every platform of Qt.
 #include "printing/PrintSystem.h"
 
 #include "base/Error.h"
@@ -16,7 +16,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Printing)
 };
 
-// QPrinter with another name than a printer's prints to the default one, without a word.
+// With an unknown name, QPrinter silently prints to the default printer.
 QPrinterInfo named(const QString& name) {
     return name.isEmpty() ? QPrinterInfo() : QPrinterInfo::printerInfo(name);
 }
@@ -74,13 +74,13 @@ public:
         printer.setDocName(task.title);
         printer.setColorMode(QPrinter::Color);
         printer.setDuplex(QPrinter::DuplexNone);
-        printer.setCopyCount(1);   // copies are pages
-        printer.setFullPage(true); // the origin is the paper's corner, not the margins'
+        printer.setCopyCount(1);   // copies are sent as pages
+        printer.setFullPage(true); // the origin is the corner of the paper, not of its margins
         printer.setPageLayout(QPageLayout(QPageSize(task.media.size, QPageSize::Millimeter),
                                           QPageLayout::Portrait, QMarginsF(0, 0, 0, 0)));
         QPainter painter;
         if (!painter.begin(&printer)) {
-            throw Error(Text::tr("The printer does not take the job"), task.printer);
+            throw Error(Text::tr("The printer refuses the job"), task.printer);
         }
         for (int page = 0; page < task.pages; ++page) {
             if (page > 0) {

@@ -1,5 +1,5 @@
-// The way to the program that has started this one (core/import/trusted/ReaderMessages.h): over the
-// standard streams.
+// Connects the reader to the program that started it, over the standard streams
+// (core/import/trusted/ReaderMessages.h).
 #pragma once
 
 #include "base/Error.h"
@@ -14,8 +14,8 @@ class Pipe : public UntrustedFiles {
 public:
     Pipe();
 
-    // The first message. Ends the process where there is none, as all here does where the other
-    // side is gone.
+    // Returns the first message. Like all functions here, ends the process if the other side has
+    // closed the streams.
     ReaderJob readJob();
 
     void report(double share, const QString& text);
@@ -25,7 +25,7 @@ public:
     void fail(const Error& error);
 
 private:
-    // Asks the other side.
+    // Asks the other side for a file.
     std::optional<QByteArray> fetch(const QString& name) override;
     QByteArray take(qint64 length);
     void write(const QByteArray& bytes);

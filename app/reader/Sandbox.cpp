@@ -29,7 +29,7 @@ namespace dipwright {
 namespace {
 
 #if defined(Q_OS_UNIX)
-// It can be raised again up to `ever`, never beyond.
+// Sets the current limit to `most`. It can be raised later, but never above `ever`.
 void limit(int resource, rlim_t most, rlim_t ever) {
     rlimit now{};
     getrlimit(resource, &now);
@@ -38,11 +38,11 @@ void limit(int resource, rlim_t most, rlim_t ever) {
     setrlimit(resource, &now);
 }
 
-constexpr qint64 anyFile = qint64(1) << 50; // bytes: the largest budget of all
+constexpr qint64 anyFile = qint64(1) << 50; // bytes; larger than any budget
 #endif
 
 #if defined(Q_OS_LINUX) && (defined(__x86_64__) || defined(__aarch64__))
-// System calls that only compute, use streams that are open, or end.
+// System calls that only compute, use open streams or end the process.
 constexpr char harmlessCalls[] =
     "read readv write writev close lseek fstat fcntl poll ppoll munmap mremap madvise brk "
     "futex sched_yield sched_getaffinity set_robust_list rseq membarrier rt_sigaction "
@@ -50,8 +50,8 @@ constexpr char harmlessCalls[] =
     "getgid getegid getrandom uname sysinfo getrusage time clock_gettime clock_getres "
     "clock_nanosleep nanosleep gettimeofday eventfd2 pipe2 exit exit_group";
 
-// A call that is harmless where bits of an argument are these: of its lower half, which is all that
-// the kernel looks at.
+// A call that is allowed only if the masked bits of an argument have this value. Only the lower
+// half is compared, because the kernel reads no more.
 struct LimitedCall {
     int call;
     scmp_arg_cmp argument;
@@ -65,14 +65,14 @@ bool filterCalls() {
         {SCMP_SYS(mmap), {2, bits, PROT_EXEC, 0}},
         {SCMP_SYS(mprotect), {2, bits, PROT_EXEC, 0}},
         {SCMP_SYS(prctl), {0, bits, all, PR_SET_NAME}},
-        {SCMP_SYS(prlimit64), {0, bits, all, 0}}, // its own
+        {SCMP_SYS(prlimit64), {0, bits, all, 0}}, // only this process
         {SCMP_SYS(tgkill), {0, bits, all, std::uint32_t(getpid())}},
     };
     const std::unique_ptr<void, decltype(&seccomp_release)> filter(
         seccomp_init(SCMP_ACT_ERRNO(EPERM)), seccomp_release);
     // Kernels before 4.14 can only end the thread.
     seccomp_attr_set(filter.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
-    // Says that there is no such call, at which the C library takes clone, whose flags can be seen.
+    // Reports clone3 as missing, so that the C library uses clone, whose flags the filter can read.
     int refused = seccomp_rule_add(filter.get(), SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0);
     for (const QByteArray& name : QByteArray(harmlessCalls).split(' ')) {
         const int call = seccomp_syscall_resolve_name(name.constData());
@@ -104,7 +104,7 @@ void leaveSurroundings() {
 }
 
 bool enterSandbox() {
-    // Ends at once: nothing can be told while it is not known what is being written.
+    // Ends at once: a message could land in the middle of another one.
     std::signal(SIGXCPU, [](int) { _exit(readerOutOfTime); });
     limit(RLIMIT_CORE, 0, 0);
     limit(RLIMIT_FSIZE, 0, 0);
@@ -115,12 +115,13 @@ bool enterSandbox() {
 void allowFor(qint64 fileBytes) {
     constexpr qint64 second = 1000;
     const qint64 time = mostOf(Budget::Milliseconds, fileBytes);
-    // Past the last second the system kills; a second before it still says why.
+    // The kernel kills the process after the last second. The signal one second earlier gives the
+    // reason.
     limit(RLIMIT_CPU, rlim_t((time + second - 1) / second),
           rlim_t(mostOf(Budget::Milliseconds, anyFile) / second + 2));
-#if !defined(DIPWRIGHT_SANITIZED) // a sanitizer reserves terabytes for itself
+#if !defined(DIPWRIGHT_SANITIZED) // sanitizers reserve terabytes of addresses
 #if defined(Q_OS_LINUX)
-    const int memory = RLIMIT_DATA; // what is written to; reserved is more
+    const int memory = RLIMIT_DATA; // counts written memory only, as more is reserved
 #else
     const int memory = RLIMIT_AS;
 #endif
@@ -137,7 +138,8 @@ void leaveSurroundings() {
     }
 }
 
-// One process with the memory of the largest file: a job's limits are for good.
+// Allows one process and the memory of the largest file, because a job's limits cannot be raised
+// later.
 bool enterSandbox() {
     JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
     limits.BasicLimitInformation.LimitFlags =

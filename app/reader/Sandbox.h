@@ -1,21 +1,21 @@
-// What this process gives up before it looks at anything from elsewhere. The system's side: Linux
-// has all of it; other Unix the limits; Windows, where nobody has tried it, memory and processes.
+// Confines this process before it reads foreign files. Linux supports all of it and other Unix only
+// the limits. Windows limits memory and processes, and is untested.
 #pragma once
 
 #include <QtGlobal>
 
 namespace dipwright {
 
-// Whatever the program was started with that is not one of its three streams is closed, and it ends
-// with whoever started it. First of all.
+// Closes all inherited files except the three standard streams. On Linux, the process also ends
+// with its parent. Call this before anything else.
 void leaveSurroundings();
 
-// From now on: no file, network, process or memory that is run as a program can be had, nor what
-// mostOf() allows for a file of no bytes be passed. Once; all libraries must be loaded by then.
-// False where the system has a means of keeping the process from that and refuses it.
+// From now on the process cannot use files, the network, other processes or new executable memory.
+// It also keeps the limits that mostOf() gives for a file of no bytes. Call this once, after all
+// libraries are loaded. Returns false if the system refuses its sandbox.
 [[nodiscard]] bool enterSandbox();
 
-// As much memory and time to compute as files of these many bytes together may take.
+// Raises the limits of memory and computing time to those for files of `fileBytes` bytes in total.
 void allowFor(qint64 fileBytes);
 
 } // namespace dipwright

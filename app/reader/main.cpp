@@ -1,5 +1,5 @@
-// dipwright-reader: reads one foreign model, or some pictures, in a process that may do nothing but
-// compute, and hands back what it read. Started by core/import/ReaderProcess; of no use by hand.
+// dipwright-reader: reads one foreign model, or some pictures, in a sandbox and sends the result
+// back. core/import/trusted/ReaderProcess starts it; it is of no use by hand.
 #include "base/Budgets.h"
 #include "import/sandboxed/PhotoFacts.h"
 #include "import/sandboxed/PictureReader.h"
@@ -20,7 +20,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Reader)
 };
 
-// Chosen by whoever has no system that could confine it, and trusts the files.
+// Set by users whose system cannot confine the process and who trust the files.
 bool mayReadUnconfined() {
     return qEnvironmentVariableIsSet("DIPWRIGHT_READ_UNCONFINED");
 }
@@ -86,12 +86,11 @@ int main(int argc, char* argv[]) {
     if (enterSandbox() || mayReadUnconfined()) {
         read(job, pipe);
     } else {
-        pipe.fail(Error(Text::tr("The program that reads models and pictures cannot be kept from "
-                                 "doing anything else on this system, and does not read; use "
-                                 "another system, or set DIPWRIGHT_READ_UNCONFINED=1 for files "
-                                 "that you trust"),
+        pipe.fail(Error(Text::tr("This system cannot confine the program that reads models and "
+                                 "pictures, so nothing was read. Use another system, or set "
+                                 "DIPWRIGHT_READ_UNCONFINED=1 for files that you trust"),
                         job.names.value(0)));
     }
-    // Nothing is cleaned up after a foreign file.
+    // Skips all clean-up, which a foreign file may have corrupted.
     std::_Exit(EXIT_SUCCESS);
 }

@@ -1,16 +1,16 @@
-// The pipes to the program that started this one: the system's part.
+// Handles the pipes and signals between this process and the program that started it.
 #pragma once
 
 #include <cstdio>
 
 namespace dipwright {
 
-// What was standard output, as bytes; what a module prints goes to standard error from now on.
-// Standard input gives bytes, too.
+// Returns the former standard output as a binary stream. From now on, what a module prints goes to
+// standard error. Standard input becomes binary, too.
 std::FILE* answerPipe();
 
-// An interrupt from the keyboard may go to this process as well, where it has no group of its own,
-// but what becomes of it is for the program that started it to say, with which it ends.
+// Ignores interrupts. The terminal may send them to this process too, but the program that started
+// it decides when it ends.
 void leaveInterruptsToStarter();
 
 } // namespace dipwright

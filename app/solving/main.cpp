@@ -1,5 +1,5 @@
-// dipwright-solver: one solver's module in a process of its own (core/solver/OutOfProcessSolver.h).
-// Not for users: it is started by the programs.
+// dipwright-solver: runs one solver module in its own process (core/solver/OutOfProcessSolver.h).
+// Started by the programs, not by users.
 #include "solver/SolverServer.h"
 #include "solving/Pipes.h"
 

@@ -18,7 +18,8 @@ namespace dipwright {
 
 namespace {
 
-const QColor sectionColour(0x9a, 0xa4, 0xae); // inside the body, on light and dark
+// For the inside of the body, on light and dark backgrounds.
+const QColor sectionColour(0x9a, 0xa4, 0xae);
 
 vtkSmartPointer<vtkPolyData> weldedSurface(const TriangleMesh& mesh) {
     auto points = vtkSmartPointer<vtkPoints>::New();

@@ -1,5 +1,5 @@
-// The body in the view: an actor a material, the line in which the water meets it, and where it is
-// cut open.
+// Draws the body in the view: one actor for each material, the waterline on the body, and the
+// section through it.
 #pragma once
 
 #include "SectionPlane.h"
@@ -24,14 +24,15 @@ public:
 
     void setModel(std::shared_ptr<const TexturedMesh> model);
     void setTransform(const Eigen::Isometry3d& modelToWorld);
-    void setTriangleColours(const std::vector<QRgb>& colours); // empty: the model's own look
+    // One colour for each triangle; empty: the model's own look.
+    void setTriangleColours(const std::vector<QRgb>& colours);
     void setLines(const std::vector<ViewLine>& lines);
     void setVisible(bool visible);
-    // `kept`: the plane as VTK has it, or null.
+    // `kept`: the section plane as a VTK object, or null.
     void setSection(const std::optional<SectionPlane>& section, vtkPlane* kept);
     void setLineColours(const QColor& accent, const QColor& ink);
     BoundingBox worldBox() const;     // empty without a body
-    void setPixelRatio(double ratio); // pixels of the screen to one of the window
+    void setPixelRatio(double ratio); // screen pixels per window pixel
 
 private:
     struct Part {
@@ -49,9 +50,9 @@ private:
     std::shared_ptr<const TexturedMesh> model_;
     Eigen::Isometry3d modelToWorld_ = Eigen::Isometry3d::Identity();
     std::vector<Part> parts_;
-    vtkSmartPointer<vtkPolyData> surface_; // welded, to be cut
+    vtkSmartPointer<vtkPolyData> surface_; // welded, for cutting
     SurfaceCut waterline_, section_;
-    vtkSmartPointer<vtkPlane> kept_; // null: the body is whole
+    vtkSmartPointer<vtkPlane> kept_; // null: the body is not cut
     vtkSmartPointer<vtkPolyData> lineData_;
     vtkSmartPointer<vtkActor> lines_;
     bool visible_ = true;

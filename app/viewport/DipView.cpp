@@ -18,22 +18,22 @@ namespace dipwright {
 
 namespace {
 
-constexpr double clickReach = 4;     // pixels that a click may move
-constexpr int wheelStep = 120;       // of a notch, as Qt counts
-constexpr double wheelFactor = 1.21; // of a step of the wheel
+constexpr double clickReach = 4;     // pixels that the cursor may move in a click
+constexpr int wheelStep = 120;       // Qt's units per notch
+constexpr double wheelFactor = 1.21; // zoom factor of one notch
 
 } // namespace
 
-// The UI thread's side: what is asked for, what was last drawn, what the mouse is doing.
+// The state on the UI thread: requests, the last picture, and the mouse.
 struct DipView::State {
     PictureWindow window;
-    QThread thread; // on which `scene` lives
-    QObject drawer; // takes what is to be done there
+    QThread thread; // the thread of `scene`
+    QObject drawer; // runs the changes on that thread
     std::unique_ptr<ViewScene> scene;
 
     QTimer timer;
-    bool drawing = false; // a picture is on its way
-    bool again = false;   // and another one is wanted after it
+    bool drawing = false; // a picture is being drawn
+    bool again = false;   // another one is needed after it
     ViewPicture shown;
     QColor background = Qt::gray, ink = Qt::black;
     std::vector<ViewLegendEntry> legend;
@@ -50,12 +50,12 @@ struct DipView::State {
     MoveArrows arrows;
     int draggedArrow = -1;
     int litArrow = -1;
-    Eigen::Vector3f heldArrow = Eigen::Vector3f::Zero(); // where it was pressed, on its axis
+    Eigen::Vector3f heldArrow = Eigen::Vector3f::Zero(); // the pressed place, on its axis
     double draggedWay = 0;
     std::optional<SectionPlane> section;
-    std::optional<Eigen::Vector3f> heldSection; // where its frame is held, while it is dragged
+    std::optional<Eigen::Vector3f> heldSection; // the held place of its frame during a drag
     bool litSection = false;
-    int wheel = 0; // what was turned since the last notch
+    int wheel = 0; // rotation since the last notch
 
     bool isOnHandle() const { return litAxis >= 0 || litArrow >= 0; }
 };
@@ -102,7 +102,7 @@ bool DipView::isUsable() const {
 
 QString DipView::graphicsDevice() const {
     return isUsable() ? state_->window.device()
-                      : tr("The 3D view needs OpenGL 3.2, and no such context could be made. "
+                      : tr("The 3D view needs OpenGL 3.2, but no such context could be created. "
                            "Everything else works.");
 }
 
@@ -319,7 +319,7 @@ void DipView::paintEvent(QPaintEvent* event) {
     } else if (picture.isNull()) {
         painter.fillRect(rect(), state_->background);
     } else {
-        painter.drawImage(rect(), picture); // of another size until the next one has been drawn
+        painter.drawImage(rect(), picture); // may have another size until the next picture is drawn
     }
     if (isUsable() && !state_->legend.empty()) {
         paintLegend(painter);
@@ -390,7 +390,7 @@ void DipView::mousePressEvent(QMouseEvent* event) {
     sendMouse({MouseAction::Press, event->button(), event->position(), event->modifiers()});
 }
 
-// What is under the press and is dragged by itself: an arrow, a ring, the section's frame.
+// Holds the handle under the press: an arrow, a ring or the section's frame.
 bool DipView::holdHandle() {
     State& s = *state_;
     const ViewProjection& shown = s.shown.projection;
@@ -481,7 +481,7 @@ void DipView::lightHandles(const QPointF& position) {
     }
 }
 
-// From the place that was held, so that it does not jump.
+// Measured from the held place, so that the plane does not jump.
 void DipView::dragSection(const QPointF& position) {
     const SectionPlane& section = *state_->section;
     const int axis = section.axis;
@@ -533,7 +533,8 @@ void DipView::mouseReleaseEvent(QMouseEvent* event) {
     }
 }
 
-// By its key only: the button asks when it is released, as until then it may drag the camera.
+// Only for the menu key. The right button opens the menu on release, because a drag moves the
+// camera.
 void DipView::contextMenuEvent(QContextMenuEvent* event) {
     if (event->reason() == QContextMenuEvent::Keyboard) {
         const QPoint middle = rect().center();
@@ -557,7 +558,7 @@ void DipView::leaveEvent(QEvent* event) {
 }
 
 void DipView::keyPressEvent(QKeyEvent* event) {
-    constexpr double step = 25; // pixels of a drag
+    constexpr double step = 25; // pixels of the equivalent drag
     const auto turn = [this](double right, double up) {
         change([right, up](ViewScene& scene) { scene.turn(right, up); });
     };

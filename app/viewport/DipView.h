@@ -1,9 +1,9 @@
 // The 3D view of a dip: body, film, water and tank, with camera, handles and rays under the cursor.
 //
-// World frame: millimetres, right-handed, Y up, the waterline is the plane y = 0. The view shows
-// what it is given and decides nothing; it knows no project and no solver. UI thread only.
+// World frame: millimetres, right-handed, Y up; the waterline is the plane y = 0. The view draws
+// what it is given; it knows no project and no solver. UI thread only.
 //
-// The pictures are drawn on a thread of its own: however long one takes, the window does not wait.
+// Pictures are drawn on the view's own thread, so the window never waits for one.
 #pragma once
 
 #include "SectionPlane.h"
@@ -30,21 +30,21 @@ class ViewScene;
 struct ViewMouse;
 struct ViewPicture;
 
-// While Shift is held, rings turn and arrows move the body by steps of this.
+// With Shift held, rings and arrows move the body by these steps.
 inline constexpr double ringStep = 15; // degrees
 inline constexpr double arrowStep = 5; // mm
 
-// How dragging with the left button turns the camera.
+// How a drag with the left button turns the camera.
 enum class Navigation {
-    Turntable, // the world's Y axis stays upright
-    Trackball, // freely
+    Turntable, // the world's Y axis stays vertical
+    Trackball, // turns freely
 };
 
 enum class ViewDirection { Front, Back, Left, Right, Top, Bottom, Oblique };
 
-// The topology of the film as drawn; `texture` holds (u to the right, v down the sheet, 0 … 1) a
-// point. A triangle with a side longer than `longestSide` (mm) is not drawn: it is torn, or hangs
-// between film that has been let go of and film on the body.
+// The topology of the film as drawn. `texture` has one coordinate (u to the right, v down the
+// sheet, 0 … 1) for each point. A triangle with a side longer than `longestSide` (mm) is not drawn:
+// it is torn, or lies between released film and film on the body.
 struct FilmShape {
     std::vector<Eigen::Vector2f> texture;
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -58,7 +58,7 @@ struct ViewColours {
     QColor water;
 };
 
-// What one of the body's colours means.
+// The meaning of one of the body's colours.
 struct ViewLegendEntry {
     QColor colour;
     QString text;
@@ -71,45 +71,45 @@ public:
     explicit DipView(QWidget* parent = nullptr);
     ~DipView() override;
 
-    // False where no OpenGL 3.2 context could be made; `graphicsDevice` then says why.
+    // False if no OpenGL 3.2 context could be created; `graphicsDevice` then gives the reason.
     bool isUsable() const;
-    // The renderer's name as the driver gives it.
+    // The renderer's name from the driver.
     QString graphicsDevice() const;
-    // A renderer without a GPU: draw less while things move.
+    // True for a renderer without a GPU: draw less while things move.
     bool isSoftwareRendered() const;
 
-    // Body. `model` in its own coordinates; null: nothing to show.
+    // Sets the body, `model` in its own coordinates; null: no body.
     void setBody(std::shared_ptr<const TexturedMesh> model);
     void setBodyTransform(const Eigen::Isometry3d& modelToWorld);
-    // A colour a triangle instead of the texture; empty: the texture.
+    // One colour for each triangle instead of the texture; empty: the texture.
     void setBodyColours(const std::vector<QRgb>& colours);
-    // Drawn over the surface that they lie in.
+    // Lines on the body's surface, drawn over it.
     void setBodyLines(const std::vector<ViewLine>& lines);
     void setBodyVisible(bool visible);
-    // In the lower left corner, in this order; empty: none.
+    // Shown in the lower left corner, in this order; empty: none.
     void setLegend(std::vector<ViewLegendEntry> entries);
 
-    // Film. Positions: x, y, z a point; the transform takes them to the world.
+    // Sets the film. `positions`: x, y, z for each point, taken to the world by setFilmTransform().
     void setFilm(FilmShape shape, std::vector<float> positions);
-    void setFilmPositions(std::vector<float> positions); // as many as the shape has points
+    void setFilmPositions(std::vector<float> positions); // one for each point of the shape
     void setFilmTransform(const Eigen::Isometry3d& filmToWorld);
-    void setFilmPicture(const QImage& picture);     // clears colours
-    void setFilmColours(std::vector<QRgb> colours); // a point each; empty: the picture
-    void setFilmOpacity(double share);              // 1: the body is not seen through it
+    void setFilmPicture(const QImage& picture);     // clears the colours
+    void setFilmColours(std::vector<QRgb> colours); // one for each point; empty: the picture
+    void setFilmOpacity(double share);              // 1: opaque
 
-    // Cuts body and film open; none: they are whole. Rays begin where something is drawn.
+    // Cuts body and film open; none: they are whole. Rays then start where something is drawn.
     void setSection(const std::optional<SectionPlane>& section);
 
-    // Tank and water: a frame of water round the film, `film` its floating size, `depth` of the
-    // tank.
+    // Draws the tank, and a frame of water around the film. `film`: its floating size; `depth`: of
+    // the tank.
     void setTank(QSizeF film, double depth);
     void setWaterVisible(bool visible);
 
-    // The three rings that turn the body, round `centre` (world).
+    // The three rings that turn the body, around `centre` (world).
     void setRotationRings(bool visible, const Eigen::Vector3f& centre, double radius);
 
-    // The arrows that move the body along X, Y and Z, from `begin` to `end` mm from `centre`
-    // (world).
+    // The arrows that move the body along X, Y and Z. They reach from `begin` to `end` mm from
+    // `centre` (world).
     void setMoveArrows(const std::array<bool, 3>& visible, const Eigen::Vector3f& centre,
                        double begin, double end);
 
@@ -117,49 +117,50 @@ public:
     void setMarker(const std::optional<Eigen::Vector3f>& position);
     void setMeasure(const std::vector<Eigen::Vector3f>& points, const QString& label);
 
-    // Asked of a press of the left button, one after the other until one says yes: whether the drag
-    // that follows is a stroke, which leaves the camera alone.
+    // Each press of the left button is offered to the callbacks in order until one returns true.
+    // The drag is then a stroke and does not move the camera.
     void addStroke(std::function<bool(const ViewRay&)> begins);
 
     // Camera.
     void setNavigation(Navigation navigation);
     void setParallelProjection(bool parallel);
-    void look(ViewDirection direction);                                        // and fit
-    void lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward); // at the body
+    void look(ViewDirection direction); // and fits
+    // Looks at a place on the body.
+    void lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward);
     void fit();
-    // Whether fit() makes room for the film, too, or for the body alone. A camera that stands where
-    // fit() has put it is fitted anew.
+    // Whether fit() shows body and film, or only the body. A camera that was placed by fit() is
+    // fitted again.
     void setFilmFitted(bool fitted);
-    // Where the camera of another view stands, see cameraMoved().
+    // Places the camera as in another view, see cameraMoved().
     void setCamera(const ViewCamera& camera);
     void setColours(const ViewColours& colours);
-    // In widget coordinates, as the picture that was drawn last shows the world.
+    // In widget coordinates, for the picture that was drawn last.
     ViewRay rayAt(QPointF position) const;
     QPointF positionOf(const Eigen::Vector3f& point) const;
 
-    // What the view is to show, at its own size: waits until it has been drawn.
+    // The current state at the view's size. Waits until it has been drawn.
     QImage picture();
-    const QImage& shownPicture() const; // the one drawn last; null before the first
-    // How long drawing it took, in milliseconds.
+    const QImage& shownPicture() const; // the last drawn picture; null before the first
+    // The drawing time of the last picture, in milliseconds.
     int pictureTime() const;
-    // Asks for a new picture; many requests on the way of one make one more.
+    // Requests a new picture. Requests during drawing cause only one more picture.
     void requestPicture();
 
 signals:
     void hovered(const dipwright::ViewRay& ray);
     void hoverLeft();
-    void clicked(const dipwright::ViewRay& ray); // pressed and released in the same place
-    // The right button pressed and released in the same place, or the menu's key; a place on the
-    // screen.
+    void clicked(const dipwright::ViewRay& ray); // pressed and released at the same place
+    // The right button was pressed and released at the same place, or the menu key was pressed.
+    // `place` is on the screen.
     void menuAsked(const dipwright::ViewRay& ray, const QPoint& place);
-    void stroked(const dipwright::ViewRay& ray); // where a stroke is pressed and moves along
+    void stroked(const dipwright::ViewRay& ray); // at the press and during the stroke
     void strokeFinished();
-    void rotationDragged(int axis, double degrees); // about the world's X, Y or Z since the press
+    void rotationDragged(int axis, double degrees); // since the press, about the world's X, Y or Z
     void rotationFinished();
-    void moveDragged(int axis, double millimetres); // along the world's X, Y or Z since the press
+    void moveDragged(int axis, double millimetres); // since the press, along the world's X, Y or Z
     void moveFinished();
-    // A picture was drawn by a camera that was moved here, not by setCamera(): views that follow
-    // each other do not answer each other.
+    // A picture was drawn with a camera that was moved in this view, not by setCamera(). So linked
+    // views do not answer each other.
     void cameraMoved(const dipwright::ViewCamera& camera);
     void sectionDragged(double place); // mm along its axis
 
@@ -177,7 +178,7 @@ protected:
 
 private:
     struct State;
-    // Has it done on the drawing thread, before the next picture.
+    // Calls `what` on the drawing thread before the next picture.
     void change(std::function<void(ViewScene&)> what);
     void sendMouse(const ViewMouse& mouse);
     void updateSize();

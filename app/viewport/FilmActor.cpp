@@ -20,7 +20,7 @@ FilmActor::FilmActor(vtkRenderer* renderer)
     normals_->SetNumberOfComponents(3);
     auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
     mapper->SetInputData(data_);
-    // The film lies on the body: drawn in front of it.
+    // Draws the film in front of the body that it lies on.
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
     mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-1, -4);
     actor_->SetMapper(mapper);

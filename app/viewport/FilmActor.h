@@ -1,4 +1,4 @@
-// The film in the view: fixed triangles over points that are moved in place.
+// Draws the film in the view: fixed triangles over points that move in place.
 #pragma once
 
 #include "DipView.h"
@@ -24,17 +24,17 @@ public:
     void setPicture(const QImage& picture);
     void setPointColours(const std::vector<QRgb>& colours);
     void setOpacity(double share);
-    // `kept`: the plane as VTK has it, or null.
+    // `kept`: the section plane as a VTK object, or null.
     void setSection(const std::optional<SectionPlane>& section, vtkPlane* kept);
     void setCutColour(const QColor& colour);
-    void setPixelRatio(double ratio); // pixels of the screen to one of the window
+    void setPixelRatio(double ratio); // screen pixels per window pixel
 
 private:
     void updateTriangles();
     void updateNormals();
 
     FilmShape shape_;
-    std::vector<std::array<std::uint32_t, 3>> drawn_; // those that are not torn
+    std::vector<std::array<std::uint32_t, 3>> drawn_; // the triangles that are not torn
     vtkSmartPointer<vtkFloatArray> positions_;
     vtkSmartPointer<vtkFloatArray> normals_;
     vtkSmartPointer<vtkPolyData> data_;

@@ -1,4 +1,4 @@
-// The linked cursor and the measured distance in the view.
+// Draws the linked cursor and the measured distance in the view.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,10 +21,10 @@ public:
 
     void setMarker(const std::optional<Eigen::Vector3f>& position);
     void setMeasure(const std::vector<Eigen::Vector3f>& points, const QString& label);
-    void setSize(double sceneSize); // mm, of the whole scene
+    void setSize(double sceneSize); // mm, size of the whole scene
     void setColours(const QColor& accent, const QColor& ink);
     void setFontSize(int pixels);
-    void setPixelRatio(double ratio); // pixels of the screen to one of the window
+    void setPixelRatio(double ratio); // screen pixels per window pixel
 
 private:
     vtkSmartPointer<vtkSphereSource> ball_;

@@ -14,9 +14,9 @@ namespace dipwright {
 namespace {
 
 constexpr double reachPixels = 9;
-constexpr double leastPixels = 12; // of an arrow that can be dragged along
+constexpr double leastPixels = 12; // shortest arrow that can be dragged
 
-// From `position` to the nearest place between both.
+// The distance from `position` to the segment.
 double distanceTo(QPointF position, QPointF from, QPointF to) {
     const QPointF along = to - from, away = position - from;
     const double square = QPointF::dotProduct(along, along);

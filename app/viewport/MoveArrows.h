@@ -1,4 +1,4 @@
-// Arrows along the axes of the world beside the rings, by which the body is moved with the mouse.
+// The arrows along the world's axes beside the rings, which move the body with the mouse.
 #pragma once
 
 #include "ViewProjection.h"
@@ -11,18 +11,18 @@
 
 namespace dipwright {
 
-// Where the arrows are (world), and which of them is under the cursor.
+// The places of the arrows (world), and which one is under the cursor.
 struct MoveArrows {
     Eigen::Vector3f centre = Eigen::Vector3f::Zero();
     double begin = 60, end = 80;      // mm from the centre
     std::array<bool, 3> visible = {}; // X, Y, Z
 
-    // The arrow that is shown within some pixels of `position`, or nothing. One that points at the
-    // eye is none: nothing could be dragged along it.
+    // The visible arrow within a few pixels of `position`, or nothing. An arrow that points at the
+    // eye cannot be dragged and is ignored.
     std::optional<int> axisAt(QPointF position, const ViewProjection& shown) const;
 };
 
-// How they are drawn.
+// Draws the arrows.
 class ArrowActors {
 public:
     explicit ArrowActors(vtkRenderer* renderer);

@@ -1,4 +1,5 @@
-// How the mouse moves the camera: left turns, middle or right or Shift shifts, the wheel zooms.
+// Moves the camera with the mouse. Left turns; middle, right or Shift with left shifts; the wheel
+// zooms.
 #pragma once
 
 #include "DipView.h"
@@ -8,13 +9,14 @@
 
 namespace dipwright {
 
-// Where a camera looks from, in degrees: azimuth 0 is the front (+Z), 90 the right (+X); elevation
-// 90 is straight above. Above and below, the azimuth says which way is up in the picture.
+// The direction that a camera looks from, in degrees. Azimuth 0 is the front (+Z), 90 the right
+// (+X). Elevation 90 is straight above. Straight above or below, the azimuth defines the picture's
+// up direction.
 struct CameraAngles {
     double azimuth = 0, elevation = 0;
 };
 CameraAngles cameraAngles(vtkCamera& camera);
-// Keeps focal point and distance; up stays up.
+// Keeps focal point and distance; the vertical stays vertical.
 void setCameraAngles(vtkCamera& camera, CameraAngles angles);
 
 class NavigationStyle : public vtkInteractorStyleTrackballCamera {
@@ -22,12 +24,12 @@ public:
     static NavigationStyle* New();
 
     void setNavigation(Navigation navigation) { navigation_ = navigation; }
-    // Turns the camera by pixels as a drag would.
+    // Turns the camera as a drag by these pixels would.
     void turn(double rightPixels, double upPixels);
 
     void OnRightButtonDown() override { OnMiddleButtonDown(); }
     void OnRightButtonUp() override { OnMiddleButtonUp(); }
-    // VTK's single-key shortcuts would fight with the program's own.
+    // Disables VTK's single-key shortcuts, which would conflict with the program's own.
     void OnChar() override {}
     void OnKeyPress() override {}
     void Rotate() override;

@@ -1,6 +1,6 @@
-// A window of VTK's that nobody sees: it draws into pictures, on a thread of its own.
+// An invisible VTK window that draws into pictures on its own thread.
 //
-// Made and destroyed on the UI thread, used on the thread given to start().
+// It is created and destroyed on the UI thread and used on the thread given to start().
 #pragma once
 
 #include <QImage>
@@ -17,15 +17,15 @@ class PictureWindow {
 public:
     PictureWindow();
 
-    // False where no OpenGL 3.2 context could be made.
+    // False if no OpenGL 3.2 context could be created.
     bool isUsable() const { return !device_.isEmpty(); }
     const QString& device() const { return device_; } // the renderer's name
 
-    // The first and the last call; between them the window belongs to `thread`.
+    // Call start() first and finish() last; in between, the window belongs to `thread`.
     void start(QThread& thread); // UI thread
     void finish();               // `thread`
 
-    // On `thread`.
+    // Call these on `thread`.
     void open();
     vtkGenericOpenGLRenderWindow* vtk() { return window_; }
     QImage draw();

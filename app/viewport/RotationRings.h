@@ -1,4 +1,4 @@
-// Three rings round the body, one an axis of the world, by which it is turned with the mouse.
+// The three rings around the body, one for each world axis, which turn it with the mouse.
 #pragma once
 
 #include "ViewProjection.h"
@@ -12,26 +12,25 @@
 
 namespace dipwright {
 
-// Of what turns and moves the body, as in every CAD program, told apart by lightness as well.
+// Colours for rings and arrows, as in most CAD programs. They also differ in lightness.
 QColor axisColour(int axis);
 
-// Where the rings are (world), and which of them is under the cursor.
+// The places of the rings (world), and which one is under the cursor.
 struct RotationRings {
     Eigen::Vector3f centre = Eigen::Vector3f::Zero();
     double radius = 50;
     bool visible = false;
 
-    // The ring that passes within some pixels of `position`, or nothing.
+    // The ring within a few pixels of `position`, or nothing.
     std::optional<int> axisAt(QPointF position, const ViewProjection& shown) const;
-    // The angle on the ring of `axis`, in degrees, of the ring point that is shown nearest to
-    // `position`.
+    // The angle in degrees of the point on the ring of `axis` that is drawn nearest to `position`.
     double angleAt(int axis, QPointF position, const ViewProjection& shown) const;
 
 private:
     Eigen::Vector3f ringPoint(int axis, double degrees) const;
 };
 
-// How they are drawn.
+// Draws the rings.
 class RingActors {
 public:
     explicit RingActors(vtkRenderer* renderer);

@@ -1,4 +1,4 @@
-// The frame of the plane that cuts body and film open, by which it is dragged.
+// Draws the frame of the section plane, by which the user drags the plane.
 #pragma once
 
 #include "SectionPlane.h"
@@ -18,7 +18,7 @@ public:
     void set(const std::optional<SectionPlane>& plane); // none: hidden
     void highlight(bool lit);
     void setColour(const QColor& colour);
-    void setPixelRatio(double ratio); // pixels of the screen to one of the window
+    void setPixelRatio(double ratio); // screen pixels per window pixel
 
 private:
     double pixelRatio_ = 1;

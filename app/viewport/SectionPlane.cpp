@@ -8,7 +8,7 @@ namespace dipwright {
 namespace {
 
 constexpr double reachPixels = 9;
-constexpr float beyond = 1e6f; // mm, where nothing is
+constexpr float beyond = 1e6f; // mm, beyond everything
 
 } // namespace
 

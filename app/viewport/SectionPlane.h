@@ -1,4 +1,4 @@
-// A plane across an axis of the world that cuts body and film open in the view.
+// A plane across a world axis that cuts body and film open in the view.
 #pragma once
 
 #include "ViewProjection.h"
@@ -10,17 +10,17 @@ namespace dipwright {
 
 struct SectionPlane {
     int axis = 2;       // X, Y or Z
-    double place = 0;   // mm along it
-    bool after = false; // what lies after the plane is drawn, else what lies before it
-    BoundingBox extent; // that its frame is drawn round (world)
+    double place = 0;   // mm along the axis
+    bool after = false; // the side after the plane is drawn, else the side before it
+    BoundingBox extent; // the frame surrounds this box (world)
 
-    // Of what is drawn: into it.
+    // The normal that points into the drawn side.
     Eigen::Vector3f inward() const;
-    // Of the frame, in a row.
+    // The corners of the frame, in order.
     std::array<Eigen::Vector3f, 4> corners() const;
-    // What of a ray lies where something is drawn.
+    // The part of a ray on the drawn side.
     ViewRay shownPart(ViewRay ray) const;
-    // The frame's point that is shown within some pixels of `position`, or nothing.
+    // The frame's point within a few pixels of `position`, or nothing.
     std::optional<Eigen::Vector3f> frameAt(QPointF position, const ViewProjection& shown) const;
 };
 

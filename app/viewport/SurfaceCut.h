@@ -1,4 +1,4 @@
-// The line in which a plane of the world meets a surface that moves, and what fills it in.
+// The line in which a world plane cuts a moving surface, and the area inside it.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -15,9 +15,9 @@ class SurfaceCut {
 public:
     SurfaceCut();
 
-    // What is drawn, over the surface that it lies in.
+    // Drawn over the surface that it lies in.
     vtkActor& line() const { return *line_; }
-    // The area inside the line, of a closed surface; invisible until it is shown.
+    // The area inside the line of a closed surface. Invisible until it is shown.
     vtkActor& area() const { return *area_; }
 
     void setSurface(vtkPolyData* surface);
@@ -34,9 +34,9 @@ private:
     vtkSmartPointer<vtkActor> line_, area_;
 };
 
-// Drawn over the surface that they lie in.
+// Draws lines over the surface that they lie in.
 void showLines(vtkActor& actor, vtkAlgorithmOutput* lines);
-// Only what lies on the side of `plane` that its normal points to; null: all of it.
+// Draws only the side of `plane` that its normal points to; null: everything.
 void cutOpen(vtkActor& actor, vtkPlane* plane);
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// The water round the film and the edges of the tank.
+// Draws the water around the film and the edges of the tank.
 #pragma once
 
 #include "DipView.h"
@@ -14,13 +14,13 @@ class TankActors {
 public:
     explicit TankActors(vtkRenderer* renderer);
 
-    // mm of water round a film of this size.
+    // Width of the water around a film of this size, in mm.
     static double margin(QSizeF film);
 
     void setSize(QSizeF film, double depth);
     void setVisible(bool visible);
     void setColours(const QColor& water, const QColor& edge);
-    void setPixelRatio(double ratio); // pixels of the screen to one of the window
+    void setPixelRatio(double ratio); // screen pixels per window pixel
 
 private:
     vtkSmartPointer<vtkPolyData> waterData_, edgeData_;

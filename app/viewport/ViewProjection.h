@@ -1,4 +1,4 @@
-// How a picture of the view shows the world: from places to pixels and back.
+// Converts between world places and pixels of the view's picture.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,27 +8,27 @@
 
 namespace dipwright {
 
-// What lies under the cursor: from the camera through the pixel, world frame.
+// The ray from the camera through a pixel, in the world frame.
 struct ViewRay {
     Eigen::Vector3f origin = Eigen::Vector3f::Zero();
     Eigen::Vector3f direction = -Eigen::Vector3f::UnitY(); // unit length
 };
 
-// Where along the world's X, Y or Z, through `held`, the ray passes nearest; `held` itself where
-// the ray goes along the axis.
+// The coordinate along the world's X, Y or Z, on the line through `held`, where the ray passes
+// nearest. That of `held` if the ray is parallel to the axis.
 double placeAlong(int axis, const Eigen::Vector3f& held, const ViewRay& ray);
 
-// Where the camera stands, mm, world frame.
+// The camera's position, in mm, world frame.
 struct ViewCamera {
     std::array<double, 3> place{}, focus{}, up{};
-    double scale = 1; // half of the height that is seen; of parallel projections
+    double scale = 1; // half of the visible height, for parallel projection
     bool isParallel = false;
     bool operator==(const ViewCamera&) const = default;
 };
 
 struct ViewProjection {
-    Eigen::Matrix4d worldToClip = Eigen::Matrix4d::Identity(); // −1 … 1 in what is seen
-    QSizeF size{1, 1};                                         // of the picture, widget coordinates
+    Eigen::Matrix4d worldToClip = Eigen::Matrix4d::Identity(); // −1 … 1 in the visible part
+    QSizeF size{1, 1}; // of the picture, in widget coordinates
 
     QPointF positionOf(const Eigen::Vector3f& place) const;
     ViewRay rayAt(QPointF position) const;

@@ -17,17 +17,16 @@ namespace dipwright {
 
 namespace {
 
-// Moves the camera, without turning it, to where it shows all places as large as can be and in the
-// middle.
+// Moves the camera without rotation so that all places are as large as possible and centred.
 void fitCamera(vtkCamera& camera, const std::vector<Eigen::Vector3d>& places, double aspect) {
-    constexpr double room = 1.06; // some round the places
+    constexpr double room = 1.06; // margin around the places
     const Eigen::Vector3d view = Eigen::Vector3d(camera.GetDirectionOfProjection()).normalized();
     const Eigen::Vector3d right = view.cross(Eigen::Vector3d(camera.GetViewUp())).normalized();
     const Eigen::Vector3d up = right.cross(view);
     const double down = std::tan(radians(Degrees(camera.GetViewAngle())) / 2) / room;
     const bool parallel = camera.GetParallelProjection() != 0;
-    // Along an axis of the picture: the middle, and how far the camera stands away from it (or, in
-    // parallel projection, half of what it shows), so that no place is past either edge.
+    // Along one axis of the picture: the centre, and the camera's distance from it so that no place
+    // is beyond an edge. In parallel projection, half of the visible size instead.
     const auto fitAlong = [&](const Eigen::Vector3d& axis, double slope) {
         double after = -std::numeric_limits<double>::infinity(), before = after;
         for (const Eigen::Vector3d& place : places) {
@@ -77,13 +76,13 @@ ViewScene::ViewScene(PictureWindow& window, const std::function<void()>& picture
     : window_(window), pictureAsked_(pictureAsked) {
     window_.open();
     window_.vtk()->AddRenderer(renderer_);
-    renderer_->UseFXAAOn(); // smooth edges that are cheap without a GPU
+    renderer_->UseFXAAOn(); // smooth edges at low cost, also without a GPU
     renderer_->GradientBackgroundOn();
     style_->SetDefaultRenderer(renderer_);
     style_->SetCurrentRenderer(renderer_);
     interactor_->SetRenderWindow(window_.vtk());
     interactor_->SetInteractorStyle(style_);
-    interactor_->EnableRenderOff(); // pictures are drawn when they are asked for
+    interactor_->EnableRenderOff(); // pictures are drawn on request only
     interactor_->Initialize();
     vtkNew<vtkCallbackCommand> asked;
     asked->SetClientData(this);
@@ -92,7 +91,7 @@ ViewScene::ViewScene(PictureWindow& window, const std::function<void()>& picture
     });
     interactor_->AddObserver(vtkCommand::RenderEvent, asked);
     orientation_->SetParentRenderer(renderer_);
-    orientation_->SetAnimate(false); // its animation would draw picture after picture
+    orientation_->SetAnimate(false); // its animation would keep drawing pictures
     orientation_->On();
     markers_.setSize(std::hypot(filmSize_.width(), filmSize_.height()));
     look(ViewDirection::Oblique);
@@ -134,7 +133,7 @@ void ViewScene::setFilmSize(QSizeF film, double tankDepth) {
 }
 
 void ViewScene::setSection(const std::optional<SectionPlane>& section) {
-    vtkSmartPointer<vtkPlane> kept; // the side that its normal points to is drawn
+    vtkSmartPointer<vtkPlane> kept; // the normal points to the drawn side
     if (section) {
         kept = vtkSmartPointer<vtkPlane>::New();
         const Eigen::Vector3d normal = section->inward().cast<double>();
@@ -182,8 +181,8 @@ void ViewScene::look(ViewDirection direction) {
 }
 
 void ViewScene::lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward) {
-    constexpr double distance = 1.3, half = 0.35; // of the body's size
-    constexpr double steepest = 85;               // straight up and down have no azimuth
+    constexpr double distance = 1.3, half = 0.35; // as a share of the body's size
+    constexpr double steepest = 85;               // straight up and down, the azimuth is undefined
     const double size = double(body_.worldBox().diagonal().norm());
     const double elevation =
         std::asin(std::clamp(double(outward.normalized().y()), -1.0, 1.0)) * 180 / pi;
@@ -251,7 +250,7 @@ void ViewScene::zoomAt(const QPointF& place, double factor) {
         own.GetParallelProjection()
             ? own.GetParallelScale()
             : own.GetDistance() * std::tan(radians(Degrees(own.GetViewAngle())) / 2);
-    // From the focal point to what is seen at the place, in the plane across the view.
+    // From the focal point to the place under the cursor, in the plane across the view.
     const QPointF fromMiddle = place - QPointF(size_.size.width() / 2.0, size_.size.height() / 2.0);
     const Eigen::Vector3d aside = 2 * half / std::max(1, size_.size.height()) *
                                   (fromMiddle.x() * right - fromMiddle.y() * right.cross(ahead));
@@ -296,11 +295,11 @@ ViewCamera ViewScene::cameraNow() {
 }
 
 ViewPicture ViewScene::draw() {
-    static std::mutex oneAtATime; // VTK's fonts are shared by all windows
+    static std::mutex oneAtATime; // all windows share VTK's fonts
     const std::lock_guard lock(oneAtATime);
     renderer_->ResetCameraClippingRange();
     if (std::exchange(resized_, false)) {
-        window_.vtk()->Render(); // only now does the renderer know its size
+        window_.vtk()->Render(); // only now the renderer knows its size
         orientation_->SquareResize();
     }
     QElapsedTimer clock;

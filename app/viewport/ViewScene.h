@@ -1,5 +1,5 @@
-// All that VTK draws of a dip, with camera and mouse. Lives on the view's drawing thread: nothing
-// of it may be touched from another one.
+// Everything that VTK draws of a dip, with camera and mouse. It lives on the view's drawing thread;
+// no other thread may touch it.
 #pragma once
 
 #include "BodyActors.h"
@@ -18,19 +18,19 @@
 
 namespace dipwright {
 
-// A picture, what it shows where, and how long drawing it took.
+// A picture, its projection and its drawing time.
 struct ViewPicture {
     QImage image;
     ViewProjection projection;
     int milliseconds = 0;
     ViewCamera camera;
-    bool isSteered = false; // it was turned here last, not by setCamera()
+    bool isSteered = false; // the camera was last moved here, not by setCamera()
 };
 
-// The widget that shows the pictures.
+// The size of the widget that shows the pictures.
 struct ViewSize {
     QSize size{1, 1};
-    double pixelRatio = 1; // pixels of the screen to one of the window
+    double pixelRatio = 1; // screen pixels per window pixel
     double fontSize = 10;  // points
 };
 
@@ -45,7 +45,7 @@ struct ViewMouse {
 
 class ViewScene {
 public:
-    // `pictureAsked` is called when the mouse has changed what is to be seen.
+    // `pictureAsked` is called when the mouse has changed the scene.
     ViewScene(PictureWindow& window, const std::function<void()>& pictureAsked);
     ~ViewScene();
 
@@ -64,13 +64,13 @@ public:
     void setFilmFitted(bool fitted);
     void setSection(const std::optional<SectionPlane>& section); // none: nothing is cut open
     void setColours(const ViewColours& colours);
-    void look(ViewDirection direction); // and fit
-    // From outside, as close as shows a good part of the body.
+    void look(ViewDirection direction); // and fits
+    // Looks from outside, close enough to show a good part of the body.
     void lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward);
     void fit();
-    void turn(double rightPixels, double upPixels);   // as dragging by so many would
-    void zoom(double factor);                         // what is in the middle stays there
-    void zoomAt(const QPointF& place, double factor); // what is seen there stays there
+    void turn(double rightPixels, double upPixels);   // as a drag by these pixels would
+    void zoom(double factor);                         // keeps the centre in place
+    void zoomAt(const QPointF& place, double factor); // keeps the place under `place`
     void mouse(const ViewMouse& mouse);
     void setCamera(const ViewCamera& camera);
     ViewPicture draw();
@@ -94,7 +94,7 @@ private:
     QSizeF filmSize_{210, 297};
     std::function<void()> pictureAsked_;
     bool fitsFilm_ = true;
-    bool fitted_ = false;  // the camera stands where fit() has put it
+    bool fitted_ = false;  // the camera was placed by fit()
     bool resized_ = false; // since the last picture
     bool steered_ = true;
 };

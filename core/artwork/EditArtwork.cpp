@@ -44,7 +44,7 @@ ArtworkLayer newLayer(LayerKind kind, const QString& name) {
 }
 
 ArtworkLayer placedOn(const TexturedMesh& model, ArtworkLayer layer) {
-    constexpr double share = 0.4; // of the body's extent
+    constexpr double share = 0.4; // of the body's longest side
     const BoundingBox box = boundingBox(model.mesh);
     Eigen::Vector3f place = box.center();
     if (layer.placement == LayerPlacement::Decal) {
@@ -67,7 +67,7 @@ ArtworkLayer placedOn(const TexturedMesh& model, ArtworkLayer layer) {
 
 void addLayer(Artwork& artwork, const ArtworkLayer& layer, const TexturedMesh& model) {
     if (artwork.layers.size() >= mostArtworkLayers) {
-        throw Error(Text::tr("The artwork has %1 layers, as many as there may be; remove one")
+        throw Error(Text::tr("The artwork already has %1 layers, which is the limit; remove one")
                         .arg(mostArtworkLayers),
                     layer.name);
     }
@@ -90,10 +90,10 @@ QStringList fontWarnings(const Artwork& artwork) {
     QStringList warnings;
     for (const ArtworkLayer& layer : artwork.layers) {
         if (layer.kind == LayerKind::Text && !QFontDatabase::hasFamily(layer.font)) {
-            warnings.append(Text::tr("The text “%1” is to be set in %2, which this computer does "
-                                     "not have, and is set in another; install that font or choose "
-                                     "one that is here")
-                                .arg(layer.name, layer.font));
+            warnings.append(
+                Text::tr("The font %2 of the text “%1” is not installed on this computer, so "
+                         "another font replaces it; install it, or choose an installed font")
+                    .arg(layer.name, layer.font));
         }
     }
     return warnings;

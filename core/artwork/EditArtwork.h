@@ -1,4 +1,5 @@
-// Layers of artwork that are begun, placed on a model and added, and what they come out as.
+// Creates layers of artwork, places them on a model, and reports problems with their fonts and
+// colours.
 #pragma once
 
 #include "model/TexturedMesh.h"
@@ -9,28 +10,28 @@
 
 namespace dipwright {
 
-// A layer as it is best begun with: patterns as a box in their usual scale and colours, others as a
-// decal. `name`: what it is called.
+// Returns a new layer with good defaults: a pattern as a box in its usual scale and colours, any
+// other layer as a decal.
 ArtworkLayer newLayer(LayerKind kind, const QString& name);
 
-// The layer on a model it has not been placed on yet: decals in the middle of its front, the side
-// that looks along +Z, others about its middle; no larger than looks well there.
+// Returns the layer placed on a model for the first time. A decal goes to the middle of the front,
+// the side that faces +Z. Any other layer goes round the middle of the model. The size is limited
+// to suit the model.
 ArtworkLayer placedOn(const TexturedMesh& model, ArtworkLayer layer);
 
-// Lays it over all others. The first on a model without a texture makes white, which is no ink, the
-// base, so that not all of the body is printed in the model's plain colour. Throws Error past
-// mostArtworkLayers.
+// Adds a layer above all others. The first layer on a model without a texture also sets the base
+// colour to white, which needs no ink. Otherwise the whole body would be painted in the model's
+// plain colour. Throws Error if there are already mostArtworkLayers.
 void addLayer(Artwork& artwork, const ArtworkLayer& layer, const TexturedMesh& model);
 
-// How large what a layer shows comes out, in the area that it takes: a picture or text shown once
-// keeps its proportions. Text needs a QGuiApplication.
+// Returns the size at which a layer's content appears within its area. A picture or text that is
+// shown once keeps its proportions. Text needs a QGuiApplication.
 std::array<Millimetres, 2> shownSize(const ArtworkLayer& layer);
 
-// A sentence for each layer whose font this computer has not: it is drawn in another. Needs a
+// Returns a sentence for each layer whose font is not installed and is replaced by another. Needs a
 // QGuiApplication.
 QStringList fontWarnings(const Artwork& artwork);
-// What is to be said of how the colours of its pictures were read, a sentence for each of which
-// something is (base/ColourNote.h).
+// Returns a sentence for each picture with a note on how its colours were read (base/ColourNote.h).
 QStringList colourNotes(const Artwork& artwork);
 
 } // namespace dipwright

@@ -16,8 +16,8 @@ namespace {
 
 constexpr float full = 65535;
 constexpr int mostPatternPixels = 1024, mostTextPixels = 8192, leastPixels = 64;
-constexpr double finer = 2;            // pixels in a texel, of what is drawn
-constexpr double lettersHeight = 1000; // units of the outline
+constexpr double finer = 2;            // pixels per texel side in text and patterns
+constexpr double lettersHeight = 1000; // font size of the outline, in its units
 
 QPainterPath outlineOf(const ArtworkLayer& layer) {
     QFont font(layer.font);
@@ -68,10 +68,10 @@ QImage pictureOf(const ArtworkLayer& layer, double width, double texel) {
                          int(std::clamp(pixels, double(leastPixels), double(mostPatternPixels))));
 }
 
-// The pixels that one of fewer covers, and how much of each.
+// The source pixels that one result pixel covers, and the weight of each.
 struct Cover {
     int first = 0;
-    std::vector<float> weights; // together 1
+    std::vector<float> weights; // sum is 1
 };
 
 std::vector<Cover> coversOf(int pixels, int fewer) {

@@ -1,4 +1,5 @@
-// What a layer shows, as a picture ready to be read anywhere in its plane. Private to this folder.
+// Renders the content of a layer to a picture that can be sampled anywhere in its plane. Private to
+// this folder.
 #pragma once
 
 #include "settings/Artwork.h"
@@ -8,20 +9,21 @@
 
 namespace dipwright {
 
-// Light and how much of what lies behind is hidden, multiplied by it.
+// Linear light premultiplied by alpha, and alpha.
 using CoveringLight = Eigen::Array4f;
 
-// Reading is const, any thread. In linear light, filtered by area down to texels of one size.
+// A picture in linear light, reduced to the texel size by area filtering. Immutable; any thread may
+// read.
 class LayerPicture {
 public:
-    // `texel`: mm on the body that a pixel of the result covers. `wide`: colours are told as shares
-    // of wide colour's primaries. Text needs a QGuiApplication.
+    // `texel` is the size of a result pixel on the body, mm. `wide` gives colours in the primaries
+    // of wide colour (base/WideGamut.h). Text needs a QGuiApplication.
     LayerPicture(const ArtworkLayer& layer, double texel, bool wide);
 
-    // At a place of the layer's plane, mm to the right and up from its middle. `isEndless`: repeats
-    // go on past the layer's size.
+    // Returns the light at a place of the layer's plane, mm to the right and up from its middle.
+    // With `isEndless`, repeats continue past the layer's size.
     CoveringLight at(const Eigen::Vector2d& place, bool isEndless) const;
-    // Of one repeat, or of what is shown once.
+    // Size of one repeat, or of content that is shown once.
     const Eigen::Vector2d& size() const { return size_; } // mm
 
 private:
@@ -29,11 +31,11 @@ private:
 
     int columns_ = 0, rows_ = 0;
     bool repeats_ = false;
-    Eigen::Vector2d size_, area_; // mm: one picture; all that the layer takes
+    Eigen::Vector2d size_, area_; // mm; of one picture, and of the whole layer
     std::vector<std::array<std::uint16_t, 4>> pixels_;
 };
 
-// The proportions, width over height, of what a layer shows; needs a QGuiApplication for text.
+// Returns width over height of a layer's content. Text needs a QGuiApplication.
 double proportionsOf(const ArtworkLayer& layer);
 
 } // namespace dipwright

@@ -6,9 +6,11 @@
 namespace dipwright {
 namespace {
 
-constexpr double facing = 0.05;    // cosine: what is seen more aslant a plane does not paint
-constexpr double endOfTube = 0.94; // cosine: what looks so much along the axis is its end
-constexpr double goingOver = 0.15; // of cosines, between two sides of a box
+// Cosine; a projection does not paint surfaces that are more oblique.
+constexpr double facing = 0.05;
+// Cosine; a surface that faces along the axis more than this is the tube's end.
+constexpr double endOfTube = 0.94;
+constexpr double blendRange = 0.15; // range of cosines over which two sides of a box blend
 
 Eigen::Vector3d placeOf(const ArtworkLayer& layer) {
     return {layer.place[0].value(), layer.place[1].value(), layer.place[2].value()};
@@ -23,7 +25,7 @@ double distanceFromAxis(const Eigen::Vector3d& place, const Eigen::Vector3d& axi
     return (place - axis.dot(place) * axis).norm();
 }
 
-// Of the surface that is not the tube's end, by area.
+// Returns the area-weighted mean radius of the surface without the tube's ends.
 double meanRadius(const TriangleMesh& mesh, const Eigen::Vector3d& place,
                   const Eigen::Vector3d& axis) {
     double sum = 0, area = 0;
@@ -59,7 +61,7 @@ LayerPlane::LayerPlane(const ArtworkLayer& layer, const TriangleMesh& mesh,
         normals_ = cornerNormals(mesh);
     } else if (placement_ == LayerPlacement::Cylinder) {
         lengthOfTurn_ = 2 * pi * meanRadius(mesh, place_, axis_);
-        if (layer.repeat.value() > 0) { // whole repeats go round
+        if (layer.repeat.value() > 0) { // fit a whole number of repeats
             lengthOfTurn_ = std::max(1.0, std::round(lengthOfTurn_ / size.x())) * size.x();
         }
     }
@@ -75,7 +77,7 @@ std::optional<Eigen::Vector2d> LayerPlane::round(const Eigen::Vector3d& place,
     if (std::abs(outward.dot(axis_)) > endOfTube) {
         return std::nullopt;
     }
-    // Begins opposite the side that is seen with the axis upwards, so that the middle is in front.
+    // The picture's middle is in front, seen with the axis pointing up; its sides meet at the back.
     const Eigen::Vector3d front =
         std::abs(axis_.z()) > 0.5 ? Eigen::Vector3d(0, -axis_.z(), 0) : Eigen::Vector3d::UnitZ();
     const Eigen::Vector3d side = axis_.cross(front);
@@ -84,19 +86,20 @@ std::optional<Eigen::Vector2d> LayerPlane::round(const Eigen::Vector3d& place,
     return Eigen::Vector2d(angle / (2 * pi) * lengthOfTurn_, axis_.dot(place));
 }
 
-// Sides that a place looks to about as much share it, so that no line shows between them.
+// Blends sides of the box that a place faces about equally, so that no line shows between them.
 PlanePlaces LayerPlane::boxed(const SurfacePoint& point) const {
     const Eigen::Vector3d place = position(mesh_, point).cast<double>() - place_;
     const Eigen::Vector3d normal = normalAt(normals_, point).cast<double>();
-    const Eigen::Vector3d looks = normal.cwiseAbs();
-    const Eigen::Vector3d over = (looks.array() - looks.maxCoeff() + goingOver).max(0).square();
+    const Eigen::Vector3d absNormal = normal.cwiseAbs();
+    const Eigen::Vector3d weights =
+        (absNormal.array() - absNormal.maxCoeff() + blendRange).max(0).square();
     PlanePlaces places;
     for (Eigen::Index side = 0; side < 3; ++side) {
-        if (over[side] > 0) {
+        if (weights[side] > 0) {
             const double sign = normal[side] < 0 ? -1 : 1;
             places[std::size_t(side)] = {
                 projected(place, uprightFrame(sign * Eigen::Vector3d::Unit(side))),
-                float(over[side] / over.sum())};
+                float(weights[side] / weights.sum())};
         }
     }
     return places;

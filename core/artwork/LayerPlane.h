@@ -1,4 +1,4 @@
-// Where a layer's plane lies on a body. Private to this folder.
+// Maps places on a body to a layer's plane. Private to this folder.
 #pragma once
 
 #include "geometry/CornerNormals.h"
@@ -12,26 +12,26 @@
 
 namespace dipwright {
 
-// Where a place of the body lies in a layer's plane, mm to the right and up from its middle, and
-// for what share of the picture that counts.
+// A place in a layer's plane, mm to the right and up from its middle, and its weight.
 struct PlanePlace {
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
-    float share = 0; // 0: not at all
+    float share = 0; // 0 … 1; 0 is ignored
 };
 using PlanePlaces = std::array<PlanePlace, 3>;
 
-// Reading is const, any thread.
+// Immutable; any thread may read.
 class LayerPlane {
 public:
-    // `size`: of what is shown, LayerPicture::size(). Keeps a reference to the mesh.
+    // `size` is LayerPicture::size(). Keeps a reference to the mesh.
     LayerPlane(const ArtworkLayer& layer, const TriangleMesh& mesh, const SurfaceQuery& query,
                const Eigen::Vector2d& size);
 
-    // The shares add up to one, or to nothing where the layer does not reach. More than one place
-    // counts only where a box goes over from one side to the next on a rounded body. `outward`: the
-    // unit normal of the triangle there.
+    // Returns up to three places in the plane that together give the content at a place on the
+    // body. The shares add up to 1, or to 0 where the layer does not reach. There are several
+    // places only where a box blends from one side to the next. `outward` is the unit normal of the
+    // triangle.
     PlanePlaces at(const SurfacePoint& place, const Eigen::Vector3d& outward) const;
-    // Whether repeats go on past the layer's size.
+    // Whether repeats continue past the layer's size.
     bool isEndless() const { return placement_ != LayerPlacement::Decal; }
 
 private:
@@ -46,11 +46,11 @@ private:
     LayerPlacement placement_;
     Eigen::Vector3d place_, axis_;
     Eigen::Matrix2d turn_;    // from the surface's plane to the picture's
-    double turned_ = 0;       // radians, about a cylinder's axis
-    double reach_ = 0;        // mm from the place, of a decal
-    double lengthOfTurn_ = 0; // mm once round a cylinder, as the picture counts them
-    std::unique_ptr<const UnfoldedSurface> unfolded_; // of a decal
-    CornerNormals normals_;                           // of a box
+    double turned_ = 0;       // rotation about a cylinder's axis, radians
+    double reach_ = 0;        // a decal's radius, mm
+    double lengthOfTurn_ = 0; // circumference of a cylinder in the picture, mm
+    std::unique_ptr<const UnfoldedSurface> unfolded_; // for a decal
+    CornerNormals normals_;                           // for a box
 };
 
 } // namespace dipwright

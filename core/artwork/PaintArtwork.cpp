@@ -21,8 +21,8 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::PaintArtwork)
 };
 
-// A pixel of the sheet lies on no less than this share of its size of the body, where film is not
-// gathered and a chart not aslant.
+// Smallest size of a sheet pixel on the body, relative to its size on the sheet. Gathered film and
+// oblique charts may go below it.
 constexpr double texelShare = 0.7;
 
 struct Layer {
@@ -59,7 +59,7 @@ bool isShown(const ArtworkLayer& layer) {
     return layer.visible && layer.opacity > 0 && !showsNothing;
 }
 
-// The triangles in which they lie, the uppermost first.
+// Returns the triangles at the middles of the decals, uppermost first.
 std::vector<std::uint32_t> middlesOfDecals(const Artwork& artwork, const SurfaceQuery& query) {
     std::vector<std::uint32_t> triangles;
     for (auto layer = artwork.layers.rbegin(); layer != artwork.layers.rend(); ++layer) {
@@ -87,7 +87,7 @@ public:
         }
     }
 
-    // `steps`: how far a texel to the right and one down go on the model, as weights of corners.
+    // `steps` is the change of the corner weights per texel to the right and per texel down.
     LinearColour at(const SurfacePoint& place, const Eigen::Matrix<float, 3, 2>& steps) const {
         if (base_) {
             return *base_;
@@ -102,8 +102,7 @@ private:
     std::unique_ptr<const SurfaceColours> colours_;
 };
 
-// The weights of a triangle's corners over its chart: at a texel's middle, and how they change from
-// texel to texel to the right and down.
+// The weights of a triangle's corners as a linear function over its chart, in texels.
 struct Weights {
     Eigen::Vector3f origin = Eigen::Vector3f::Constant(1.0f / 3);
     Eigen::Matrix<float, 3, 2> steps = Eigen::Matrix<float, 3, 2>::Zero();
@@ -123,7 +122,7 @@ struct Weights {
         origin = (Eigen::Vector3d(1, 0, 0) - exact * a).cast<float>();
     }
 
-    // Beside the triangle the nearest in it.
+    // Returns the surface point at a texel. Texels beside the triangle give a nearby point in it.
     SurfacePoint at(std::uint32_t triangle, int column, int row) const {
         Eigen::Vector3f weights =
             origin + steps * Eigen::Vector2f(float(column) + 0.5f, float(row) + 0.5f);
@@ -132,7 +131,7 @@ struct Weights {
     }
 };
 
-// What layers give: their colours, or how much they cover, as black.
+// What to paint: the colours of the layers, or their coverage as black.
 enum class Painted { Colour, Cover };
 
 QImage bake(const TexturedMesh& model, const Unwrapping& charts, const Ground& ground,

@@ -1,5 +1,5 @@
-// Artwork painted onto a body: a model with texture coordinates and one texture, as if it had been
-// imported so.
+// Paints artwork onto a body. The result is a model with texture coordinates and one texture, like
+// an imported model.
 #pragma once
 
 #include "base/Progress.h"
@@ -10,26 +10,28 @@
 
 namespace dipwright {
 
-// The model with the artwork on it: the same triangles and materials, but charts of its own
-// (Unwrap.h) and one opaque picture, sRGB or, where the model's texture or a layer's picture is so,
-// wide. Below all layers lies the artwork's base colour or else what the model shows itself.
-// Layers cover each other in linear light. `texel`: mm on the body, at best; coarser where
-// Budgets.h allows no more, or `mostTexels` (> 0) does not. All cores, the same bits in every run;
-// throws Cancelled. Layers of text need a QGuiApplication.
+// Returns the model with the artwork on it: the same triangles and materials, with new charts
+// (Unwrap.h) and one opaque picture.
+// The picture is wide if the model's texture or a layer's picture is; otherwise it is sRGB. Below
+// all layers is the artwork's base colour or, without one, the model's own appearance. Layers are
+// blended in linear light.
+// `texel` is the texel size on the body, mm. It grows if Budgets.h or `mostTexels` (if > 0) allows
+// fewer texels. Uses all cores; every run gives the same bits. Throws Cancelled. Text layers need a
+// QGuiApplication.
 TexturedMesh paintArtwork(const TexturedMesh& model, const Artwork& artwork, double texel,
                           const Progress& progress, qint64 mostTexels = 0);
 
-// What the model is to show of a spot ink, as its plate: grey, the tint being 1 − its linear light.
-// Only what a layer covers counts, and not in which colour.
+// Returns the plate of a spot colour on the model, in grey. The tint is 1 − linear light. Only the
+// coverage of layers counts, not their colours.
 SurfaceAppearance paintSpot(const TexturedMesh& model, const Artwork& artwork, const QString& spot,
                             double texel, const Progress& progress);
 
-// paintArtwork() for models that are shared; one without artwork comes back as it is.
+// Calls paintArtwork() for a shared model. Returns the model itself if there is no artwork.
 std::shared_ptr<const TexturedMesh> painted(const std::shared_ptr<const TexturedMesh>& model,
                                             const Artwork& artwork, double texel,
                                             const Progress& progress, qint64 mostTexels = 0);
 
-// Texels of about this size lose nothing that a sheet of this resolution shows, mm.
+// Returns the texel size in mm that loses no detail on a sheet of this resolution.
 double texelFor(DotsPerInch resolution);
 
 } // namespace dipwright

@@ -10,9 +10,9 @@
 namespace dipwright {
 namespace {
 
-constexpr int samplesAcross = 3; // a pixel
+constexpr int samplesAcross = 3; // per pixel
 
-// A number of 0 … 1 for a lattice point (Jenkins's mixing, whole numbers alone).
+// Returns a pseudo-random number 0 … 1 for a lattice point (Jenkins's mixing, in integers).
 double noiseAt(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
     std::uint32_t h = x * 0x9e3779b1u ^ y * 0x85ebca77u ^ seed * 0xc2b2ae3du;
     h ^= h >> 15;
@@ -23,7 +23,8 @@ double noiseAt(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
     return double(h) / 4294967295.0;
 }
 
-// Smooth noise that repeats after `columns` × `rows` lattice points, x and y in these.
+// Returns smooth noise that repeats after `columns` × `rows` lattice points. x and y are in lattice
+// points.
 double smoothNoise(double x, double y, int columns, int rows, std::uint32_t seed) {
     const double left = std::floor(x), top = std::floor(y);
     const auto ease = [](double t) { return t * t * t * (t * (t * 6 - 15) + 10); };
@@ -38,7 +39,8 @@ double smoothNoise(double x, double y, int columns, int rows, std::uint32_t seed
            down * ((1 - right) * corner(0, 1) + right * corner(1, 1));
 }
 
-// Several of these, each twice as fine and half as strong as the one before; x, y in repeats.
+// Sums several octaves of smoothNoise(), each twice as fine and half as strong as the one before. x
+// and y are in repeats.
 double cloud(double x, double y, int columns, int rows, int octaves, std::uint32_t seed) {
     double sum = 0, weight = 0, strength = 1;
     for (int octave = 0; octave < octaves; ++octave) {
@@ -52,20 +54,20 @@ double cloud(double x, double y, int columns, int rows, int octaves, std::uint32
     return sum / weight;
 }
 
-// Each tells for a place of the repeat, 0 … 1 to the right and down, how light it is: 0 the dark
-// colour, 1 the light one.
+// Each pattern returns the lightness at a place of the repeat: 0 is the dark colour, 1 the light
+// one. x and y are 0 … 1 to the right and down.
 
-// A 2/2 twill of four threads each way: each passes over two and under two, a step on from the one
-// beside it.
+// A 2/2 twill of four threads each way. Each thread passes over two and under two, one step further
+// than its neighbour.
 double carbon(double x, double y, std::uint32_t seed) {
     constexpr int threads = 4, filaments = 24;
     const int column = std::min(int(x * threads), threads - 1);
     const int row = std::min(int(y * threads), threads - 1);
-    const bool isWarp = (column + row) % threads < threads / 2; // runs down
+    const bool isWarp = (column + row) % threads < threads / 2; // the thread runs down
     const double along = isWarp ? y : x;
     const double across = (isWarp ? x : y) * threads;
     const double inThread = across - std::floor(across);
-    // Where the thread dives: it lies over two others, lightest in their middle.
+    // Position along the arch of the thread over two others; the arch is lightest in its middle.
     double run = along * threads - (isWarp ? -column : threads / 2 - row);
     run -= threads * std::floor(run / threads);
     const double arch = std::sin(pi * std::clamp(run / 2, 0.0, 1.0));
@@ -76,7 +78,7 @@ double carbon(double x, double y, std::uint32_t seed) {
     return std::clamp((0.15 + 0.85 * round) * shine * (0.8 + 0.2 * fibre), 0.0, 1.0);
 }
 
-// Four tones in blots, the later over the earlier.
+// Four tones in blots; later ones cover earlier ones.
 double camouflage(double x, double y, std::uint32_t seed) {
     double tone = 1.0;
     constexpr std::array<double, 3> tones{0.62, 0.28, 0.0};
@@ -91,13 +93,13 @@ double camouflage(double x, double y, std::uint32_t seed) {
     return tone;
 }
 
-// Boards' grain running down: rings cut lengthwise, and fine pores.
+// Wood grain that runs down: rings cut lengthwise, and fine pores.
 double wood(double x, double y, std::uint32_t seed) {
     constexpr int rings = 9;
     const double bend = cloud(x, y, 3, 2, 3, seed);
     const double ring = x * rings + 2.2 * bend;
     const double inRing = ring - std::floor(ring);
-    // Early wood is light and goes over into late wood, which ends at once.
+    // Early wood is light and darkens gradually into late wood, which ends abruptly.
     const double late = std::pow(inRing, 2.2) * (1 - std::pow(inRing, 24));
     const double pores = smoothNoise(x * 160, y * 12, 160, 12, seed + 77);
     const double pore = pores > 0.78 ? 0.18 : 0.0;

@@ -1,13 +1,13 @@
-// Repeating patterns of our own making. Private to this folder.
+// Generates repeating patterns. Private to this folder.
 #pragma once
 
 #include "settings/Artwork.h"
 
 namespace dipwright {
 
-// One repeat of a pattern layer, square, of so many pixels a side, sRGB (RGBA8888). Its right edge
-// continues in its left one and its lower in its upper one. Of its kind, colours and seed alone;
-// the same in every run.
+// Returns one square repeat of a pattern layer, `pixels` wide, in sRGB (RGBA8888). Its right edge
+// continues in its left edge, and its lower edge in its upper edge. It depends only on the layer's
+// kind, colours and seed, and is the same in every run.
 QImage patternRepeat(const ArtworkLayer& layer, int pixels);
 
 } // namespace dipwright

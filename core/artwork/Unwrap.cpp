@@ -11,12 +11,13 @@
 namespace dipwright {
 namespace {
 
-constexpr double alike = 0.64;      // cosine of 50°: of the look of a chart and its triangles
-constexpr double firstAlike = 0.77; // 40°, before the chart's own look is known
-constexpr int margin = 2;           // texels round a chart
-constexpr int directions = 12;      // in which a chart is tried, over a quarter turn
-constexpr double larger = 1.15;     // texels, where all are too many
-constexpr double sameEdge = 1e-4;   // weight within which a place is on a triangle's edge
+// Cos 50°: largest angle between the normals of a chart and its triangles.
+constexpr double leastCosine = 0.64;
+constexpr double leastFirstCosine = 0.77; // cos 40°, while the chart's mean normal is unknown
+constexpr int margin = 2;                 // texels round a chart
+constexpr int directions = 12;            // tried for a chart, over a quarter turn
+constexpr double texelGrowth = 1.15;      // factor on the texel size if there are too many texels
+constexpr double sameEdge = 1e-4; // weight up to which a place counts as on a triangle's edge
 
 using Place = Eigen::Vector2d;
 
@@ -32,8 +33,8 @@ struct Chart {
     }
 };
 
-Eigen::Vector3d meanLook(const TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
-                         const std::vector<std::uint32_t>& triangles) {
+Eigen::Vector3d meanNormal(const TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
+                           const std::vector<std::uint32_t>& triangles) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const std::uint32_t triangle : triangles) {
         sum += triangleArea(mesh, triangle) * normals[triangle];
@@ -41,7 +42,7 @@ Eigen::Vector3d meanLook(const TriangleMesh& mesh, const std::vector<Eigen::Vect
     return sum.norm() > 0 ? Eigen::Vector3d(sum.normalized()) : Eigen::Vector3d::Zero();
 }
 
-// The weights of a place for the corners; not finite for a triangle without area.
+// Returns the barycentric weights of a place; not finite if the triangle has no area.
 Eigen::Vector3d weightsAt(const std::array<Place, 3>& corners, const Place& place) {
     const Place b = corners[1] - corners[0], c = corners[2] - corners[0];
     const Place p = place - corners[0];
@@ -86,7 +87,7 @@ public:
         texel_ = texel;
         std::vector<std::uint8_t> taken(mesh_.triangles.size());
         const auto begin = [&](std::uint32_t seed) {
-            while (!taken[seed]) { // until the chart that it begins has it
+            while (!taken[seed]) { // until its chart contains it
                 progress_.cancelToken.throwIfCancelled();
                 charts_.push_back(grown(seed, taken));
             }
@@ -101,24 +102,26 @@ public:
 
 private:
     Chart grown(std::uint32_t seed, std::vector<std::uint8_t>& taken) {
-        const auto grow = [&](const Eigen::Vector3d& look, double likeness) {
+        const auto grow = [&](const Eigen::Vector3d& chartNormal, double leastLikeness) {
             return connected(seed, taken, [&](std::uint32_t triangle) {
-                return normals_[triangle].isZero() || normals_[triangle].dot(look) > likeness;
+                return normals_[triangle].isZero() ||
+                       normals_[triangle].dot(chartNormal) > leastLikeness;
             });
         };
         Chart chart;
-        Eigen::Vector3d look = normals_[seed];
-        if (look.isZero()) {
-            look = Eigen::Vector3d::UnitZ();
+        Eigen::Vector3d chartNormal = normals_[seed];
+        if (chartNormal.isZero()) {
+            chartNormal = Eigen::Vector3d::UnitZ();
             chart.triangles = {seed};
         } else {
-            const Eigen::Vector3d mean = meanLook(mesh_, normals_, grow(look, firstAlike));
-            if (mean.dot(normals_[seed]) > alike) {
-                look = mean;
+            const Eigen::Vector3d mean =
+                meanNormal(mesh_, normals_, grow(chartNormal, leastFirstCosine));
+            if (mean.dot(normals_[seed]) > leastCosine) {
+                chartNormal = mean;
             }
-            chart.triangles = grow(look, alike);
+            chart.triangles = grow(chartNormal, leastCosine);
         }
-        layFlat(chart, look);
+        layFlat(chart, chartNormal);
         keepApart(chart);
         for (const std::uint32_t triangle : chart.triangles) {
             taken[triangle] = 1;
@@ -126,7 +129,8 @@ private:
         return chart;
     }
 
-    // The triangles that hang together with the first, those taken left out; the first comes first.
+    // Returns the triangles connected with `first` that belong and are not taken; `first` comes
+    // first.
     template <typename Belongs>
     std::vector<std::uint32_t>
     connected(std::uint32_t first, const std::vector<std::uint8_t>& taken, const Belongs& belongs) {
@@ -149,16 +153,16 @@ private:
         return found;
     }
 
-    // In the direction in which its box is smallest.
-    void layFlat(Chart& chart, const Eigen::Vector3d& look) const {
-        const Eigen::Vector3d aside = look.unitOrthogonal();
+    // Lays a chart flat, rotated so that its bounding box is smallest.
+    void layFlat(Chart& chart, const Eigen::Vector3d& chartNormal) const {
+        const Eigen::Vector3d aside = chartNormal.unitOrthogonal();
         double smallest = std::numeric_limits<double>::infinity();
         const Chart flat = chart;
         for (int k = 0; k < directions; ++k) {
             Chart tried;
             const double angle = pi / 2 * k / directions;
-            tried.right = Eigen::AngleAxisd(angle, look) * aside;
-            tried.up = look.cross(tried.right);
+            tried.right = Eigen::AngleAxisd(angle, chartNormal) * aside;
+            tried.up = chartNormal.cross(tried.right);
             Eigen::AlignedBox2d box;
             for (const std::uint32_t triangle : flat.triangles) {
                 for (const std::uint32_t corner : mesh_.triangles[triangle]) {
@@ -178,7 +182,7 @@ private:
         chart.height = std::max(1, int(std::ceil(size.y()))) + 2 * margin;
     }
 
-    // Texels from the upper left corner of the chart.
+    // Returns the corners of a triangle, in texels from the upper left corner of its chart.
     std::array<Place, 3> cornersIn(const Chart& chart, std::uint32_t triangle) const {
         std::array<Place, 3> corners;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -189,7 +193,7 @@ private:
         return corners;
     }
 
-    // Leaves out the triangles in which the middle of a texel lies that is in another one's.
+    // Removes triangles that contain the middle of a texel that another triangle already contains.
     void keepApart(Chart& chart) const {
         if (chart.triangles.size() == 1) {
             return;
@@ -218,7 +222,7 @@ private:
         });
     }
 
-    // In rows, the highest charts first.
+    // Packs the charts in rows, tallest first.
     void pack() {
         std::vector<std::size_t> order(charts_.size());
         std::iota(order.begin(), order.end(), std::size_t(0));
@@ -286,7 +290,7 @@ private:
         return result;
     }
 
-    // Gives the texels next to a chart's to its nearest triangle, a margin wide.
+    // Fills the margin round a chart with its nearest triangle.
     static void widen(std::vector<std::uint32_t>& owner, int width, int height) {
         for (int ring = 0; ring < margin; ++ring) {
             const std::vector<std::uint32_t> before = owner;
@@ -309,7 +313,7 @@ private:
     const Progress& progress_;
     std::vector<std::uint32_t> opposite_;
     std::vector<Eigen::Vector3d> normals_;
-    std::vector<std::uint32_t> visited_; // in which round a triangle was
+    std::vector<std::uint32_t> visited_; // round in which a triangle was last visited
     std::uint32_t round_ = 0;
     double texel_ = 0;
     std::vector<Chart> charts_;
@@ -332,7 +336,7 @@ Unwrapping unwrapped(const TriangleMesh& mesh, const std::vector<std::uint32_t>&
             requireWithin(Budget::PictureSide, std::max(result.width, result.height), {});
             return result;
         }
-        texel *= std::max(larger, std::sqrt(double(texels) / double(mostTexels)));
+        texel *= std::max(texelGrowth, std::sqrt(double(texels) / double(mostTexels)));
     }
 }
 

@@ -1,4 +1,4 @@
-// Texture coordinates for meshes that have none, or whose own cannot be painted on.
+// Computes texture coordinates for meshes that have none, or none that can be painted on.
 #pragma once
 
 #include "base/Progress.h"
@@ -11,24 +11,26 @@
 
 namespace dipwright {
 
-// A mesh cut into charts that lie beside each other in one picture.
+// A mesh cut into charts that are packed side by side into one picture.
 struct Unwrapping {
     static constexpr std::uint32_t nobody = 0xffffffffu;
 
-    double texel = 0; // mm a side, where a surface is not aslant to its chart
+    double texel = 0; // mm per side, where the surface is parallel to its chart
     int width = 0, height = 0;
-    std::vector<std::array<Eigen::Vector2f, 3>> corners; // of triangles, texels from the upper left
-    std::vector<std::uint32_t> chart;                    // a triangle each
-    // A texel each, row by row: the triangle that it shows. Round a chart the texels of a margin
-    // show its nearest triangle; nobody: between the charts.
+    // Per triangle: its corners in texels from the upper left.
+    std::vector<std::array<Eigen::Vector2f, 3>> corners;
+    std::vector<std::uint32_t> chart; // per triangle
+    // Per texel, row by row: the triangle that it shows. Texels in the margin round a chart show
+    // its nearest triangle; texels between charts are `nobody`.
     std::vector<std::uint32_t> owner;
 };
 
-// Charts grow over triangles that look the same way, to 50°, and are laid flat along the mean of
-// how they look; what would lie over another part of the same chart begins one of its own. So no
-// texel's middle is in two triangles, but on their common edge. The first charts begin with these
-// triangles, so that what lies round them is cut as little as can be. Texels of about `texel` mm,
-// larger where there would be more than `mostTexels`. Deterministic; throws Cancelled.
+// Unwraps a mesh. A chart grows over triangles within 50° of its mean normal and is laid flat along
+// that normal. A triangle that would overlap its own chart starts a new one. So no texel's middle
+// is in two triangles, except on their common edge.
+// The first charts start at the triangles `begins`, to keep the surface round them in one piece.
+// Texels are about `texel` mm, or larger if there would be more than `mostTexels`. Deterministic;
+// throws Cancelled.
 Unwrapping unwrapped(const TriangleMesh& mesh, const std::vector<std::uint32_t>& begins,
                      double texel, qint64 mostTexels, const Progress& progress);
 

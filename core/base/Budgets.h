@@ -1,6 +1,6 @@
-// How much a file from elsewhere may hold or ask for: the one table of it, far above any real
-// model, picture or project and far below what hurts. Most budgets grow with the file, so that a
-// small one cannot ask for much.
+// Limits on what a file from elsewhere may hold or ask for. They are far above any real model,
+// picture or project, and far below what overloads a computer. Most limits grow with the file's
+// size, so that a small file cannot ask for much.
 #pragma once
 
 #include <QString>
@@ -8,31 +8,32 @@
 namespace dipwright {
 
 enum class Budget {
-    FileBytes,  // of one file
-    NamedFiles, // how many others a model names
-    Triangles,  // of a model as it is read, those of copies too
+    FileBytes,  // size of one file
+    NamedFiles, // other files that a model names
+    Triangles,  // of a model as it is read, copies included
     PolygonCorners,
-    Nesting, // parts in parts
+    Nesting, // how deep parts are nested
     Materials,
     UnpackedBytes,  // of an archive
     Entries,        // of an archive
     DocumentBytes,  // of project.json
-    DocumentDepth,  // values in values, of any JSON
-    DocumentValues, // of any JSON
-    OtherBytes,     // of all entries of a project that are not its own, unpacked
+    DocumentDepth,  // how deep the values of any JSON file are nested
+    DocumentValues, // number of values in any JSON file
+    OtherBytes,     // unpacked bytes of all entries of a project file that the program does not use
     PictureSide,    // pixels
-    Pixels,         // of all pictures of a model or project, as often as named, wide ones twice
-    Memory,         // bytes, of the process that reads
-    Milliseconds    // of computing, until it has read
+    // of all pictures of a model or project; repeated use counts again, wide pictures count twice
+    Pixels,
+    Memory,      // bytes that the reading process may use
+    Milliseconds // computing time until the file is read
 };
 
-// The most of it for files of these many bytes together.
+// Returns the limit for files with this total size.
 qint64 mostOf(Budget budget, qint64 fileBytes = 0);
 
-// Throws Error with the budget's sentence about `where` where `amount` is more than that.
+// Throws Error with the budget's message about `where` if `amount` exceeds the limit.
 void requireWithin(Budget budget, qint64 amount, const QString& where, qint64 fileBytes = 0);
 
-// The sentence alone, for what ran out of it: what and what to do.
+// Returns only the message: which limit was exceeded and what to do.
 QString sentenceOf(Budget budget, qint64 fileBytes = 0);
 
 } // namespace dipwright

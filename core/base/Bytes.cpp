@@ -13,7 +13,7 @@ QByteArray bytesOf(const std::function<void(QIODevice&)>& write) {
 }
 
 bool writeAll(QFileDevice& file, const QByteArray& bytes) {
-    // On a full disk the first write is a short one, and only the next tells the reason.
+    // On a full disk the first write is short, and only the next write reports the reason.
     for (qint64 written = 0; written < bytes.size();) {
         const qint64 more = file.write(bytes.constData() + written, bytes.size() - written);
         if (more <= 0) {
@@ -21,7 +21,7 @@ bool writeAll(QFileDevice& file, const QByteArray& bytes) {
         }
         written += more;
     }
-    return file.flush() || file.flush(); // the same of what was buffered
+    return file.flush() || file.flush(); // likewise for buffered bytes
 }
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// Files in memory.
+// Writes bytes to files, and collects written bytes in memory.
 #pragma once
 
 #include <QByteArray>
@@ -7,11 +7,11 @@
 
 namespace dipwright {
 
-// The bytes that `write` puts into the device it is given.
+// Returns the bytes that `write` writes to its device.
 QByteArray bytesOf(const std::function<void(QIODevice&)>& write);
 
-// Writes all bytes and hands them to the system. Where that fails, the file's errorString() says
-// why.
+// Writes all bytes and flushes them to the operating system. If it returns false, the file's
+// errorString() says why.
 bool writeAll(QFileDevice& file, const QByteArray& bytes);
 
 } // namespace dipwright

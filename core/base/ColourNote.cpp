@@ -40,7 +40,7 @@ ColourNote colourNote(const QImage& picture) {
     for (const QString& part : picture.text(key).split(u' ')) {
         note.assumesInks = note.assumesInks || part == inks;
         if (part.startsWith(beyond)) {
-            const double share = part.mid(beyond.size()).toDouble(); // 0 where it is none
+            const double share = part.mid(beyond.size()).toDouble(); // 0 if it is not a number
             note.clipped = share > 0 ? std::min(share, 1.0) : 0;
         }
     }
@@ -54,15 +54,15 @@ QString colourNoteValue(const QImage& picture) {
 QString colourNoteText(const QImage& picture, const QString& name) {
     const ColourNote note = colourNote(picture);
     if (note.assumesInks) {
-        return Text::tr("%1 is in CMYK and names no ICC profile: its colours are guessed by a "
+        return Text::tr("%1 is in CMYK and has no ICC profile: its colours are estimated by a "
                         "formula and can be far off; save it with its profile, or as sRGB")
             .arg(name);
     }
     if (note.clipped > 0) {
         const double percent = std::max(0.1, 100 * note.clipped);
-        return Text::tr("%1 has colours that are not kept as they are: %2 % of its pixels lie "
-                        "beyond BT.2020, in which pictures are kept, and are printed less "
-                        "saturated; save it in a smaller space, such as Adobe RGB, to choose how")
+        return Text::tr("%1 has colours outside BT.2020, the largest colour space used here: %2 % "
+                        "of its pixels are printed less saturated; to control this, save it in a "
+                        "smaller colour space, such as Adobe RGB")
             .arg(name, QLocale().toString(percent, 'f', 1));
     }
     return {};

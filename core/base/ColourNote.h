@@ -1,6 +1,6 @@
-// What is to be said of a picture whose colours were not all read as they were meant. The note
-// belongs to the picture: it is kept in its texts (QImage::text), goes with its copies, and is
-// stored with it in PNG files. All functions are reentrant.
+// Notes on a picture whose colours could not all be read as intended. The note is kept in the
+// picture's texts (QImage::text), so that copies keep it and PNG files store it. All functions are
+// reentrant.
 #pragma once
 
 #include <QImage>
@@ -9,9 +9,10 @@
 namespace dipwright {
 
 struct ColourNote {
-    // The picture was in CMYK and named no ICC profile: its colours are a formula's.
+    // The picture was in CMYK without an ICC profile, so a formula estimated its colours.
     bool assumesInks = false;
-    // Share of its pixels whose colours lie visibly beyond BT.2020 and were moved to its edge.
+    // Share of its pixels (0 … 1) whose colours lie visibly outside BT.2020 and were moved to its
+    // edge.
     double clipped = 0;
     bool isEmpty() const { return !assumesInks && clipped <= 0; }
 };
@@ -19,12 +20,14 @@ struct ColourNote {
 QImage withColourNote(QImage picture, const ColourNote& note);
 ColourNote colourNote(const QImage& picture);
 
-// The text that keeps a note in a picture and its files: its name, without a space, which Qt takes
-// for a description's; and what it says, empty for none.
+// The key under which a picture and its files store the note. It has no space, because Qt takes a
+// key with a space for a description.
 inline constexpr const char* colourNoteKey = "Dipwright-Colours";
+// The note as it is stored under that key; empty if there is none.
 QString colourNoteValue(const QImage& picture);
 
-// A sentence for the user; empty where there is nothing to say. `name`: of the picture.
+// Returns the note as a sentence for the user; empty if there is no note. `name` is the picture's
+// name.
 QString colourNoteText(const QImage& picture, const QString& name);
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// The one exception that reaches the user: what is wrong, where, and what to do about it.
+// The only exception type that is shown to the user: what is wrong, where, and what to do about it.
 #pragma once
 
 #include <QString>
@@ -6,14 +6,14 @@
 
 namespace dipwright {
 
-// `what`: one sentence without a full stop that names the fault and the remedy.
-// `where`: the file, field or module it is about. Shown as "error: <what> (<where>)".
+// `what` is one sentence, without a full stop, that names the fault and the remedy. `where` is the
+// file, field or module that has the fault. Shown as "error: <what> (<where>)".
 class Error : public std::runtime_error {
 public:
     Error(const QString& what, const QString& where);
     const QString& message() const { return message_; }
     const QString& where() const { return where_; }
-    // "<what> (<where>)", or just "<what>" without a where.
+    // Returns "<what> (<where>)", or just "<what>" if `where` is empty.
     QString sentence() const;
 
 private:

@@ -12,7 +12,7 @@ struct Extent {
     qint64 depth = 0;
 };
 
-// The place of the quote that ends the text that begins behind `at`, or the end.
+// Returns the index of the quote that ends the string which begins at `at`, or the end of the text.
 qsizetype endOfText(const QByteArray& json, qsizetype at) {
     for (++at; at < json.size() && json[at] != '"'; ++at) {
         at += json[at] == '\\' ? 1 : 0;

@@ -1,4 +1,4 @@
-// JSON from elsewhere, before it is parsed.
+// Size checks for JSON from elsewhere, before it is parsed.
 #pragma once
 
 #include <QByteArray>
@@ -6,9 +6,9 @@
 
 namespace dipwright {
 
-// Throws Error about `where` where the text holds more values, or nests them deeper, than Budgets.h
-// allows. Two bytes of it can take a hundred in memory, and when they are written again, with four
-// spaces for each level, thousands. Whether it is JSON at all is not looked at.
+// Throws Error about `where` if the text holds more values, or nests them deeper, than Budgets.h
+// allows. Two bytes of JSON can take a hundred bytes of memory once parsed, and thousands when
+// written again with four spaces for each level. Does not check that the text is valid JSON.
 void requireModestJson(const QByteArray& text, const QString& where);
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// Texts of strangers, to be shown within a line.
+// Makes text from elsewhere safe to show within one line.
 #pragma once
 
 #include <QString>
@@ -8,22 +8,22 @@
 
 namespace dipwright {
 
-// Whether a letter is not seen itself but can change how others are: turn their order round, as
-// U+202E does, or stand between them unseen. Those that join letters into one may stay.
+// Whether a character is invisible but changes how its neighbours look, as U+202E does, which
+// reverses their order. Characters that only join or separate letters of a word may stay.
 inline bool isUnseenFormat(QChar letter) {
     constexpr char16_t softHyphen = 0x00ad, nonJoiner = 0x200c, joiner = 0x200d;
     return letter.category() == QChar::Other_Format && letter != softHyphen &&
            letter != nonJoiner && letter != joiner;
 }
 
-// With U+FFFD, which is seen, in the place of each of these.
+// Replaces each of these characters by U+FFFD, which is visible.
 inline QString inReadingOrder(QString text) {
     std::replace_if(text.begin(), text.end(), isUnseenFormat, QChar(QChar::ReplacementCharacter));
     return text;
 }
 
-// With a space in the place of each character that would end the line, move within it or do
-// anything else but be seen; in reading order.
+// Replaces each control character and line separator by a space. Invisible format characters become
+// U+FFFD.
 inline QString oneLine(QString text) {
     std::replace_if(
         text.begin(), text.end(),

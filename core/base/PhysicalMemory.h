@@ -1,11 +1,11 @@
-// How much memory this computer has.
+// The size of this computer's memory.
 #pragma once
 
 #include <cstdint>
 
 namespace dipwright {
 
-// In bytes; 0 where the system does not say.
+// Returns bytes; 0 if the system does not tell.
 std::int64_t physicalMemory();
 
 } // namespace dipwright

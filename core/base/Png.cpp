@@ -24,7 +24,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Png)
 };
 
-constexpr qsizetype bandBytes = qsizetype(1) << 20; // of pixels that are packed together
+constexpr qsizetype bandBytes = qsizetype(1) << 20; // of pixels that are compressed together
 constexpr char paethFilter = 4;                     // its number in the file
 
 void append(QByteArray& bytes, quint32 number) {
@@ -53,7 +53,8 @@ QByteArray header(const QImage& image) {
 }
 
 QByteArray colourProfile(const QColorSpace& space) {
-    const QByteArray packed = qCompress(space.iccProfile()).mid(4); // less Qt's own length
+    // without the length that Qt puts before it
+    const QByteArray packed = qCompress(space.iccProfile()).mid(4);
     return chunk("iCCP", QByteArrayLiteral("ICC profile\0\0") + packed);
 }
 
@@ -64,14 +65,15 @@ QByteArray resolution(const QImage& image) {
     return chunk("pHYs", bytes.append('\1'));
 }
 
-// Nothing where there is no note of the picture's colours.
+// Empty if the picture has no colour note.
 QByteArray colourText(const QString& note) {
     return note.isEmpty() ? QByteArray()
                           : chunk("tEXt", QByteArray(colourNoteKey) + '\0' + note.toLatin1());
 }
 
-// A row as its differences from what Paeth's filter expects of the pixels to the left and above
-// (PNG specification, third edition, section 9.4). Both rows begin after one pixel of zeros.
+// Appends a row as its differences from the prediction of Paeth's filter, which uses the pixels to
+// the left and above (PNG specification, third edition, section 9.4). Both rows begin with one
+// pixel of zeros.
 void appendFiltered(std::vector<uchar>& filtered, const std::vector<uchar>& row,
                     const std::vector<uchar>& above, std::size_t pixelBytes) {
     filtered.push_back(paethFilter);
@@ -107,15 +109,15 @@ std::vector<uchar> filteredRows(const QImage& image, int begin, int end) {
     return filtered;
 }
 
-// A run of rows, packed so that others can follow it.
+// A run of rows, compressed so that others can follow it.
 struct Band {
     QByteArray packed;
-    std::size_t length = 0; // unpacked
-    uLong checksum = 0;     // of what is unpacked
+    std::size_t length = 0; // uncompressed
+    uLong checksum = 0;     // of the uncompressed bytes
 };
 
-// Filtered rows hold little but runs and small numbers: to look for anything else takes three times
-// as long and saves a tenth.
+// Filtered rows hold mostly runs and small numbers. Searching for other matches takes three times
+// as long and saves only a tenth.
 Band packedBand(const std::vector<uchar>& rows, bool isLast) {
     z_stream stream{};
     constexpr int withoutHeader = -MAX_WBITS, usualMemory = 8;
@@ -124,7 +126,7 @@ Band packedBand(const std::vector<uchar>& rows, bool isLast) {
         throw std::bad_alloc();
     }
     Band band;
-    constexpr uLong endOfBand = 16; // bytes that no bound counts
+    constexpr uLong endOfBand = 16; // bytes that deflateBound() does not count
     band.packed.resize(qsizetype(deflateBound(&stream, uLong(rows.size())) + endOfBand));
     stream.next_in = const_cast<Bytef*>(rows.data()); // zlib only reads it
     stream.avail_in = uInt(rows.size());
@@ -149,7 +151,7 @@ std::vector<Band> packedBands(const QImage& image) {
     return bands;
 }
 
-// The bands one after the other as a single zlib stream (RFC 1950), a chunk each.
+// Joins the bands into a single zlib stream (RFC 1950), with one IDAT chunk for each band.
 QByteArray pixels(const QImage& image) {
     std::vector<Band> bands = packedBands(image);
     bands.front().packed.prepend("\x78\x01", 2);
@@ -165,7 +167,7 @@ QByteArray pixels(const QImage& image) {
     return bytes;
 }
 
-// The numbers of a wide picture as the file has them, the upper byte first.
+// Converts a wide picture's channels to the file's byte order, big-endian.
 QImage bigEndian(const QImage& wide) {
     QImage turned = wide.convertToFormat(QImage::Format_RGBA64);
     for (int y = 0; y < turned.height(); ++y) {
@@ -183,8 +185,8 @@ QByteArray pngBytes(const QImage& image, const QString& where) {
                       : image.convertToFormat(image.hasAlphaChannel() ? QImage::Format_RGBA8888
                                                                       : QImage::Format_RGB888);
     if (plain.isNull()) {
-        throw Error(Text::tr("The picture cannot be stored as PNG, it is empty or too large for "
-                             "this computer's memory"),
+        throw Error(Text::tr("The picture cannot be stored as PNG, because it is empty or too "
+                             "large for this computer's memory"),
                     where);
     }
     QByteArray bytes = QByteArrayLiteral("\x89PNG\r\n\x1a\n") + header(plain);

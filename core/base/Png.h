@@ -1,4 +1,4 @@
-// Pictures as PNG files.
+// Writes pictures as PNG files.
 #pragma once
 
 #include <QByteArray>
@@ -8,9 +8,10 @@ class QIODevice;
 
 namespace dipwright {
 
-// With eight bits a channel, a wide picture with sixteen, colour space and resolution. Packed on
-// all cores, the same bytes in every run. Throws Error where there is no picture or no memory for
-// it, or where `device` takes no more; `where` is what the user knows the picture by.
+// Writes eight bits per channel, sixteen for a wide picture, with colour space and resolution.
+// Compresses on all cores; the bytes are the same in every run. Throws Error if the picture is
+// empty, memory does not suffice or `device` cannot be written. `where` is the name by which the
+// user knows the picture.
 void writePng(const QImage& image, QIODevice& device, const QString& where);
 QByteArray pngBytes(const QImage& image, const QString& where);
 

@@ -10,10 +10,11 @@ namespace dipwright {
 
 namespace {
 
-// Deleted by whichever of the two threads lets go of it last.
+// The last of the two threads to release it deletes it.
 struct Errand {
     std::function<void()> work;
-    parallel::ForkAndJoin crossing{}; // goes before `work`: whoever deletes that sees what it did
+    // destroyed before `work`, so that the deleting thread sees what `work` wrote
+    parallel::ForkAndJoin crossing{};
 };
 
 } // namespace

@@ -1,5 +1,5 @@
-// Work for another thread's event loop: QMetaObject::invokeMethod, of which the thread sanitizer is
-// told what goes over from one thread to the other.
+// Runs work in another thread's event loop. It wraps QMetaObject::invokeMethod and tells the thread
+// sanitizer what passes from one thread to the other.
 #pragma once
 
 #include <functional>
@@ -8,11 +8,11 @@ class QObject;
 
 namespace dipwright {
 
-// Calls `work` on the thread of `receiver`, once that comes to it; not at all where `receiver` is
-// gone by then. From any thread. What `work` throws reaches nobody.
+// Queues `work` for the event loop of `receiver`'s thread. It is not called if `receiver` is
+// destroyed before. May be called from any thread. Exceptions that `work` throws are lost.
 void postToThread(QObject& receiver, std::function<void()> work);
 
-// The same, and waits until it is done. From any thread but the receiver's.
+// Does the same and waits until it is done. May be called from any thread except the receiver's.
 void postToThreadAndWait(QObject& receiver, const std::function<void()>& work);
 
 } // namespace dipwright

@@ -1,20 +1,21 @@
-// What the programs are called, by which the system finds the folders for their settings, profiles
-// and caches: one for all of them, so that what is saved in the window is there on the command
-// line.
+// The name of all the programs, by which the system finds the folders for their settings, profiles
+// and caches. All programs share one name, so that what is saved in the window is there on the
+// command line.
 #pragma once
 
 #include <QString>
 
 namespace dipwright {
 
-// Name and version of the running program. Once, when the application is there, and before any of
-// those folders is asked for.
+// Sets name and version of the running program. Call it once, after the application object is
+// created and before any of those folders is looked up.
 void nameProgram();
 
-// "1.0.0": the version in the project's CMakeLists.txt, which all else takes from here.
+// Returns the version from the project's CMakeLists.txt, such as "1.0.0". All other code takes the
+// version from here.
 QString programVersion();
 
-// The folder for the user's data that the command line had by itself up to version 0.1.
+// Returns the folder for the user's data that only the command line used up to version 0.1.
 QString earlierDataFolder();
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// How long work tells how far it is and learns that it is no longer wanted.
+// Progress reports and cancellation for long tasks.
 #pragma once
 
 #include <QString>
@@ -9,13 +9,14 @@
 
 namespace dipwright {
 
-// Thrown by work that noticed it was cancelled. Not an error: nothing is shown to the user.
+// Thrown by work that was cancelled. It is not an error: nothing is shown to the user.
 class Cancelled : public std::exception {
 public:
     const char* what() const noexcept override { return "cancelled"; }
 };
 
-// A switch shared by who cancels and who works. Copies share the same switch. Any thread.
+// A flag that one side sets to cancel and the other side checks. Copies share the flag.
+// Thread-safe.
 class CancelToken {
 public:
     void cancel() { *flag_ = true; }
@@ -30,22 +31,24 @@ private:
     std::shared_ptr<std::atomic<bool>> flag_ = std::make_shared<std::atomic<bool>>(false);
 };
 
-// What a piece of work is given. `report` may be empty; it is called from the working thread with
-// the share done of this piece (0 … 1) and what is being done, at most some hundred times a second.
+// Handed to a piece of work. `report` may be empty. It gets the piece's progress (0 … 1) and a text
+// that says what is being done. It is called from the working thread, at most some hundred times a
+// second.
 struct Progress {
     std::function<void(double, const QString&)> report;
     CancelToken cancelToken;
 
-    // Reports and throws Cancelled when cancelled.
+    // Reports progress. Throws Cancelled if the work was cancelled.
     void operator()(double share, const QString& text) const {
         cancelToken.throwIfCancelled();
         if (report) {
             report(share, text);
         }
     }
-    // Cancelled together with this piece, and reports nothing: for what goes on beside it.
+    // Returns a progress that is cancelled together with this one but reports nothing, for work
+    // beside it.
     Progress silent() const { return {nullptr, cancelToken}; }
-    // The part from `begin` to `end` of this piece as a piece of its own.
+    // Returns a progress for a part of this piece, from `begin` to `end` (0 … 1).
     Progress part(double begin, double end) const {
         Progress inner{nullptr, cancelToken};
         if (report) {

@@ -21,8 +21,8 @@ void silence(QProcess&) {}
 
 namespace {
 
-// Where a library crashes, which is not compiled with the sanitizer, containing it is all there is
-// to do.
+// A library that is built without the sanitizer may crash. The sandbox has then done its work, so
+// this is no finding.
 bool isCrashOfOthers(const QString& words) {
     static const QRegularExpression inOurCode(QStringLiteral("#0 .*dipwright"));
     return words.contains(QLatin1String("DEADLYSIGNAL")) && !words.contains(inOurCode);
@@ -58,9 +58,9 @@ extern "C" {
 
 int __clone(int (*)(void*), void*, int, void*, ...);
 
-// Stands before the sanitizer's: Qt starts a process by a clone that shares memory with this one
-// until it runs its program, which the sanitizer takes for a fork; it would see nothing any more of
-// the thread that started it, and end the program at its next new thread.
+// Replaces the sanitizer's own wrapper. Qt starts a process by a clone that shares memory with this
+// one until it runs its program. The sanitizer takes that for a fork: it would lose track of the
+// calling thread and end the program when the next thread starts.
 __attribute__((visibility("default"))) int clone(int (*function)(void*), void* stack, int flags,
                                                  void* argument, ...) {
     std::va_list more;

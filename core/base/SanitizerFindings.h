@@ -1,18 +1,17 @@
-// What a sanitizer finds in a process that is contained must not pass for a fault of the file or
-// the plugin for whose sake it is: nobody reads that process's words, and whatever ends it is
-// expected.
+// Reports what a sanitizer finds in a sandboxed process. That process's output is not read and its
+// crashes are handled, so a finding would otherwise pass for a fault of the file or plugin.
 #pragma once
 
 class QProcess;
 
 namespace dipwright {
 
-// Before `process` is started: what it writes to its standard error is no one's, and goes nowhere;
-// in a build with sanitizers it is kept for endOnFinding.
+// Call before `process` is started. Its standard error is discarded; a build with sanitizers keeps
+// it for endOnFinding().
 void silence(QProcess& process);
 
-// When `process` has ended: in a build with sanitizers, where one of them has found something in
-// it, says that on the standard error and aborts this program. Else it does nothing.
+// Call after `process` has ended. In a build with sanitizers, prints what a sanitizer found in it
+// on standard error and aborts this program. Otherwise does nothing.
 void endOnFinding(QProcess& process);
 
 } // namespace dipwright

@@ -7,7 +7,7 @@
 namespace dipwright {
 namespace {
 
-// OpenSSL's answer: fails for want of memory alone.
+// OpenSSL fails here only when memory runs out.
 void require(bool success) {
     if (!success) {
         throw std::bad_alloc();

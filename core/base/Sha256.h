@@ -1,5 +1,5 @@
-// SHA-256, by OpenSSL, which asks the processor's own instructions for it: ten times as fast as
-// Qt's, and sheets have tens of megabytes.
+// SHA-256 by OpenSSL. It uses the processor's SHA instructions and is ten times as fast as Qt's,
+// which matters for sheets of tens of megabytes.
 #pragma once
 
 #include <QByteArray>
@@ -12,22 +12,22 @@ struct evp_md_ctx_st; // OpenSSL's
 
 namespace dipwright {
 
-// Of bytes that come piece by piece.
+// Hashes bytes that arrive in pieces.
 class Sha256 {
 public:
     Sha256();
 
     void add(QByteArrayView bytes);
-    // The 32 bytes of the hash; once, nothing can be added after it.
+    // Returns the 32 bytes of the hash. Call once; nothing can be added afterwards.
     QByteArray result();
 
 private:
     std::unique_ptr<evp_md_ctx_st, void (*)(evp_md_ctx_st*)> context_;
 };
 
-// The 32 bytes of the hash.
+// Returns the 32 bytes of the hash.
 QByteArray sha256(QByteArrayView bytes);
-// The same as 64 small letters and digits.
+// Returns the hash as 64 hexadecimal digits in lower case.
 QString sha256Hex(QByteArrayView bytes);
 
 } // namespace dipwright

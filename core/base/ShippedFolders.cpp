@@ -19,13 +19,14 @@ QStringList fromProgram(const QStringList& paths) {
 } // namespace
 
 QStringList shippedPluginFolders() {
-    // The second is where the tests find them.
+    // The tests find the plugins in the second folder.
     return fromProgram({QStringLiteral("plugins"), QStringLiteral("../bin/plugins"),
                         QStringLiteral(DIPWRIGHT_PLUGINS_FROM_PROGRAM)});
 }
 
 QString shippedProgram(const QString& name) {
-    // In the build beside the programs; those that are only there to build and test lie elsewhere.
+    // In a build the helpers lie beside the programs. Helpers that are used only to build and test
+    // lie elsewhere.
     return QStandardPaths::findExecutable(
         name, fromProgram({QStringLiteral("."), QStringLiteral("../bin"),
                            QStringLiteral(DIPWRIGHT_HELPERS_FROM_PROGRAM)}));

@@ -1,6 +1,6 @@
-// Where the files lie that come with the program. They are found from the program's own place, so
-// that an installed tree runs from wherever it is put. None of the folders has to exist; the one of
-// a build comes before the one of an installed tree.
+// Finds the files that are installed with the program. They are searched relative to the program,
+// so that an installed tree can be moved. None of the folders has to exist. The build's folder
+// comes before the installed tree's folder.
 #pragma once
 
 #include <QString>
@@ -8,15 +8,15 @@
 
 namespace dipwright {
 
-// Solver plugins: modules, and the descriptions beside them.
+// Folders with solver plugins (modules and their description files).
 QStringList shippedPluginFolders();
 
-// A program that only ours start; empty where there is none.
+// Path of a helper program that only these programs start; empty if it is missing.
 QString shippedProgram(const QString& name);
-// That which reads foreign models and pictures.
+// Path of the sandboxed reader for foreign models and pictures.
 QString readerProgram();
 
-// Sample projects, *.dipw.
+// Folders with sample projects, *.dipw.
 QStringList shippedSampleFolders();
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// How long something has been waited for, by a program that may itself be stopped meanwhile.
+// Measures waiting time in a program that may itself be suspended meanwhile.
 #pragma once
 
 #include <algorithm>
@@ -6,9 +6,9 @@
 
 namespace dipwright {
 
-// Looked at again and again. Of what passes between two looks longestGap counts at most: while the
-// program is suspended (Ctrl-Z, a debugger, a machine asleep) what it waits for is most often
-// stopped, too, and has not had the time that the clock shows. One thread at a time.
+// Call look() repeatedly. At most longestGap counts between two calls. The reason: while this
+// program is suspended (Ctrl-Z, debugger, sleeping machine), the process that it waits for usually
+// stops too. Not thread-safe.
 class SuspendAwareTimer {
 public:
     using Clock = std::chrono::steady_clock;
@@ -16,7 +16,7 @@ public:
 
     explicit SuspendAwareTimer(Clock::time_point now = Clock::now()) : lastLook_(now) {}
 
-    // The time waited until now, counted.
+    // Returns the time that has counted until now.
     Clock::duration look(Clock::time_point now = Clock::now()) {
         waited_ += std::clamp(now - lastLook_, Clock::duration::zero(), longestGap);
         lastLook_ = now;

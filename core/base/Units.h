@@ -1,12 +1,12 @@
-// Quantities that carry their unit in their type, for everything that a file, a command line or a
-// dialog hands over. Bulk data (meshes, grids, films) is plain float or double in millimetres.
+// Quantities that carry their unit in their type. Files, command lines and dialogs hand them over.
+// Bulk data (meshes, grids, films) is plain float or double in millimetres.
 #pragma once
 
 #include <compare>
 
 namespace dipwright {
 
-// A number with a unit. Converts to and from plain numbers only when asked: Millimetres(3),
+// A number with a unit. Converts to and from plain numbers only explicitly: Millimetres(3),
 // x.value().
 template <typename Unit>
 class Quantity {
@@ -34,12 +34,12 @@ using Degrees = Quantity<struct DegreesUnit>;
 using DotsPerInch = Quantity<struct DotsPerInchUnit>;
 
 inline constexpr double millimetresPerInch = 25.4;
-// In which lengths are told to the user; they are kept in millimetres.
+// The unit in which lengths are shown to the user. They are stored in millimetres.
 enum class LengthUnit { Millimetre, Inch };
 constexpr double millimetresIn(LengthUnit unit) {
     return unit == LengthUnit::Inch ? millimetresPerInch : 1;
 }
-// In what a field is shown to the user.
+// The unit in which a field is shown to the user.
 enum class Unit {
     None,
     Length,

@@ -54,7 +54,7 @@ QImage inSrgb(const QImage& picture) {
     }
     QImage result = converted(picture, wideSpace(), QColorSpace::SRgb);
     result.convertTo(picture.hasAlphaChannel() ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
-    result.setColorSpace(QColorSpace()); // as all that is sRGB here
+    result.setColorSpace(QColorSpace()); // sRGB pictures carry no colour space here
     return result;
 }
 

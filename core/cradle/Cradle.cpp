@@ -15,11 +15,11 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Cradle)
 };
 
-constexpr double steadyTilt = 5;     // degrees that a plate can be tilted without the body falling
-constexpr double steadySlope = 20;   // degrees, of a side hold that a body does not slide over
-constexpr double reachGrowth = 1.25; // from one trial to the next
-constexpr double piecesPerCell = 2;  // cells that a piece of the surface is long
-constexpr double mostSamples = 24e6; // of the form; a coarser grid past them
+constexpr double steadyTilt = 5;     // degrees of plate tilt that the body must withstand
+constexpr double steadySlope = 20;   // degrees; a side hold this steep stops the body from sliding
+constexpr double reachGrowth = 1.25; // of the reach, from one trial to the next
+constexpr double piecesPerCell = 2;  // edge of a surface piece, in cells
+constexpr double mostSamples = 24e6; // of the form's grid; a coarser grid is used beyond that
 
 std::vector<SeatPiece> above(const std::vector<SeatPiece>& seat, double lowest) {
     std::vector<SeatPiece> result;
@@ -28,7 +28,8 @@ std::vector<SeatPiece> above(const std::vector<SeatPiece>& seat, double lowest) 
     return result;
 }
 
-// How far down a cradle reaches: as little as it can and hold the body.
+// Returns the y down to which the cradle reaches. It reaches only as far as it must to hold the
+// body.
 double lowestOf(const std::vector<SeatPiece>& seat, const PosedBody& body, double reach) {
     const Eigen::Vector3d centre = centreOfVolume(body.mesh);
     double best = body.height - reach, bestTilt = -180;
@@ -67,7 +68,7 @@ Outline footprintOf(const std::vector<SeatPiece>& seat, double outer) {
             result.max() + Eigen::Vector2d::Constant(outer)};
 }
 
-// Of the seat, the place that is nearest to under the body's middle.
+// Returns the place of the seat that is nearest to the body's centre, seen from above.
 Eigen::Vector2d boreOf(const std::vector<SeatPiece>& seat, const Eigen::Vector3d& centre) {
     const auto aside = [&](const SeatPiece& piece) {
         return std::hypot(piece.place.x() - centre.x(), piece.place.z() - centre.z());
@@ -97,25 +98,24 @@ QStringList notesOn(const Cradle& cradle, const HeldDip& dip, const CradleSettin
     const CradleCheck& check = cradle.check;
     const QString& name = dip.immersion.name;
     if (check.standing.tiltDegrees < steadyTilt) {
-        notes << Text::tr(
-                     "%1: the body tips out of its cradle where it is not fixed; what stays dry "
-                     "does not lie on all sides of its middle. Fix it through the bore, or turn "
-                     "the pose")
+        notes << Text::tr("%1: the part tips out of its cradle unless it is fixed, because its dry "
+                          "surface does not surround its centre of mass. Fix it through the bore, "
+                          "or turn the part")
                      .arg(name);
     }
     if (check.standing.sideHoldDegrees < steadySlope) {
-        notes << Text::tr(
-                     "%1: nothing keeps the body from sliding sideways in its cradle, for what "
-                     "stays dry is flat; mark its place and fix it there")
+        notes << Text::tr("%1: the part can slide sideways in its cradle, because its dry surface "
+                          "is too flat; mark its position and fix it there")
                      .arg(name);
     }
     if (check.paddedArea > 0) {
-        notes << Text::tr("%1: the cradle lies on %2 mm² of paint of an earlier dip; line it there "
-                          "with %3 mm of soft felt or foam")
+        notes << Text::tr("%1: the cradle touches %2 mm² that an earlier dip has painted; line it "
+                          "there with %3 mm of soft felt or foam")
                      .arg(name, number(check.paddedArea, 0), number(settings.padding.value(), 1));
     }
     if (plate.engraving.isEmpty() && settings.engravingDepth.value() > 0) {
-        notes << Text::tr("%1: the cradle's plate has no room for arrow and job; write them on it")
+        notes << Text::tr("%1: the cradle's plate has no room for the engraving; write the arrow, "
+                          "the dip number and the job on it")
                      .arg(name);
     }
     return notes;
@@ -125,12 +125,13 @@ Cradle nothingToHold(const HeldDip& dip, const CradleSettings& settings, const F
     Cradle result;
     const bool byPaint = !side.earlierPaint.triangles.empty() && !settings.onPaint;
     result.notes << (byPaint
-                         ? Text::tr("%1: there is no cradle, for all that could hold the body is "
-                                    "painted by an earlier dip; allow it with cradle.on_paint, "
-                                    "through padding, or turn the pose")
+                         ? Text::tr("%1: no cradle is possible, because an earlier dip has painted "
+                                    "every place that could hold the part; allow padded contact "
+                                    "with paint (cradle.on_paint), or turn the part")
                                .arg(dip.immersion.name)
-                         : Text::tr("%1: there is no cradle, for the film reaches all that could "
-                                    "hold the body; dip it less deep or turn the pose")
+                         : Text::tr(
+                               "%1: no cradle is possible, because the film reaches every place "
+                               "that could hold the part; dip it less deep, or turn the part")
                                .arg(dip.immersion.name));
     return result;
 }

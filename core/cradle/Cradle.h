@@ -1,8 +1,9 @@
-// What holds a body over the film: a form that takes its dry upper side, under a plate.
+// Makes the cradle that holds a body over the film: a form that fits its dry upper side, under a
+// plate.
 //
-// The body is taken out of the cradle downwards, in the direction of the dip. A cradle is therefore
-// what is left of a block after the body, swelled by the clearance, was drawn down through it: it
-// has no undercuts, whatever the body has. docs/cradle.md says what is kept clear of what, and why.
+// The body leaves the cradle downwards, in the direction of the dip. So a cradle is what remains of
+// a block after the body, enlarged by the clearance, is drawn down through it. It therefore has no
+// undercuts, even if the body has. docs/cradle.md explains the clearances.
 #pragma once
 
 #include "base/Progress.h"
@@ -22,31 +23,31 @@ class LaidFilm;
 struct Immersion;
 struct ProcessSettings;
 
-// A dip to hold a body in. Nothing is owned.
+// The dip that a cradle is made for. Owns nothing; the references must stay valid.
 struct HeldDip {
-    const LaidFilm& film; // at the end of this dip, on the body in its pose
-    // Of the dips before it, on the same body in other poses.
+    const LaidFilm& film; // the film of this dip, laid on the body in its pose
+    // Films of the earlier dips, on the same body in other poses.
     std::vector<const LaidFilm*> earlier;
-    const DistanceField& field; // of the body in model coordinates
+    const DistanceField& field; // distance field of the body, in model coordinates
     const Immersion& immersion;
     const ProcessSettings& process;
     const DatumPins& pins;
-    int number = 1;  // of the immersion
+    int number = 1;  // of the dip, from 1
     QString jobHash; // for the engraving
 };
 
 struct Cradle {
-    TriangleMesh mesh; // closed, in the body's pose frame; empty where nothing can be held
-    // To the bed of a printer: Z up, the plate down, its corner at the origin.
+    TriangleMesh mesh; // closed, in the body's pose frame; empty if no cradle is possible
+    // Maps to a 3D printer's bed: Z up, plate on the bed, its corner at the origin.
     Eigen::Isometry3d poseToPrinter = Eigen::Isometry3d::Identity();
-    double clearance = 0; // mm, as asked for
-    double cell = 0;      // mm, of the grid that its form was computed on
+    double clearance = 0; // mm, as set by the user
+    double cell = 0;      // cell of the grid on which the form was computed, mm
     CradleCheck check;
-    QStringList notes; // sentences for the user: why there is none, what to mind
+    QStringList notes; // sentences for the user: why there is no cradle, what to watch for
 };
 
-// All cores; deterministic. Engraving sets type: needs a QGuiApplication ("offscreen" will do).
-// Throws Cancelled.
+// Uses all cores; deterministic. Needs a QGuiApplication to engrave text (platform "offscreen" is
+// enough). Throws Cancelled.
 Cradle makeCradle(const HeldDip& dip, const CradleSettings& settings, const Progress& progress);
 
 } // namespace dipwright

@@ -17,8 +17,8 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Cradle)
 };
 
-constexpr double leastSupport = 0.5; // of the normal's upward part, for a place to be stood on
-constexpr int directions = 24;       // round the plate, in which a body may slide
+constexpr double leastSupport = 0.5; // smallest y of the normal of a place that carries the body
+constexpr int directions = 24;       // horizontal directions in which sliding is checked
 constexpr double samplesOfBody = 100'000;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -29,7 +29,7 @@ Eigen::Vector2d level(const Eigen::Vector3d& place) {
     return {place.x(), place.z()};
 }
 
-// The convex hull of places seen from above, in order, by Andrew's monotone chain.
+// Returns the convex hull of places seen from above, in order (Andrew's monotone chain).
 std::vector<Eigen::Vector3d> hullFromAbove(std::vector<Eigen::Vector3d> places) {
     std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) {
         return std::pair(a.x(), a.z()) < std::pair(b.x(), b.z());
@@ -70,7 +70,7 @@ double tiltDegrees(const std::vector<SeatPiece>& seat, const Eigen::Vector3d& ce
         const Eigen::Vector3d& to = hull[(i + 1) % hull.size()];
         const Eigen::Vector2d along = level(to - from);
         const double inside = cross(along, level(centre - from)) / along.norm();
-        // Upside down on the table, the centre is as high above the edge as it hangs under it here.
+        // Upside down on the table, the centre is as far above the edge as it is below it here.
         const double height = (from.y() + to.y()) / 2 - centre.y();
         least = std::min(least, std::atan2(inside, std::abs(height)) * 180 / pi);
     }
@@ -93,7 +93,7 @@ double sideHoldDegrees(const std::vector<SeatPiece>& seat) {
     return least;
 }
 
-// The triangles round every position form one ring.
+// Whether the triangles round every position form one ring.
 bool hasOneRingRoundEach(const TriangleMesh& mesh, const std::vector<std::uint32_t>& opposite) {
     std::vector<std::uint32_t> corners(mesh.positions.size(), 0);
     std::vector<std::uint32_t> first(mesh.positions.size(), noEdge);
@@ -107,7 +107,7 @@ bool hasOneRingRoundEach(const TriangleMesh& mesh, const std::vector<std::uint32
             continue;
         }
         std::uint32_t count = 0, edge = first[at];
-        do { // the edge into the position, over to the triangle on its other side
+        do { // cross the edge that enters the position to the next triangle
             ++count;
             edge = opposite[edge - edge % 3 + (edge + 2) % 3];
         } while (edge != first[at] && count <= corners[at]);
@@ -131,7 +131,7 @@ int partsOf(const TriangleMesh& mesh, const std::vector<std::uint32_t>& opposite
     return parts;
 }
 
-// The least value of one(i) for i from 0 to before `count`.
+// Returns the smallest one(i) for 0 ≤ i < count.
 template <typename One>
 double leastOf(std::size_t count, const One& one) {
     std::vector<double> values(count, std::numeric_limits<double>::infinity());
@@ -152,7 +152,7 @@ bool meetsNothing(const SurfaceQuery& query, const std::vector<Eigen::Vector3f>&
            }) > 0;
 }
 
-// Of the seat, the area that lies on the cradle, and the pieces themselves.
+// Returns the pieces of the seat that lie on the cradle.
 std::vector<SeatPiece> lyingOn(const SurfaceQuery& cradle, const std::vector<SeatPiece>& seat,
                                double nearest, double padding) {
     std::vector<char> lies(seat.size(), 0);

@@ -1,5 +1,5 @@
-// Whether a cradle is what it should be, by other means than those it was made with: rays and
-// closest points of the finished triangles.
+// Checks a finished cradle by means independent of its making: rays and closest points on its
+// triangles.
 #pragma once
 
 #include "base/Progress.h"
@@ -9,44 +9,45 @@
 
 namespace dipwright {
 
-// A piece of the body's surface that may lie on a cradle. Pose frame.
+// A piece of the body's surface that may lie on the cradle, in the pose frame.
 struct SeatPiece {
     Eigen::Vector3d place, normal; // outward
     double area = 0;               // mm²
-    bool isPadded = false;         // it has paint of an earlier dip
+    bool isPadded = false;         // an earlier dip has painted it
 };
 
-// How a body stands on what it lies on, taken as if the plate lay on a table and the body in it.
+// How firmly a body rests in its cradle, with the plate on a table and the body on top.
 struct Standing {
-    // Degrees by which the plate can be tilted before the body tips over, its material being even;
-    // negative where it falls over by itself.
+    // Tilt of the plate in degrees at which the body tips over, for a body of uniform density.
+    // Negative if it tips over without tilt.
     double tiltDegrees = -90;
-    // The least slope, in degrees, of what keeps the body from sliding off in a level direction; 0:
-    // nothing does in some direction.
+    // Slope in degrees of the steepest support against sliding, in the worst horizontal direction.
+    // 0 if nothing stops the body in some direction.
     double sideHoldDegrees = 0;
 };
 
 struct CradleCheck {
-    bool isClosed = false; // every edge in two triangles, run along in opposite directions
-    int parts = 0;         // connected by edges; 1 is right
-    double volume = 0;     // mm³; positive: its triangles face outwards
-    double leastGap = 0;   // mm between cradle and body, negative where they overlap
-    double paintGap = 0;   // mm between the cradle and what this dip's film reaches
-    bool comesOut = false; // nothing of the cradle is in the body's way down
-    double seatArea = 0;   // mm² of the body that lie on it
-    double paddedArea = 0; // of these, on paint of an earlier dip
+    bool isClosed = false; // every edge is in two triangles, in opposite directions
+    int parts = 0;         // pieces connected by edges; should be 1
+    double volume = 0;     // mm³; positive if its triangles face outwards
+    double leastGap = 0;   // smallest gap between cradle and body, mm; negative if they overlap
+    double paintGap = 0;   // smallest gap between the cradle and the surface that film reaches, mm
+    bool comesOut = false; // the body can move down without touching the cradle
+    double seatArea = 0;   // area of the body that lies on it, mm²
+    double paddedArea = 0; // part of seatArea that an earlier dip has painted, mm²
     Standing standing;
 };
 
-// isClosed(), and the triangles round every position form one ring.
+// Whether the mesh is closed (isClosed()) and the triangles round every position form one ring.
 bool isClosedSurface(const TriangleMesh& mesh);
 
-// The middle of a closed body's volume.
+// Returns the centre of a closed body's volume.
 Eigen::Vector3d centreOfVolume(const TriangleMesh& body);
 Standing standingOn(const std::vector<SeatPiece>& seat, const Eigen::Vector3d& centre);
 
-// `seat`: what may lie on the cradle, of which it counts what does, at no more than `nearest` mm
-// (and `padding` where padded). `painted`: what film reaches; may be null.
+// `seat` holds the pieces that may lie on the cradle. Pieces within `nearest` mm count as lying on
+// it; padded pieces within `nearest` + `padding`. `painted` is the surface that film reaches; may
+// be null.
 CradleCheck checkCradle(const TriangleMesh& cradle, const TriangleMesh& body,
                         const SurfaceQuery& bodyQuery, const SurfaceQuery* painted,
                         const std::vector<SeatPiece>& seat, double nearest, double padding,

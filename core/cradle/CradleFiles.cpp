@@ -13,7 +13,7 @@ constexpr qsizetype stlHeader = 80;
 const QString coreNamespace =
     QStringLiteral("http://schemas.microsoft.com/3dmanufacturing/core/2015/02");
 
-// What tells which file of the package is of what kind, and which is the model.
+// Tells a reader the type of each file in the package, and which file is the model.
 constexpr char contentTypes[] =
     R"(<?xml version="1.0" encoding="UTF-8"?>
 <Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">

@@ -1,5 +1,5 @@
-// The files that a cradle is written to, lying on the bed of a printer (Cradle::poseToPrinter), mm.
-// The same bytes for the same cradle. Reentrant.
+// Writes a cradle as STL or 3MF, in mm, placed on the printer bed by Cradle::poseToPrinter. Equal
+// cradles give equal bytes. Reentrant.
 #pragma once
 
 #include "cradle/Cradle.h"
@@ -8,9 +8,9 @@
 
 namespace dipwright {
 
-// Binary STL.
+// Returns a binary STL file.
 QByteArray cradleStl(const Cradle& cradle);
-// 3MF core specification 1.3: one object of one mesh, in millimetres, called `title`.
+// Returns a 3MF package (core specification 1.3) with one object of one mesh, named `title`.
 QByteArray cradle3mf(const Cradle& cradle, const QString& title);
 
 } // namespace dipwright

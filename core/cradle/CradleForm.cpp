@@ -15,19 +15,19 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Cradle)
 };
 
-constexpr double farAway = 1e3;     // mm: farther than anything asks
-constexpr int freeCells = 2;        // round the cradle
-constexpr double leastShare = 1e-3; // of a cell that the surface passes a sample by
+constexpr double farAway = 1e3;     // mm; larger than any distance that matters
+constexpr int freeCells = 2;        // free cells round the cradle
+constexpr double leastShare = 1e-3; // in cells: least distance of the surface from a sample
 
-// The distance from a surface, and from the way that it goes when it is moved down, at places of
-// one column from its upper end downwards.
+// Computes the distance from a surface and from the space that it sweeps when it moves down. Query
+// the places of one column from top to bottom.
 class SweptDistance {
 public:
     SweptDistance(const SurfaceQuery* query, const TriangleMesh* mesh, double within)
         : query_(query), mesh_(mesh), within_(within) {}
 
-    // At the next place down. `atLeast`: a distance that it is known to be away from the surface.
-    // Exact up to `within`.
+    // Returns the distance at the next place down; exact up to `within`. `atLeast` is a known lower
+    // bound of the distance from the surface.
     double next(const Eigen::Vector3f& place, double atLeast, bool isInside) {
         if (!query_ || atLeast >= within_ || least_ < -within_) {
             return least_;
@@ -35,7 +35,7 @@ public:
         const ClosestPoint nearest = query_->closest(place, float(within_));
         if (nearest.point.isValid()) {
             const Eigen::Vector3f there = position(*mesh_, nearest.point) - place;
-            // A point higher up comes by on its way down, at its level distance.
+            // A point higher up passes this place on its way down, at its horizontal distance.
             const double away = isInside         ? -double(nearest.distance)
                                 : there.y() >= 0 ? double(std::hypot(there.x(), there.z()))
                                                  : double(nearest.distance);
@@ -64,7 +64,7 @@ public:
         }
     }
 
-    // What the seat is at places of one column, from the upper end downwards: negative in it.
+    // Fills `values` with the seat along one column, from the bottom; negative in the seat.
     void fillColumn(const DistanceField& grid, int i, int k, std::vector<double>& values) const {
         SweptDistance body(&body_.query, &body_.mesh, within_);
         SweptDistance film(film_ ? &*film_ : nullptr, &side_.film, distances_.film + grid.spacing);
@@ -73,7 +73,7 @@ public:
         for (int j = grid.size[1] - 1; j >= 0; --j) {
             const Eigen::Vector3d place = grid.origin + grid.spacing * Eigen::Vector3d(i, j, k);
             const double rough = field_.sample(poseToModel_ * place);
-            // The field may be off by what its cells smooth over.
+            // The cells of the field smooth details away, so its values may be too large.
             const double atLeast = std::max(0.0, std::abs(rough) - 2 * field_.spacing);
             const Eigen::Vector3f where = place.cast<float>();
             const double away = body.next(where, atLeast, rough < 0);
@@ -84,7 +84,7 @@ public:
                           distances_.earlierPaint - fromPaint, away - distances_.outer,
                           distances_.lowest - place.y()});
         }
-        // Material goes on up to the plate, which is where all that holds the body ends.
+        // All material continues up to the plate, so that it is attached.
         for (std::size_t j = 1; j < values.size(); ++j) {
             values[j] = std::min(values[j], values[j - 1]);
         }
@@ -100,10 +100,10 @@ private:
     std::optional<SurfaceQuery> film_, paint_;
 };
 
-// A number for each column of a grid, index k·columns + i.
+// One number per column of a grid, at index k·columns + i.
 using OverColumns = std::vector<double>;
 
-// Where a column begins to be filled, from below; `none` where it never is.
+// Returns the y at which a column becomes filled, from below; `none` if it stays empty.
 double lowestFilled(const DistanceField& grid, const std::vector<double>& values, double none) {
     for (std::size_t j = 0; j < values.size(); ++j) {
         if (values[j] < 0) {
@@ -114,7 +114,7 @@ double lowestFilled(const DistanceField& grid, const std::vector<double>& values
     return none;
 }
 
-// Of each column the highest number within `reach` columns of it.
+// Returns, per column, the highest number within `reach` columns of it.
 OverColumns highestRound(const OverColumns& values, int columns, int rows, int reach) {
     OverColumns result(values.size());
     parallelFor(0, rows, [&](int k) {
@@ -133,9 +133,9 @@ OverColumns highestRound(const OverColumns& values, int columns, int rows, int r
     return result;
 }
 
-// Where columns have to begin for nothing to be thinner than 2·reach: an opening of what is filled,
-// by upright cylinders (Serra, Image Analysis and Mathematical Morphology, 1982). It only takes
-// away.
+// Returns where columns must begin so that nothing is thinner than 2·reach. This is a morphological
+// opening by upright cylinders (Serra, Image Analysis and Mathematical Morphology, 1982). It only
+// removes material.
 OverColumns openedFrom(const OverColumns& lowest, int columns, int rows, int reach) {
     OverColumns narrowed = highestRound(lowest, columns, rows, reach);
     std::transform(narrowed.begin(), narrowed.end(), narrowed.begin(), std::negate<>());
@@ -157,13 +157,13 @@ DistanceField gridOf(const CradlePlate& plate, double lowest, double cell) {
     return grid;
 }
 
-// What plate and holes make of a seat, at places of one column.
+// Adds the plate, the holes and the engraving to the seat, column by column.
 class Plate {
 public:
     Plate(const CradlePlate& plate, double engravingDepth)
         : plate_(plate), engraved_(plate.engraving), floor_(plate.top - engravingDepth) {}
 
-    // `lowest`: y under which the column is empty.
+    // `lowest` is the y below which the column is empty.
     void finishColumn(const DistanceField& grid, int i, int k, double lowest,
                       std::vector<double>& values) const {
         const Eigen::Vector2d place(grid.origin.x() + grid.spacing * i,
@@ -194,7 +194,8 @@ private:
     double floor_;
 };
 
-// Has `change` change the samples of each column, from the lower end upwards.
+// Calls change(i, k, values) with the samples of each column from bottom to top, and stores the
+// result.
 template <typename Change>
 void forEachColumn(DistanceField& grid, const Progress& progress, const Change& change) {
     const auto columns = std::size_t(grid.size[0]), rows = std::size_t(grid.size[1]);

@@ -1,4 +1,4 @@
-// The form of a cradle on a grid: what is cut away and what stays.
+// Computes the form of a cradle on a grid.
 #pragma once
 
 #include "cradle/CradlePlate.h"
@@ -7,23 +7,24 @@
 
 namespace dipwright {
 
-// Distances in mm that a cradle keeps, each from the surface and from everywhere that the surface
-// passes when the body is taken out downwards.
+// Distances in mm that a cradle keeps from surfaces. They also apply to the space that a surface
+// sweeps when the body moves down and out.
 struct CradleDistances {
-    double body = 0;         // from all of the body
+    double body = 0;         // from the whole body
     double earlierPaint = 0; // from FilmSide::earlierPaint
     double film = 0;         // from FilmSide::film
-    double outer = 0;        // and up to where there is material beside the body
-    double lowest = 0;       // y under which there is none
+    double outer = 0;        // from the body, beyond which there is no material
+    double lowest = 0;       // y below which there is no material
 };
 
-// Negative in the cradle, mm, near its surface about the distance from it. `cell`: the grid's
-// spacing. The grid reaches past the cradle on all sides. All cores; deterministic.
+// Returns a field that is negative in the cradle. Near the surface its value is about the distance
+// from it, mm. `cell` is the grid's spacing. The grid extends past the cradle on all sides. Uses
+// all cores; deterministic. Throws Cancelled.
 DistanceField cradleForm(const HeldDip& dip, const CradleSettings& settings, const FilmSide& side,
                          const CradlePlate& plate, const CradleDistances& distances, double cell,
                          const Progress& progress);
 
-// How many samples such a grid has.
+// Returns about how many samples that grid has.
 double formSamples(const CradlePlate& plate, double lowest, double cell);
 
 } // namespace dipwright

@@ -12,13 +12,13 @@
 namespace dipwright {
 namespace {
 
-constexpr double outlineRadius = 6; // mm, of the plate's corners
-constexpr double engravingRim = 2;  // mm that engraving keeps from holes and edges
-constexpr double stroke = 1.6;      // mm, of what is engraved
-constexpr double jobHeight = 7;     // mm, of the job's letters
-constexpr double numberHeight = 13; // mm, of the immersion's number
+constexpr double outlineRadius = 6; // radius of the plate's corners, mm
+constexpr double engravingRim = 2;  // distance of the engraving from holes and edges, mm
+constexpr double stroke = 1.6;      // width of engraved lines, mm
+constexpr double jobHeight = 7;     // height of the job's letters, mm
+constexpr double numberHeight = 13; // height of the dip's number, mm
 
-// Of a word, its middle at (0, 0).
+// Returns the outline of a text, centred at (0, 0).
 QPainterPath lettering(const QString& text, double height) {
     QFont font = sheetFont(height);
     font.setBold(true);
@@ -29,7 +29,7 @@ QPainterPath lettering(const QString& text, double height) {
     return path.translated(-middle).simplified();
 }
 
-// To the film's upper edge, which the bar stands for: z falls towards it.
+// Returns an arrow to a bar that stands for the film's upper edge, which is at low z.
 QPainterPath arrowToEdge() {
     QPainterPath path;
     path.addRect(QRectF(-7, -8, 14, stroke));
@@ -38,7 +38,7 @@ QPainterPath arrowToEdge() {
     return path;
 }
 
-// The end of an arrow that goes away from who looks at it: the way the plate is dipped.
+// Returns the symbol of an arrow that points away from the viewer: the direction of the dip.
 QPainterPath signOfDip() {
     QPainterPath ring, hole, cross;
     ring.addEllipse(QPointF(0, 0), 7, 7);
@@ -69,7 +69,7 @@ bool isFree(const CradlePlate& plate, const QRectF& box) {
            (!plate.bore || isFarFrom(*plate.bore));
 }
 
-// Places over the plate, those in the middle first.
+// Returns places spread over the plate, starting from the middle.
 std::vector<Eigen::Vector2d> placesOn(const Outline& outline) {
     constexpr int steps = 16;
     std::vector<Eigen::Vector2d> places;
@@ -134,7 +134,7 @@ CradlePlate cradlePlate(const HeldDip& dip, const CradleSettings& settings,
 }
 
 EngravedArea::EngravedArea(const QPainterPath& path) {
-    // Finer than it is asked for: curves are cut into lines at the scale they are mapped to.
+    // Map to a larger scale first, because Qt cuts curves into lines at the scale of the result.
     constexpr double scale = 20;
     for (const QPolygonF& polygon : path.toSubpathPolygons(QTransform::fromScale(scale, scale))) {
         for (qsizetype i = 0; i < polygon.size(); ++i) {

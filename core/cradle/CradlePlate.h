@@ -1,4 +1,5 @@
-// The plate over a seat, as seen from above: its outline, holes and engraving. Pose frame, x and z.
+// Lays out the plate over a seat, seen from above: outline, holes and engraving. All in the pose
+// frame, x and z, mm.
 #pragma once
 
 #include "cradle/Cradle.h"
@@ -20,22 +21,25 @@ struct CradlePlate {
     double bottom = 0, top = 0;      // y
     std::vector<PlateHole> pinHoles; // through the plate
     std::optional<PlateHole> bore;   // through plate and seat
-    // Cut into its top: an arrow to the film's upper edge, the sign of a way that leads down into
-    // the plane, the immersion's number and the job. Empty: no room, or not wanted.
+    // Engraved into the top: an arrow to the film's upper edge, the number of the dip and the job.
+    // The symbol of an arrow into the plane shows the direction of the dip. Empty if there is no
+    // room, or if engraving is switched off.
     QPainterPath engraving;
 
-    double outside(const Eigen::Vector2d& place) const; // mm from the outline, negative within it
+    // Distance from the outline, mm; negative inside.
+    double outside(const Eigen::Vector2d& place) const;
 };
 
-// For a seat that is seen from above within `footprint`, with a bore at `bore` where one is wanted.
+// Lays out the plate for a seat that lies within `footprint` seen from above. `bore` is the
+// position of the bore, if the settings ask for one.
 CradlePlate cradlePlate(const HeldDip& dip, const CradleSettings& settings,
                         const Outline& footprint, const Eigen::Vector2d& bore);
 
-// The distance to a path's outline, positive inside: asked often.
+// Computes distances to the outline of a path, fast enough for many queries.
 class EngravedArea {
 public:
     explicit EngravedArea(const QPainterPath& path);
-    // mm; anything below −1 is −1.
+    // Returns the distance from the path's outline, mm; positive inside. At least −1.
     double inside(const Eigen::Vector2d& place) const;
 
 private:

@@ -1,4 +1,4 @@
-// The three pins that fix the place of a job's sheets, tank frame and cradles to each other.
+// Computes the three pins that align a job's sheets, tank frame and cradles with each other.
 #pragma once
 
 #include "base/Units.h"
@@ -11,17 +11,20 @@ namespace dipwright {
 struct FilmSettings;
 struct Sheet;
 
-// Places on the water in the world frame (dip/Pose.h), x and z: those of the sheet's registration
-// marks upper left, upper right and lower left, when the film has swollen to its size. Three of
-// four, so that nothing goes on turned round.
+// Positions on the water in the world frame (dip/Pose.h), x and z, mm. They correspond to the
+// sheet's registration marks upper left, upper right and lower left, after the film has swollen.
+// With three pins instead of four, nothing can be mounted the wrong way round.
 struct DatumPins {
-    std::array<Eigen::Vector2d, 3> marks; // of the floating sheet
-    // On the same lines from the film's middle, drawn in where a plate would become too large.
+    std::array<Eigen::Vector2d, 3> marks; // registration marks of the floating sheet
+    // On the lines from the film's middle to the marks; closer to the middle if the plate would be
+    // too large.
     std::array<Eigen::Vector2d, 3> pins;
-    double share = 1; // of the way from the middle to the marks that the pins are at
+    // Distance of the pins from the middle, as a share of the distance of the marks.
+    double share = 1;
 };
 
-// The same for all immersions of a job. `farthest`: mm between two pins along x or z at most.
+// Returns the pins, which are the same for all dips of a job. `farthest` is the largest distance
+// between two pins along x or z.
 DatumPins datumPins(const Sheet& sheet, const FilmSettings& film, Millimetres farthest);
 
 } // namespace dipwright

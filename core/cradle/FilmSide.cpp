@@ -16,7 +16,7 @@ struct Text {
 
 enum class Side : std::uint8_t { Dry, Film, EarlierPaint };
 
-// A like part of a body triangle: its corners' weights in it.
+// A piece of a body triangle, similar to it. Its corners are weights in the triangle.
 struct Piece {
     std::uint32_t triangle = 0;
     std::array<Eigen::Vector3f, 3> corners;
@@ -27,7 +27,7 @@ struct Piece {
     }
 };
 
-// Each triangle cut evenly so that no side of a piece is longer than `edge`.
+// Cuts each triangle evenly so that no side of a piece is longer than `edge`.
 std::vector<Piece> piecesOf(const TriangleMesh& mesh, double edge) {
     std::vector<Piece> pieces;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -99,7 +99,7 @@ private:
     double upward_, waterline_;
 };
 
-// Whether `place` is at least so far from all of a mesh; of none it is.
+// Whether `place` is at least `distance` away from a mesh; true if there is no mesh.
 bool isAway(const std::optional<SurfaceQuery>& from, const Eigen::Vector3f& place,
             double distance) {
     return !from || !from->closest(place, float(distance)).point.isValid();
@@ -114,14 +114,14 @@ std::optional<SurfaceQuery> queryOf(const TriangleMesh& mesh) {
 FilmSide filmSide(const LaidFilm& film, const std::vector<const LaidFilm*>& earlier,
                   const ProcessSettings& process, double edge, double filmDistance,
                   std::optional<double> earlierDistance, const Progress& progress) {
-    progress(0, Text::tr("Looking for what stays dry"));
+    progress(0, Text::tr("Finding the surface that stays dry"));
     const PosedBody& body = film.body();
     const TriangleMesh& mesh = body.mesh;
     std::vector<Piece> pieces = piecesOf(mesh, edge);
     const Sorting sorting(film, earlier, process);
     parallelFor(std::size_t(0), pieces.size(),
                 [&](std::size_t i) { pieces[i].side = sorting.sideOf(pieces[i]); });
-    progress(0.5, Text::tr("Looking for what stays dry"));
+    progress(0.5, Text::tr("Finding the surface that stays dry"));
 
     FilmSide result{meshOf(pieces, mesh, Side::Film), meshOf(pieces, mesh, Side::EarlierPaint), {}};
     const auto filmQuery = queryOf(result.film);

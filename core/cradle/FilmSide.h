@@ -1,4 +1,4 @@
-// Which of a body's surface a cradle may come near.
+// Finds the parts of a body's surface that a cradle may touch.
 #pragma once
 
 #include "base/Progress.h"
@@ -10,18 +10,19 @@
 
 namespace dipwright {
 
-// A body's surface in small pieces, parted by what dips do to it. Pose frame of this dip.
+// A body's surface in small pieces, sorted by which dip paints it. In the pose frame of this dip.
 struct FilmSide {
-    // What this dip's film reaches, or could: all that it paints, and every face under the final
-    // waterline that does not turn up by more than the overhang.
+    // The surface that this dip's film reaches or may reach: all that it paints, and every face
+    // under the final waterline that turns up by no more than the overhang.
     TriangleMesh film;
-    TriangleMesh earlierPaint; // what earlier dips paint of the rest
-    // What may lie on a cradle: visible from above, far enough from the two.
+    TriangleMesh earlierPaint; // the rest of the surface that earlier dips paint
+    // The pieces that may lie on a cradle: visible from above, and far enough from the two surfaces
+    // above.
     std::vector<SeatPiece> seat;
 };
 
-// `edge`: mm, about the longest side of a piece. `filmDistance` from the film, `earlierDistance`
-// from earlier paint; none: it may be touched.
+// `edge` is the longest side of a piece, mm. The seat keeps `filmDistance` from the film and
+// `earlierDistance` from earlier paint, mm; without `earlierDistance` it may touch that paint.
 FilmSide filmSide(const LaidFilm& film, const std::vector<const LaidFilm*>& earlier,
                   const ProcessSettings& process, double edge, double filmDistance,
                   std::optional<double> earlierDistance, const Progress& progress);

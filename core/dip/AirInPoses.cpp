@@ -11,10 +11,11 @@ namespace dipwright {
 namespace {
 
 constexpr int cells = 40;
-// A way up a slope over the points of a grid that stands askew goes up and down by a layer.
+// On a grid that is tilted against the layers, a way up a slope varies by one layer. A chamber of
+// depth 1 may therefore be an artefact.
 constexpr int leastDepth = 2;
 constexpr int leastPoints = 8;
-constexpr float offSurface = 0.02f; // of a cell: from a face to the air before it
+constexpr float offSurface = 0.02f; // in cells: distance from a face to the air in front of it
 constexpr std::uint32_t noPoint = std::numeric_limits<std::uint32_t>::max();
 
 } // namespace

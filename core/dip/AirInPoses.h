@@ -1,5 +1,5 @@
-// Where a model would trap air in any pose, coarsely: for choosing among poses before any is
-// dipped. What a dip in one pose reckons with is AirPockets.h.
+// Estimates where a model would trap air in any pose. The estimate is coarse and serves to choose
+// among poses. A dip itself uses AirPockets.h.
 #pragma once
 
 #include "geometry/TriangleMesh.h"
@@ -10,18 +10,19 @@ namespace dipwright {
 
 class SpaceGrid;
 
-// Made once for a model, asked for each pose. Immutable; any thread may ask. Deterministic.
+// Construct it once per model, then query it for each pose. Immutable; any thread may query it.
+// Deterministic.
 class AirInPoses {
 public:
     explicit AirInPoses(const TriangleMesh& model);
 
-    // A triangle of the model each: 1 where its middle stays in air. `up`: unit, in the model's
-    // coordinates. Right up to about a fortieth of the model's longest edge.
+    // Returns one entry per triangle of the model: 1 if the triangle's middle stays in air. `up` is
+    // a unit vector in the model's coordinates. Accurate to about 1/40 of the model's longest edge.
     std::vector<std::uint8_t> dry(const Eigen::Vector3f& up) const;
 
 private:
     std::shared_ptr<const SpaceGrid> grid_;
-    std::vector<std::uint32_t> before_; // the grid's point before each triangle
+    std::vector<std::uint32_t> before_; // for each triangle, the grid point in front of it
 };
 
 } // namespace dipwright

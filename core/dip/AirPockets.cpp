@@ -12,16 +12,17 @@ namespace dipwright {
 
 namespace {
 
-constexpr int halvings = 7;             // of a cell, for a level
-constexpr std::size_t triedPoints = 33; // of a chamber, for the side of the surface that it is on
+constexpr int halvings = 7; // bisection steps within a cell, for a level
+// Points per chamber that decide whether it is inside the body.
+constexpr std::size_t triedPoints = 33;
 constexpr std::size_t mostPockets = std::numeric_limits<std::uint16_t>::max();
-constexpr float offSurface = 0.02f; // of a cell: from a face to the air before it
+constexpr float offSurface = 0.02f; // in cells: distance from a face to the air in front of it
 
 bool isLargeEnough(const AirChamber& chamber) {
     return chamber.points >= leastPocketPoints && chamber.depth() >= leastPocketDepth;
 }
 
-// Calls visit(point, its cell) for all trapped points of the grid.
+// Calls visit(point, cell) for all trapped points of the grid.
 template <typename Visit>
 void forEachTrapped(const SpaceGrid& grid, const AirSweep& sweep, const Visit& visit) {
     Eigen::Vector3i cell;
@@ -36,8 +37,8 @@ void forEachTrapped(const SpaceGrid& grid, const AirSweep& sweep, const Visit& v
     }
 }
 
-// The trapped chambers that are large enough and outside of the body: an open mesh has its inside
-// among them.
+// Returns the trapped chambers that are large enough and outside the body. The inside of an open
+// mesh is a chamber, too, and is removed here.
 std::map<std::uint32_t, AirChamber> hollows(const SpaceGrid& grid, const AirSweep& sweep,
                                             const SurfaceQuery& query) {
     std::map<std::uint32_t, AirChamber> chambers = trappedChambers(sweep);
@@ -60,11 +61,11 @@ std::map<std::uint32_t, AirChamber> hollows(const SpaceGrid& grid, const AirSwee
     return chambers;
 }
 
-// Finds the level of pockets between two layers of the grid: another layer is put between them, up
-// and down, until the height is known from which on no way leads out.
+// Finds the level of pockets between two layers of the grid by bisection. It moves a test layer up
+// and down between them and checks whether a way leads out in it.
 class LevelSearch {
 public:
-    // `lower`: the grid's layer, counted from below, in which the pockets open.
+    // `lower` is the grid layer in which the pockets open, counted from below.
     LevelSearch(const SpaceGrid& grid, const AirSweep& sweep, const SurfaceQuery& query, int lower)
         : grid_(grid), sweep_(sweep), query_(query), lower_(lower),
           columns_(std::size_t(grid.size()[0]) * std::size_t(grid.size()[2])),
@@ -75,9 +76,10 @@ public:
         });
     }
 
-    // Of a chamber that is open in the lower layer and not in the one above it.
+    // Returns the level of a chamber that is open in the lower layer and closed in the layer above
+    // it.
     double levelOf(std::uint32_t chamber) const {
-        float free = 0, closed = grid_.spacing(); // over the lower layer
+        float free = 0, closed = grid_.spacing(); // heights above the lower layer
         for (int i = 0; i < halvings; ++i) {
             const float middle = (free + closed) / 2;
             (leadsOut(chamber, middle) ? free : closed) = middle;
@@ -96,8 +98,8 @@ private:
         }
     }
 
-    // Whether each step along an axis, in a layer so far over the lower one, goes through the
-    // surface.
+    // Marks the steps along an axis that cross the surface, in the layer `height` above the lower
+    // one.
     std::vector<std::uint8_t> crossings(int axis, float height) const {
         std::vector<std::uint8_t> crossed(columns_, 0);
         const auto width = std::size_t(grid_.size()[0]);
@@ -116,17 +118,18 @@ private:
         return crossed;
     }
 
-    // Whether air of the chamber reaches the open in a layer so far over the lower one.
+    // Whether the chamber's air reaches the open in the layer `height` above the lower one.
     bool leadsOut(std::uint32_t chamber, float height) const {
         enum class Air : std::uint8_t { Unknown, Inside, Open };
-        const int upperLayer = grid_.size()[1] - 2 - lower_; // as the sweep counts
+        // Numbered from the top, as in AirSweep.
+        const int upperLayer = grid_.size()[1] - 2 - lower_;
         std::vector<Air> air(columns_, Air::Unknown);
         std::vector<std::size_t> ahead;
         forEachColumn([&](std::size_t column, const Eigen::Vector3i& cell) {
             const std::size_t above = grid_.index(cell + Eigen::Vector3i::UnitY());
             if (grid_.isOnBorder(cell)) {
                 air[column] = Air::Open;
-            } else if (ceiling_[column] <= height) { // nothing up to the layer above
+            } else if (ceiling_[column] <= height) { // no surface between here and the layer above
                 if (sweep_.opensIn[above] <= upperLayer) {
                     air[column] = Air::Open;
                 } else if (sweep_.chamber[above] == chamber) {
@@ -139,7 +142,7 @@ private:
                                                                crossings(2, height)};
         const std::array<std::size_t, 2> strides{1, std::size_t(grid_.size()[0])};
         while (!ahead.empty()) {
-            const std::size_t column = ahead.back(); // never on the border, where it is open
+            const std::size_t column = ahead.back(); // never on the border, which counts as open
             ahead.pop_back();
             for (std::size_t side = 0; side < 2; ++side) {
                 for (const bool isNext : {true, false}) {
@@ -166,7 +169,8 @@ private:
     const SurfaceQuery& query_;
     int lower_;
     std::size_t columns_;
-    std::vector<float> ceiling_; // the highest hit between both layers over each of its points
+    // Per point of the lower layer: the height of the highest surface hit between the two layers.
+    std::vector<float> ceiling_;
 };
 
 } // namespace
@@ -175,7 +179,8 @@ AirPockets::AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query, int 
     auto grid = std::make_shared<const SpaceGrid>(mesh, query, cells);
     cell_ = grid->spacing();
     const AirSweep sweep = sweepAir(*grid, Eigen::Vector3f::UnitY());
-    std::map<std::uint32_t, std::uint16_t> numbers; // of chambers that are pockets
+    // Pocket number of each chamber that is a pocket.
+    std::map<std::uint32_t, std::uint16_t> numbers;
     std::map<int, std::unique_ptr<const LevelSearch>> searches;
     for (const auto& [name, chamber] : hollows(*grid, sweep, query)) {
         if (pockets_.size() == mostPockets) {
@@ -213,7 +218,8 @@ const AirPocket* AirPockets::at(const Eigen::Vector3f& place, const SurfaceQuery
     if (!isNear) {
         return nullptr;
     }
-    // Air that sees a pocket's hangs together with it.
+    // A place belongs to a pocket if a straight line from it to a point of the pocket misses the
+    // surface.
     const Eigen::Vector3i cell = grid_->cellOf(place);
     const auto seen = [&](const Eigen::Vector3i& point, bool isClear) -> const AirPocket* {
         const std::uint16_t number = pocketOf_[grid_->index(point)];
@@ -230,8 +236,8 @@ const AirPocket* AirPockets::at(const Eigen::Vector3f& place, const SurfaceQuery
             return pocket;
         }
     }
-    // Where a slanting ceiling comes down to the level, those of its points that are in the air lie
-    // farther off.
+    // Where a slanting ceiling comes down to the level, the nearest points of the pocket are
+    // farther away.
     for (int across = -1; across <= 2; ++across) {
         for (int along = -1; along <= 2; ++along) {
             const Eigen::Vector3i point =

@@ -1,10 +1,10 @@
-// The air that a body takes under water: where it is, and down to which height.
+// Finds the air pockets that a body takes under water, and the water level under each.
 //
-// While the water rises round a body, air at a height gets away if it can reach the open without
-// ever going below that height. Where it cannot, it is cut off when the water comes to the height
-// of the lowest place on its way out, the spill edge. From then on it keeps its volume: the pocket
-// is all of the hollow above the spill edge's height, which is its level in the body's frame,
-// however deep the body goes (docs/film-model.md, "Trapped air").
+// While the water rises, air escapes if it can reach the open without going below its own height.
+// Otherwise the water cuts it off. This happens at the spill edge, the lowest point of its best way
+// out. From then on the air keeps its volume, however deep the body goes. The pocket is therefore
+// all of the hollow above the height of the spill edge. That height, in the body's frame, is the
+// pocket's level (docs/film-model.md, "Trapped air").
 #pragma once
 
 #include "geometry/SurfaceQuery.h"
@@ -16,41 +16,41 @@ namespace dipwright {
 
 class SpaceGrid;
 
-// Cells of the grid along the body's longest edge that air is looked for on.
+// Number of cells along the body's longest edge, of the grid on which air is sought.
 inline constexpr int airCells = 96;
-// What is smaller is no pocket: it must be so many cells deep, and hold so many of the grid's
-// points.
+// A pocket must be at least this many cells deep and contain at least this many grid points.
 inline constexpr int leastPocketDepth = 2;
 inline constexpr int leastPocketPoints = 32;
 
 struct AirPocket {
-    double level = 0; // height of the water under it, mm
-    BoundingBox box;  // of the grid's points in it, a cell wider on every side
+    double level = 0; // y of the water under it, mm
+    BoundingBox box;  // round its grid points, one cell wider on every side
 };
 
-// Of a body in the frame of its mesh, up being +Y. Hollows and ways out narrower than a cell are
-// not seen, nor is the inside of an open mesh a pocket; levels are found to a hundredth of a cell.
-// Immutable; any thread may ask.
+// The air pockets of a body, in the frame of its mesh; +Y is up. Hollows and ways out narrower than
+// a cell are missed. The inside of an open mesh is not a pocket. Levels are accurate to 1/100 of a
+// cell. Immutable; any thread may query it.
 class AirPockets {
 public:
-    // `query`: of `mesh`. All cores, deterministic.
+    // `query` must be of `mesh`. Uses all cores; deterministic.
     AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query, int cells = airCells);
 
     bool isEmpty() const { return pockets_.empty(); }
     const std::vector<AirPocket>& all() const { return pockets_; }
-    float cell() const { return cell_; } // of the grid, mm
+    float cell() const { return cell_; } // edge of a grid cell, mm
 
-    // The pocket that a place outside the body is in; null in the open and under water. `query`: as
-    // for the constructor.
+    // Returns the pocket that contains a place outside the body; null in the open and under water.
+    // `query` must be of the same mesh as in the constructor.
     const AirPocket* at(const Eigen::Vector3f& place, const SurfaceQuery& query) const;
-    // Whether a place on the body is in a pocket, that of the face with this outward normal.
+    // Whether a place on the body is in a pocket. `outward` is the normal of the face at that
+    // place.
     bool isDry(const Eigen::Vector3f& place, const Eigen::Vector3f& outward,
                const SurfaceQuery& query) const;
 
 private:
     std::vector<AirPocket> pockets_;
-    std::vector<std::uint16_t> pocketOf_;   // a point of the grid each: its number from 1, or 0
-    std::shared_ptr<const SpaceGrid> grid_; // null where there is no pocket
+    std::vector<std::uint16_t> pocketOf_; // per grid point: number of its pocket from 1; 0 for none
+    std::shared_ptr<const SpaceGrid> grid_; // null if there are no pockets
     float cell_ = 0;
 };
 

@@ -8,8 +8,8 @@ namespace dipwright {
 
 namespace {
 
-// Chambers of air that grow together while the water sinks, each until it opens: from then on it is
-// left alone, so that it stays known what was in it.
+// Chambers of air, as disjoint sets that merge while the water sinks. A chamber that has opened is
+// no longer merged, so its points remain known.
 class Chambers {
 public:
     explicit Chambers(std::size_t count) : parent_(count), opensIn_(count, AirSweep::never) {
@@ -41,10 +41,10 @@ public:
 
 private:
     std::vector<std::uint32_t> parent_;
-    std::vector<int> opensIn_; // a root each
+    std::vector<int> opensIn_; // per root
 };
 
-// The points in the order of their layers, as sorted by counting.
+// Returns the points in the order of their layers, by counting sort.
 std::vector<std::uint32_t> fromTheTop(const std::vector<int>& layer, int layers) {
     std::vector<std::uint32_t> next(std::size_t(layers) + 1, 0);
     for (const int each : layer) {
@@ -90,7 +90,8 @@ AirSweep sweepAir(const SpaceGrid& grid, const Eigen::Vector3f& up) {
         if (isOnBorder[point] != 0) {
             chambers.open(point, layer); // the grid ends outside the body
         }
-        // A border point has neighbours past the grid's end, which a neighbour in the grid reaches.
+        // Stepping past the grid's end from a border point wraps round to another border point.
+        // That is harmless, since all border points are open.
         for (int axis = 0; axis < 3; ++axis) {
             const auto stride = std::uint32_t(grid.stride(axis));
             const bool hasNext = point + stride < grid.count() && !grid.isCrossed(point, axis);

@@ -8,12 +8,12 @@ namespace dipwright {
 
 namespace {
 
-// Of a cell: how far film between two places on the body may lie off it.
+// In cells: largest distance from the body of film between two places on it.
 constexpr float offBody = 0.1f;
 constexpr int stepsOfACell = 8;
-// The limit is kept off the corners, so that no triangle is without one.
+// The limit keeps this share of a side away from the corners, so that every triangle has one.
 constexpr float leastShare = 1e-3f;
-// The solver ends up to so many cells before the limit.
+// The solver's contact ends up to this many cells before the limit.
 constexpr int rings = 2;
 constexpr int triedPlaces = 8;
 constexpr int halvings = 10;
@@ -50,11 +50,11 @@ public:
     }
 
 private:
-    // What becomes of a film point.
+    // State of a film point.
     enum class Reach : std::uint8_t {
-        None, // nothing is known of it, or it floats
-        Held, // it is on the body, or would be if the film went on
-        Past, // it would be past the limit if the film went on
+        None, // unknown, or floating
+        Held, // on the body, or would be if the film continued
+        Past, // would be past the limit if the film continued
     };
 
     void continueByACell() {
@@ -71,9 +71,9 @@ private:
         }
     }
 
-    // Where a free point would lie if the film went on over the body past its last two points, in
-    // the mean of all ways to it; nothing where there is none, or where the film is near and does
-    // not touch.
+    // Returns where a floating point would lie if the film continued past its last two points on
+    // the body. This is the mean over all directions that lead to it. Returns nothing if no
+    // direction does, or if the film is near that place without touching the body.
     std::optional<Eigen::Vector3f> continuedPlace(std::uint32_t point) const {
         if (film_.states[point] != solver::PointState::Free || state_[point] != Reach::None ||
             contact_.surface[point].isValid()) {
@@ -111,7 +111,8 @@ private:
         return hangs ? std::optional(place) : std::nullopt;
     }
 
-    // As far again from `before` over `near`, along the body; straight on where the body ends.
+    // Continues the step from `before` to `near` by the same length along the body; straight on
+    // where the body ends.
     Eigen::Vector3f continued(const Eigen::Vector3f& before, const Eigen::Vector3f& near) const {
         const float step = (near - before).norm() / stepsOfACell;
         Eigen::Vector3f place = near;
@@ -129,8 +130,8 @@ private:
         return place;
     }
 
-    // Whether the film goes on over a triangle: some of its corners are held, none is unknown, and
-    // the film would neither be folded there nor tear.
+    // Whether the film continues over a triangle. At least one corner must be held and none
+    // unknown, and the film must neither fold nor tear there.
     bool isContinued(const FilmTriangle& triangle) const {
         const auto count = [&](Reach reach) {
             return std::count_if(triangle.begin(), triangle.end(),
@@ -150,7 +151,8 @@ private:
                !principalStretch(film_.grid, triangle, {a, b, c}).isTorn(mostStretch_);
     }
 
-    // Linear over the triangle, and zero where the limit crosses its sides.
+    // Returns corner values of a linear function that is zero where the limit crosses the
+    // triangle's sides.
     Eigen::Vector3f limit(const FilmTriangle& triangle) const {
         const auto isPast = [&](std::size_t corner) {
             return state_[triangle[corner]] == Reach::Past;
@@ -160,7 +162,7 @@ private:
         if (past == 0) {
             return result;
         }
-        // The corner that is alone on its side of the limit, and the two others.
+        // One corner is alone on its side of the limit.
         std::size_t alone = 0;
         while (isPast(alone) != (past == 1)) {
             ++alone;
@@ -177,7 +179,8 @@ private:
         return result;
     }
 
-    // The share of the way from a point on the body to one past the limit that is on the body.
+    // Returns which share of the way from a point on the body to a point past the limit is on the
+    // body.
     float shareOnBody(std::uint32_t from, std::uint32_t past) const {
         const Eigen::Vector3f& start = contact_.places[from];
         const Eigen::Vector3f way = contact_.places[past] - start;
@@ -198,7 +201,7 @@ private:
         return std::clamp(held, leastShare, 1 - leastShare);
     }
 
-    // Whether the body holds film at this place, where the film would go on to a point.
+    // Whether the body holds film at `place`, if the film continues towards `point`.
     bool isHeld(const Eigen::Vector3f& place, std::uint32_t point) const {
         const float water = film_.positions[point].y();
         const ClosestPoint under = query_.closest(place, offBody * cellOfPoint(film_.grid, point));
@@ -216,7 +219,7 @@ private:
     std::vector<FilmTriangle> triangles_;
     float steepest_;
     double mostStretch_;
-    std::vector<Reach> state_; // a film point each
+    std::vector<Reach> state_; // per film point
 };
 
 } // namespace

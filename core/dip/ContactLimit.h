@@ -1,4 +1,4 @@
-// Where the film on the body ends. Private to this folder.
+// Extends the film on the body to the line where contact ends. Private to this folder.
 #pragma once
 
 #include "dip/FilmContact.h"
@@ -9,11 +9,12 @@
 
 namespace dipwright {
 
-// Continues film that hangs from the body past its last points there, up to where the body turns up
-// by more than `process.overhang`, rises above the water or goes on in an air pocket: fills
-// `contact.limits`, and `contact.places` of the points past it. The film goes on over the body as
-// it lay before, for two cells at the most; film that is near its place there, but does not touch,
-// is left as it is. `contact` is complete but for that; `normals` are the body's.
+// Extends hanging film past its last points on the body, up to the limit of contact. The limit is
+// where the body turns up by more than `process.overhang`, rises above the water or enters an air
+// pocket. Fills `contact.limits`, and `contact.places` of the points past the limit; the rest of
+// `contact` must be complete. The film continues along the body in its previous direction, for at
+// most two cells. Film that is near its continued place without touching the body stays as it is.
+// `normals` are the normals of the body.
 void continueToLimit(const DippedFilm& film, const PosedBody& body, const CornerNormals& normals,
                      const ProcessSettings& process, FilmContact& contact);
 

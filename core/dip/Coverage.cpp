@@ -12,15 +12,15 @@ namespace dipwright {
 namespace {
 
 constexpr double samplesPerFilmCell = 4;
-constexpr int mostPieces = 64; // a triangle's samples are at most the square of this
+constexpr int mostPieces = 64; // per side of a triangle, so its square limits the samples
 constexpr int samplesOfBody = 40'000;
 
-// What the samples of one body triangle say.
+// Result of the samples of one body triangle.
 struct TriangleCover {
     double painted = 0; // mm²
     MarkedArea marked;
-    std::uint8_t marks = 0; // of at least half of what is painted
-    bool isCovered = false; // at least half of it
+    std::uint8_t marks = 0; // that apply to at least half of the painted area
+    bool isCovered = false; // at least half of it is painted
 };
 
 TriangleCover triangleCover(const LaidFilm& laid, std::size_t triangle, double sampleArea) {

@@ -1,4 +1,4 @@
-// How much of the body dips paint.
+// Measures how much of the body one or several dips paint.
 #pragma once
 
 #include "base/Progress.h"
@@ -8,21 +8,22 @@
 namespace dipwright {
 
 struct Coverage {
-    std::vector<std::uint8_t> covered; // a body triangle each: 1 where at least half is painted
-    // A body triangle each: the solver::PointMark bits of at least half of what is painted of it.
+    std::vector<std::uint8_t> covered; // per body triangle: 1 if at least half is painted
+    // Per body triangle: the solver::PointMark bits that apply to at least half of its painted
+    // area.
     std::vector<std::uint8_t> marks;
     double paintedArea = 0; // mm²
-    MarkedArea marked;      // of that
-    double share = 0;       // of the body's surface, 0 … 1
-    TrappedAir trappedAir;  // film cannot reach where it is
+    MarkedArea marked;      // the part of paintedArea that marked film paints
+    double share = 0;       // painted share of the surface, 0 … 1
+    TrappedAir trappedAir;  // film cannot reach the surface there
 };
 
-// Of one dip. By samples of every body triangle, a few for each film cell's area. All cores,
-// deterministic.
+// Computes the coverage of one dip from samples: about four per film cell area, at least one per
+// body triangle. Uses all cores; deterministic.
 Coverage coverage(const LaidFilm& laid);
 
-// The share of the surface that at least one of several films of the same body paints, by samples
-// spread evenly over it. Throws Cancelled.
+// Returns the share of the surface that at least one of the films paints, from evenly spread
+// samples. All films must be of the same body. Throws Cancelled.
 double coverageTogether(const std::vector<std::shared_ptr<const LaidFilm>>& films,
                         const Progress& progress);
 

@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// An observer is shown the film this often, and so often at least however short the dip.
+// Interval between calls of the observer, and the minimum number of calls in a short dip.
 constexpr auto observerInterval = std::chrono::milliseconds(33);
 constexpr int leastObservations = 24;
 
@@ -30,25 +30,27 @@ double secondsSince(Clock::time_point start) {
 }
 
 Error missedFilm(const Immersion& immersion) {
-    return {Text::tr("The body does not meet the film; move it over the film, choose a larger "
+    return {Text::tr("The part does not meet the film; move it over the film, choose a larger "
                      "film, or give the film smaller cells or more points"),
             immersion.name};
 }
 
-// Why no film point came to lie on the body.
+// Explains why no film point reached the body.
 Error missedFilm(const PosedBody& body, const DistanceField& field, const Immersion& immersion) {
     const double thinnest = thinnestPart(body.mesh, body.query);
     if (isFineEnough(field, thinnest)) {
         return missedFilm(immersion);
     }
-    return {Text::tr("The body is not found: parts of it are only %1 mm thick, and the distance "
-                     "field has cells of %2 mm; make them thicker, or dip a smaller part of it")
-                .arg(thinnest, 0, 'g', 2)
-                .arg(field.spacing, 0, 'g', 2),
-            immersion.name};
+    return {
+        Text::tr(
+            "The solver did not find the part: it is only %1 mm thick in places, and the distance "
+            "field has cells of %2 mm; make it thicker there, or dip only a section of it")
+            .arg(thinnest, 0, 'g', 2)
+            .arg(field.spacing, 0, 'g', 2),
+        immersion.name};
 }
 
-// Before anything is computed: whether the body comes down on the film, with some of it left.
+// Checks before any computation that the body comes down on the film and leaves some film round it.
 void requireBodyOverFilm(const PosedBody& body, const Immersion& immersion,
                          const FilmSettings& settings, const ProcessSettings& process) {
     const solver::FilmGrid film = filmGrid(settings);
@@ -64,7 +66,7 @@ void requireBodyOverFilm(const PosedBody& body, const Immersion& immersion,
     requireFilmRound(wet.translated(Eigen::Vector2d(x, z)), settings, immersion);
 }
 
-// The solver's film and the loop that drives it. Exceptions of the module pass through.
+// A solver and the loop that drives it. Exceptions of the module pass through.
 class Run {
 public:
     Run(solver::DipSetup setup, const solver::SolverModule& module) : solver_(module.create()) {
@@ -116,8 +118,8 @@ private:
         seconds_ += seconds;
         return seconds;
     }
-    // As many steps as take about a millisecond: to ask a GPU for every single one would take
-    // longer than the steps.
+    // Takes as many steps at once as last about a millisecond. Calling a GPU for every single step
+    // would cost more than the step.
     void advance() {
         constexpr int mostSteps = 1024;
         constexpr double shortest = 0.5e-3, longest = 2e-3; // s
@@ -128,7 +130,7 @@ private:
             stepsAtOnce_ /= 2;
         }
     }
-    // Whether there was a film to show: one on another device may be on its way.
+    // Returns whether a film was shown. It may still be in transfer from another device.
     bool show(const FilmObserver& observer) {
         solver::DipState shown = state_;
         const bool hasArrived = solver_->peek(dip_.positions, dip_.states, shown);
@@ -204,7 +206,7 @@ solver::DipSetup dipSetup(const PosedBody& body, const FilledField& field,
 
 namespace {
 
-// Every point was touched when its place on the body came to the water.
+// Assumes that each point was touched when its place on the body reached the water.
 std::vector<float> grownWhenTouched(const DippedFilm& film, const solver::DipSetup& setup,
                                     const Immersion& immersion) {
     std::vector<float> grown;

@@ -1,4 +1,4 @@
-// One dip from start to end: the solver's run loop as the program sees it.
+// Runs a dip from start to end on a solver.
 #pragma once
 
 #include "base/Progress.h"
@@ -13,8 +13,9 @@
 
 namespace dipwright {
 
-// What a solver is to simulate; with the points of `grid`, of the same film, in place of those that
-// filmUnderBody() chooses. `field`: of the body; it must outlive the dip.
+// Builds the solver's input. The first overload chooses the film's points by filmUnderBody(); the
+// second uses `grid`, which must be of the same film. `field` must be of the body and outlive the
+// dip.
 solver::DipSetup dipSetup(const PosedBody& body, const FilledField& field,
                           const Immersion& immersion, const FilmSettings& film,
                           const ProcessSettings& process);
@@ -22,19 +23,20 @@ solver::DipSetup dipSetup(const PosedBody& body, const FilledField& field,
                           const Immersion& immersion, const FilmSettings& film,
                           const solver::FilmGrid& grid, const ProcessSettings& process);
 
-// Simulates dips as a batch; their ends are in them. Throws Error when the solver fails, Cancelled
-// soon after `isCancelled` has said so, which is asked from one thread at a time.
+// Simulates dips as a batch and stores each result in its item. Throws Error if the solver fails.
+// Throws Cancelled soon after `isCancelled` returns true; only one thread at a time calls it.
 void simulateDips(std::vector<solver::BatchItem>& dips, const solver::SolverModule& module,
                   std::function<bool()> isCancelled);
-// The film as a solver has left it at the end of `dip`, which was set up for `immersion`.
+// Returns the film at the end of `dip`. `dip` must have been set up for `immersion`.
 DippedFilm dippedFilm(const solver::BatchItem& dip, const Immersion& immersion);
-// Film points may move by much, but not by many times the film and the way the body goes.
+// Whether the simulation stayed stable. In a stable result every coordinate is finite and at most
+// ten times the sum of the film's width, its depth and the travel.
 bool isStable(const DippedFilm& film, double travel);
 
-// Runs the dip on `module`. `field`: the body's own. `observer` (may be empty) is called from the
-// working thread, at most about thirty times a second. Throws Error when the solver fails or the
-// body never meets the film; Cancelled within one step, or some milliseconds of steps, of being
-// cancelled.
+// Runs the dip on `module`. `field` is the distance field of the body. The working thread calls
+// `observer` (may be empty) about thirty times a second, and more often in very short dips. Throws
+// Error if the solver fails or the body does not meet the film. Throws Cancelled within one step,
+// or within a few milliseconds of steps.
 DippedFilm simulateDip(const PosedBody& body, const DistanceField& field,
                        const Immersion& immersion, const FilmSettings& film,
                        const ProcessSettings& process, const solver::SolverModule& module,

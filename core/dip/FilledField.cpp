@@ -10,12 +10,14 @@ namespace dipwright {
 
 namespace {
 
-constexpr int exactCells = 5; // how deep in the filled body distances are found
-// Distances travel by a sample an iteration, and are then settled.
+// Depth in the filled body up to which distances are computed, in cells.
+constexpr int exactCells = 5;
+// Distances spread by one sample per iteration; the rest lets them settle.
 constexpr int iterations = 2 * exactCells + 2;
-// In cells: by how much more than the body's own distance one must be to replace it.
+// In cells: a new distance replaces the body's own one only if it is larger by this much.
 constexpr float clearlyMore = 0.25f;
-constexpr float overLevel = 0.02f; // of the air's cells: where the air under a level is looked for
+// In cells of the air grid: height above a level at which its pocket is looked up.
+constexpr float overLevel = 0.02f;
 
 using Index = Eigen::Matrix<std::ptrdiff_t, 3, 1>;
 
@@ -55,8 +57,8 @@ public:
     }
 
 private:
-    // Calls visit(sample, its place in the pose frame) for all samples that pockets may change. All
-    // cores.
+    // Calls visit(sample, place) for all samples that pockets may change; `place` is in the pose
+    // frame. Uses all cores.
     template <typename Visit>
     void forEachSample(const Visit& visit) const {
         const Eigen::AlignedBox<std::ptrdiff_t, 3> box = changedBox();
@@ -74,7 +76,8 @@ private:
         });
     }
 
-    // The field's samples in the pockets and round them and, to the field's end, below them.
+    // Returns the range of samples in the pockets, round them and below them down to the field's
+    // end.
     Eigen::AlignedBox<std::ptrdiff_t, 3> changedBox() const {
         const double bottom = -(own_.size[0] + own_.size[1] + own_.size[2]) * own_.spacing;
         const Eigen::Isometry3d fromPose = body_.modelToPose.inverse();
@@ -91,7 +94,7 @@ private:
         }
         Eigen::AlignedBox<std::ptrdiff_t, 3> box;
         for (int axis = 0; axis < 3; ++axis) {
-            // One sample less on every side has all its neighbours.
+            // Leave out the outermost samples, which lack neighbours.
             const double last = own_.size[std::size_t(axis)] - 2;
             box.min()[axis] =
                 std::ptrdiff_t(std::clamp(std::floor(cells.min()[axis]) - exactCells, 1.0, last));
@@ -101,8 +104,9 @@ private:
         return box;
     }
 
-    // The distance of a place outside the body, `own` from it: negative in a pocket, and no more
-    // than the way up to the water under one.
+    // Returns the distance from the filled body for a place outside the body. `own` is its distance
+    // from the body. The result is negative in a pocket. Below a pocket it is at most the distance
+    // to its level.
     float filledOver(float own, const Eigen::Vector3f& place) const {
         if (body_.air.at(place, body_.query)) {
             return -deepest_;
@@ -123,7 +127,8 @@ private:
         return distance;
     }
 
-    // The samples in pockets, and those in walls that lie as near to the surface.
+    // Returns the samples in pockets, and the samples in walls at most `deepest_` below the
+    // surface.
     std::vector<std::size_t> insideNearPockets() const {
         const Eigen::AlignedBox<std::ptrdiff_t, 3> box = changedBox();
         std::vector<std::size_t> samples;
@@ -140,8 +145,8 @@ private:
         return samples;
     }
 
-    // How deep in the filled body a sample is, by its neighbours: |∇φ| = 1, against the wind
-    // (Rouy & Tourin 1992).
+    // Returns the depth of a sample in the filled body from its neighbours, by the upwind scheme
+    // for |∇φ| = 1 (Rouy & Tourin 1992).
     float depthAt(std::size_t sample) const {
         const auto spacing = float(own_.spacing);
         std::array<float, 3> least{};

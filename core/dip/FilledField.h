@@ -1,5 +1,5 @@
-// The distance field that a solver is given: of the body and the air that it takes under water,
-// which hold film off alike.
+// Makes the distance field for a solver: the body together with its air pockets, since both keep
+// film away.
 #pragma once
 
 #include "dip/Pose.h"
@@ -7,15 +7,15 @@
 
 namespace dipwright {
 
-// The field of a body in whose air pockets every sample counts as inside. Film floats on the water
-// under a pocket, at its level: there the filled body has a flat face. The samples are those of the
-// body's own field but for those in the pockets, in the walls round them and below their levels;
-// near the surface they are exact outside of the filled body and, in the walls and the air, of
-// first order in the field's cells. A body without pockets keeps its own field.
+// A body's distance field in which every sample in an air pocket counts as inside. Film floats on
+// the water under a pocket, at the pocket's level; the filled body has a flat face there. Only
+// samples in the pockets, in the walls round them and below their levels differ from the body's own
+// field. Near the surface they are exact outside the filled body. In walls and air they are
+// first-order accurate in the field's cell size. A body without pockets keeps its own field.
 class FilledField {
 public:
-    // `own`: of the body, in model coordinates; it must outlive this where there is no pocket. All
-    // cores, deterministic.
+    // `own` is the body's field in model coordinates. It must outlive this object if the body has
+    // no pockets. Uses all cores; deterministic.
     FilledField(const PosedBody& body, const DistanceField& own);
     FilledField(const PosedBody& body, DistanceField&& own) = delete;
 
@@ -23,7 +23,7 @@ public:
 
 private:
     const DistanceField& own_;
-    std::shared_ptr<const DistanceField> filled_; // null where there is no pocket
+    std::shared_ptr<const DistanceField> filled_; // null if there are no pockets
 };
 
 } // namespace dipwright

@@ -1,5 +1,5 @@
-// Which film is on the body for good, and where each of its points lies there. FilmThatPaints.h
-// finds it.
+// Records which film is on the body after the dip, and where each of its points lies.
+// FilmThatPaints.h computes it.
 #pragma once
 
 #include "geometry/TriangleMesh.h"
@@ -8,22 +8,21 @@
 
 namespace dipwright {
 
-// Where each film point lies on the body: an invalid SurfacePoint where it is not on it.
 struct FilmContact {
-    std::vector<SurfacePoint> surface; // a film point each
-    std::vector<std::uint8_t>
-        painted;                  // a film triangle each: 1 = this piece of film is on the body
-    std::size_t contactCount = 0; // points that are on the body themselves
-    std::size_t filledCount = 0;  // points that missed and were interpolated
+    std::vector<SurfacePoint> surface; // per film point; invalid if it is not on the body
+    std::vector<std::uint8_t> painted; // per film triangle: 1 if it is on the body
+    std::size_t contactCount = 0;      // points that were found on the body
+    std::size_t filledCount = 0;       // points that missed the body and were interpolated
 
-    // A film point each: where it lies on the body, or where the film is. Of a point just past the
-    // limit of contact: where it would lie if the film went on.
+    // Per film point: its place on the body or, if it is off the body, its position in the pose
+    // frame. Just past the limit of contact: its place if the film continued along the body.
     std::vector<Eigen::Vector3f> places;
-    // The film triangles, none of them `painted`, that the limit of contact runs through: film at
-    // the corners' weights w is on the body where w · limit ≥ 0.
+    // The film triangles that the limit of contact crosses; none of them is `painted`. Film at
+    // barycentric weights w of the corners is on the body if w · limit ≥ 0.
     std::map<std::uint32_t, Eigen::Vector3f> limits;
 
-    // Whether any of a film triangle is on the body, and whether it is at the corners' weights.
+    // Whether any part of a film triangle is on the body; and whether the place with these
+    // barycentric weights is.
     bool reaches(std::uint32_t triangle) const {
         return painted[triangle] != 0 || limits.contains(triangle);
     }
@@ -36,8 +35,8 @@ struct FilmContact {
     }
 };
 
-// Hollows up to this deep, in film cells, count as touched by the film that spans them; the film's
-// grid cannot tell better.
+// Depth in film cells up to which a hollow counts as touched by the film over it. The film's grid
+// cannot resolve less.
 inline constexpr double touchedHollow = 0.3;
 
 } // namespace dipwright

@@ -16,7 +16,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Dip)
 };
 
-// Of a printed film that reaches past both places on the water.
+// Returns the length of a printed film that extends past both places on the water.
 double lengthFor(double low, double high, double swell) {
     constexpr double step = 10, rim = 10; // mm
     return step * std::ceil(2 * (std::max(std::abs(low), std::abs(high)) + rim) / (swell * step));
@@ -47,8 +47,8 @@ void requireFilmRound(const Eigen::AlignedBox2d& outline, const FilmSettings& fi
         (outline.max().array() <= half.array()).any()) {
         return;
     }
-    throw Error(Text::tr("The body is larger than the film on all sides, %1 × %2 mm on the water, "
-                         "and no film is left to go round it; %3")
+    throw Error(Text::tr("The part, %1 × %2 mm on the water, reaches past the film on all sides, "
+                         "so no film is left to wrap round it; %3")
                     .arg(std::round(outline.sizes().x()))
                     .arg(std::round(outline.sizes().y()))
                     .arg(adviceOnFilm(outline, film)),

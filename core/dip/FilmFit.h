@@ -1,4 +1,4 @@
-// Whether a film is large enough for a body, and which would be.
+// Checks whether a film is large enough for a body, and finds the smallest one that is.
 #pragma once
 
 #include "settings/FilmSettings.h"
@@ -10,21 +10,21 @@
 
 namespace dipwright {
 
-// The least printed film, mm in steps of 10, that reaches 10 mm past a body where it comes down.
-// `outline`: of the body on the water, its offset included. Nothing where films are not that large
-// (largestFilm).
+// Returns the smallest printed film that extends at least 10 mm past the body, in steps of 10 mm.
+// `outline` is the body's outline on the water, its offset included. Returns nothing if that film
+// would be larger than largestFilm.
 struct FilmSize {
     double width = 0, height = 0;
 };
 std::optional<FilmSize> leastFilm(const Eigen::AlignedBox2d& outline, const FilmSettings& film);
 
-inline constexpr double largestFilm = 3000; // mm along each side, as of film.size_mm
+inline constexpr double largestFilm = 3000; // mm along each side; limit of film.size_mm
 
-// The advice to take such a film, as the end of a sentence.
+// Returns the advice to use such a film, as the last clause of a sentence.
 QString adviceOnFilm(const Eigen::AlignedBox2d& outline, const FilmSettings& film);
 
-// Throws Error, with the film that would do, where the body reaches past the film on all four
-// sides: none is left to go round it.
+// Throws Error if the body reaches past the film on all four sides, because no film could then wrap
+// round it. The message names a film that is large enough.
 void requireFilmRound(const Eigen::AlignedBox2d& outline, const FilmSettings& film,
                       const Immersion& immersion);
 

@@ -1,4 +1,4 @@
-// The film while a dip runs, for display.
+// A snapshot of the film during a dip, for display.
 #pragma once
 
 #include <dipwright/FilmSolver.h>
@@ -9,10 +9,11 @@
 
 namespace dipwright {
 
-// Film points in the world frame. Valid during the call only.
+// The film points at one step. Valid only during the observer call.
 struct FilmFrame {
     const solver::FilmGrid& grid;
-    std::span<const float> positions; // x, y, z a point; world frame, waterline y = 0
+    // Coordinates x, y, z of each point in the world frame (waterline y = 0), mm.
+    std::span<const float> positions;
     std::span<const solver::PointState> states;
     double descent = 0; // mm; the body's lowest point is at startHeight − descent
     std::int64_t steps = 0;

@@ -77,7 +77,7 @@ QString markedText(const MarkedArea& marked, double paintedArea) {
         }
     }
     const double percent = 100 * marked.any / paintedArea;
-    return Text::tr("%1, %2 % of what is painted, depend on marked film. %3.")
+    return Text::tr("%1 of the painted area (%2 %) depend on marked film. %3.")
         .arg(squareMillimetres(marked.any), QLocale().toString(percent, 'f', percent < 10 ? 1 : 0),
              causes.join(QStringLiteral("; ")));
 }

@@ -1,5 +1,5 @@
-// Which paint depends on film that tore, found no rest or was let go of: what "marked" means, for
-// the report, the maps, the proof and the views alike.
+// Defines "marked" film: film that tore, did not converge or was released. The report, the maps,
+// the proof and the views all use this definition.
 #pragma once
 
 #include "dip/LaidFilm.h"
@@ -11,29 +11,30 @@
 
 namespace dipwright {
 
-// The gravest first.
+// The most serious first.
 inline constexpr std::array<solver::PointMark, 3> filmMarks{
     solver::PointMark::Torn, solver::PointMark::Unbalanced, solver::PointMark::LetGo};
 
-// Of a piece of film with these solver::PointMark bits; nothing where it has none.
+// Returns the most serious of the marks in these solver::PointMark bits; nothing if there are none.
 std::optional<solver::PointMark> gravestMark(std::uint8_t marks);
-// The bits of all film that paints, together.
+// Returns the bitwise or of the marks of all film that paints.
 std::uint8_t paintedMarks(const LaidFilm& laid);
 
-// How much of a body is painted by marked film, mm² of the body.
+// The area of the body that marked film paints, mm².
 struct MarkedArea {
     double any = 0;
-    std::array<double, filmMarks.size()> each{}; // in the order of filmMarks; film may have several
+    // In the order of filmMarks; may overlap, as film can have several marks.
+    std::array<double, filmMarks.size()> each{};
 
     void add(std::uint8_t marks, double area);
     void add(const MarkedArea& other);
     double of(solver::PointMark mark) const;
 };
 
-// For the user: "Film that tore".
+// Returns the name of a mark for the user, such as "Torn film".
 QString markText(solver::PointMark mark);
-// "247 mm², 2.5 % of what is painted, depend on marked film. Film let go of: 247 mm²", of a body
-// that is painted on `paintedArea` mm²; empty where nothing is marked.
+// Returns a text such as "247 mm² of the painted area (2.5 %) depend on marked film. Released film:
+// 247 mm²."; empty if nothing is marked. `paintedArea` is the painted area of the body, mm².
 QString markedText(const MarkedArea& marked, double paintedArea);
 
 } // namespace dipwright

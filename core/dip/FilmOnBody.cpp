@@ -9,14 +9,15 @@ namespace dipwright {
 
 namespace {
 
-// Cosine between the film's normal, which points into the body, and the body's outward one: past
-// it, the film lies on another side of the body.
+// Cosine between the film's normal, which points into the body, and the body's outward normal.
+// Above it, the film lies on another side of the body.
 constexpr float otherSide = -0.05f;
 
-// Weights up to this count as none: the place is on an edge or in a corner.
+// Weights up to this count as zero: the place is on an edge or in a corner.
 constexpr float noWeight = 1e-5f;
 
-// Of how far film may be: where it lies on the body it is closer, and a short search is faster.
+// Share of reach_ that is searched first. Film on the body is usually that close, and a short
+// search is faster.
 constexpr float close = 0.1f;
 
 std::vector<std::uint32_t> reachedTriangles(const FilmContact& contact) {
@@ -29,7 +30,7 @@ std::vector<std::uint32_t> reachedTriangles(const FilmContact& contact) {
     return reached;
 }
 
-// On the body itself, should the film have stopped short of it by a contact distance.
+// Uses places on the body itself, since film may stop one contact distance before it.
 TriangleMesh paintedMesh(const FilmContact& contact, const std::vector<FilmTriangle>& triangles,
                          const std::vector<std::uint32_t>& reached) {
     TriangleMesh painted{contact.places, {}};
@@ -56,7 +57,7 @@ float largestCell(const solver::FilmGrid& grid, const std::vector<std::uint32_t>
     return largest;
 }
 
-// Whether any of what is queried is within `reach` of a triangle of the body, or a little farther.
+// Marks the triangles of the body that the queried mesh comes within about `reach` of.
 std::vector<std::uint8_t> nearTriangles(const TriangleMesh& body, const SurfaceQuery& query,
                                         float reach) {
     std::vector<std::uint8_t> isNear(body.triangles.size());
@@ -93,7 +94,7 @@ float FilmOnBody::cell(const SurfacePoint& onFilm) const {
     return cellOfTriangle(grid_, filmTriangle_[onFilm.triangle]);
 }
 
-// Whether film found at a distance from a place lies over it.
+// Whether film at `distance` from a place covers it.
 bool FilmOnBody::fits(const SurfacePoint& onFilm, float distance,
                       const Eigen::Vector3f& outward) const {
     return onFilm.isValid() && distance <= cell(onFilm) &&
@@ -113,14 +114,14 @@ bool FilmOnBody::isOnBorder(const SurfacePoint& onFilm) const {
     return false;
 }
 
-// Whether the film's nearest place is its border, seen from beyond it.
+// Whether the nearest place of the film is on its border and the queried place is beyond it.
 bool FilmOnBody::isBeyondBorder(const SurfacePoint& onFilm, const Eigen::Vector3f& offset,
                                 const Eigen::Vector3f& outward) const {
     const float sideways = (offset - offset.dot(outward) * outward).norm();
     return sideways > 0.02f * cell(onFilm) && isOnBorder(onFilm);
 }
 
-// The film on the side of the body where `place` is.
+// Finds the film on the same side of the body as `place`.
 ClosestPoint FilmOnBody::filmOver(const Eigen::Vector3f& place,
                                   const Eigen::Vector3f& outward) const {
     ClosestPoint nearest = query_.closest(place, close * reach_);

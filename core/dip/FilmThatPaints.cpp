@@ -11,23 +11,26 @@ namespace dipwright {
 
 namespace {
 
-// Shares of an edge's length that its middle may lie off the surface. Outside the body it spans a
-// hollow that the film does not follow, which a long edge does not make any shallower; inside, it
-// goes round an edge of the body, up to where it would go through the body.
+// Largest distance of an edge's middle from the surface, as a share of the edge's length. Outside
+// the body, the edge spans a hollow that the film does not follow; a longer edge does not make it
+// shallower. Inside, the edge cuts off an edge of the body; at the limit it would pass through the
+// body.
 constexpr float spannedHollow = 0.15f;
 constexpr float cutEdge = 0.5f;
-// Twice the area over the longest edge squared, of film so folded that it has no side.
+// Twice the area over the longest edge squared. Below this, film is folded so flat that its side is
+// unknown.
 constexpr float flat = 1e-3f;
-// In cells: film nearer than this to the body touches it, whatever else is there.
+// In cells: film closer to the body than this touches it, even under an air pocket.
 constexpr float touching = 0.05f;
-// In cells: how far over film the air may be that it floats under. A film that was dipped off its
-// place may lie that far below the level that the air has in its place.
+// In cells: largest height of an air pocket above film that floats under it. In a displaced dip,
+// film may float that far below the level computed for the nominal pose.
 constexpr float underAir = 2;
 // Cosines between the film's and the body's outward normals.
-constexpr float turnedAway = 0.1f;    // film against the face it lies on
-constexpr float foldedAcross = -0.9f; // two faces under one film triangle
+constexpr float turnedAway = 0.1f;    // between film and the face that it lies on
+constexpr float foldedAcross = -0.9f; // between two faces under one film triangle
 
-// Whether film floats on the water under an air pocket: over it, before the body, is air.
+// Whether film floats on the water under an air pocket. There is then air above it before any
+// surface.
 bool isUnderAir(const Eigen::Vector3f& position, const PosedBody& body, float cell) {
     for (const AirPocket& pocket : body.air.all()) {
         const float below = std::max(float(pocket.level) - position.y(), 0.f);
@@ -40,8 +43,8 @@ bool isUnderAir(const Eigen::Vector3f& position, const PosedBody& body, float ce
     return false;
 }
 
-// The solver has found that the point touches, be it at a contact distance; invalid where it
-// touches air.
+// Returns where a point lies that the solver reports as touching, possibly at a contact distance.
+// Invalid if the point touches air.
 SurfacePoint surfacePoint(const Eigen::Vector3f& position, const Eigen::Vector3f& filmNormal,
                           const PosedBody& body, float cell) {
     const SurfaceQuery& query = body.query;
@@ -50,7 +53,7 @@ SurfacePoint surfacePoint(const Eigen::Vector3f& position, const Eigen::Vector3f
         isUnderAir(position, body, cell)) {
         return {};
     }
-    // Along a slanting normal a ray may pass by the surface that the film touches.
+    // A ray along a slanting normal may miss the surface that the film touches.
     const float reach = 2 * closest.distance + 0.005f * cell;
     const RayHit below = query.hit(position, filmNormal, reach);
     const RayHit above = query.hit(position, -filmNormal, reach);
@@ -59,8 +62,8 @@ SurfacePoint surfacePoint(const Eigen::Vector3f& position, const Eigen::Vector3f
     return body.isDry(found) ? SurfacePoint{} : found;
 }
 
-// The point midway between the neighbours, along the grid's rows and columns, of a point that
-// missed; invalid unless all four are on the body.
+// Returns the place midway between the four neighbours of a point that missed the body. Invalid
+// unless all four are on the body.
 SurfacePoint filledPoint(const DippedFilm& film, const PosedBody& body,
                          const std::vector<SurfacePoint>& located, std::size_t point) {
     const auto columns = std::size_t(film.grid.columns);
@@ -102,7 +105,7 @@ public:
         : mesh_(body.mesh), normals_(normals), query_(body.query), surface_(surface),
           steepest_(float(std::sin(radians(process.overhang)))) {}
 
-    // `cell`: the side of the triangle's cell.
+    // `cell` is the size of the triangle's cell.
     bool isPainted(const FilmTriangle& triangle, float cell) const {
         return std::all_of(triangle.begin(), triangle.end(),
                            [&](std::uint32_t point) { return surface_[point].isValid(); }) &&
@@ -129,7 +132,8 @@ private:
         if (turn.norm() < flat * longest * longest) {
             return false;
         }
-        // The film's ink side, up at first, lies against the body: its normal points into it.
+        // The ink side faces up before the dip and lies against the body after it, so the normal
+        // points into the body.
         const Eigen::Vector3f intoBody = turn.normalized();
         const ClosestPoint under = query_.closest((a + b + c) / 3, cutEdge * longest);
         if (!under.point.isValid()) {
@@ -143,8 +147,9 @@ private:
                !spansHollow((b + c) / 2, intoBody, (c - b).norm(), deepest) &&
                !spansHollow((c + a) / 2, intoBody, (a - c).norm(), deepest);
     }
-    // Whether a place of the film between two or three that are on the body, `length` apart, is
-    // not: it is farther off than a share of that, or than `deepest`.
+    // Whether film spans a hollow at `place`, a mean of two or three places on the body that are
+    // `length` apart. It does if `place` is farther outside than `deepest` or than a share of
+    // `length`.
     bool spansHollow(const Eigen::Vector3f& place, const Eigen::Vector3f& intoBody, float length,
                      float deepest) const {
         const ClosestPoint under = query_.closest(place, length);

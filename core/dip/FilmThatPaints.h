@@ -1,5 +1,5 @@
-// Finding which film is on the body at the end of a dip. Private to this folder: LaidFilm holds
-// what is found.
+// Finds which film is on the body at the end of a dip. Private to this folder; LaidFilm holds the
+// result.
 #pragma once
 
 #include "dip/FilmContact.h"
@@ -9,15 +9,18 @@
 
 namespace dipwright {
 
-// Finds the surface point of every adhered film point: the nearest one along the film's normal, or
-// the closest one where that ray goes astray; a point that floats under an air pocket has none, nor
-// one whose place is in a pocket. A point that has none is filled from its neighbours
-// where it has some on both sides, along the rows and along the columns. A film triangle is painted
-// when all its corners lie on the body and it neither tears, nor spans a hollow, nor is folded
-// across the body, nor lies on a face that turns up by more than `process.overhang`. The film's
-// last points on the body are short of the limit of contact by a cell or so; isotropic film is
-// continued up to it, see ContactLimit.h. `film` is in the body's pose frame. All cores,
-// deterministic.
+// Finds the contact of a film with the body, in four steps:
+// - Each adhered film point gets the nearest point of the surface along the film's normal. If that
+//   ray misses, it gets the closest point. It gets none if it floats under an air pocket, or if its
+//   place is in one.
+// - A point without a place is interpolated if its neighbours on both sides have one, along its row
+//   and its column.
+// - A film triangle is painted if all its corners are on the body and it is not torn. It must not
+//   span a hollow, fold across the body, or lie on a face that turns up by more than
+//   `process.overhang`.
+// - These points end about one cell before the limit of contact. Isotropic film is extended to the
+//   limit; see ContactLimit.h.
+// `film` is in the body's pose frame. Uses all cores; deterministic.
 FilmContact filmThatPaints(const DippedFilm& film, const PosedBody& body,
                            const ProcessSettings& process);
 

@@ -18,18 +18,18 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Dip)
 };
 
-// A film needs so many cells across the body's narrow parts: across all but the narrowest tenth of
-// the surface that it meets.
+// Number of cells that a film needs across the body's narrow parts. The narrowest tenth of the
+// surface that meets the film may have fewer.
 constexpr double cellsAcross = 8;
 constexpr double narrowestShare = 0.1;
-// And so many along the longest edge of what it comes down on, no matter how thick that is.
+// Number of cells along the longest side of the body's shadow, whatever its thickness.
 constexpr double leastCellsAlong = 60;
 constexpr double mostCellsAlong = 150;
 constexpr double mostPoints = 500'000;
 constexpr int fewestLines = 8;
 constexpr double wantedSamples = 4'000;
-constexpr float steepest = 0.01f;   // faces that turn down by less stand upright
-constexpr double cellsOfMargin = 4; // past what the film is expected to be drawn in
+constexpr float steepest = 0.01f;   // faces that turn down by less count as upright
+constexpr double cellsOfMargin = 4; // beyond the film that is expected to be drawn in
 
 double narrowest(std::vector<float> thickness) {
     if (thickness.empty()) {
@@ -40,7 +40,7 @@ double narrowest(std::vector<float> thickness) {
     return double(*nth);
 }
 
-// How much of the body goes under water, mm from its lowest point.
+// Returns how much of the body goes under water, mm from its lowest point.
 double wetHeight(const TriangleMesh& mesh, const Eigen::Isometry3f& toPose,
                  const ProcessSettings& process) {
     if (process.depth) {
@@ -61,7 +61,8 @@ Underside undersideOf(const TriangleMesh& mesh, const SurfaceQuery& query,
     const Eigen::Vector3f down = pose.linear().transpose() * -Eigen::Vector3f::UnitY();
     const auto deepest = float(wetHeight(mesh, pose, process));
     const double perSample = surfaceArea(mesh) / wantedSamples;
-    const float clear = 1e-4f * boundingBox(mesh).diagonal().norm(); // of the face itself
+    // Distance that keeps rays off their own face.
+    const float clear = 1e-4f * boundingBox(mesh).diagonal().norm();
     Underside underside;
     for (const Eigen::Vector3f& position : mesh.positions) {
         const Eigen::Vector3f place = pose * position;
@@ -92,8 +93,8 @@ Underside undersideOf(const PosedBody& body, const ProcessSettings& process) {
     return undersideOf(body.mesh, body.query, Eigen::Isometry3d::Identity(), process);
 }
 
-// As if the film that the faces have more than their shadow came evenly from all round a disc of
-// that size.
+// Assumes that the extra film (the faces' area minus their shadow's) comes evenly from all sides of
+// a disc as large as the shadow.
 double drawIn(const Underside& underside) {
     const double round = 2 * std::sqrt(pi * underside.shadowArea);
     return round > 0 ? (underside.area - underside.shadowArea) / round : 0;
@@ -104,7 +105,8 @@ Millimetres automaticCell(const Underside& underside, const FilmSettings& film) 
     const double coarsest = longest / leastCellsAlong;
     const double wanted = underside.thickness > 0 ? underside.thickness / cellsAcross : coarsest;
     const solver::FilmGrid whole = filmGrid(film);
-    // Were all of the film as coarse as it may be.
+    // Fine cell size at which a film that is as coarse as possible everywhere has mostPoints
+    // points.
     const double affordable = std::sqrt(whole.width * whole.depth / mostPoints) / coarsestCell;
     return Millimetres(
         std::max(std::clamp(wanted, longest / mostCellsAlong, coarsest), affordable));
@@ -131,8 +133,8 @@ solver::FilmGrid gradedFilm(const FilmSettings& film, const Eigen::AlignedBox2d&
     grid.columns = int(grid.columnPlaces.size());
     grid.rows = int(grid.rowPlaces.size());
     if (grid.pointCount() > maximumFilmGrid) {
-        throw Error(Text::tr("With these cells the film would have %1 million points, and it may "
-                             "have %2; give it larger cells")
+        throw Error(Text::tr("With these cells the film would have %1 million points, but at most "
+                             "%2 million are allowed; choose larger cells")
                         .arg(double(grid.pointCount()) / 1e6, 0, 'f', 1)
                         .arg(maximumFilmGrid / 1'000'000),
                     QStringLiteral("film.cell_mm"));

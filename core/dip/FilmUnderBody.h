@@ -1,6 +1,6 @@
-// The points of the film that a dip is done with: as many as the user says or, chosen for a body
-// and its pose, as fine as its narrow parts need where it comes down on the film and coarse towards
-// the film's edges (docs/film-model.md, "The film's cells").
+// Chooses the film's grid for a dip. The user sets the number of points, or the grid is adapted to
+// the body in its pose. An adapted grid is as fine over the body as its narrow parts need, and
+// coarse towards the film's edges (docs/film-model.md, "The film's cells").
 #pragma once
 
 #include "dip/Pose.h"
@@ -10,36 +10,39 @@
 
 namespace dipwright {
 
-// What the film meets of a body in a pose: the faces that turn down, without others below them, as
-// far as they go under water.
+// The faces of a body that meet the film in a pose: they face down, no other face is below them,
+// and they go under water.
 struct Underside {
-    Eigen::AlignedBox2d shadow; // on the water of all that goes under, mm, offset not included
-    double area = 0;            // mm² of the faces …
-    double shadowArea = 0;      // … and of their shadow
-    double thickness = 0;       // mm through the body, that all but a tenth of them exceed; 0: none
+    // Bounding box on the water of everything that goes under, mm; without the offset.
+    Eigen::AlignedBox2d shadow;
+    double area = 0;       // of the faces, mm²
+    double shadowArea = 0; // of their shadow on the water, mm²
+    // Thickness of the body that 90 % of the samples on these faces exceed, mm; 0 if there are
+    // none.
+    double thickness = 0;
 };
 
-// `query`: of `mesh`; `toPose`: from its coordinates to the pose frame.
+// `query` must be of `mesh`. `toPose` maps coordinates of `mesh` to the pose frame.
 Underside undersideOf(const TriangleMesh& mesh, const SurfaceQuery& query,
                       const Eigen::Isometry3d& toPose, const ProcessSettings& process);
 Underside undersideOf(const PosedBody& body, const ProcessSettings& process);
 
-// The side of the cells over the body, mm, that a film needs for it.
+// Returns the cell size that a film needs over the body.
 Millimetres automaticCell(const Underside& underside, const FilmSettings& film);
 
-// Whether the points of a film depend on the body. Those of the paper's film never do.
+// Whether the grid of a film is adapted to the body. The paper's film never is.
 bool isGraded(const FilmSettings& film);
 
-// From how far beyond its shadow a body is expected to draw film in, mm.
+// Returns how far beyond its shadow a body is expected to draw film in, mm.
 double drawIn(const Underside& underside);
-// A graded film with cells of a side over the body's shadow, over what is drawn in from round it
-// and over a margin of some cells. `shadow`: as of an Underside. Throws Error where it would have
-// more than maximumFilmGrid points.
+// Returns a graded film. Its cells have the size `cell` over the body's shadow, over the film drawn
+// in round it and over a margin of a few cells. `shadow` is Underside::shadow. Throws Error if it
+// would have more than maximumFilmGrid points.
 solver::FilmGrid gradedFilm(const FilmSettings& film, const Eigen::AlignedBox2d& shadow,
                             double drawIn, Millimetres cell,
                             const std::array<Millimetres, 2>& offset);
-// The film for a dip with the body at an offset; filmGrid() where it is not graded. Throws as
-// gradedFilm() does.
+// Returns the film for a dip with the body at an offset; filmGrid() if it is not graded. Throws
+// like gradedFilm().
 solver::FilmGrid filmUnderBody(const FilmSettings& film, const Underside& underside,
                                const std::array<Millimetres, 2>& offset);
 

@@ -13,7 +13,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::JigModel)
 };
 
-constexpr std::size_t mostMaterials = 65536; // they are counted in 16 bits
+constexpr std::size_t mostMaterials = 65536; // their index has 16 bits
 
 TriangleMesh placedMesh(const JigPart& part) {
     const TriangleMesh& mesh = part.model->mesh;
@@ -23,7 +23,7 @@ TriangleMesh placedMesh(const JigPart& part) {
     return transformed(mesh, transform);
 }
 
-// Behind what is there, all that counts by number counted on.
+// Appends a part and shifts its indices past those of the parts before it.
 void append(TexturedMesh& jig, const JigPart& part, const TriangleMesh& placed) {
     const TexturedMesh& model = *part.model;
     const auto firstPosition = std::uint32_t(jig.mesh.positions.size());
@@ -61,7 +61,8 @@ void refuseOverlap(const std::vector<JigPart>& parts, const std::vector<Bounding
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (!boxes[i].intersection(boxes[j]).isEmpty()) {
-                throw Error(Text::tr("Its box and that of %1 overlap; move them apart on the jig")
+                throw Error(Text::tr("The bounding boxes of this part and of %1 overlap; move the "
+                                     "parts apart on the jig")
                                 .arg(parts[j].placed.name),
                             parts[i].placed.name);
             }
@@ -78,7 +79,9 @@ TexturedMesh jigModel(const std::vector<JigPart>& parts) {
     }
     if (parts.empty() || materials > mostMaterials) {
         throw Error(
-            Text::tr("A jig holds one part or more, with %1 materials at most").arg(mostMaterials),
+            Text::tr(
+                "A jig needs at least one part, and its parts may have at most %1 materials in all")
+                .arg(mostMaterials),
             QStringLiteral("jig"));
     }
     TexturedMesh jig;

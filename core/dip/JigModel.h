@@ -1,5 +1,5 @@
-// Several models on one jig, dipped at once through one film: one body to all that follows, in
-// which each keeps its own texture and place.
+// Combines several models on one jig into one body, to dip them together through one film. Each
+// model keeps its own texture and position.
 #pragma once
 
 #include "dip/Pose.h"
@@ -13,12 +13,13 @@ namespace dipwright {
 
 struct JigPart {
     std::shared_ptr<const TexturedMesh> model;
-    Immersion placed; // its name, how it is turned, and where its middle hangs on the jig, x and z
-    Millimetres height{0}; // of its lowest point over that of the lowest of all
+    // Its name, rotation and the position of its middle on the jig, x and z.
+    Immersion placed;
+    Millimetres height{0}; // of its lowest point above the lowest point of all parts
 };
 
-// Materials are called "PART: MATERIAL". Throws Error: no part, more materials than a model may
-// have, parts whose boxes overlap (two bodies in one place have no surface to be printed on).
+// Names each material "PART: MATERIAL". Throws Error if there is no part, if there are more
+// materials than a model may have, or if the bounding boxes of parts overlap.
 TexturedMesh jigModel(const std::vector<JigPart>& parts);
 
 } // namespace dipwright

@@ -1,6 +1,6 @@
-// A film at the end of its dip as it lies on the body: the one value that everything after the dip
-// asks, be it the reverse texture, a map, the coverage or the proof. Made once a dip: what the body
-// looks like is no part of it and is passed beside it.
+// The film on the body at the end of its dip. Everything after the dip uses it: the reverse
+// texture, maps, coverage and the proof. It is made once per dip. The appearance of the body is not
+// part of it and is passed separately.
 #pragma once
 
 #include "dip/FilmContact.h"
@@ -17,17 +17,17 @@ namespace dipwright {
 
 class FilmOnBody;
 
-// A place of the flat film.
+// A place on the flat film.
 struct FilmPlace {
     Eigen::Vector2f rest = Eigen::Vector2f::Zero(); // in restPosition()'s frame, mm
-    std::uint32_t triangle = 0;                     // the film triangle it is in
+    std::uint32_t triangle = 0;                     // the film triangle that contains it
 };
 
-// Immutable, everything in it computed once, most of it when it is made: any thread may read.
-// Shared, not copied: it is handed on as std::shared_ptr<const LaidFilm>.
+// Immutable; any thread may read. Everything is computed once, mostly in the constructor. Not
+// copied: it is passed on as std::shared_ptr<const LaidFilm>.
 class LaidFilm {
 public:
-    // Of a contact that is known; layFilm() finds it. `film` is in the body's pose frame.
+    // Takes a known contact; layFilm() finds the contact first. `film` is in the body's pose frame.
     LaidFilm(std::shared_ptr<const PosedBody> body, DippedFilm film, FilmContact contact);
     ~LaidFilm();
     LaidFilm(const LaidFilm&) = delete;
@@ -38,25 +38,25 @@ public:
     const FilmContact& contact() const { return contact_; }
     // filmTriangles() of the grid.
     const std::vector<FilmTriangle>& triangles() const { return triangles_; }
-    // A film triangle each, painted or not.
+    // Per film triangle, painted or not.
     const std::vector<PrincipalStretch>& stretches() const { return stretches_; }
     const PaintedStretch& painted() const { return painted_; }
-    // paintedPointAreas(), computed when it is first asked for: only ink asks.
+    // paintedPointAreas(), computed on first use because only ink compensation needs it.
     const std::vector<float>& pointAreas() const;
-    // The solver::PointMark bits of a film triangle: those of its corners that are on the body,
-    // together. What it paints depends on a law without measurement behind it, or on film that
-    // found no rest.
+    // Returns the solver::PointMark bits of a film triangle: the bitwise or of its corners that are
+    // on the body. Paint of marked film depends on a law that was never measured, or on film that
+    // did not converge.
     std::uint8_t marks(std::uint32_t triangle) const;
 
-    // The place on the flat film of the film that covers `point` of the body; nothing where none
-    // does.
+    // Returns the place on the flat film that paints `point` of the body; nothing if no film does.
     std::optional<FilmPlace> place(const SurfacePoint& point) const;
-    // The place of the flat film at `rest`, on the body or not; nothing beside the film.
+    // Returns the place of the flat film at `rest`, whether on the body or not; nothing outside the
+    // film.
     std::optional<FilmPlace> flat(const Eigen::Vector2f& rest) const;
-    // A place's barycentric weights in its film triangle, in the order of the corners.
+    // Returns the barycentric weights of a place in its film triangle, in the order of the corners.
     Eigen::Vector3f weights(const FilmPlace& place) const;
-    // Where the nearest of the body to a place lies, in the pose frame; nothing where it is not on
-    // the body.
+    // Returns the point of the body that a place of the film lies on, in the pose frame, mm;
+    // nothing if the place is not on the body.
     std::optional<Eigen::Vector3f> onBody(const FilmPlace& place) const;
 
 private:
@@ -71,16 +71,16 @@ private:
     std::unique_ptr<const FilmOnBody> onBody_;
 };
 
-// The film as a dip with `process` has left it, located on the body. All cores, deterministic.
+// Locates the film on the body after a dip with `process`. Uses all cores; deterministic.
 std::shared_ptr<const LaidFilm> layFilm(std::shared_ptr<const PosedBody> body, DippedFilm film,
                                         const ProcessSettings& process);
 
-// Whether the film's edge has ended up on the body: it was too small for it, and where the edge
-// lies the film may lie over itself.
+// Whether the film's edge ended up on the body. The film was then too small, and it may overlap
+// itself near the edge.
 bool edgeIsOnBody(const LaidFilm& laid);
 
-// The box round the flat film that paints, in restPosition()'s frame, mm; empty where none does.
-// And its area over that of the film, 0 … 1.
+// Returns the bounding box of the flat film that paints, in restPosition()'s frame, mm; empty if
+// none does. usedShare() returns its area as a share of the film, 0 … 1.
 Eigen::AlignedBox2f usedFilm(const LaidFilm& laid);
 double usedShare(const LaidFilm& laid);
 

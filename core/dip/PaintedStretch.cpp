@@ -12,11 +12,11 @@ namespace dipwright {
 
 namespace {
 
-// Of triangles that say how painted film is stretched at its last points and past them: the further
-// away these are, the wider, or one triangle's error tilts the function.
+// Rings of triangles that the fit uses at the rim of painted film, and beyond it. Farther out the
+// fit needs a wider base, or one triangle's error would tilt it.
 constexpr int rimRings = 2, beyondRings = 3;
 
-// A constraint that is a side of painted film: its ends and its stretch.
+// A constraint along a side of a painted triangle: its ends and its stretch.
 struct PaintedConstraint {
     std::uint32_t from, to;
     float stretch;
@@ -76,7 +76,8 @@ std::vector<float> meanOfConstraints(const std::vector<PaintedConstraint>& const
     return sums;
 }
 
-// For each film point the mean of `value` over the painted triangles round it; 1 where none is.
+// Returns per film point the mean of `value` over the painted triangles round it; 1 if there are
+// none.
 template <typename Value>
 std::vector<float> meanOfTriangles(const std::vector<FilmTriangle>& triangles,
                                    const FilmContact& contact, const Value& value) {
@@ -109,15 +110,15 @@ std::vector<std::uint8_t> paintedPoints(const std::vector<FilmTriangle>& triangl
     return painted;
 }
 
-// J of painted film as a linear function of the flat film round a point: the mean of the triangles
-// round it has no first-order error where these lie on all sides of it, and half a cell's worth
-// where they lie on one. At the end of the painted film J grows fastest, and there they do.
+// Fits J of painted film as a linear function of the flat film round a point. A plain mean over the
+// triangles round the point has no first-order error if they lie on all sides. If they lie on one
+// side only, it is off by half a cell. That is the case at the rim, where J grows fastest.
 class StretchAtRim {
 public:
     StretchAtRim(const DippedFilm& film, const std::vector<FilmTriangle>& triangles,
                  const std::vector<PrincipalStretch>& stretches, const FilmContact& contact)
         : film_(film), triangles_(triangles), stretches_(stretches), contact_(contact),
-          first_(film.grid.pointCount() + 1), roundPoints_(3 * triangles.size()) {
+          first_(film.grid.pointCount() + 1), trianglesAtPoints_(3 * triangles.size()) {
         for (const FilmTriangle& corners : triangles) {
             for (const std::uint32_t point : corners) {
                 ++first_[point + 1];
@@ -127,20 +128,19 @@ public:
         std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
         for (std::uint32_t triangle = 0; triangle < triangles.size(); ++triangle) {
             for (const std::uint32_t point : triangles[triangle]) {
-                roundPoints_[next[point]++] = triangle;
+                trianglesAtPoints_[next[point]++] = triangle;
             }
         }
     }
 
-    // Whether film round the point is painted on some sides only.
+    // Whether some triangle round the point is not painted.
     bool isAtRim(std::uint32_t point) const {
         const auto round = trianglesAt(point);
         return std::any_of(round.begin(), round.end(),
                            [&](std::uint32_t triangle) { return contact_.painted[triangle] == 0; });
     }
-    // The linear function through the painted triangles in so many rings round the painted points
-    // `known`, at `point`, as far as there is one; `areas`: the means of the triangles round
-    // points.
+    // Returns the linear fit at `point` through the painted triangles in `rings` rings round the
+    // painted points `known`. `areas` are the means over the triangles round each point.
     float at(std::uint32_t point, const std::set<std::uint32_t>& known, int rings,
              const std::vector<float>& areas) const {
         float mean = 0;
@@ -161,7 +161,8 @@ public:
 
 private:
     std::span<const std::uint32_t> trianglesAt(std::uint32_t point) const {
-        return std::span(roundPoints_).subspan(first_[point], first_[point + 1] - first_[point]);
+        return std::span(trianglesAtPoints_)
+            .subspan(first_[point], first_[point + 1] - first_[point]);
     }
     std::set<std::uint32_t> paintedAt(std::uint32_t point) const {
         std::set<std::uint32_t> painted;
@@ -172,8 +173,8 @@ private:
         }
         return painted;
     }
-    // Least squares; no further beyond what the triangles have than these lie apart, and no nearer
-    // to it than the share of their differences that it explains: else `mean`.
+    // Least-squares fit. The result exceeds the range of the triangles by at most the width of that
+    // range. It is blended with `mean` by the share of the variation that the fit explains.
     float linear(const std::set<std::uint32_t>& patch, std::uint32_t point, float mean) const {
         const Eigen::Vector2d origin = restPosition(film_.grid, point).cast<double>();
         Eigen::MatrixX3d places(Eigen::Index(patch.size()), 3);
@@ -201,11 +202,11 @@ private:
     const std::vector<FilmTriangle>& triangles_;
     const std::vector<PrincipalStretch>& stretches_;
     const FilmContact& contact_;
-    std::vector<std::uint32_t> first_;       // a point each, and one more, into …
-    std::vector<std::uint32_t> roundPoints_; // … the triangles that meet in it
+    std::vector<std::uint32_t> first_; // per point, and one more: start in trianglesAtPoints_
+    std::vector<std::uint32_t> trianglesAtPoints_; // the triangles at each point
 };
 
-// J at the last painted points, and at those just past the limit of contact as if the film went on.
+// Refines J at the rim of painted film, and extrapolates it just past the limit of contact.
 std::vector<float> continuedToLimit(const std::vector<float>& means,
                                     const std::vector<std::uint8_t>& isPainted,
                                     const std::vector<FilmTriangle>& triangles,
@@ -216,7 +217,8 @@ std::vector<float> continuedToLimit(const std::vector<float>& means,
             areas[point] = rim.at(point, {point}, rimRings, means);
         }
     }
-    std::map<std::uint32_t, std::set<std::uint32_t>> beyond; // and the painted points nearest to it
+    // Points past the limit, and the painted points nearest to each.
+    std::map<std::uint32_t, std::set<std::uint32_t>> beyond;
     for (bool grows = true; grows;) {
         const auto nearer = beyond;
         for (const auto& [triangle, limit] : contact.limits) {
@@ -248,7 +250,7 @@ Wrinkling wrinkling(const DippedFilm& film, const std::vector<FilmTriangle>& tri
     };
     Wrinkling result;
     result.pointStretches = meanOfTriangles(triangles, contact, compressionOf);
-    // In triangles of the first one's size, which makes whole numbers of an even film's.
+    // Areas are counted in units of the first triangle, so that sums over an even film are exact.
     const double unit = restArea(film.grid, 0);
     double painted = 0, wrinkled = 0;
     for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {

@@ -1,5 +1,5 @@
-// How far the film that paints is stretched. Film that hangs off the body between adhered and free
-// points has no meaning of its own and would drown these figures.
+// Measures the stretch of the film that paints. Film that hangs off the body between adhered and
+// floating points is left out, because it would distort these figures.
 #pragma once
 
 #include "dip/FilmContact.h"
@@ -7,37 +7,38 @@
 
 namespace dipwright {
 
-// How film on the body is compressed: its smaller principal stretch λ2 is below 1, against the film
-// as it floated when it was touched (compression()). The model lets it thicken; real film may fold
-// there (docs/film-model.md, "Measures").
+// How far film on the body is compressed. Film is compressed if its smaller principal stretch λ2 is
+// below 1, relative to the film when it was touched (compression()). The model lets such film
+// thicken; real film may wrinkle (docs/film-model.md, "Measures").
 struct Wrinkling {
-    std::vector<float> pointStretches; // a film point each: mean λ2 of its painted triangles; or 1
-    double area = 0;                   // mm² of flat film with λ2 below wrinkledBelow
-    double share = 0;                  // of the painted film
-    double least = 1;                  // the smallest λ2
+    // Per film point: mean λ2 of its painted triangles; 1 if none.
+    std::vector<float> pointStretches;
+    double area = 0;  // mm² of flat film with λ2 below wrinkledBelow
+    double share = 0; // of the film that paints
+    double least = 1; // the smallest λ2
 };
-inline constexpr float wrinkledBelow =
-    0.99f; // a hundredth is within what a film profile is known to
+inline constexpr float wrinkledBelow = 0.99f; // film profiles are known to about 1 %
 
 struct PaintedStretch {
-    std::vector<std::uint8_t> points; // a film point each: 1 where painted film meets in it
-    // Final over rest length of the horizontal and vertical constraints that are sides of painted
-    // film, and for each film point the mean of those that meet in it; 1 where none does.
+    std::vector<std::uint8_t> points; // per film point: 1 if it belongs to a painted triangle
+    // `constraints`: final over rest length of the horizontal and vertical constraints along sides
+    // of painted triangles. `pointMeans`: per film point, the mean over its constraints; 1 if it
+    // has none.
     std::vector<float> constraints, pointMeans;
-    std::vector<float> areas; // area stretch J of the painted film triangles
+    std::vector<float> areas; // area stretch J of each painted film triangle
     Wrinkling wrinkling;
 };
 
-// `triangles` and `stretches`: filmTriangles() and principalStretches() of the film.
+// `triangles` and `stretches` are filmTriangles() and principalStretches() of the film.
 PaintedStretch paintedStretch(const DippedFilm& film, const std::vector<FilmTriangle>& triangles,
                               const std::vector<PrincipalStretch>& stretches,
                               const FilmContact& contact);
 
-// J for each film point: the mean of the painted triangles round it, so that the ink's density,
-// which is reckoned with it, does not jump from triangle to triangle. Where these lie on one side
-// only, and at points past the limit of contact, it tends to what a linear function through the
-// painted triangles near by says there (patch recovery, Zienkiewicz & Zhu 1992), as far as one
-// explains them; 1 where no film that paints is near.
+// Returns J per film point: the mean over the painted triangles round it. Ink density uses it, so
+// that the density does not jump between triangles. At rim points and past the limit of contact, a
+// linear fit through nearby painted triangles replaces the mean (patch recovery, Zienkiewicz & Zhu
+// 1992). Its weight is how well it explains those triangles. The result is 1 where no film that
+// paints is near.
 std::vector<float> paintedPointAreas(const DippedFilm& film,
                                      const std::vector<FilmTriangle>& triangles,
                                      const std::vector<PrincipalStretch>& stretches,

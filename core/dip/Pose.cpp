@@ -9,7 +9,8 @@ namespace dipwright {
 
 namespace {
 
-constexpr double sameAxis = 1e-6; // cosine of the turn about Y from which on X and Z are one axis
+// |cos| of the angle about Y below which the X and Z axes coincide.
+constexpr double sameAxis = 1e-6;
 
 } // namespace
 
@@ -23,13 +24,13 @@ Eigen::Matrix3d rotationMatrix(const std::array<Degrees, 3>& angles) {
 std::array<Degrees, 3> rotationAngles(const Eigen::Matrix3d& rotation,
                                       const std::array<Degrees, 3>& near) {
     const Eigen::Vector3d aim(radians(near[0]), radians(near[1]), radians(near[2]));
-    // The same turns, each within half a turn of the aim's.
+    // The same rotation, with each angle within ±180° of the aim.
     const auto nearAim = [&](const Eigen::Vector3d& angles) -> Eigen::Vector3d {
         return aim + (angles - aim).unaryExpr([](double a) { return std::remainder(a, 2 * pi); });
     };
     const Eigen::Vector3d zyx = rotation.eulerAngles(2, 1, 0);
     Eigen::Vector3d one(zyx[2], zyx[1], zyx[0]);
-    if (std::abs(std::cos(one.y())) < sameAxis) { // X and Z turn about one axis then
+    if (std::abs(std::cos(one.y())) < sameAxis) { // gimbal lock: X and Z rotate about one axis
         const double more = aim.x() - one.x();
         one += Eigen::Vector3d(more, 0, std::sin(one.y()) > 0 ? more : -more);
     }

@@ -1,9 +1,9 @@
-// How a body is held over the film.
+// Places a body over the film: pose, frames, depth and travel of a dip.
 //
-// Pose frame: the body rotated about its bounding box's centre by X, then Y, then Z (fixed axes),
-// that centre at x = z = 0, the lowest point of the rotated body at y = 0. Results are written in
-// this frame. The world frame of the solver, whose waterline is y = 0, differs from it by the
-// immersion's offset on the water and by how far the body has come down (poseToWorld).
+// Pose frame: the body rotated about the centre of its bounding box by X, then Y, then Z (fixed
+// axes). That centre is at x = z = 0 and the lowest point at y = 0. Results are written in this
+// frame. The solver's world frame has its waterline at y = 0. It differs from the pose frame by the
+// offset of the body on the water and by its descent (poseToWorld).
 #pragma once
 
 #include "base/Units.h"
@@ -16,38 +16,39 @@
 
 namespace dipwright {
 
-// The rotation by angles about X, then Y, then Z, and such angles for a rotation, to a tenth of a
-// degree: of all that there are those nearest to `near`, but within a whole turn.
+// rotationMatrix() returns the rotation by angles about X, then Y, then Z. rotationAngles() returns
+// such angles for a rotation, rounded to 0.1°. Of all solutions it returns the one nearest to
+// `near`, within ±360°.
 Eigen::Matrix3d rotationMatrix(const std::array<Degrees, 3>& angles);
 std::array<Degrees, 3> rotationAngles(const Eigen::Matrix3d& rotation,
                                       const std::array<Degrees, 3>& near = {});
 
-// Model coordinates to the pose frame.
+// Maps model coordinates to the pose frame.
 Eigen::Isometry3d poseTransform(const TriangleMesh& body, const Immersion& immersion);
 
-// The shape of a body in the pose frame of one immersion, with what asks its surface questions and
-// the air that it takes under water. It does not depend on the immersion's offset, nor on what the
-// body looks like.
+// The shape of a body in the pose frame of one dip, with its surface query and its air pockets. It
+// depends neither on the offset on the water nor on the body's appearance.
 struct PosedBody {
-    TriangleMesh mesh;             // the model's, in the pose frame
-    Eigen::Isometry3d modelToPose; // from the coordinates of the model and its distance field
-    double height = 0;             // mm from the lowest to the highest point
+    TriangleMesh mesh;             // the model's mesh in the pose frame
+    Eigen::Isometry3d modelToPose; // from model coordinates, in which the distance field is, too
+    double height = 0;             // from the lowest to the highest point, mm
     SurfaceQuery query;            // of mesh
     AirPockets air;                // of mesh
-    // Whether the air keeps film off a place of the body.
+    // Whether an air pocket keeps film off a place on the body.
     bool isDry(const SurfacePoint& point) const;
 };
-// Air is looked for on so many cells along the body's longest edge. All cores, deterministic.
+// `cells` is the number of grid cells along the body's longest edge on which air pockets are
+// sought. Uses all cores; deterministic.
 PosedBody posedBody(const TriangleMesh& model, const Immersion& immersion, int cells = airCells);
 
-// mm between the body's lowest point and the water before the dip.
+// Distance of the body's lowest point above the water before the dip, mm.
 inline constexpr double startHeight = 0.5;
-// How far up the body the water reaches at the end of the dip, mm from its lowest point: the
-// process's depth or, where that is none, past all of the body by a margin.
+// Returns the height of the water above the body's lowest point at the end of the dip, mm. This is
+// the depth that the process sets or, if it sets none, the body's height plus a margin.
 double dipDepth(const ProcessSettings& process, const PosedBody& body);
-// mm that the body comes down in all.
+// Returns the total travel of the body, mm.
 double dipTravel(const ProcessSettings& process, const PosedBody& body);
-// The shift from the pose frame to the world when the body has come down by `descent` mm.
+// Returns the translation from the pose frame to the world frame after `descent` mm.
 Eigen::Vector3d poseToWorld(const Immersion& immersion, double descent);
 
 } // namespace dipwright

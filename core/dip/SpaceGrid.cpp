@@ -9,8 +9,8 @@ namespace dipwright {
 
 namespace {
 
-// In cells. Models often have edges, corners and faces in the middle of their box or in its sides:
-// there a ray may slip through between two triangles.
+// Shift of the grid in cells. Models often have edges and faces in the middle or at the sides of
+// their bounding box. A ray along them may slip between two triangles.
 const Eigen::Vector3f aside(0.37f, 0.29f, 0.43f);
 
 } // namespace

@@ -1,5 +1,5 @@
-// Points in space round a body on a regular grid, and between which of them its surface runs.
-// Private to this folder.
+// A regular grid of points round a body that knows which grid edges cross the surface. Private to
+// this folder.
 #pragma once
 
 #include "geometry/SurfaceQuery.h"
@@ -9,11 +9,12 @@
 
 namespace dipwright {
 
-// Points at least one cell wider than the body on every side, `resolution` cells along its longest
-// edge. For each axis it knows which steps to the next point go through the surface. Immutable.
+// Extends at least one cell past the body on every side. `resolution` is the number of cells along
+// the body's longest edge. Immutable.
 class SpaceGrid {
 public:
-    // `query`: of `mesh`, in whose coordinates the grid is. All cores, deterministic.
+    // `query` must be of `mesh`. The grid is in the coordinates of `mesh`. Uses all cores;
+    // deterministic.
     SpaceGrid(const TriangleMesh& mesh, const SurfaceQuery& query, int resolution);
 
     std::size_t count() const {
@@ -22,7 +23,7 @@ public:
     const Eigen::Vector3i& size() const { return size_; }
     Eigen::Vector3i last() const { return size_ - Eigen::Vector3i::Ones(); }
     float spacing() const { return spacing_; }
-    // Of the next point along an axis: that of this one and the stride.
+    // Index difference to the next point along an axis.
     std::size_t stride(int axis) const { return stride_[std::size_t(axis)]; }
     std::size_t index(const Eigen::Vector3i& cell) const {
         return std::size_t(cell[0]) * stride_[0] + std::size_t(cell[1]) * stride_[1] +
@@ -31,15 +32,16 @@ public:
     Eigen::Vector3f position(const Eigen::Vector3i& cell) const {
         return origin_ + spacing_ * cell.cast<float>();
     }
-    // The first corner of the cell that a place is in, or of the nearest one.
+    // Returns the first corner of the cell that contains a place; of the nearest cell if it is
+    // outside the grid.
     Eigen::Vector3i cellOf(const Eigen::Vector3f& place) const {
         const Eigen::Vector3i cell =
             ((place - origin_) / spacing_).array().floor().cast<int>().matrix();
         return cell.cwiseMax(0).cwiseMin(size_ - Eigen::Vector3i::Constant(2));
     }
-    // The eight corners of a cell, from its first.
+    // Offset of one of the eight corners of a cell from its first.
     static Eigen::Vector3i corner(int number) { return {number & 1, number >> 1 & 1, number >> 2}; }
-    // Whether no edge of the cell goes through the surface.
+    // Whether no edge of the cell crosses the surface.
     bool isClear(const Eigen::Vector3i& cell) const {
         for (int number = 0; number < 7; ++number) {
             for (int axis = 0; axis < 3; ++axis) {
@@ -68,8 +70,8 @@ private:
     std::array<std::vector<std::uint8_t>, 3> crossed_;
 };
 
-// Calls visit(distance) for every hit of a ray along an axis, up to `length`, the nearest first;
-// hits nearer together than a thousandth of `spacing` are one.
+// Calls visit(distance) for every hit of a ray along an axis, up to `length`, nearest first. Hits
+// closer together than `spacing` / 1000 count once.
 template <typename Visit>
 void forEachHit(const SurfaceQuery& query, const Eigen::Vector3f& start, int axis, float length,
                 float spacing, const Visit& visit) {

@@ -14,7 +14,7 @@ TrappedAir trappedAir(const PosedBody& body) {
         return trapped;
     }
     const TriangleMesh& mesh = body.mesh;
-    std::vector<double> dry(mesh.triangles.size()); // mm² of each
+    std::vector<double> dry(mesh.triangles.size()); // mm² per triangle
     parallelFor(std::size_t(0), dry.size(), [&](std::size_t triangle) {
         const double area = triangleArea(mesh, triangle);
         const int pieces = 1 + int(std::sqrt(area) / double(body.air.cell()));

@@ -1,4 +1,4 @@
-// Air caught under hollows of the body while the water rises round it: film cannot reach there.
+// Sums up the air trapped under hollows of the body, which film cannot reach.
 #pragma once
 
 #include "dip/Pose.h"
@@ -8,11 +8,11 @@
 namespace dipwright {
 
 struct TrappedAir {
-    double area = 0;              // mm² of the body that stay in air when it goes under
-    std::optional<double> height; // of the lowest of its levels over the body's lowest point, mm
+    double area = 0;              // surface of the body in trapped air, mm²
+    std::optional<double> height; // lowest water level in it, above the body's lowest point, mm
 };
 
-// Of the body's air pockets (AirPockets.h), in the pose frame. All cores, deterministic.
+// Sums over the body's air pockets (AirPockets.h). Uses all cores; deterministic.
 TrappedAir trappedAir(const PosedBody& body);
 
 } // namespace dipwright

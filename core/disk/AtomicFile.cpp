@@ -14,11 +14,11 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(AtomicFile)
 };
 
-constexpr int longestName = 255; // bytes, of a file's name on the usual systems
+constexpr int longestName = 255; // bytes, the limit for a file name on common systems
 const QString newPrefix = QStringLiteral(".~new.");
 const QString lockPrefix = QStringLiteral(".~lock.");
 
-// What a link points to, be it there or not.
+// Returns what a link points to, whether that exists or not.
 QString linkTarget(const QString& path) {
     QFileInfo file(path);
     for (int links = 0; file.isSymLink() && links < 40; ++links) {
@@ -68,24 +68,24 @@ QString AtomicFile::open() {
         return Text::tr("it is a folder");
     }
     if (target.isSymLink()) {
-        return Text::tr("its links lead to one another");
+        return Text::tr("its links form a loop");
     }
     if (target.exists() && !target.isFile()) { // a pipe or a device, which others have open
-        return Text::tr("it is no plain file");
+        return Text::tr("it is not a regular file");
     }
     if (target.exists() && !target.isWritable()) {
-        return Text::tr("it may not be written");
+        return Text::tr("it is write-protected");
     }
     note_ = std::make_unique<UnfinishedWrite>(beside_);
     switch (file_.open(beside_)) {
     case LockedFile::Outcome::HeldByAnother:
-        return Text::tr("another program is writing it at this moment, try again");
+        return Text::tr("another program is writing it now; try again");
     case LockedFile::Outcome::Failed:
         return file_.errorString();
     case LockedFile::Outcome::Opened:
         break;
     }
-    if (!device().resize(0)) { // what a dead writer has left
+    if (!device().resize(0)) { // removes what a crashed writer left
         return device().errorString();
     }
     if (target.exists()) {
@@ -96,7 +96,7 @@ QString AtomicFile::open() {
 
 QString AtomicFile::commit() {
     if (!syncToDisk(device())) {
-        return Text::tr("it does not reach the disk: %1").arg(device().errorString());
+        return Text::tr("it cannot be flushed to the disk: %1").arg(device().errorString());
     }
     if (!file_.moveOver(target_)) {
         removeAbandoned(beside_);

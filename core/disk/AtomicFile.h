@@ -1,9 +1,10 @@
-// Files that are replaced whole or not at all, whatever dies meanwhile.
+// Atomic writes: a file is replaced completely or not at all, even if the program or the computer
+// crashes.
 //
-// The new contents are written to a file beside the old one, flushed to the disk and renamed over
-// it; then the folder is flushed. The file beside it has one name for each target and is locked
-// while it is written, so that two writers of one file cannot mix, and what a dead one has left is
-// known for what it is.
+// The new contents are written to a temporary file beside the old one, flushed to disk and renamed
+// over it. Then the folder is flushed. Each target has one fixed name for its temporary file, which
+// is locked while it is written. So two writers of one file cannot mix their contents, and a file
+// that a crashed writer left behind is recognised.
 #pragma once
 
 #include "disk/LockedFile.h"
@@ -17,14 +18,14 @@ namespace dipwright {
 
 class AtomicFile {
 public:
-    // A link is followed: what it points to is replaced.
+    // Follows a link: the file that it points to is replaced.
     explicit AtomicFile(const QString& path);
-    ~AtomicFile(); // without a commit: the target is as it was, and nothing stays behind
+    ~AtomicFile(); // without a commit the target is unchanged and the temporary file is removed
 
-    // Both: empty when done, else why not in the system's words.
+    // Both return an empty string on success, else the system's error message.
     QString open();
     QString commit();
-    QFile& device() { return file_.device(); } // between the two, to write to
+    QFile& device() { return file_.device(); } // for writing between open() and commit()
 
 private:
     QString target_, beside_;
@@ -32,23 +33,24 @@ private:
     LockedFile file_;
 };
 
-// Replaces a file. Empty when done, else why not in the system's words. `lastLook` is called when
-// all is written and nobody else can replace the file any more, and may end it by throwing.
+// Replaces a file. Returns an empty string on success, else the system's error message. `lastLook`
+// is called when everything is written and nobody else can replace the file any more. It may throw
+// to abandon the write.
 QString replaceFile(const QString& path, const QByteArray& bytes,
                     const std::function<void()>& lastLook = {});
-// The same with what `write` puts into the device it is given. Throws Error.
+// Replaces a file by what `write` writes to its device. Throws Error.
 void writeAtomically(const QString& path, const std::function<void(QIODevice&)>& write);
-// Throws Error where the file could not be replaced now: worth asking before long work.
+// Throws Error if the file cannot be replaced now. Call it before long work.
 void checkWritable(const QString& path);
 
-// What lies hidden beside a file while somebody is at it.
+// The hidden files beside a file while a program works on it.
 enum class Beside { NewContents, Lock };
-// Its name, the same whenever it is asked for, that no file name is too long for: a beginning of
-// its own and the file's name, or a hash of that.
+// Returns the path of such a hidden file, always the same for one file. Its name is a fixed prefix
+// and the file's name, or a hash of that name where it would be too long.
 QString hiddenBeside(const QString& path, Beside what);
-// Whether a file's name begins so.
+// Whether the file's name has such a prefix.
 bool isHiddenBeside(const QString& path);
-// Removes a temporary file, unless somebody is writing it.
+// Removes a temporary file unless somebody is writing it.
 void removeAbandoned(const QString& temporary);
 
 } // namespace dipwright

@@ -17,7 +17,7 @@ struct Text {
 
 constexpr qint64 longestLock = 1024; // bytes
 
-// A file that is reached by several links has one lock.
+// A file that several links reach has one lock.
 QString lockPath(const QString& path) {
     const QString canonical = QFileInfo(path).canonicalFilePath();
     return hiddenBeside(canonical.isEmpty() ? path : canonical, Beside::Lock);
@@ -75,7 +75,7 @@ LockState FileLock::acquire(const QString& path) {
     case LockedFile::Outcome::Opened:
         break;
     }
-    file->device().resize(0); // what a dead holder has left
+    file->device().resize(0); // removes what a crashed holder left
     writeAll(file->device(), ownLines());
     file_ = std::move(file);
     return {};

@@ -1,5 +1,5 @@
-// A lock beside a file that somebody works on, so that two do not overwrite each other's work. It
-// is advice: who does not ask for it is not stopped.
+// A lock file beside a file that a program works on, so that two programs do not overwrite each
+// other's work. It is advisory: a program that does not ask for it is not stopped.
 #pragma once
 
 #include "disk/LockedFile.h"
@@ -12,12 +12,12 @@ namespace dipwright {
 
 struct LockState {
     bool acquired = true;
-    // Who holds it, where it was not acquired; empty where that cannot be read.
+    // The holder, if the lock was not acquired; empty if it cannot be read.
     QString host = {}, program = {};
     qint64 process = 0;
 };
 
-// Held as long as the object lives, and no longer than its process does.
+// Holds the lock while the object lives. The system releases it when the process ends.
 class FileLock {
 public:
     FileLock() = default;
@@ -25,8 +25,9 @@ public:
     FileLock(const FileLock&) = delete;
     FileLock& operator=(const FileLock&) = delete;
 
-    // Lets go of what was held before. An empty path locks nothing; so does a folder that cannot be
-    // written, in which the file cannot be replaced either.
+    // Releases the lock held before, then takes the lock of `path`. Nothing is locked if `path` is
+    // empty or if its folder cannot be written; in the latter case the file cannot be replaced
+    // either.
     LockState acquire(const QString& path);
     void release();
     bool isHeld() const { return file_ != nullptr; }
@@ -36,7 +37,7 @@ private:
     std::unique_ptr<LockedFile> file_;
 };
 
-// "dipwright on HOST, process N", for a sentence on who holds a lock.
+// Returns "dipwright on HOST, process N", for a message about who holds a lock.
 QString holderText(const LockState& holder);
 
 } // namespace dipwright

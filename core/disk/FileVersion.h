@@ -1,4 +1,4 @@
-// Which contents a file has, to tell later whether somebody else has written it since.
+// Identifies the contents of a file, to tell later whether somebody else has written it since.
 #pragma once
 
 #include <QByteArray>
@@ -6,17 +6,17 @@
 
 namespace dipwright {
 
-// By content alone: no clock and no date has a say. A file that is missing, or cannot be read, has
-// a version of its own. Take it before the file is read: what comes in between is then noticed.
+// Compares contents only, no times or dates. A file that is missing or unreadable has a version of
+// its own. Take the version before you read the file, so that later changes are noticed.
 class FileVersion {
 public:
-    FileVersion() = default; // of a missing file
+    FileVersion() = default; // the version of a missing file
     static FileVersion of(const QString& path);
-    // As the file would be with these bytes.
+    // The version that the file would have with these bytes.
     static FileVersion ofBytes(const QByteArray& bytes);
     bool operator==(const FileVersion&) const = default;
 
-    // To be kept in a file, and from it.
+    // Text form, for storing in a file.
     QString text() const { return QString::fromLatin1(hash_.toHex()); }
     static FileVersion fromText(const QString& text);
 

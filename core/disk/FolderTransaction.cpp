@@ -23,25 +23,25 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(FolderTransaction)
 };
 
-// In the hidden folder.
+// Names inside the hidden folder.
 const QString newFiles = QStringLiteral("new/");
 const QString oldFiles = QStringLiteral("old/");
-const QString journalName = QStringLiteral("journal.json"); // there: the new files count
-const QString undoName = QStringLiteral("undo.json");       // there: the old ones do
+const QString journalName = QStringLiteral("journal.json"); // while it exists, the new files count
+const QString undoName = QStringLiteral("undo.json");       // while it exists, the old files count
 constexpr qint64 longestJournal = 1 << 20;
-// Of a journal that is believed: many times what a program writes.
+// Limits for a journal, many times larger than what the program writes.
 constexpr qsizetype mostNames = 10'000;
 constexpr qsizetype longestName = 1024;
-constexpr qsizetype mostFolders = 16; // one in the other, in a name
+constexpr qsizetype mostFolders = 16; // nested in one name
 
 QString folderOf(const QString& name) {
     return QFileInfo(name).path();
 }
 
-// What of the names is written, and what of them is there. Paths relative to the target.
+// Which files were written, and which existed before. Paths relative to the target.
 struct Journal {
-    QStringList written; // moved in place
-    QStringList there;   // set aside first, to be put back should the moving fail
+    QStringList written; // to be moved into place
+    QStringList there;   // set aside first, to be restored if moving fails
 };
 
 QByteArray bytesOf(const Journal& journal) {
@@ -58,7 +58,7 @@ QStringList textsOf(const QJsonValue& value) {
     return texts;
 }
 
-// Empty where it cannot be read.
+// Empty if it cannot be read.
 std::optional<Journal> journalOf(const QString& path) {
     QFile file(path);
     if (!openToRead(file).isEmpty()) {
@@ -70,7 +70,7 @@ std::optional<Journal> journalOf(const QString& path) {
                            : std::nullopt;
 }
 
-// Whether it names a file below the target, and none of the hidden folder.
+// Whether `name` names a file below the target and outside the hidden folder.
 bool isBelow(const QString& name) {
     const qsizetype end = name.indexOf(QLatin1Char('/'));
     const QString first = name.left(end);
@@ -82,7 +82,7 @@ bool isBelow(const QString& name) {
            !name.contains(QChar(0));
 }
 
-// A link among the folders of a name, which could lead anywhere.
+// Whether one of the folders in a name is a link, which could lead anywhere.
 bool isLinked(const QDir& target, const QString& name) {
     for (auto end = name.indexOf(u'/'); end >= 0; end = name.indexOf(u'/', end + 1)) {
         if (QFileInfo(target.filePath(name.left(end))).isSymLink()) {
@@ -92,18 +92,18 @@ bool isLinked(const QDir& target, const QString& name) {
     return false;
 }
 
-// The hidden folder of a target, and the moving between the two. Every step can be taken again
-// after it, or one behind it, has been taken already.
+// The hidden folder of a target, and the moves between the two. Every step can be repeated, even if
+// it or a later step was already done.
 class Work {
 public:
-    // `mayGoOn` is asked between two operations; empty: to the end.
+    // `mayGoOn` is asked between two operations. If it is empty, nothing stops the work.
     explicit Work(const QString& target, std::function<bool()> mayGoOn = {})
         : target_(target), work_(target_.filePath(FolderTransaction::workName())),
           mayGoOn_(std::move(mayGoOn)) {}
 
     QString path(const QString& name) const { return work_.filePath(name); }
     bool has(const QString& name) const { return work_.exists(name); }
-    // Moves in place what is written, and sets aside what is there instead.
+    // Sets aside the existing files, and moves the written ones into place.
     bool forward(const Journal& journal) const {
         const QSet<QString> written(journal.written.begin(), journal.written.end());
         for (const QString& name : journal.there) {
@@ -118,7 +118,7 @@ public:
                 return mayGoOn() && (!has(newFiles + name) || bring(path(newFiles + name), name));
             });
     }
-    // Puts back what was set aside, and removes what has come in place beside it.
+    // Restores the files that were set aside, and removes new files that came into place.
     bool backward(const Journal& journal) const {
         const QSet<QString> there(journal.there.begin(), journal.there.end());
         for (const QString& name : journal.written) {
@@ -133,8 +133,8 @@ public:
             return mayGoOn() && (!has(oldFiles + name) || bring(path(oldFiles + name), name));
         });
     }
-    // Back to the old files from wherever forward() failed. False: the journal stays, for the next
-    // start.
+    // Restores the old files wherever forward() failed. Returns false if the journal stays for the
+    // next start.
     bool undo(const Journal& journal) {
         const bool isUndone =
             !has(journalName) || (moveOver(path(journalName), path(undoName)) && backward(journal));
@@ -144,7 +144,7 @@ public:
         }
         return isUndone;
     }
-    // The folders are on the disk, and empty ones gone.
+    // Flushes the folders to disk and removes empty ones.
     void settle(const Journal& journal) const {
         QSet<QString> folders;
         for (const QString& name : journal.written + journal.there) {
@@ -157,7 +157,7 @@ public:
         }
         syncFolder(target_.path());
     }
-    // The journal first: without it there is nothing more to do here.
+    // Removes the journal first: without it there is nothing left to complete.
     void remove() {
         QFile::remove(path(journalName));
         QFile::remove(path(undoName));
@@ -167,11 +167,12 @@ public:
         }
     }
     bool isThere() const { return work_.exists(); }
-    // Somebody's who shares the folder: what it leads to is not ours to empty.
+    // Somebody who shares the folder may have put a link there. What it leads to must not be
+    // emptied.
     bool isLink() const { return QFileInfo(work_.path()).isSymLink(); }
     bool isUnderWay() const { return has(journalName) || has(undoName); }
-    // Whatever a dead process has left, of files with these names; empty: with any. False, with
-    // nothing touched, where its journal cannot be read or names others.
+    // Completes what a crashed process left of files with these names; empty: of any files. Returns
+    // false, with nothing touched, if its journal cannot be read or names other files.
     bool putRight(const QStringList& names = {}) {
         const bool isBack = has(undoName);
         if (isBack || has(journalName)) {
@@ -194,7 +195,7 @@ public:
 
 private:
     bool mayGoOn() const { return !mayGoOn_ || mayGoOn_(); }
-    // Of the hidden folder, whoever has put how much there.
+    // Removes the hidden folder with everything in it, whoever put it there.
     void removeAll(const QString& folder) const {
         QDirIterator entries(folder,
                              QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot);
@@ -203,21 +204,21 @@ private:
             const QFileInfo info(entry);
             info.isDir() && !info.isSymLink() ? removeAll(entry) : void(QFile::remove(entry));
         }
-        QDir().rmdir(folder); // where nothing is left in it
+        QDir().rmdir(folder); // fails unless it is empty
     }
-    // Those that were made in the target for what did not come into them.
+    // Removes the folders that were created in the target for files that never came.
     void removeEmptyFolders() const {
         for (const QString& folder :
              QDir(path(newFiles)).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
             target_.rmdir(folder);
         }
     }
-    // To its place, whose folder may have been emptied by an earlier try, and gone.
+    // Moves a file into place. Its folder may be gone because an earlier try emptied it.
     bool bring(const QString& from, const QString& name) const {
         return target_.mkpath(folderOf(name)) && moveOver(from, target_.filePath(name));
     }
-    // A folder from a stranger may hold a journal that names what is no result, to have it removed
-    // or replaced.
+    // A folder from elsewhere may hold a journal that names files that are no results, to have them
+    // removed or replaced.
     bool isOurs(const Journal& journal, const QStringList& names) const {
         const QStringList all = journal.written + journal.there;
         return all.size() <= 2 * mostNames &&
@@ -232,7 +233,7 @@ private:
     std::function<bool()> mayGoOn_;
 };
 
-// Those missing, the innermost last.
+// Returns the folders of `path` that do not exist, the innermost last.
 QStringList missingFolders(QString path) {
     QStringList missing;
     while (!QFileInfo::exists(path)) {
@@ -261,7 +262,7 @@ FolderTransaction::FolderTransaction(const QString& target, const QStringList& n
     const QStringList missing = missingFolders(target_);
     const QString home = missing.isEmpty() ? target_ : QFileInfo(missing.first()).path();
     if (!QFileInfo(home).isDir()) {
-        throw Error(Text::tr("The results cannot be written, %1 is not a folder").arg(home),
+        throw Error(Text::tr("The results cannot be written, because %1 is not a folder").arg(home),
                     target_);
     }
     if (missing.isEmpty()) {
@@ -283,27 +284,28 @@ FolderTransaction::FolderTransaction(const QString& target, const QStringList& n
     }
 }
 
-// Makes it, and empties the hidden folder in it.
+// Creates and locks the target, and empties the hidden folder in it.
 void FolderTransaction::lockTarget() {
     QDir().mkpath(target_);
     const LockState state = lock_.acquire(lockedName(target_));
     if (!state.acquired) {
-        throw Error(Text::tr("Another program is writing results there (%1); wait for it, or "
-                             "choose another folder")
+        throw Error(Text::tr("Another program is writing results to this folder (%1); wait for it, "
+                             "or choose another folder")
                         .arg(holderText(state)),
                     target_);
     }
     Work work(target_);
     if (!work.putRight(names_)) {
-        throw Error(Text::tr("Earlier results there were not completed and cannot be now; close "
-                             "what has files there open, or move %1 out of it")
-                        .arg(workName()),
-                    target_);
+        throw Error(
+            Text::tr("Earlier results in this folder are incomplete and cannot be completed now; "
+                     "close the programs that have files there open, or move %1 out of the folder")
+                .arg(workName()),
+            target_);
     }
     QFile trial(work.path(QStringLiteral("trial")));
     if (!lock_.isHeld() || !QDir().mkpath(work.path(newFiles)) ||
         !QDir().mkpath(work.path(oldFiles)) || !trial.open(QIODevice::WriteOnly)) {
-        throw Error(Text::tr("The folder cannot be written, choose another"), target_);
+        throw Error(Text::tr("The folder cannot be written; choose another folder"), target_);
     }
 }
 
@@ -320,7 +322,7 @@ FolderTransaction::~FolderTransaction() {
     }
     lock_.release();
     for (; !made_.isEmpty(); made_.removeLast()) {
-        QDir().rmdir(made_.last()); // where nothing came into them
+        QDir().rmdir(made_.last()); // fails unless they are empty
     }
 }
 
@@ -328,7 +330,7 @@ bool FolderTransaction::putRight(const QString& target, const std::function<bool
     FileLock lock;
     const QFileInfo work(target + QLatin1Char('/') + workName());
     if (!work.isDir() || work.isSymLink()) {
-        return true; // nothing of ours
+        return true; // no transaction
     }
     return lock.acquire(lockedName(target)).acquired && lock.isHeld() &&
            Work(target, mayGoOn).putRight() && !Work(target).isThere();
@@ -337,8 +339,8 @@ bool FolderTransaction::putRight(const QString& target, const std::function<bool
 void FolderTransaction::write(const QString& name, const QByteArray& contents) const {
     const Work work(target_);
     QFile file(work.path(newFiles + name));
-    // The folder for new files is made once: made again where somebody has moved it away it would
-    // lack what was written before.
+    // The folder for new files is created only once. If somebody moved it away, a second one would
+    // lack the files written before.
     if (!work.has(newFiles) || !QDir().mkpath(QFileInfo(file).path()) ||
         !file.open(QIODevice::WriteOnly) || !writeAll(file, contents) || !syncToDisk(file)) {
         throw Error(Text::tr("The results cannot be written: %1").arg(file.errorString()), target_);
@@ -358,7 +360,7 @@ QByteArray FolderTransaction::written(const QString& name) const {
     return file.readAll();
 }
 
-// Nothing that stands in the way of a file, or of its folder, is the results' to remove.
+// Never removes a file or folder that is in the way of a result or its folder.
 void FolderTransaction::refuseOthers() const {
     const auto refuse = [this](const QString& name) {
         throw Error(Text::tr("%1 is in the way of the results; move it, or choose another folder")
@@ -387,8 +389,8 @@ void FolderTransaction::commit() {
     for (const QString& name : names_) {
         const bool isWritten = work.has(newFiles + name);
         if (isWritten != written_.contains(name)) {
-            throw Error(Text::tr("Somebody has moved or removed files of %1 while the results were "
-                                 "written, and they are not complete; leave it alone and try again")
+            throw Error(Text::tr("The results are incomplete, because files in %1 were moved or "
+                                 "removed during writing; leave that folder alone and try again")
                             .arg(workName()),
                         target_);
         }
@@ -404,7 +406,8 @@ void FolderTransaction::commit() {
         }
     }
     bool good = true;
-    for (const QString& folder : folders) { // before anything counts: it is what takes space
+    // before the journal counts, because this takes disk space
+    for (const QString& folder : folders) {
         good = good && target.mkpath(folder) && QDir().mkpath(work.path(oldFiles + folder));
         syncFolder(work.path(newFiles + folder));
     }
@@ -415,13 +418,14 @@ void FolderTransaction::commit() {
         throw Error(Text::tr("The results cannot be written: %1").arg(failure), target_);
     }
     if (!work.forward(journal)) {
-        throw Error(work.undo(journal)
-                        ? Text::tr("The results cannot be moved into the folder, is a file there "
-                                   "in use?")
-                        : Text::tr("The results are only in part moved into the folder; close "
-                                   "what has files there open, and start the program again, which "
-                                   "moves the rest"),
-                    target_);
+        throw Error(
+            work.undo(journal)
+                ? Text::tr("The results cannot be moved into the folder, perhaps because a file "
+                           "there is in use; close it and try again")
+                : Text::tr(
+                      "Only some of the results were moved into the folder; close the programs "
+                      "that have files there open, then start this program again to move the rest"),
+            target_);
     }
     work.settle(journal);
     work.remove();

@@ -1,9 +1,10 @@
-// Several files in a user's folder that are replaced together, whatever dies meanwhile.
+// Replaces several files in a user's folder together, completely or not at all, even if the program
+// or the computer crashes.
 //
-// They are made in a hidden folder inside the user's, which is locked. A journal in it, renamed in
-// place when all of them are on the disk, is the moment from which the new ones count: until then
-// nothing outside has changed, and afterwards whoever comes next carries the renamings to their end
-// (docs/files-and-commands.md, "Written whole or not at all").
+// The new files are written into a hidden folder inside the user's folder, which is locked. When
+// all are on disk, a journal is renamed into place there. From that moment the new files count.
+// Before it nothing outside has changed; after it the next program that comes by completes the
+// renaming (docs/files-and-commands.md, "Written whole or not at all").
 #pragma once
 
 #include "disk/FileLock.h"
@@ -18,35 +19,36 @@
 
 namespace dipwright {
 
-// Files are written below a hidden folder; commit() moves them into the target. Destroyed without a
-// commit, nothing stays behind and the target is as it was.
+// write() stores files in a hidden folder; commit() moves them into the target. Without a commit
+// the destructor removes everything and the target is unchanged.
 class FolderTransaction {
 public:
-    // `names`: the files, relative to the target, that are replaced together. Makes the target, and
-    // brings to an end what a dead process has left there of them. Throws Error where the target
-    // cannot be written, another program is writing it, something that is no result lies in the
-    // way, or a journal there cannot be read or names other files, of which none is touched.
+    // `names` are the files, relative to the target, that are replaced together. Creates the
+    // target, and completes a transaction of these files that a crashed process left there. Throws
+    // Error if the target cannot be written, if another program is writing it, or if something else
+    // is in the way of a result. Also throws Error, with nothing touched, if a journal there cannot
+    // be read or names other files.
     FolderTransaction(const QString& target, const QStringList& names);
     ~FolderTransaction();
     FolderTransaction(const FolderTransaction&) = delete;
     FolderTransaction& operator=(const FolderTransaction&) = delete;
 
-    // Writes one of the files. Any thread. Throws Error: disk full …
+    // Writes one of the files. Thread-safe. Throws Error, for example when the disk is full.
     void write(const QString& name, const QByteArray& contents) const;
-    // What was written to one of the files; empty: nothing. Throws Error where it cannot be read.
+    // Returns what was written to one of the files; empty if nothing was. Throws Error if it cannot
+    // be read.
     QByteArray written(const QString& name) const;
-    // Replaces the target's files by those written; of `names`, those that were not written are
-    // removed there. Other files of the target are left alone. Throws Error, with the target as it
-    // was. Once.
+    // Replaces the target's files by the written ones, and removes the files of `names` that were
+    // not written. Leaves other files alone. Throws Error, with the target unchanged. Call once.
     void commit();
 
-    // Brings to an end what a dead process has left in the folder `target`: all of its new files
-    // are moved in place if they were complete, else they go. Nothing happens while somebody writes
-    // there. False where something is left to do. Only of a folder that this user's own programs
-    // have noted as theirs: a journal there is believed, whatever results it names. `mayGoOn` is
-    // asked between two operations; what it stops is gone on with by the next call.
+    // Completes what a crashed process left in the folder `target`: moves all new files into place
+    // if they were complete, else removes them. Does nothing while somebody writes there. Returns
+    // false if something is left to do. Call it only for folders that this user's own programs have
+    // noted as theirs, because it trusts a journal there whatever results it names. `mayGoOn` is
+    // asked between two operations; when it returns false, the next call continues.
     static bool putRight(const QString& target, const std::function<bool()>& mayGoOn = {});
-    // Of the hidden folder.
+    // The name of the hidden folder.
     static QString workName();
 
 private:
@@ -56,10 +58,10 @@ private:
     QString target_;
     QStringList names_;
     std::unique_ptr<UnfinishedWrite> note_;
-    QStringList made_; // folders, the innermost last
+    QStringList made_; // created folders, the innermost last
     FileLock lock_;
     mutable std::mutex writing_;
-    mutable QSet<QString> written_; // of names_
+    mutable QSet<QString> written_; // a subset of names_
 };
 
 } // namespace dipwright

@@ -27,7 +27,7 @@ struct Handle {
 
 #ifdef _WIN32
 
-// Others may read it and take it away, and not write.
+// Other processes may read and delete it, but not write it.
 Handle lockedHandle(const QString& path) {
     const HANDLE handle = CreateFileW(
         QFileInfo(path).filesystemAbsoluteFilePath().c_str(), GENERIC_READ | GENERIC_WRITE | DELETE,
@@ -42,7 +42,7 @@ Handle lockedHandle(const QString& path) {
 
 #else
 
-// Between opening and locking the file may have been renamed or removed by whoever had it.
+// Between opening and locking, the process that owned the file may have renamed or removed it.
 bool isStillAt(const QByteArray& path, int handle) {
     struct stat opened {};
     struct stat named {};
@@ -55,8 +55,8 @@ bool isPlainFile(int handle) {
     return fstat(handle, &opened) == 0 && S_ISREG(opened.st_mode) && opened.st_nlink <= 1;
 }
 
-// Another user's file may only be open for reading, which is enough to see whether he holds it.
-// What he has left is removed where that may be done.
+// Another user's file can perhaps only be opened for reading, which is enough to see whether it is
+// locked. Removes the file if it is abandoned and may be removed.
 enum class Left { Held, Removed, Stays };
 Left othersFile(const QByteArray& name) {
     const int handle = open(name.constData(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
@@ -150,7 +150,7 @@ bool LockedFile::remove() {
 
 bool LockedFile::moveOver(const QString& target) {
 #ifdef _WIN32
-    file_.close(); // an open file cannot be renamed over another there
+    file_.close(); // Windows cannot rename an open file over another
 #endif
     const bool moved = dipwright::moveOver(path_, target);
     if (!moved) {

@@ -1,5 +1,5 @@
-// A file that one process at a time has open for writing, and what the system alone can do with
-// files: the small part that differs between systems.
+// A file that only one process at a time has open for writing, and other file operations that
+// differ between systems.
 #pragma once
 
 #include <QFile>
@@ -7,32 +7,33 @@
 
 namespace dipwright {
 
-// The lock is the system's: it goes with the process, however that ends, and never has to be judged
-// by age. Where a file system has no locks, every file counts as locked.
+// The lock belongs to the operating system: it ends with the process, so its age never has to be
+// judged. On a file system without locks every file counts as locked.
 class LockedFile {
 public:
     enum class Outcome {
-        Opened,        // and locked: with what another has left in it
-        HeldByAnother, // alive, in this process or another
+        Opened,        // and locked; contents that another process left are still in it
+        HeldByAnother, // by a living process, this one or another
         Failed,        // errorString() says why
     };
 
     LockedFile() = default;
-    ~LockedFile() = default; // closed, and let go of; the file stays
-    // Opens the file, which is made where it is missing. Refused where a link, anything but a plain
-    // file, or one that has a second name lies there: it is another's.
+    ~LockedFile() = default; // closes and unlocks; the file stays
+    // Opens the file and creates it if it is missing. Refuses a link, anything but a plain file,
+    // and a file with a second name, because they belong to somebody else.
     Outcome open(const QString& path);
     bool isOpen() const { return file_.isOpen(); }
-    // Whether the system has locked it: false, too, where it has no locks. Only then is what a file
-    // stands for known to be nobody's.
+    // Whether the system really locked the file; false on a file system without locks. Only then is
+    // it certain that no process owns what the file stands for.
     bool isLocked() const { return isLocked_; }
     QFile& device() { return file_; }
     QString errorString() const;
 
-    // While nobody else can have it, then lets go of it. False: it is still there.
+    // Removes the file while it is still locked, then unlocks it. Returns false if the file is
+    // still there.
     bool remove();
-    // Renames it over `target`, which is replaced in one go, and lets go of it. False: nothing has
-    // changed but that the file is closed.
+    // Renames the file over `target`, which is replaced atomically, and unlocks it. If it returns
+    // false, the file is closed and nothing else has changed.
     bool moveOver(const QString& target);
 
 private:
@@ -42,12 +43,12 @@ private:
     bool isLocked_ = false;
 };
 
-// What was written to the file is on the disk itself when this returns true.
+// Flushes the file to disk. When it returns true, the contents are on the disk itself.
 bool syncToDisk(QFile& file);
-// The same of the names in a folder, as well as the system can: a file system that cannot is no
-// failure.
+// Flushes the names in a folder to disk, if the file system can do that; it is no failure if it
+// cannot.
 void syncFolder(const QString& path);
-// Renames a file or folder; a file at `to` is replaced in one go.
+// Renames a file or folder. A file at `to` is replaced atomically.
 bool moveOver(const QString& from, const QString& to);
 
 } // namespace dipwright

@@ -18,7 +18,7 @@ QString openToRead(QFile& file) {
         return Text::tr("it is a folder");
     }
     if (info.exists() && !info.isFile()) {
-        return Text::tr("it is a pipe or a device; save what it sends as a file, and name that");
+        return Text::tr("it is a pipe or a device; save its data to a file and choose that file");
     }
     return file.open(QIODevice::ReadOnly) ? QString() : file.errorString();
 }

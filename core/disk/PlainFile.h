@@ -1,4 +1,4 @@
-// Opening a file to read it: the one place for paths that a user or another file names.
+// Opens files for reading. All paths that a user or another file names go through here.
 #pragma once
 
 #include <QFile>
@@ -6,9 +6,9 @@
 
 namespace dipwright {
 
-// Opens the file for reading. Empty when done, else why not, in words that stand in a sentence.
-// Only regular files are opened, links to them, and what the program brings along: a pipe or a
-// device may never send anything, or never end, and is not waited for.
+// Opens the file for reading. Returns an empty string on success, else the reason, worded as part
+// of a sentence. Opens only regular files, links to them, and files built into the program. Never
+// opens pipes or devices, because they may never send anything, or never end.
 QString openToRead(QFile& file);
 
 } // namespace dipwright

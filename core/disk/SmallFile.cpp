@@ -28,10 +28,11 @@ QByteArray readSmallFile(const QString& path, qint64 most) {
         refuse(file.errorString());
     }
     if (bytes.size() > most) {
-        throw Error(Text::tr("The file is larger than %1 MB, more than what is asked for here "
-                             "takes; choose another one")
-                        .arg(most >> 20),
-                    path);
+        throw Error(
+            Text::tr(
+                "The file is larger than %1 MB, too large for this purpose; choose another file")
+                .arg(most >> 20),
+            path);
     }
     return bytes;
 }

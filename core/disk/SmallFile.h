@@ -1,4 +1,4 @@
-// Small files of the user's that are read whole: tables, templates, profiles.
+// Reads small user files completely: tables, templates, profiles.
 #pragma once
 
 #include <QByteArray>
@@ -6,11 +6,11 @@
 
 namespace dipwright {
 
-// The bytes of a file. Throws Error, naming it, where it cannot be read, is no regular file, or has
-// more than `most` bytes: more are never read.
+// Returns the bytes of a file. Throws Error that names the file if it cannot be read, is no regular
+// file, or has more than `most` bytes. Never reads more than that.
 QByteArray readSmallFile(const QString& path, qint64 most);
 
-// Bytes, of a profile of any kind: ICC profiles are a megabyte or two.
+// Size limit for a profile of any kind, in bytes. ICC profiles have one or two megabytes.
 constexpr qint64 mostProfileBytes = 32 << 20;
 
 } // namespace dipwright

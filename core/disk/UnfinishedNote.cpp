@@ -22,7 +22,7 @@ bool isWork(const QString& path) {
 
 } // namespace
 
-// Not as lines: a folder's name may have several.
+// Encoded as JSON, not as lines: a folder's name may contain line breaks.
 QByteArray bytesOf(const UnfinishedNote& note) {
     return QJsonDocument(QJsonArray::fromStringList(QStringList{note.work} + note.made))
         .toJson(QJsonDocument::Compact);

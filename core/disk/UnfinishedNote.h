@@ -1,4 +1,4 @@
-// What a note of unfinished work says, and its bytes.
+// The contents of a note about unfinished work, and their encoding.
 #pragma once
 
 #include <QByteArray>
@@ -8,13 +8,14 @@
 namespace dipwright {
 
 struct UnfinishedNote {
-    QString work;     // the temporary file, or the hidden folder of results; absolute
-    QStringList made; // folders that were made for it and that it lies in, the innermost last
+    QString work;     // the temporary file, or the hidden folder of results; absolute path
+    QStringList made; // folders that were created for it and contain it, the innermost last
     bool operator==(const UnfinishedNote&) const = default;
 };
 
 QByteArray bytesOf(const UnfinishedNote& note);
-// Nothing where the bytes are no note, or name what no program of ours would put right.
+// Returns nothing if the bytes are no note, or name something that no Dipwright program would clean
+// up.
 std::optional<UnfinishedNote> noteOf(const QByteArray& bytes);
 
 } // namespace dipwright

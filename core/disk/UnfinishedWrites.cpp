@@ -15,14 +15,14 @@ namespace dipwright {
 namespace {
 
 constexpr qint64 longestNote = 1 << 20;  // bytes
-constexpr qint64 longestRecovery = 2000; // milliseconds of a start
+constexpr qint64 longestRecovery = 2000; // milliseconds, at the start of a program
 
 QDir noteFolder() {
     return {QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
             QStringLiteral("/unfinished")};
 }
 
-// False where something is left to do.
+// Returns false if something is left to do.
 bool putRight(const UnfinishedNote& note, const std::function<bool()>& mayGoOn) {
     bool done = true;
     if (isHiddenBeside(note.work)) {
@@ -32,12 +32,12 @@ bool putRight(const UnfinishedNote& note, const std::function<bool()>& mayGoOn) 
         done = FolderTransaction::putRight(QFileInfo(note.work).path(), mayGoOn);
     }
     for (auto folder = note.made.rbegin(); folder != note.made.rend(); ++folder) {
-        QDir().rmdir(*folder); // where nothing is in it
+        QDir().rmdir(*folder); // fails unless it is empty
     }
     return done;
 }
 
-// A note of a process that has died, and what it stands for.
+// Cleans up after a dead process, then removes its note.
 void settle(const QString& path, const std::function<bool()>& mayGoOn) {
     LockedFile file;
     if (file.open(path) != LockedFile::Outcome::Opened || !file.isLocked()) {

@@ -1,5 +1,5 @@
-// Notes of what is being written, from which the next start of the program puts right what one that
-// was killed has left behind.
+// Notes about files that are being written. With them the next start of the program cleans up what
+// a killed process left behind.
 #pragma once
 
 #include "base/Progress.h"
@@ -10,28 +10,29 @@
 namespace dipwright {
 
 // While an object lives, a note in the user's folder for program data says that this process is
-// writing; when the process dies, the note stays. Nothing is noted where that folder cannot be
-// written: then the next writer of the same file or folder puts right what it finds.
+// writing. If the process dies, the note stays. If that folder cannot be written there is no note;
+// then the next writer of the same file or folder cleans up.
 class UnfinishedWrite {
 public:
-    // `work`: the temporary file, or the folder of results that is written. `made`: folders that
-    // were made for it, the innermost last, which go if nothing comes into them.
+    // `work` is the temporary file, or the folder of results that is being written. `made` are
+    // folders that were created for it, the innermost last; they are removed if they stay empty.
     explicit UnfinishedWrite(const QString& work, const QStringList& made = {});
     ~UnfinishedWrite();
     UnfinishedWrite(const UnfinishedWrite&) = delete;
     UnfinishedWrite& operator=(const UnfinishedWrite&) = delete;
 
-    // Lets go of it as a dying process does: something is left for the next start.
+    // Releases the note without removing it, as a dying process does: the next start has to clean
+    // up.
     void leave();
 
 private:
     LockedFile note_;
 };
 
-// Before a program's work: removes the temporary files of processes that have died, and brings
-// their folders of results to an end (FolderTransaction). What lives is left alone. Never fails,
-// takes two seconds at most where the disk answers, and ends when it is cancelled: what is left
-// then is put right by the next start, or by whoever writes there next.
+// Call before the program's own work. Removes the temporary files of dead processes and completes
+// their folders of results (FolderTransaction). Leaves living processes alone. Never fails, takes
+// at most two seconds if the disk responds, and can be cancelled. The rest is left to the next
+// start or the next writer.
 void recoverUnfinishedWrites(const CancelToken& cancelToken = {});
 
 } // namespace dipwright

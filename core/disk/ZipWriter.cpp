@@ -45,9 +45,9 @@ void ZipWriter::add(const QString& name, const QByteArray& contents, Packing pac
 QByteArray ZipWriter::finish() {
     zip_->close();
     const bool closed = zip_->getZipError() == ZIP_OK;
-    // Read again, lest anything but a whole file replace the one on the disk: QuaZip brings its
-    // own minizip, and where the system's was loaded before it, nothing is packed here and all is
-    // said to be well.
+    // Read the archive back, so that no broken file replaces the one on disk. QuaZip brings its own
+    // minizip. If the system's minizip was loaded first, nothing is written here and no error is
+    // reported.
     if (!closed || !zip_->open(QuaZip::mdUnzip) || zip_->getEntriesCount() != entries_) {
         throw Error(Text::tr("The file cannot be packed"), {});
     }

@@ -1,4 +1,4 @@
-// Zips, written the same way every time.
+// Writes zip archives whose bytes depend only on their contents.
 #pragma once
 
 #include <QBuffer>
@@ -10,7 +10,7 @@ class QuaZip;
 
 namespace dipwright {
 
-// A zip written into memory: no time stamps, so that equal contents give equal bytes.
+// A zip archive in memory. It has no time stamps, so that equal contents give equal bytes.
 class ZipWriter {
 public:
     enum class Packing { Stored, Deflated };
@@ -18,9 +18,9 @@ public:
     ZipWriter();
     ~ZipWriter();
     void add(const QString& name, const QByteArray& contents, Packing packing);
-    // Of all contents, before they were packed.
+    // Size of all contents before compression.
     qint64 unpackedBytes() const { return unpackedBytes_; }
-    // Throws Error unless all of it is in the bytes.
+    // Returns the archive. Throws Error unless it is complete.
     QByteArray finish();
 
 private:

@@ -1,4 +1,4 @@
-// The film at the end of a dip, and what can be read off it.
+// The film at the end of a dip, and measures of it.
 #pragma once
 
 #include <dipwright/FilmSolver.h>
@@ -11,45 +11,46 @@
 
 namespace dipwright {
 
-// Positions are in the body's pose frame (see dip/Pose.h), mm; arrays have one entry a film point,
-// in the film's order.
+// Positions are in the body's pose frame (see dip/Pose.h), in mm. Arrays have one entry for each
+// film point, in the film's order.
 struct DippedFilm {
     solver::FilmGrid grid;
-    bool isotropic = true; // the lattice, which says which constraints there are
+    bool isotropic = true; // the lattice, which determines the constraints
     std::vector<Eigen::Vector3f> positions;
     std::vector<solver::PointState> states;
     std::vector<std::uint8_t> marks; // solver::PointMark bits; empty: none
-    // How many times as long as when the dip began film was, left to itself, when the point was
-    // touched; means nothing of points that were not. Empty of film that does not grow.
+    // Length of freely floating film when the point was touched, relative to its length at the
+    // start of the dip. Meaningless for points that were not touched. Empty if the film does not
+    // grow.
     std::vector<float> grown;
     std::int64_t steps = 0;
     solver::EquilibriumAccount equilibrium;
-    double wallSeconds = 0; // of the solver alone
+    double wallSeconds = 0; // spent by the solver alone
 
     bool adhered(std::size_t point) const { return states[point] == solver::PointState::Adhered; }
 };
 
 using FilmTriangle = std::array<std::uint32_t, 3>; // point indices
 
-// The flat film's resting place of a point: x to the right, y (the film's Z) down the sheet, mm,
-// origin in the middle.
+// Returns the rest position of a point in the flat film: x to the right, y (the film's Z) down the
+// sheet, in mm from the film's centre.
 Eigen::Vector2f restPosition(const solver::FilmGrid& grid, std::size_t point);
-// Two triangles a cell, cut as FilmSolver.h says; cell (i, j) owns triangles 2·(j·(columns−1)+i)
-// and the next one. Wound counterclockwise seen from above (+Y).
+// Returns the two triangles of each cell, cut as FilmSolver.h says. Cell (i, j) owns triangles
+// 2·(j·(columns−1)+i) and the next one. They run counterclockwise seen from above (+Y).
 std::vector<FilmTriangle> filmTriangles(const solver::FilmGrid& grid);
-// Of a film triangle, flat, mm².
+// Returns the area of a film triangle in the flat film, mm².
 double restArea(const solver::FilmGrid& grid, std::size_t triangle);
-// The longer side of the cell that a film triangle is in, and of the largest cell that a point
-// belongs to, mm: what lengths near there are small or large against.
+// Returns the longer side, mm, of the cell that contains a triangle, or of the largest cell at a
+// point. It is the measure of what is short or long near there.
 float cellOfTriangle(const solver::FilmGrid& grid, std::size_t triangle);
 float cellOfPoint(const solver::FilmGrid& grid, std::size_t point);
-// A place of the flat film in cells from its left and its upper edge, `share` of its width or depth
-// from there: the column or row before it, and the share of the way to the next. Past the film its
-// last cells go on.
+// Converts a place on the flat film to cells from its left or upper edge. `share` is the place as a
+// share of the width or depth. The integer part of the result is the column or row before the
+// place, the fraction the way to the next. Beyond the film its outermost cells continue.
 double columnAt(const solver::FilmGrid& grid, double share);
 double rowAt(const solver::FilmGrid& grid, double share);
-// The number of distance constraints: columns·(rows−1) + rows·(columns−1), and two a cell more for
-// an isotropic lattice (docs/film-model.md, "The paper's model").
+// The number of distance constraints: columns·(rows−1) + rows·(columns−1), plus two for each cell
+// of an isotropic lattice (docs/film-model.md, "The paper's model").
 std::size_t constraintCount(const solver::FilmGrid& grid, bool isotropic);
 
 // Principal stretches of a film triangle from its deformation gradient (docs/film-model.md,
@@ -58,22 +59,22 @@ struct PrincipalStretch {
     float larger = 1;                               // λ1
     float smaller = 1;                              // λ2
     float area() const { return larger * smaller; } // J
-    // Film drawn out in one direction tears too, however much it shrinks across.
+    // Film that is stretched in one direction tears, however much it shrinks across.
     bool isTorn(double limit) const { return std::max(larger, area()) > float(limit); }
 };
-// `places`: where the triangle's corners lie.
+// `places` are the positions of the triangle's corners.
 PrincipalStretch principalStretch(const solver::FilmGrid& grid, const FilmTriangle& triangle,
                                   const std::array<Eigen::Vector3f, 3>& places);
-// Of each film triangle.
+// Returns one entry for each film triangle.
 std::vector<PrincipalStretch> principalStretches(const DippedFilm& film);
-// The smaller principal stretch of a film triangle against the film as it floated when the triangle
-// was touched: below 1 it is compressed, which of film that grows is sooner than λ2.
+// The smaller principal stretch of a film triangle, relative to the floating film when the triangle
+// was touched. Below 1 the film is compressed. For growing film it is smaller than λ2.
 float compression(const DippedFilm& film, const FilmTriangle& triangle,
                   const PrincipalStretch& stretch);
-// Final over rest length of every horizontal and vertical constraint: first the
-// rows·(columns−1) horizontal ones, then the columns·(rows−1) vertical ones.
+// Final over rest length of every horizontal and vertical constraint: first the rows·(columns−1)
+// horizontal ones, then the columns·(rows−1) vertical ones.
 std::vector<float> constraintStretches(const DippedFilm& film);
-// The mean of the constraints that meet in a point.
+// Mean stretch of the constraints that meet at each point.
 std::vector<float> pointStretches(const DippedFilm& film);
 
 struct Distribution {

@@ -1,4 +1,4 @@
-// The points of a floating film as its settings have them, and which of them barriers hold.
+// The grid of a floating film according to its settings, and the points that barriers hold.
 #pragma once
 
 #include "settings/FilmSettings.h"
@@ -8,9 +8,10 @@
 
 namespace dipwright {
 
-// The floating film, evenly spaced: the printed sheet grown by the swell.
+// Returns the evenly spaced grid of the floating film: the printed sheet enlarged by the swell.
 solver::FilmGrid filmGrid(const FilmSettings& settings);
-// One byte a point of `grid`, empty when all edges are free.
+// Returns one byte for each point of `grid`, non-zero if it is pinned; empty when all edges are
+// free.
 std::vector<std::uint8_t> pinnedPoints(const FilmEdges& edges, const solver::FilmGrid& grid);
 
 } // namespace dipwright

@@ -7,8 +7,9 @@ namespace dipwright {
 
 namespace {
 
-// Cells beyond the fine part. The spacing at a distance of d mm from it is c + g·d, g the logarithm
-// of the growth, up to the coarsest; the cells up to there are the integral of its inverse.
+// Counts cells beyond the fine part. At d mm from it the spacing is c + g·d, with g the logarithm
+// of the growth, up to the coarsest cell. The number of cells up to there is the integral of the
+// inverse spacing.
 class CoarseningCells {
 public:
     explicit CoarseningCells(double cell) : cell_(cell) {}
@@ -23,9 +24,9 @@ public:
     }
 
 private:
-    double cell_; // mm, the finest
+    double cell_; // mm, of the finest cells
     double growth_ = std::log(mostCellGrowth);
-    double reach_ = cell_ * (coarsestCell - 1) / growth_; // mm, where they are coarsest
+    double reach_ = cell_ * (coarsestCell - 1) / growth_; // mm to where the coarsest cells begin
     double cellsInReach_ = std::log(coarsestCell) / growth_;
 };
 
@@ -40,8 +41,8 @@ std::vector<double> gradedLines(double length, double from, double to, double ce
     const double before = beyond.countTo(from + half);
     const double fine = (to - from) / cell;
     const double all = before + fine + beyond.countTo(half - to);
-    // Whole cells, none larger than asked for. An even number of them before the refinement, so
-    // that a film of half as many has every second line of this one.
+    // Use whole cells, none larger than requested. Their number before refinement is even, so that
+    // a film with half as many cells has every second line of this one.
     const double whole = 2 * std::ceil(all / 2 * (1 - 1e-12));
     const int count = std::max(int(std::lround(refinement * whole)), fewest - 1);
     std::vector<double> lines;

@@ -1,19 +1,19 @@
-// A film's columns and rows, fine where the body comes down on it and coarse towards its edges.
+// Graded columns and rows of a film, fine where the body comes down and coarse towards the edges.
 #pragma once
 
 #include <vector>
 
 namespace dipwright {
 
-// From one cell to the next the spacing grows by no more than this factor, up to so many times the
+// The largest ratio between the sizes of neighbouring cells, and the largest cell relative to the
 // finest.
 inline constexpr double mostCellGrowth = 1.15;
 inline constexpr double coarsestCell = 2.5;
 
-// Lines over a length that is centred on 0, mm, ascending, from −length/2 to length/2: no farther
-// apart than `cell` between `from` and `to`, and ever farther beyond, within the limits above.
-// `refinement`: so many times as many cells. At 2 every second line is one of the film itself, at
-// 1/2 all lines are every second of its. At least `fewest` lines.
+// Returns ascending line positions from −length/2 to length/2, mm. They are at most `cell` apart
+// between `from` and `to`; beyond, the spacing grows within the limits above. `refinement`
+// multiplies the number of cells. At 2 every second line is a line of the unrefined film; at 1/2
+// every second line of that film is kept. Returns at least `fewest` lines.
 std::vector<double> gradedLines(double length, double from, double to, double cell,
                                 double refinement, int fewest);
 

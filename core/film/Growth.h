@@ -6,8 +6,8 @@
 namespace dipwright {
 
 bool grows(const solver::Settings& settings);
-// How many times as long as when the dip began film is, left to itself, after so many seconds. 1
-// where it does not grow.
+// Length of freely floating film after `seconds`, relative to its length at the start of the dip; 1
+// if it does not grow.
 double grownLength(double seconds, const solver::Settings& settings);
 
 } // namespace dipwright

@@ -8,7 +8,7 @@
 namespace dipwright {
 namespace {
 
-// Faces that meet at a blunter angle than this are one smooth surface.
+// Faces whose normals differ by less than this angle form one smooth surface.
 const auto creaseCosine = float(std::cos(radians(Degrees(35))));
 
 } // namespace

@@ -29,10 +29,10 @@ std::size_t sampleIndex(const DistanceField& field, int i, int j, int k) {
            std::size_t(i);
 }
 
-// Fills in the unsigned distance, from coarse to fine. A level holds the samples whose indices are
-// multiples of its stride; each new one lies between samples of the level before, and none of them
-// can be farther from the surface than the way there and on. Where that lower bound says that the
-// surface is many strides away it is kept; elsewhere the distance is measured.
+// Computes the unsigned distance, from coarse to fine. A level holds the samples whose indices are
+// multiples of its stride. Each new sample lies between samples of the coarser level, which bound
+// its distance from below and above. If the lower bound says that the surface is many strides away,
+// it is kept. Elsewhere the distance is measured.
 class DistanceSweep {
 public:
     DistanceSweep(DistanceField& field, const SurfaceQuery& query) : field_(field), query_(query) {}
@@ -64,7 +64,8 @@ private:
         double lower, upper;
     };
 
-    // From the up to eight samples of the coarser level about (i, j, k), all equally far from it.
+    // Bounds from the samples of the coarser level around (i, j, k): at most eight, all equally far
+    // away.
     Bounds bounds(int i, int j, int k, int stride) const {
         const std::array<int, 3> index{i, j, k};
         std::array<int, 3> low{}, high{};
@@ -85,7 +86,8 @@ private:
             }
         }
         const double step = stride * field_.spacing, away = step * std::sqrt(odd);
-        // Near the surface the coarser level is measured; a bound says nothing of the other side.
+        // Near the surface the coarser level is measured. Farther away it is a lower bound and
+        // gives no upper one.
         const bool isMeasured = nearest <= exactCells * 2 * step;
         // The factors keep float rounding from making either bound too tight.
         return {(farthest - away) * (1 - 1e-6), isMeasured
@@ -105,10 +107,10 @@ private:
     const SurfaceQuery& query_;
 };
 
-// Which samples lie inside. Along every row of samples, in all three directions, the surface's
-// crossings are counted by their sense; a sample whose row has entered the body more often than
-// left it, or the other way round, has a vote for inside, seen from either end of the row. In a
-// closed mesh all six votes agree; in an open one the majority closes the holes.
+// Decides which samples lie inside, by ray parity in all three directions. Along every row of
+// samples the surface's crossings are counted with their sign. A sample gets a vote for inside from
+// each end of the row from which the signed count is not zero. In a closed mesh all six votes
+// agree. In an open mesh the majority closes the holes.
 class InsideVotes {
 public:
     InsideVotes(const TriangleMesh& body, const DistanceField& field)
@@ -169,10 +171,10 @@ private:
         }
     }
 
-    // On which side of the edge the row at (u, v) passes: twice the area between them. Edges are
-    // measured in one direction only, so that both triangles of an edge get the same answer, and a
-    // row that meets an edge is moved aside by an infinitesimal way (ε, ε²): none passes between
-    // two triangles, none meets both.
+    // Returns on which side of the edge the row at (u, v) passes, as twice the signed area. An edge
+    // is always measured in the same direction, so that both its triangles get the same answer. A
+    // row that meets an edge is shifted by an infinitesimal amount (ε, ε²), so that no row slips
+    // between two triangles or hits both.
     double side(int axis, std::uint32_t from, std::uint32_t to, int u, int v) const {
         if (from > to) {
             return -side(axis, to, from, u, v);
@@ -274,7 +276,8 @@ double DistanceField::sample(const Eigen::Vector3d& position) const {
     const double inside = layer(0) + share.z() * (layer(1) - layer(0));
 
     const double beyond = (cells - inGrid).norm() * spacing;
-    // The nearest place of the grid sees every point of the body at an obtuse angle.
+    // Seen from the nearest point of the grid, the body and `position` are at an obtuse angle, so
+    // the hypotenuse is never too large.
     return beyond > 0 ? std::hypot(beyond, std::max(inside, 0.0)) : inside;
 }
 

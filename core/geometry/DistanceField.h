@@ -13,24 +13,26 @@ namespace dipwright {
 struct DistanceField : FieldGrid {
     std::vector<float> distance;
 
-    // Trilinear; outside the grid a distance that is never too large.
+    // Interpolates trilinearly. Outside the grid it returns a distance that is never too large.
     double sample(const Eigen::Vector3d& position) const;
-    // ∇φ by the trilinear interpolant's central difference over one cell; not normalised.
+    // Returns ∇φ as the central difference of the trilinear interpolant over one cell; not
+    // normalised.
     Eigen::Vector3d gradient(const Eigen::Vector3d& position) const;
 };
 
-// On cubeGrid(). Exact (to float rounding) within three cells of the surface; farther away a bound
-// that is never too large in magnitude. All cores; deterministic; throws Cancelled.
+// Builds the field on cubeGrid(). It is exact (up to float rounding) within three cells of the
+// surface. Farther away its magnitude is a bound that is never too large. Uses all cores;
+// deterministic; throws Cancelled.
 DistanceField buildDistanceField(const TriangleMesh& body, int resolution,
                                  const Progress& progress);
 
-// The same on a grid; `query`: of `body`.
+// Builds the field on the given grid. `query` must have been built from `body`.
 DistanceField buildDistanceField(const TriangleMesh& body, const SurfaceQuery& query,
                                  const FieldGrid& grid, const Progress& progress);
 
-// The same on fieldGrid(), with finer cells where the body's thinnest part needs them, through a
-// cache on disk, keyed by the content of the mesh and the resolution. A damaged or unwritable cache
-// is as good as none.
+// Builds the field on fieldGrid(), whose cells are finer where the body's thinnest part needs it.
+// Uses a cache on disk, keyed by the content of the mesh and the resolution. If the cache is
+// damaged or cannot be written, the field is computed.
 std::shared_ptr<const DistanceField> cachedDistanceField(const TriangleMesh& body, int resolution,
                                                          const Progress& progress);
 

@@ -45,7 +45,7 @@ std::shared_ptr<const DistanceField> load(const QString& path) {
     return openToRead(file).isEmpty() ? readField(file) : nullptr;
 }
 
-// Throws out the fields that were not used for longest until the rest fits.
+// Removes the least recently used fields until the rest fits.
 void makeRoom(const QDir& folder, qint64 bytes) {
     const auto files = folder.entryInfoList({QStringLiteral("*.field")}, QDir::Files, QDir::Time);
     for (const QFileInfo& file : files) { // newest first
@@ -72,7 +72,7 @@ void store(const QString& path, const DistanceField& field) {
     }
 }
 
-// Of a file that was read: no pipe.
+// The file was read before, so it is not a pipe.
 void markUsed(const QString& path) {
     QFile file(path);
     if (file.open(QIODevice::ReadWrite)) {

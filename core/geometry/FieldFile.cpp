@@ -16,8 +16,8 @@ QByteArrayView samplesOf(const DistanceField& field) {
             qsizetype(field.distance.size() * sizeof(float))};
 }
 
-// What stands before the samples: their grid, and a hash of everything. The samples are stored as
-// this computer holds them.
+// Returns the file's header: the grid and a hash of everything. The samples follow it in this
+// computer's byte order.
 QByteArray header(const DistanceField& field) {
     QByteArray bytes;
     QDataStream stream(&bytes, QIODevice::WriteOnly);
@@ -61,7 +61,7 @@ std::shared_ptr<const DistanceField> readField(QIODevice& device) {
         field->size[axis] = size;
     }
     fields >> field->spacing;
-    constexpr int longest = 1 << 20; // so that no count runs over
+    constexpr int longest = 1 << 20; // so that no sample count overflows
     const auto [fewest, most] = std::minmax_element(field->size.begin(), field->size.end());
     if (version != fieldFileVersion || *fewest < 2 || *most > longest) {
         return nullptr;

@@ -1,4 +1,4 @@
-// A distance field as the cache keeps it in a file, which never leaves this computer.
+// The file format of cached distance fields. These files never leave this computer.
 #pragma once
 
 #include "geometry/DistanceField.h"
@@ -8,12 +8,12 @@
 
 namespace dipwright {
 
-// Raised when what buildDistanceField computes, or how it is stored, changes.
+// Increased when the result of buildDistanceField or its storage changes.
 inline constexpr quint32 fieldFileVersion = 2;
 
-// False where the device does not take all of it.
+// Returns false if the device cannot take all bytes.
 bool writeField(const DistanceField& field, QIODevice& device);
-// Null where the device holds anything but a whole field of at most mostFieldBytes of samples.
+// Returns null unless the device holds a complete field with at most mostFieldBytes of samples.
 std::shared_ptr<const DistanceField> readField(QIODevice& device);
 inline constexpr qint64 mostFieldBytes = qint64(512) << 20;
 

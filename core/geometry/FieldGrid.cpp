@@ -13,10 +13,10 @@ namespace dipwright {
 namespace {
 
 constexpr int paddingCells = 3;
-// A plate is found for certain where this many cells go across it: one of its samples then lies
-// inside, and none beyond its middle decides where its surface is.
+// A plate is resolved with certainty if at least this many cells go across it. Then one of its
+// samples lies inside, and no sample beyond its middle determines its surface.
 constexpr double leastCellsAcross = 2;
-// Where it has fewer it gets so many, for plates that lie askew in the grid.
+// A plate with fewer gets this many, to allow for plates that are oblique in the grid.
 constexpr double cellsAcross = 4;
 constexpr double thinShare = 0.01;
 constexpr double opposite = -0.8; // cosine between the normals of a plate's faces
@@ -30,7 +30,7 @@ BoundingBox extentOf(const TriangleMesh& body) {
     const BoundingBox box = boundingBox(body);
     const double edge = box.isEmpty() ? 0 : double(box.sizes().maxCoeff());
     if (!(edge > 0) || !std::isfinite(edge)) {
-        throw Error(Text::tr("The body has no extent; choose a model with a surface"), QString());
+        throw Error(Text::tr("The model has no extent; choose a model with a surface"), QString());
     }
     return box;
 }
@@ -71,7 +71,8 @@ FieldGrid cubeGrid(const TriangleMesh& body, int resolution) {
 }
 
 double thinnestPart(const TriangleMesh& body, const SurfaceQuery& query) {
-    const float clear = 1e-5F * boundingBox(body).diagonal().norm(); // of the face itself
+    // so that the ray misses the face itself
+    const float clear = 1e-5F * boundingBox(body).diagonal().norm();
     const std::vector<SurfacePoint> samples = evenSamples(body, surfaceArea(body) / wantedSamples);
     std::vector<float> thicknesses;
     for (const SurfacePoint& sample : samples) {

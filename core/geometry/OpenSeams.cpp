@@ -8,9 +8,9 @@
 namespace dipwright {
 namespace {
 
-constexpr float apart = 1e-5f; // of the mesh's longest side
+constexpr float apart = 1e-5f; // relative to the mesh's longest side
 
-// Positions on edges that only one triangle has, ascending.
+// Returns the positions on edges that only one triangle has, in ascending order.
 std::vector<std::uint32_t> onOpenEdges(const TriangleMesh& mesh) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
     edges.reserve(3 * mesh.triangles.size());
@@ -49,7 +49,8 @@ TriangleMesh withClosedSeams(const TriangleMesh& mesh) {
         box.extend(position);
     }
     const float near = apart * box.sizes().maxCoeff();
-    // Swept aslant: seams and rims run along the axes, and share their coordinates.
+    // Sweep in an oblique direction, because seams and rims run along the axes and share
+    // coordinates.
     const Eigen::Vector3f aslant = Eigen::Vector3f(0.53f, 0.62f, 0.58f).normalized();
     const auto along = [&](std::uint32_t position) { return aslant.dot(mesh.positions[position]); };
     std::stable_sort(open.begin(), open.end(),

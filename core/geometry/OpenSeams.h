@@ -1,13 +1,14 @@
-// Meshes that are cut open where they look whole: files often have a texture's seam twice, and
-// with its places a rounding apart, so that welding by position does not close it.
+// Closes meshes that are open along seams that look closed. Files often store the vertices of a
+// texture seam twice, with positions that differ by rounding. Welding by position does not close
+// such a seam.
 #pragma once
 
 #include "geometry/TriangleMesh.h"
 
 namespace dipwright {
 
-// The mesh with positions on open edges that are hardly apart (10⁻⁵ of its size) made one. The same
-// triangles in the same order, but for their corners; wide openings stay open.
+// Returns the mesh with positions on open edges merged if they are less than 10⁻⁵ of its size
+// apart. The triangles and their order stay; only their corners change. Wide openings stay open.
 TriangleMesh withClosedSeams(const TriangleMesh& mesh);
 
 } // namespace dipwright

@@ -14,15 +14,15 @@ constexpr std::uint32_t noMiddle = 0xffffffffu;
 using Triangle = std::array<std::uint32_t, 3>;
 using Line = std::array<std::uint32_t, 2>; // between two points
 
-// The middles of edges that were cut.
+// Midpoints of the edges that were cut.
 class Middles {
 public:
     Middles(std::vector<Eigen::Vector3f>& positions, const RefinedMesh::TooLong& isTooLong)
         : positions_(positions), isTooLong_(isTooLong) {}
 
-    // The position in the middle of an edge, made where the edge is too long and it is missing.
+    // Returns the midpoint of an edge. Creates it if the edge is too long and has none.
     std::uint32_t of(std::uint32_t from, std::uint32_t to) {
-        const auto [low, high] = std::minmax(from, to); // alike from both sides
+        const auto [low, high] = std::minmax(from, to); // the same from both sides
         const Eigen::Vector3f a = positions_[low];
         const Eigen::Vector3f b = positions_[high];
         if (!isTooLong_(a, b)) {
@@ -42,8 +42,9 @@ private:
     std::unordered_map<std::uint64_t, std::uint32_t> middles_;
 };
 
-// What a triangle is cut into, whose edges have middles or not: points 0, 1, 2 are its corners,
-// 3 + e is the middle of edge e. `isShorter` tells lines apart, where there is a choice.
+// Returns the triangles into which a triangle is cut. Points 0, 1, 2 are its corners; point 3 + e
+// is the midpoint of edge e, if that edge has one. `isShorter` compares lines where there is a
+// choice.
 std::vector<Triangle> cut(const Triangle& middles, const auto& isShorter) {
     std::vector<std::uint32_t> edges;
     for (std::uint32_t edge = 0; edge < 3; ++edge) {
@@ -76,13 +77,13 @@ std::vector<Triangle> cut(const Triangle& middles, const auto& isShorter) {
     return parts;
 }
 
-// A triangle that may have to be cut, and what it is a part of.
+// A triangle that may have to be cut, with the part and the coarse triangle it belongs to.
 struct Open {
     Triangle corners;
     std::uint32_t part, parent;
 };
 
-// cut()'s points of a triangle, as weights in the coarse one: a column each.
+// Returns cut()'s points of a triangle as weights in the coarse triangle, one column for each.
 Eigen::Matrix<float, 3, 6> pointsOf(const Eigen::Matrix3f& corners) {
     Eigen::Matrix<float, 3, 6> points;
     points.leftCols<3>() = corners;
@@ -95,7 +96,7 @@ Eigen::Matrix<float, 3, 6> pointsOf(const Eigen::Matrix3f& corners) {
 } // namespace
 
 float edgeForTriangles(const TriangleMesh& mesh, double triangles) {
-    // Halving leaves edges between half of the longest and all of it.
+    // Bisection leaves edges between half the longest and the longest.
     const double area = surfaceArea(mesh) / triangles;
     return float(std::max(1.5 * std::sqrt(4 * area / std::sqrt(3.0)), 1e-3));
 }
@@ -164,7 +165,7 @@ SurfacePoint RefinedMesh::onFine(const SurfacePoint& coarse) const {
     const Part* part = &parts_[coarse.triangle];
     Eigen::Vector3f weights = coarse.weights;
     while (part->count > 0) {
-        // Of the parts, the one that the place is deepest in: it may lie on a border by rounding.
+        // Takes the part in which the place lies deepest, because rounding may put it on a border.
         const Part* best = nullptr;
         for (std::uint32_t k = part->first; k < part->first + part->count; ++k) {
             const Eigen::Vector3f inside = parts_[k].corners.inverse() * coarse.weights;

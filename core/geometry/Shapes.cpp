@@ -14,8 +14,8 @@ Eigen::Vector3f point(double x, double y, double z) {
     return Eigen::Vector3d(x, y, z).cast<float>();
 }
 
-// A fan of triangles between `hub` and the ring of `segments` positions from `first` on, in the
-// ring's own direction or against it.
+// Adds a fan of triangles between `hub` and the ring of `segments` positions that starts at
+// `first`, in the ring's direction or against it.
 void addFan(TriangleMesh& mesh, Index hub, Index first, Index segments, bool alongRing) {
     for (Index s = 0; s < segments; ++s) {
         const Index a = first + s;
@@ -24,8 +24,8 @@ void addFan(TriangleMesh& mesh, Index hub, Index first, Index segments, bool alo
     }
 }
 
-// The band between two rings of `segments` positions each; seen from outside the ring `from` lies
-// to the left of the ring `to` when one looks along the ring.
+// Adds the band between two rings of `segments` positions each. Looking along the rings from
+// outside, the ring `from` lies to the left of the ring `to`.
 void addBand(TriangleMesh& mesh, Index from, Index to, Index segments) {
     for (Index s = 0; s < segments; ++s) {
         const Index next = (s + 1) % segments;
@@ -119,7 +119,8 @@ TriangleMesh torusMesh(double circleRadius, double tubeRadius, int rings, int se
     TriangleMesh mesh;
     const Index count = Index(segments);
     for (int ring = 0; ring < rings; ++ring) {
-        const double round = ringAngle(ring, rings); // 0: outermost, then over the top
+        // 0 at the outermost ring, increasing over the top
+        const double round = ringAngle(ring, rings);
         const double distance = circleRadius + tubeRadius * std::cos(round);
         for (int segment = 0; segment < segments; ++segment) {
             const double azimuth = ringAngle(segment, segments);

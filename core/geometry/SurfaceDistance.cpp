@@ -11,7 +11,7 @@ namespace {
 
 constexpr float far = std::numeric_limits<float>::infinity();
 
-// The triangles round each position.
+// The triangles around each position.
 class Rounds {
 public:
     explicit Rounds(const TriangleMesh& mesh) : first_(mesh.positions.size() + 1) {
@@ -42,7 +42,8 @@ private:
     std::vector<std::uint32_t> first_, triangles_;
 };
 
-// The distance at the origin of a front that passes `a` at distance `atA` and `b` at `atB`.
+// Returns the distance at the origin for a front that reaches `a` at distance `atA` and `b` at
+// `atB`.
 float arrival(const Eigen::Vector3f& a, float atA, const Eigen::Vector3f& b, float atB) {
     const float along = std::min(atA + a.norm(), atB + b.norm());
     if (atA == far || atB == far) {
@@ -69,7 +70,7 @@ float arrival(const Eigen::Vector3f& a, float atA, const Eigen::Vector3f& b, flo
         return along;
     }
     const float t = (q + std::sqrt(root)) / p;
-    // Only where it came through the triangle, and not past one of its sides.
+    // Valid only if the front came through the triangle and not past one of its sides.
     const Eigen::Vector2f from = inverse * (known - t * ones);
     return from.maxCoeff() < 0 ? std::min(t, along) : along;
 }

@@ -9,16 +9,16 @@
 
 namespace dipwright {
 
-// The corners of triangles that lie each by itself, unfolded from a surface.
+// The corners of triangles that are unfolded from a surface, each triangle separately.
 using UnfoldedTriangles = std::vector<std::array<Eigen::Vector3f, 3>>;
 
-// How far each position of a mesh is from the nearest source, along the surface, mm; infinity past
-// `limit`. `begin`: a position each, its distance where it is a source itself, else infinity.
-// `measured`: where the corners of each triangle are to lie for its lengths to count otherwise than
-// in mm of the mesh; none: where they do. Distances, the sources' and the limit are then in what
-// counts. By fast marching (Kimmel & Sethian 1998, "Computing geodesic paths on manifolds"), which
-// follows the edges where a triangle is obtuse: exact for straight fronts, a few hundredths too
-// long else.
+// Returns the distance along the surface from each position of a mesh to the nearest source, mm;
+// infinity beyond `limit`. `begin` holds for each position its start distance if it is a source,
+// else infinity. `measured` optionally replaces the triangles' corners, so that lengths count in
+// another metric than mm of the mesh. Distances, start distances and the limit are then in that
+// metric. Uses fast marching (Kimmel & Sethian 1998, "Computing geodesic paths on manifolds"),
+// which follows the edges of obtuse triangles. It is exact for straight fronts and otherwise a few
+// per cent too long.
 std::vector<float> surfaceDistance(const TriangleMesh& mesh, std::vector<float> begin,
                                    float limit = std::numeric_limits<float>::infinity(),
                                    const UnfoldedTriangles& measured = {});

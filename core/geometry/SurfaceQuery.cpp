@@ -13,8 +13,8 @@ namespace dipwright {
 
 namespace {
 
-// Weights of the point of triangle abc nearest to p, by the Voronoi regions of its corners and
-// edges (Ericson, Real-Time Collision Detection, section 5.1.5).
+// Returns the weights of the point of triangle abc nearest to p, by the Voronoi regions of its
+// corners and edges (Ericson, Real-Time Collision Detection, section 5.1.5).
 Eigen::Vector3d closestWeights(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                                const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
     const Eigen::Vector3d ab = b - a, ac = c - a;
@@ -51,12 +51,12 @@ Eigen::Vector3d closestWeights(const Eigen::Vector3d& p, const Eigen::Vector3d& 
     return {areaA / area, areaB / area, areaC / area};
 }
 
-// What is known of a closest-point query while it goes down the hierarchy.
+// State of a closest-point query while it descends the hierarchy.
 struct ClosestSearch {
     const TriangleMesh& mesh;
     Eigen::Vector3d position;
     double slack; // mm by which Embree's float distances to boxes may be too large
-    double limit; // mm² beyond which nothing counts
+    double limit; // mm²; farther points do not count
     double squaredDistance = std::numeric_limits<double>::infinity();
     std::uint32_t triangle = SurfacePoint::noTriangle;
     Eigen::Vector3d weights = Eigen::Vector3d::Zero();
@@ -71,7 +71,8 @@ bool visitTriangle(RTCPointQueryFunctionArguments* arguments) {
     const Eigen::Vector3d weights = closestWeights(search.position, a, b, c);
     const double squaredDistance =
         (weights[0] * a + weights[1] * b + weights[2] * c - search.position).squaredNorm();
-    // Of triangles equally near the first one counts, so that the order of visits does not matter.
+    // If triangles are equally near, the first one counts, so that the order of visits does not
+    // matter.
     const bool nearer =
         squaredDistance < search.squaredDistance ||
         (squaredDistance == search.squaredDistance && arguments->primID < search.triangle);
@@ -106,8 +107,8 @@ struct FirstHit {
     std::uint32_t triangle = RTC_INVALID_GEOMETRY_ID;
 };
 
-// Of triangles hit at the same distance (on a shared edge) the first one counts, whatever the order
-// in which the hierarchy is gone through.
+// If triangles are hit at the same distance (on a shared edge), the first one counts, so that the
+// order of traversal does not matter.
 void keepFirstTriangle(const RTCFilterFunctionNArguments* arguments) {
     auto& best = *reinterpret_cast<FirstHit*>(arguments->context);
     const float distance = RTCRayN_tfar(arguments->ray, arguments->N, 0);
@@ -125,7 +126,7 @@ struct CrossingCount {
     int winding = 0;
 };
 
-// Counts how often the ray leaves the body, less how often it enters it, and lets the ray go on.
+// Counts exits minus entries of the ray, and lets it continue.
 void countCrossing(const RTCFilterFunctionNArguments* arguments) {
     auto* ray = arguments->ray;
     auto* hit = arguments->hit;
@@ -171,7 +172,7 @@ void SurfaceQuery::Data::build() {
     rtcSetSceneFlags(scene,
                      RTCSceneFlags(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
     const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    // Embree's own buffers are padded as its vector loads need; a mesh's vectors are not.
+    // Embree's own buffers have the padding that its vector loads need; a mesh's vectors do not.
     auto* positions = static_cast<Eigen::Vector3f*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                 sizeof(Eigen::Vector3f), mesh.positions.size()));
@@ -243,7 +244,8 @@ RayHit SurfaceQuery::hit(const Eigen::Vector3f& origin, const Eigen::Vector3f& d
 }
 
 bool SurfaceQuery::isInside(const Eigen::Vector3f& position) const {
-    // Off the axes, so that bodies made of faces and edges along them are met in general position.
+    // Oblique directions, so that rays do not run along the axis-parallel faces and edges of
+    // bodies.
     static const std::array<Eigen::Vector3f, 5> directions = {{{0.911f, 0.217f, 0.351f},
                                                                {-0.823f, 0.419f, -0.383f},
                                                                {0.137f, -0.941f, 0.309f},

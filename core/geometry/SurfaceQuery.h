@@ -1,4 +1,4 @@
-// Closest-point and ray queries against one mesh, by Embree's bounding-volume hierarchy.
+// Closest-point and ray queries on one mesh, by Embree's bounding-volume hierarchy.
 #pragma once
 
 #include "geometry/TriangleMesh.h"
@@ -18,8 +18,8 @@ struct RayHit {
     float distance = std::numeric_limits<float>::infinity(); // in units of the direction's length
 };
 
-// Built once for a mesh, asked often. Keeps a copy of the mesh, which may go or change afterwards.
-// All queries may run on many threads at once and give the same answer in every run.
+// Built once for a mesh and queried often. Keeps a copy of the mesh. Queries are thread-safe and
+// give the same answer in every run.
 class SurfaceQuery {
 public:
     explicit SurfaceQuery(const TriangleMesh& mesh);
@@ -27,17 +27,18 @@ public:
     SurfaceQuery(SurfaceQuery&&) noexcept;
     SurfaceQuery& operator=(SurfaceQuery&&) noexcept;
 
-    // The surface point nearest to `position`, no farther than `within` mm.
+    // Returns the surface point nearest to `position`, at most `within` mm away.
     ClosestPoint closest(const Eigen::Vector3f& position,
                          float within = std::numeric_limits<float>::infinity()) const;
-    // The nearest surface point at any distance, looked for first within `likely` mm, which is
-    // faster where that was a good guess.
+    // Returns the nearest surface point at any distance. Searches within `likely` mm first, which
+    // is faster if that was a good guess.
     ClosestPoint closestNear(const Eigen::Vector3f& position, float likely) const;
-    // The first hit of the ray from `origin` along `direction`, up to `reach` times its length.
+    // Returns the first hit of the ray from `origin` along `direction`, up to `reach` times its
+    // length.
     RayHit hit(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
                float reach = std::numeric_limits<float>::infinity()) const;
-    // Inside or not: most of several rays leave the body more often, or less often, than they enter
-    // it. Overlapping parts count as one body, and small holes do not turn the answer round.
+    // Whether `position` is inside: for most of several rays the exits and entries do not balance.
+    // Overlapping parts count as one body, and small holes do not change the answer.
     bool isInside(const Eigen::Vector3f& position) const;
 
 private:

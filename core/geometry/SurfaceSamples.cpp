@@ -6,11 +6,11 @@ namespace dipwright {
 
 std::vector<SurfacePoint> evenSamples(const TriangleMesh& mesh, double area) {
     std::vector<SurfacePoint> samples;
-    if (!(area > 0)) { // of a body without any, on which there is nothing to measure
+    if (!(area > 0)) { // a body without surface, where nothing can be measured
         return samples;
     }
     double left = area / 2;
-    // Within a triangle they are spread by a low-discrepancy sequence, the additive recurrence of
+    // Spread the points within a triangle by a low-discrepancy sequence, the additive recurrence of
     // the plastic number.
     double u = 0.5;
     double v = 0.5;

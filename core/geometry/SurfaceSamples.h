@@ -1,12 +1,12 @@
-// Points spread evenly over a body, to measure it with.
+// Sample points spread evenly over a body's surface.
 #pragma once
 
 #include "geometry/TriangleMesh.h"
 
 namespace dipwright {
 
-// One point for every `area` mm² of the surface, each standing for as much; none where that is no
-// area. Always the same for the same mesh.
+// Returns one point for every `area` mm² of the surface, each representing that area; none if
+// `area` is not positive. Deterministic.
 std::vector<SurfacePoint> evenSamples(const TriangleMesh& mesh, double area);
 
 } // namespace dipwright

@@ -9,7 +9,7 @@
 namespace dipwright {
 namespace {
 
-constexpr double faceAngle = 15; // degrees by which a face's normals differ at most
+constexpr double faceAngle = 15; // degrees, largest difference between the normals of one face
 
 } // namespace
 

@@ -14,7 +14,7 @@ std::array<Eigen::Vector3d, 3> corners(const TriangleMesh& mesh, std::size_t tri
             mesh.positions[index[2]].cast<double>()};
 }
 
-// Its length is twice the triangle's area.
+// The length of this normal is twice the triangle's area.
 Eigen::Vector3d areaNormal(const TriangleMesh& mesh, std::size_t triangle) {
     const auto [a, b, c] = corners(mesh, triangle);
     return (b - a).cross(c - a);
@@ -36,7 +36,7 @@ double volume(const TriangleMesh& mesh) {
     if (mesh.triangles.empty()) {
         return 0;
     }
-    // Measured from a point of the mesh, so that a body far from the origin loses no digits.
+    // Measured from a point of the mesh, so that a body far from the origin loses no precision.
     const Eigen::Vector3d origin = corners(mesh, 0)[0];
     double sixfold = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -86,7 +86,7 @@ std::vector<Eigen::Vector3f> vertexNormals(const TriangleMesh& mesh) {
 }
 
 std::vector<std::uint32_t> oppositeEdges(const TriangleMesh& mesh) {
-    // Edges are gathered at the lower of their two positions, and sorted there by the higher one.
+    // Edges are grouped by the lower of their two positions and sorted by the higher one.
     struct Edge {
         std::uint32_t higher, number;
         bool operator<(const Edge& other) const {

@@ -1,4 +1,4 @@
-// Triangle meshes in millimetres, and what can be said of one by itself.
+// Triangle meshes in millimetres, and basic queries on them.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,40 +12,40 @@ namespace dipwright {
 
 using BoundingBox = Eigen::AlignedBox3f;
 
-// Corners are counterclockwise seen from outside. Positions are shared between triangles (welded).
+// Corners are in counterclockwise order seen from outside. Triangles share positions (welded).
 struct TriangleMesh {
     std::vector<Eigen::Vector3f> positions; // mm
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
 BoundingBox boundingBox(const TriangleMesh& mesh);
-// mm³, by the divergence theorem; meaningful for a closed mesh.
+// Returns mm³, by the divergence theorem; meaningful for a closed mesh.
 double volume(const TriangleMesh& mesh);
 double surfaceArea(const TriangleMesh& mesh);                        // mm²
 double triangleArea(const TriangleMesh& mesh, std::size_t triangle); // mm²
 std::array<Eigen::Vector3f, 3> cornersOf(const TriangleMesh& mesh, std::size_t triangle);
-// Unit normal, outward; zero for a degenerate triangle.
+// Returns the outward unit normal; zero for a degenerate triangle.
 Eigen::Vector3f triangleNormal(const TriangleMesh& mesh, std::size_t triangle);
-// Area-weighted unit normals, one a position.
+// Returns one area-weighted unit normal for each position.
 std::vector<Eigen::Vector3f> vertexNormals(const TriangleMesh& mesh);
 
-// Edge e of triangle t leads from corner e to corner (e + 1) mod 3 and has the number 3·t + e.
+// Edge e of triangle t runs from corner e to corner (e + 1) mod 3 and has the number 3·t + e.
 inline constexpr std::uint32_t noEdge = 0xffffffffu;
-// By edge number, the number of the same edge in the triangle on its other side; noEdge where there
-// is none or more than one.
+// Returns for each edge number the number of the same edge in the neighbouring triangle; noEdge if
+// there is no neighbour or more than one.
 std::vector<std::uint32_t> oppositeEdges(const TriangleMesh& mesh);
-// `first`, and every triangle for which `belongs` holds that hangs together with it over edges of
-// such triangles; those found are marked in `seen`, a triangle each, and those marked before left
-// out.
+// Returns `first` and all triangles connected to it over shared edges, through triangles for which
+// `belongs` is true. `seen` holds a flag for each triangle: triangles already marked are left out,
+// found ones are marked.
 std::vector<std::uint32_t> connectedTriangles(const std::vector<std::uint32_t>& opposite,
                                               std::uint32_t first,
                                               const std::function<bool(std::uint32_t)>& belongs,
                                               std::vector<std::uint8_t>& seen);
-// Every edge belongs to exactly two triangles that run along it in opposite directions.
+// Whether every edge belongs to exactly two triangles that run along it in opposite directions.
 bool isClosed(const TriangleMesh& mesh);
 TriangleMesh transformed(const TriangleMesh& mesh, const Eigen::Isometry3d& transform);
 void scale(TriangleMesh& mesh, double factor); // about the origin
-// Of the box round the mesh.
+// Returns the longest edge of the mesh's bounding box, mm.
 double longestEdgeOf(const TriangleMesh& mesh);
 
 // A place on a mesh: a triangle and the barycentric weights of its corners (they sum to 1).

@@ -12,10 +12,11 @@ namespace dipwright {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double edgesInRadius = 40; // how fine the mesh is cut
-constexpr double inside = 1e-3;      // a middle's least weight: at a corner there is no direction
-constexpr double nearer = 1 - 1e-9;  // by less than this a way is no shorter
-constexpr double alike = 2;          // times too long or short, past which a triangle is torn
+constexpr double edgesInRadius = 40; // edges of the refined mesh within the radius
+// least weight of each corner at the middle: directly at a corner there is no direction
+constexpr double inside = 1e-3;
+constexpr double nearer = 1 - 1e-9; // a path must be shorter by more than this factor
+constexpr double alike = 2;         // a triangle distorted by more than this factor is torn
 
 double segmentDistance(const Eigen::Vector3d& place, const Eigen::Vector3d& from,
                        const Eigen::Vector3d& to) {
@@ -38,7 +39,7 @@ double turned(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
     return std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
 }
 
-// The apex on the left of the way from `from` to `to`, with these distances from both.
+// Returns the apex to the left of the line from `from` to `to`, at the given distances from both.
 Eigen::Vector2d apexOf(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double fromEnd,
                        double toEnd) {
     const Eigen::Vector2d base = to - from;
@@ -49,7 +50,7 @@ Eigen::Vector2d apexOf(const Eigen::Vector2d& from, const Eigen::Vector2d& to, d
     return from + along * unit + across * Eigen::Vector2d(-unit.y(), unit.x());
 }
 
-// Spreads places in the plane from triangle to triangle, the nearest first.
+// Propagates places in the plane from triangle to triangle, the nearest first.
 class Spreading {
 public:
     Spreading(const TriangleMesh& mesh, double limit)
@@ -80,7 +81,7 @@ public:
             const auto [distance, point] = open_.top();
             open_.pop();
             if (distance > places_[point].norm() || distance > limit_) {
-                continue; // a shorter way was found since
+                continue; // a shorter path has been found since
             }
             for (std::uint32_t k = first_[point]; k < first_[point + 1]; ++k) {
                 const auto& corners = mesh_.triangles[around_[k]];
@@ -106,7 +107,8 @@ private:
         }
     }
 
-    // The corner c of the triangle (a, b, c), counterclockwise, across its edge from a to b.
+    // Computes the corner c of the triangle (a, b, c), counterclockwise, across its edge from a to
+    // b.
     void reach(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         const double fromA = places_[a].norm(), fromB = places_[b].norm();
         const double base = length(a, b);
@@ -114,14 +116,14 @@ private:
             return;
         }
         const double toA = length(a, c), toB = length(b, c);
-        // The edge lies along x from the origin, the corner above it and the middle, the source of
-        // the distances, below.
+        // The edge lies on the x axis and begins at the origin. The corner is above it; the middle,
+        // where the distances start, is below.
         const double cx = (toA * toA - toB * toB + base * base) / (2 * base);
         const double cy = std::sqrt(std::max(0.0, toA * toA - cx * cx));
         const double sx = (fromA * fromA - fromB * fromB + base * base) / (2 * base);
         const double sy = -std::sqrt(std::max(0.0, fromA * fromA - sx * sx));
         const double crossing = cy > sy ? sx - (cx - sx) * sy / (cy - sy) : sx;
-        if (crossing < 0 || crossing > base) { // the way leads round an end of the edge
+        if (crossing < 0 || crossing > base) { // the path bends around an end of the edge
             const bool isRoundA = fromA + toA < fromB + toB;
             const Eigen::Vector2d& end = places_[isRoundA ? a : b];
             const double distance = isRoundA ? fromA : fromB;
@@ -134,8 +136,8 @@ private:
         const Eigen::Vector2d toLeft = -source;
         const Eigen::Vector2d toRight = Eigen::Vector2d(base, 0) - source;
         const Eigen::Vector2d toCorner = Eigen::Vector2d(cx, cy) - source;
-        // From a to b the source's view turns counterclockwise, on a curved surface by another
-        // angle than in the plane of the triangle.
+        // Seen from the source, the direction turns counterclockwise from a to b. On a curved
+        // surface that angle differs from the angle in the triangle's plane.
         const double whole = -turned(toLeft, toRight);
         const double part = -turned(toLeft, toCorner);
         double seen = -turned(places_[a], places_[b]);
@@ -152,12 +154,12 @@ private:
     const TriangleMesh& mesh_;
     double limit_;
     std::vector<Eigen::Vector2d> places_;
-    std::vector<std::uint32_t> first_, around_; // the triangles round each position
+    std::vector<std::uint32_t> first_, around_; // the triangles around each position
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
 };
 
-// A triangle's corners in the plane. One that ways from different sides reach is not the triangle
-// there: it is laid flat next to the edge that fits best.
+// Returns a triangle's corners in the plane. If paths from different sides reach it, its shape
+// there is wrong; it is then laid flat next to the edge that fits best.
 std::array<Eigen::Vector2d, 3> fitted(std::array<Eigen::Vector2d, 3> places,
                                       const std::array<Eigen::Vector3f, 3>& corners) {
     std::array<double, 3> lengths{}, misfits{};

@@ -22,12 +22,12 @@ struct Text {
 
 constexpr double step = 0.25;          // mm on the sheet, to either side
 constexpr int rounds = 8;              // of Newton's method
-constexpr double close = 1e-3;         // pixels
+constexpr double close = 1e-3;         // pixels: converged
 constexpr double farthest = 20;        // mm on the sheet
-constexpr double leastFromFront = 0.2; // shorter over longer side of what a square mm appears as
-constexpr double samePlace = 0.01;     // mm on the model
+constexpr double leastFromFront = 0.2; // least ratio of the axes of a circle as seen
+constexpr double samePlace = 0.01;     // mm on the model: the same place
 
-// Where places of one film's sheet appear.
+// Tells where places of one film's sheet appear in the photos.
 class SeenFilm {
 public:
     SeenFilm(const LaidFilm& laid, const PartView& camera, QSize picture, QSizeF sheet)
@@ -45,7 +45,7 @@ public:
         return seenAt(camera_, photo, picture_, toModel_ * lies->cast<double>());
     }
 
-    // Pixels a mm of the sheet, a column each way.
+    // Returns pixels per mm of the sheet, one column per axis.
     std::optional<Eigen::Matrix2d> slope(const Eigen::Vector2d& sheet, int photo) const {
         Eigen::Matrix2d slope;
         for (int axis = 0; axis < 2; ++axis) {
@@ -69,10 +69,10 @@ private:
 
 struct Found {
     Eigen::Vector2d off;
-    double pixels = 0; // that a mm of the sheet has at least
+    double pixels = 0; // least pixels per mm of the sheet
 };
 
-std::optional<Found> offOf(const PrintedPlace& place, const SeenFilm& film) {
+std::optional<Found> sheetOffset(const PrintedPlace& place, const SeenFilm& film) {
     Found found{{0, 0}, 0};
     for (int round = 0; round < rounds; ++round) {
         const Eigen::Vector2d at = place.sheet + found.off;
@@ -107,7 +107,8 @@ std::vector<BuiltPlace> builtPlaces(const std::vector<PrintedPlace>& seen, const
     using Key = std::tuple<int, long, long, long>;
     std::map<Key, std::pair<double, BuiltPlace>> best;
     for (const PrintedPlace& place : seen) {
-        const auto found = offOf(place, {*films[std::size_t(place.dip)], camera, picture, sheet});
+        const auto found =
+            sheetOffset(place, {*films[std::size_t(place.dip)], camera, picture, sheet});
         if (!found) {
             continue;
         }
@@ -156,21 +157,22 @@ double residualOf(const std::vector<BuiltPlace>& places) {
 AsBuilt withBuiltPart(AsBuilt built, const std::vector<BuiltPlace>& places, BuiltPart part,
                       const QString& where) {
     if (places.empty()) {
-        throw Error(Text::tr("None of the places is seen on film that lies on the body; are the "
-                             "photos of this job?"),
+        throw Error(Text::tr("None of the places lies on film that adheres to the part; check that "
+                             "the photos show a part of this job"),
                     where);
     }
     if (built.parts.size() >= mostBuiltParts ||
         built.places.size() + places.size() > mostBuiltPlaces) {
-        throw Error(Text::tr("The job keeps %1 parts and %2 places at most, and would have more")
-                        .arg(mostBuiltParts)
-                        .arg(mostBuiltPlaces),
-                    where);
+        throw Error(
+            Text::tr("The job can keep at most %1 parts and %2 places; this part would exceed that")
+                .arg(mostBuiltParts)
+                .arg(mostBuiltPlaces),
+            where);
     }
     if (std::any_of(built.parts.begin(), built.parts.end(),
                     [&](const BuiltPart& other) { return other.photos == part.photos; })) {
-        throw Error(Text::tr("The job keeps the part of these photos already; the same part twice "
-                             "would count as two that agree"),
+        throw Error(Text::tr("The job already contains the part in these photos; adding it again "
+                             "would count it as two parts that agree"),
                     where);
     }
     part.residual = residualOf(places);

@@ -1,5 +1,5 @@
-// Where the film lies on a dipped part, told as places of the sheet (docs/inspection.md, "As
-// built").
+// Finds where the film really lies on a dipped part, in places of the sheet (docs/inspection.md,
+// "As built").
 #pragma once
 
 #include "dip/LaidFilm.h"
@@ -14,25 +14,26 @@
 
 namespace dipwright {
 
-// Of each place that was seen, in the photo in which it was seen most from the front if in several:
-// which place of the film as it was simulated would appear there, less the place itself. Left out
-// are places that lie, or would lie, past the paint's end, or are seen too much from the side.
-// `films`: of the project's immersions, with sheets of that size. `part` and `dip` count from 1.
+// Returns, for each seen place, the offset on the sheet: the place of the simulated film that would
+// appear there, less the place itself. If several photos show a place, the most frontal view
+// counts. Places that lie past the paint's end, would move there, or are seen at too flat an angle
+// are left out. `films` are those of the project's immersions, with sheets of the size `sheet`.
+// `part` and `dip` count from 1.
 std::vector<BuiltPlace> builtPlaces(const std::vector<PrintedPlace>& seen, const PartView& camera,
                                     QSize picture,
                                     const std::vector<std::shared_ptr<const LaidFilm>>& films,
                                     QSizeF sheet, int part);
 
-// Places that are told where the film was made, moved to where a sheet that is corrected as `built`
-// says has them; as they are where it corrects nothing.
+// Moves places, given on the uncorrected sheet, to where a sheet corrected by `built` has them.
+// Returns them unchanged if `built` corrects nothing.
 std::vector<PrintedPlace> onPrintedSheet(std::vector<PrintedPlace> places, const AsBuilt& built);
 
-// mm on the sheet, root mean square.
+// Returns the root mean square of the places' offsets, in mm on the sheet.
 double residualOf(const std::vector<BuiltPlace>& places);
 
-// What the job keeps with one part more, which has these places, of the number that part has then.
-// `part`: its residual is filled in. Throws Error, naming `where`, where there are none, where the
-// job has the part's photos already, and past what it keeps.
+// Adds a part with these places to what the job keeps. The places already carry the part's future
+// number. Fills in the residual of `part`. Throws Error, naming `where`, if there are no places, if
+// the job already has the part's photos, or if its limits are exceeded.
 AsBuilt withBuiltPart(AsBuilt built, const std::vector<BuiltPlace>& places, BuiltPart part,
                       const QString& where);
 

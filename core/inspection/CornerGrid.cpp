@@ -10,7 +10,7 @@ namespace dipwright {
 namespace {
 
 constexpr std::size_t leastCorners = 12;
-constexpr int mostSeeds = 400; // tried for one picture
+constexpr int mostSeeds = 400; // tried per picture
 constexpr int mostReach = 80;  // columns and rows from the first corner
 
 class Grower {
@@ -18,7 +18,7 @@ public:
     Grower(const cv::Mat& blurred, const std::vector<Saddle>& saddles)
         : blurred_(blurred), saddles_(saddles), used_(saddles.size(), false) {}
 
-    // From the strongest saddles that are in no grid yet.
+    // Grows grids from the strongest saddles that are in no grid yet.
     std::vector<CornerGrid> grids() {
         std::vector<CornerGrid> found;
         int seeds = 0;
@@ -44,7 +44,7 @@ public:
     }
 
 private:
-    // The first corner and its four neighbours along its edges.
+    // Places the first corner and its four neighbours along its edges.
     bool plant(std::size_t seed) {
         put({0, 0}, seed);
         for (std::size_t edge = 0; edge < 2; ++edge) {
@@ -61,7 +61,7 @@ private:
     }
 
     void grow() {
-        // A corner that finds no neighbour now may find it when those beside it have been placed.
+        // A corner without a neighbour now may get one when the corners beside it have been placed.
         for (std::size_t before = 0; before != place_.size();) {
             before = place_.size();
             for (const auto& [at, saddle] : place_) {
@@ -93,7 +93,7 @@ private:
         }
     }
 
-    // By the step before it on the same line, or by the one beside it.
+    // Returns the step before this one on the same line, or the step beside it.
     std::optional<Eigen::Vector2d> expectedStep(GridPlace from, int dx, int dy) const {
         const auto [i, j] = from;
         const auto stepFrom = [&](int column, int row) -> std::optional<Eigen::Vector2d> {
@@ -125,7 +125,7 @@ private:
         return best;
     }
 
-    // The nearest saddle in a narrow cone to which an edge runs.
+    // Returns the nearest saddle in a narrow cone to which an edge runs.
     std::optional<std::size_t> nextAlong(std::size_t from, const Eigen::Vector2d& along) const {
         constexpr double cone = 0.25;   // sine of its half angle
         constexpr double leastStep = 8; // pixels

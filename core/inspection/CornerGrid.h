@@ -1,4 +1,4 @@
-// Corners between squares, put in columns and rows. Private to this folder.
+// Sorts corners between squares into columns and rows. Private to this folder.
 #pragma once
 
 #include "inspection/Saddles.h"
@@ -11,10 +11,11 @@
 
 namespace dipwright {
 
-// Column and row, from a corner somewhere in the middle, may be negative and may run any way round.
+// Column and row, counted from a corner near the middle. They may be negative, and the axes may
+// point in any direction.
 using GridPlace = std::pair<int, int>;
 
-// How far it is to the corner one column, or one row, on: by those beside it that there are.
+// Steps to the next corner in the row and in the column, estimated from the neighbours that exist.
 struct GridSteps {
     Eigen::Vector2d right = Eigen::Vector2d::Zero(), down = Eigen::Vector2d::Zero();
 };
@@ -23,12 +24,14 @@ struct CornerGrid {
     std::map<GridPlace, Eigen::Vector2d> corners;
 
     const Eigen::Vector2d* at(int column, int row) const;
-    // Only of a corner that has a neighbour in its column and one in its row.
+    // steps() needs a neighbour in the corner's column and one in its row; hasSteps() tells whether
+    // both exist.
     bool hasSteps(GridPlace place) const;
     GridSteps steps(GridPlace place) const;
 };
 
-// All grids of a dozen corners and more, the strongest saddles' first; a saddle is in one at most.
+// Returns all grids of at least twelve corners, starting from the strongest saddles. A saddle is in
+// at most one grid.
 std::vector<CornerGrid> findGrids(const cv::Mat& blurred, const std::vector<Saddle>& saddles);
 
 } // namespace dipwright

@@ -20,9 +20,9 @@ struct Text {
 };
 
 constexpr int mostRounds = 16;
-constexpr double movesOn = 0.05;    // of its interval, by which an unknown may move at the end
-constexpr double worse = 1.02;      // as much more is off as makes a round go back half its way
-constexpr double surelyUnknown = 6; // times what counts as known, before the end
+constexpr double settledShare = 0.05; // of its interval: largest move of an unknown at the end
+constexpr double worse = 1.02; // growth of the residual at which a round goes back half its way
+constexpr double surelyUnknown = 6; // times the interval that counts as known, before the end
 
 std::vector<FitUnknown> unknownsOf(const Project& project, const FittedDips& dips,
                                    const std::vector<PrintedPlace>& printed, const FitWish& wish,
@@ -66,7 +66,8 @@ PartView firstCamera(const FitPairs& pairs, const std::optional<Lens>& lens) {
     return fitPartCamera(meant, pairs.photos, pairs.picture, pairs.where, lens);
 }
 
-// Of an unknown's 95 % over what counts as known; the worst one that is free.
+// Returns the free unknown with the largest ratio of its 95 % interval to what counts as known, and
+// that ratio.
 std::pair<std::size_t, double> leastKnown(const JointSolution& solution,
                                           const std::vector<FitUnknown>& unknowns,
                                           const std::vector<bool>& isFree) {
@@ -80,7 +81,7 @@ std::pair<std::size_t, double> leastKnown(const JointSolution& solution,
     return worst;
 }
 
-// The search: rounds of dips, and between them a fit that takes the places to move linearly.
+// The search alternates between rounds of dips and a fit that treats the places as moving linearly.
 class Search {
 public:
     Search(const Project& project, const DistanceField& field, const FitPairs& pairs,
@@ -99,8 +100,8 @@ public:
     void run(const Progress& progress) {
         while (!isDone()) {
             if (rounds_ == mostRounds) {
-                throw Error(Text::tr("The fit does not come to rest in %1 rounds; look for places "
-                                     "that were mistaken for others, or fit fewer quantities")
+                throw Error(Text::tr("The fit did not converge in %1 rounds; check for places that "
+                                     "were mistaken for others, or fit fewer quantities")
                                 .arg(mostRounds),
                             pairs_.where);
             }
@@ -128,30 +129,30 @@ private:
 
     void step(const Progress& progress) {
         near_ = places_.near(unknowns_, centre_, isFree_, progress);
-        keepOut();
+        excludePlacesOffBody();
         const JointSolution held = solve(std::vector<bool>(unknowns_.size(), false));
         if (!before_) {
             before_ = held;
         } else if (held.pixels > worse * pixels_ && settled_.size() == centre_.size()) {
-            centre_ = (centre_ + settled_) / 2; // too far
+            centre_ = (centre_ + settled_) / 2; // the step was too large
             return;
         }
         pixels_ = held.pixels;
         settled_ = centre_;
         solution_ = solve(isFree_);
-        while (leavesOut(std::min(1.0, 2 / std::max(solution_.pixels, 1e-9)), surelyUnknown)) {
+        while (dropLeastKnown(std::min(1.0, 2 / std::max(solution_.pixels, 1e-9)), surelyUnknown)) {
             solution_ = solve(isFree_);
         }
         if (moves()) {
             return;
         }
-        isDone_ = !leavesOut(1, 1);
+        isDone_ = !dropLeastKnown(1, 1);
         if (std::none_of(isFree_.begin(), isFree_.end(), [](bool is) { return is; })) {
-            throw Error(Text::tr("The pairs tell nothing of the film; give more of them, all round "
-                                 "the body"),
+            throw Error(Text::tr("The pairs do not determine any quantity of the film; give more "
+                                 "pairs, all round the part"),
                         pairs_.where);
         }
-        if (!isDone_) { // from what has come out, without what is not known
+        if (!isDone_) { // go on from the result, without the unknowns that were left out
             solution_ = solve(isFree_);
             moves();
         }
@@ -159,9 +160,9 @@ private:
 
     bool isDone() const { return isDone_; }
 
-    // A place that was off the body once is left out for good: else the rounds would be compared by
-    // other places each time.
-    void keepOut() {
+    // A place that was once off the body is left out for good. Otherwise the rounds would be
+    // compared by different places.
+    void excludePlacesOffBody() {
         isOut_.resize(near_.places.size(), false);
         for (std::size_t i = 0; i < isOut_.size(); ++i) {
             if (isOut_[i]) {
@@ -173,15 +174,16 @@ private:
         }
         if (std::none_of(near_.places.begin(), near_.places.end(),
                          [](const auto& place) { return place.has_value(); })) {
-            throw Error(Text::tr("None of the printed places lies on the body in the simulation; "
-                                 "are they of this job's sheet?"),
+            throw Error(Text::tr("None of the printed places lies on the part in the simulation; "
+                                 "check that they belong to this job's sheet"),
                         pairs_.where);
         }
     }
 
-    // Leaves the unknown out that is known the least, if it is not known. `share`: of its interval,
-    // where that is not to count whole. Throws where it was named.
-    bool leavesOut(double share, double limit) {
+    // Leaves out the least known unknown if it does not count as known, and tells whether it did.
+    // `share` is the share of its interval that counts. Throws if the quantity was named by the
+    // user.
+    bool dropLeastKnown(double share, double limit) {
         const auto [worst, off] = leastKnown(solution_, unknowns_, isFree_);
         if (!(off * share > limit)) {
             return false;
@@ -198,7 +200,7 @@ private:
         return true;
     }
 
-    // Goes to what was found, not too far at once. Whether that is any way.
+    // Moves to the solution, within the largest step, and tells whether that is a move.
     bool moves() {
         bool isMoved = settled_.size() == 0;
         for (std::size_t i = 0; i < unknowns_.size(); ++i) {
@@ -208,7 +210,7 @@ private:
                 std::clamp(solution_.unknowns[at] - near_.centre[at], -scale.most, scale.most);
             const double to = places_.dips().within(unknowns_[i].quantity, near_.centre[at] + way);
             isMoved = isMoved || std::abs(to - centre_[at]) >
-                                     std::max(scale.least, movesOn * solution_.off[at]);
+                                     std::max(scale.least, settledShare * solution_.off[at]);
             centre_[at] = to;
         }
         return isMoved;
@@ -221,10 +223,10 @@ private:
     SimulatedPlaces places_;
     std::vector<FitUnknown> unknowns_;
     std::vector<bool> isFree_;
-    Eigen::VectorXd centre_;  // where the next dips are
-    Eigen::VectorXd settled_; // where the last ones were that were no worse; empty: none count
+    Eigen::VectorXd centre_;  // for the next dips
+    Eigen::VectorXd settled_; // of the last dips that were not worse; empty: none
     PlacesNear near_;
-    std::vector<bool> isOut_; // a printed place each
+    std::vector<bool> isOut_; // one per printed place
     std::optional<JointSolution> before_;
     JointSolution solution_;
     double pixels_ = 0;
@@ -237,7 +239,7 @@ double rootMeanSquare(const std::vector<double>& values) {
     return std::sqrt(sum / double(std::max<std::size_t>(values.size(), 1)));
 }
 
-// mm across the line of sight that a pixel is where a place lies.
+// Returns the size of a pixel at a place, in mm across the line of sight.
 double perPixel(const PartView& view, const FitPairs& pairs, const PrintedPlace& place,
                 const Eigen::Vector3d& lies) {
     const PartPose& pose = view.photos[std::size_t(place.photo)];
@@ -245,7 +247,7 @@ double perPixel(const PartView& view, const FitPairs& pairs, const PrintedPlace&
     return (pose.turn * lies + pose.shift).z() / view.focalLength.value / half;
 }
 
-void tellOff(FilmFit& fit, const Search& search, const FitPairs& pairs) {
+void fillDistances(FilmFit& fit, const Search& search, const FitPairs& pairs) {
     std::vector<double> before, after, beforeMm, afterMm;
     for (std::size_t i = 0; i < pairs.printed.size(); ++i) {
         FitOff& off = fit.off.emplace_back();
@@ -314,9 +316,9 @@ FilmFit fitFilm(const Project& project, const DistanceField& field, const FitPai
     fit.film = project.film;
     fit.immersions = project.immersions;
     fit.depth = project.process.depth;
-    tellOff(fit, search, pairs);
+    fillDistances(fit, search, pairs);
     const FittedDips& dips = search.places().dips();
-    std::vector<FitUnknown> unknowns; // those that were fitted
+    std::vector<FitUnknown> unknowns; // the fitted ones
     std::vector<double> values;
     for (std::size_t i = 0; i < search.unknowns().size(); ++i) {
         const FitUnknown& unknown = search.unknowns()[i];

@@ -1,5 +1,5 @@
-// The film, its place and the depth of a dip, fitted to where printed places were seen on a dipped
-// part (docs/inspection.md, "The fit").
+// Fits the film, its placement and the depth of a dip to the places where the print was seen on a
+// dipped part (docs/inspection.md, "The fit").
 #pragma once
 
 #include "base/Progress.h"
@@ -17,11 +17,11 @@ namespace dipwright {
 
 struct Project;
 
-// What photos of one dipped part show. Photos of one camera and size.
+// What photos of one dipped part show. The photos are from one camera and have one size.
 struct FitPairs {
     std::vector<PrintedPlace> printed;
-    // Places of the body itself, whatever is printed there: they tell the camera from the film.
-    // Empty: the camera is begun with where the printed places are meant to be.
+    // Places on the body itself, independent of the print; they separate the camera from the film.
+    // If empty, the first camera is fitted to the intended places of the print.
     std::vector<PlacePair> body;
     int photos = 1;
     QSize picture; // pixels
@@ -29,49 +29,50 @@ struct FitPairs {
 };
 
 struct FitWish {
-    // Empty: of usualQuantities() those that the pairs determine.
+    // Empty: the usualQuantities() that the pairs determine.
     std::vector<FitQuantity> quantities;
-    bool holdsCamera = false; // as the places of the body alone have it
-    std::optional<Lens> lens; // of a camera measured before
+    bool holdsCamera = false; // keeps the camera that fits the body's places alone
+    std::optional<Lens> lens; // known from an earlier measurement of the camera
 };
 
-// In the quantity's own unit; shifts are offsets on the water, a turn counts from the project's
-// pose.
+// Values have the quantity's own unit. Shifts are offsets on the water; a turn counts from the
+// project's pose.
 struct FittedQuantity {
     FitUnknown unknown;
     double before = 0, after = 0;
-    double low = 0, high = 0; // 95 %
+    double low = 0, high = 0; // 95 % interval
 };
 
-// One printed place, seen less expected.
+// The distance of one printed place, seen minus expected. `before` uses the camera that fits best
+// without the fitted quantities.
 struct FitOff {
-    bool isOnBody = false; // in the simulation that fits; else the rest means nothing
-    Eigen::Vector2d before{0, 0}, after{0, 0}; // pixels; before: by the camera that fits best then
-    double millimetres = 0;                    // after, across the line of sight
+    bool isOnBody = false; // in the fitted simulation; if false, the other members have no meaning
+    Eigen::Vector2d before{0, 0}, after{0, 0}; // pixels
+    double millimetres = 0;                    // `after` in mm, across the line of sight
 };
 
 struct FilmFit {
     std::vector<FittedQuantity> quantities;
-    Eigen::MatrixXd correlation; // of them
-    // What the pairs do not determine, where nothing was named that is to be fitted: as it was.
+    Eigen::MatrixXd correlation; // of `quantities`
+    // Quantities that the pairs do not determine; they keep their values. Only if none were named.
     std::vector<FitUnknown> left;
-    // Why relaxation is not known to a tenth, and what to photograph; empty where it is.
+    // Why relaxation is not known to a tenth, and what to photograph; empty if it is known.
     QString doubt;
-    std::vector<FitOff> off;                  // a printed place each
-    PartView view;                            // its figures are not filled in
-    double beforePixels = 0, afterPixels = 0; // root mean square distance
+    std::vector<FitOff> off;                  // one per printed place
+    PartView view;                            // without figures
+    double beforePixels = 0, afterPixels = 0; // root mean square distances
     double beforeMillimetres = 0, afterMillimetres = 0;
     int dips = 0, rounds = 0;
-    // The project's, with what was fitted.
+    // The project's settings with the fitted values.
     FilmSettings film;
     std::vector<Immersion> immersions;
     std::optional<Millimetres> depth;
 };
 
-// Dips near what the project says, moves what is to be fitted to where the pairs are met best, and
-// dips again until nothing moves by more than a twentieth of its 95 % interval. All cores;
-// deterministic. Throws Error where the pairs do not tell what was named, saying what they cannot
-// tell apart and what to photograph; Cancelled.
+// Simulates dips near the project's settings, moves the quantities to the best match with the
+// pairs, and repeats. It ends when no quantity moves by more than a twentieth of its 95 % interval.
+// Uses all cores; deterministic. Throws Cancelled. Throws Error if the pairs do not determine a
+// named quantity; the message says what they cannot separate and what to photograph.
 FilmFit fitFilm(const Project& project, const DistanceField& field, const FitPairs& pairs,
                 const FitWish& wish, const solver::SolverModule& module, const Progress& progress);
 

@@ -24,9 +24,9 @@ struct Text {
 
 const QString jsonName = QStringLiteral("fit.json");
 const QString tableName = QStringLiteral("fit-places.csv");
-constexpr double strong = 0.9; // correlation that a reader is told of
+constexpr double strong = 0.9; // correlation that is reported
 
-// Elastic film has no finite time.
+// Elastic film has an infinite time.
 QJsonValue numberOrNull(double value) {
     return std::isfinite(value) ? QJsonValue(value) : QJsonValue();
 }
@@ -120,7 +120,7 @@ int decimalsOf(FitQuantity quantity) {
 
 QString sentenceOf(const FittedQuantity& found) {
     const QStringList cells = fitCells(found);
-    return Text::tr("%1: %2, was taken for %3; 95 %: %4")
+    return Text::tr("%1: %2 (before: %3; 95 % interval: %4)")
         .arg(cells[0], cells[2], cells[1], cells[3]);
 }
 
@@ -131,7 +131,7 @@ const FittedQuantity* found(const FilmFit& fit, FitQuantity quantity) {
     return at == fit.quantities.end() ? nullptr : &*at;
 }
 
-// To what photos tell: more digits would say that they were known.
+// Photos do not determine more digits.
 QString digits(double value, int decimals) {
     return QString::number(value, 'f', decimals);
 }
@@ -171,18 +171,17 @@ QStringList fitSentences(const FilmFit& fit) {
         for (Eigen::Index column = 0; column < row; ++column) {
             const double correlation = fit.correlation(row, column);
             if (std::abs(correlation) > strong) {
-                sentences << Text::tr("%1 and %2 are told together rather than each by itself: "
-                                      "correlation %3")
-                                 .arg(fitQuantityText(
-                                          fit.quantities[std::size_t(row)].unknown.quantity),
-                                      fitQuantityText(
-                                          fit.quantities[std::size_t(column)].unknown.quantity),
-                                      QLocale().toString(correlation, 'f', 2));
+                sentences
+                    << Text::tr("%1 and %2 cannot be determined independently: correlation %3")
+                           .arg(fitQuantityText(fit.quantities[std::size_t(row)].unknown.quantity),
+                                fitQuantityText(
+                                    fit.quantities[std::size_t(column)].unknown.quantity),
+                                QLocale().toString(correlation, 'f', 2));
             }
         }
     }
     for (const FitUnknown& unknown : fit.left) {
-        sentences << Text::tr("%1 is not told by these pairs and stays as it was")
+        sentences << Text::tr("%1 is not determined by these pairs and keeps its value")
                          .arg(fitQuantityText(unknown.quantity));
     }
     if (!fit.doubt.isEmpty()) {
@@ -191,8 +190,8 @@ QStringList fitSentences(const FilmFit& fit) {
     const auto number = [](double value, int decimals) {
         return QLocale().toString(value, 'f', decimals);
     };
-    sentences << Text::tr("The print was off by %1 px or %2 mm and is by %3 px or %4 mm with what "
-                          "was found (root mean square)")
+    sentences << Text::tr("Root mean square distance of the print: %1 px (%2 mm) before the fit, "
+                          "%3 px (%4 mm) after it")
                      .arg(number(fit.beforePixels, 2), number(fit.beforeMillimetres, 3),
                           number(fit.afterPixels, 2), number(fit.afterMillimetres, 3));
     return sentences;
@@ -253,7 +252,7 @@ Project withFit(const Project& project, const FilmFit& fit, const std::vector<Fi
     }
     Project changed = withPlacement(project, fit);
     applyProfile(changed, withFit(film, fit, photos, notes));
-    changed.process.overhang = project.process.overhang; // of which a fit says nothing
+    changed.process.overhang = project.process.overhang; // the fit does not determine it
     changed.process.tearStretch = project.process.tearStretch;
     return changed;
 }

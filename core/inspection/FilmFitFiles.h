@@ -1,4 +1,4 @@
-// What a fit to a dipped part has found, as files, sentences and a film profile
+// Writes the result of a fit to a dipped part as files, sentences and a film profile
 // (docs/files-and-commands.md, "Fit files").
 #pragma once
 
@@ -19,24 +19,24 @@ struct FittedPhoto {
 void writeFilmFit(const FilmFit& fit, const FitPairs& pairs, const std::vector<FittedPhoto>& photos,
                   const WatchNotes& notes, const QString& folder);
 
-// A row of a table: name and unit, before, found, 95 %.
+// Returns a table row: name, value before, value found with unit, 95 % interval.
 QStringList fitCells(const FittedQuantity& found);
-// What was found, a sentence a line: of each quantity first.
+// Returns the result as sentences, one per line; the quantities come first.
 QStringList fitSentences(const FilmFit& fit);
 
-// The profile with the film's quantities that were fitted; swell is measured only where both
-// directions were. Throws Error where one is past what a profile may say.
+// Returns the profile with the film quantities that were fitted. Swell counts as measured only if
+// both directions were fitted. Throws Error if a value is outside the profile's limits.
 FilmProfile withFit(FilmProfile profile, const FilmFit& fit, const std::vector<FittedPhoto>& photos,
                     const WatchNotes& notes);
 
-// The project with all that was found: placement and depth, and a film profile that is measured,
-// its own or else a new one of that name, with its film as it is now. Throws Error as withFit() and
-// withPlacement() do.
+// Returns the project with everything that was found: placement, depth, and a measured film profile
+// with the project's current film. The profile is the project's own, or else a new one with the
+// name `newProfile`. Throws Error as withFit() and withPlacement() do.
 Project withFit(const Project& project, const FilmFit& fit, const std::vector<FittedPhoto>& photos,
                 const WatchNotes& notes, const QString& newProfile);
 
-// The project with where its dips really were: offsets, turns and depth, to the digits that its
-// file keeps. Throws Error where one is past what a project may say.
+// Returns the project with the fitted offsets, turns and depth, rounded to the digits of its file.
+// Throws Error if a value is outside the project's limits.
 Project withPlacement(Project project, const FilmFit& fit);
 
 } // namespace dipwright

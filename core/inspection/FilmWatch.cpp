@@ -30,9 +30,9 @@ void requireUpright(const SeenBoard& board, const QString& where) {
         return;
     }
     throw Error(board.kind == BoardKind::Film
-                    ? Text::tr("The film's chessboard is mirrored: lay the film with its ink side "
-                               "up, or turn the picture back that was flipped")
-                    : Text::tr("The card is mirrored: turn the picture back that was flipped"),
+                    ? Text::tr("The film's chessboard is mirrored; lay the film with its ink side "
+                               "up, and use the photo without flipping it")
+                    : Text::tr("The card is mirrored; use the photo without flipping it"),
                 where);
 }
 
@@ -48,7 +48,8 @@ double secondsOf(const WatchedPhoto& photo, double begin) {
     return photo.seconds.value_or(begin);
 }
 
-// Growth between three moments and more says nothing of a dip that begins long before or after.
+// Growth measured at three or more times says nothing about a dip that begins long before or after
+// them.
 void requireBeginSeen(const FilmWatch& watch) {
     constexpr double beyond = 0.25; // of the time from the first photo to the last
     std::set<double> moments;
@@ -62,17 +63,16 @@ void requireBeginSeen(const FilmWatch& watch) {
     if (watch.begin < first - beyond * (last - first) ||
         watch.begin > last + beyond * (last - first)) {
         throw Error(Text::tr("The photos show the film from %1 to %2 s after it was laid on the "
-                             "water, and the dip begins after %3 s, of which they tell nothing; "
-                             "correct the times, or photograph the film from before the dip begins")
+                             "water, but the dip begins after %3 s; correct the times, or "
+                             "photograph the film from before the dip begins")
                         .arg(number(first, 0), number(last, 0), number(watch.begin, 0)),
                     watch.photos.front().where);
     }
 }
 
 QStringList noGrowthSentences(const FilmWatch& watch) {
-    QStringList sentences{
-        Text::tr("Growth is not measured: that takes photos at three moments or more, "
-                 "from before the dip begins to after it ends")};
+    QStringList sentences{Text::tr("Growth is not measured; this needs photos at three or more "
+                                   "times, from before the dip begins until after it ends")};
     const auto away = [&](const WatchedPhoto& photo) {
         return std::abs(secondsOf(photo, watch.begin) - watch.begin);
     };
@@ -80,8 +80,8 @@ QStringList noGrowthSentences(const FilmWatch& watch) {
         watch.photos.begin(), watch.photos.end(),
         [&](const WatchedPhoto& a, const WatchedPhoto& b) { return away(a) < away(b); });
     if (nearest != watch.photos.end() && away(*nearest) >= 1) {
-        sentences << Text::tr("The swell is that after %1 s, and the dip begins after %2 s: what "
-                              "the film grows between is not in it")
+        sentences << Text::tr("The swell was measured after %1 s, but the dip begins after %2 s; "
+                              "it does not include the growth in between")
                          .arg(number(secondsOf(*nearest, watch.begin), 0), number(watch.begin, 0));
     }
     return sentences;
@@ -93,16 +93,18 @@ QStringList growthSentences(const FilmWatch& watch) {
     case GrowthKnown::No:
         return noGrowthSentences(watch);
     case GrowthKnown::None:
-        return {Text::tr("The film did not grow between the photos by more than they can tell")};
+        return {Text::tr("The photos show no measurable growth of the film")};
     case GrowthKnown::RateOnly:
-        return {Text::tr("Growth: %1 ± %2 % a second")
+        return {Text::tr("Growth: %1 ± %2 % per second")
                     .arg(number(100 * growth.rate.value, 4), number(100 * growth.rate.off, 4)),
-                Text::tr("It still grew as fast at the last photo, so that its limit is not known "
-                         "and the profile keeps its own growth; go on until it grows no more")};
+                Text::tr("The film still grew at the same rate in the last photo. Its limit is "
+                         "therefore unknown, and the profile keeps its own growth. Take photos "
+                         "until the film grows no more")};
     case GrowthKnown::Both:
         break;
     }
-    return {Text::tr("Growth: %1 ± %2 % a second when the dip begins, by %3 ± %4 % in the end")
+    return {Text::tr("Growth: %1 ± %2 % per second when the dip begins; %3 ± %4 % in total after a "
+                     "long time")
                 .arg(number(100 * growth.rate.value, 4), number(100 * growth.rate.off, 4),
                      number(100 * growth.limit.value, 2), number(100 * growth.limit.off, 2))};
 }
@@ -118,7 +120,7 @@ double meanResidual(const FilmWatch& watch) {
     return std::sqrt(sum / std::max(count, 1.0));
 }
 
-// With what a card and a film add whose rulers were read so exactly.
+// Adds the uncertainty of the card's and the film's rulers, each read to `rulerError`.
 Measured withRulers(const Measured& swell, double rulerError) {
     const double share = std::sqrt(2.0) * rulerError / watchRuler;
     return {swell.value, std::hypot(swell.off, share * swell.value)};
@@ -143,10 +145,11 @@ FlatSettings flatSettings(const FilmOnWater& told, const std::optional<double>& 
         settings.focalLength = told.focalAs35->value() / (std::hypot(36.0, 24.0) / 2);
     }
     if (settings.cardAbove != 0 && !settings.focalLength) {
-        throw Error(Text::tr("The photo does not say how long the camera's lens was, which is "
-                             "needed where the card lies above the film; give its focal length as "
-                             "of a 35 mm camera"),
-                    where);
+        throw Error(
+            Text::tr(
+                "The photo does not contain the camera's focal length, which is needed because the "
+                "card lies above the film; give the 35 mm equivalent focal length"),
+            where);
     }
     return settings;
 }
@@ -156,16 +159,16 @@ FlatFilm measureFlatFilm(const QImage& photo, const FlatSettings& settings, cons
     const SeenBoard* film = boardOf(boards, BoardKind::Film);
     const SeenBoard* card = boardOf(boards, BoardKind::Card);
     if (!film) {
-        throw Error(card ? Text::tr("Of the film's chessboard too little is seen; photograph all "
-                                    "of it, sharp and without glare")
-                         : Text::tr("No chessboard of the film watch is seen; print it with "
-                                    "“calibrate film” and photograph it whole, sharp and without "
-                                    "glare"),
-                    where);
+        throw Error(
+            card ? Text::tr("Too little of the film's chessboard is visible; photograph all of it, "
+                            "sharp and without glare")
+                 : Text::tr("No chessboard of the film watch is visible; print it with “calibrate "
+                            "film” and photograph all of it, sharp and without glare"),
+            where);
     }
     if (!card) {
-        throw Error(Text::tr("The card of the film watch is not seen, without which no lengths are "
-                             "known; print it with “calibrate card” and lay it beside the film"),
+        throw Error(Text::tr("The card of the film watch is not visible, but it is needed as a "
+                             "scale; print it with “calibrate card” and lay it beside the film"),
                     where);
     }
     requireUpright(*film, where);
@@ -193,7 +196,7 @@ FilmWatch watchedFilm(std::vector<WatchedPhoto> photos, double begin, double rul
 FilmProfile withMeasurement(FilmProfile profile, const FilmWatch& watch, const WatchNotes& notes) {
     const GrowthFit& growth = watch.growth;
     Profile result = profile;
-    // To what photos tell: more digits would say that they were known.
+    // Photos do not determine more digits.
     const auto digits = [](const Measured& measured, int decimals) {
         return QString::number(measured.value, 'f', decimals);
     };

@@ -1,5 +1,5 @@
-// A film measured by photos while it floats flat: swell, growth and unevenness
-// (docs/inspection.md, "Film watch").
+// Measures swell, growth and unevenness of a floating film from photos (docs/inspection.md, "Film
+// watch").
 #pragma once
 
 #include "inspection/GrowthFit.h"
@@ -13,14 +13,14 @@
 
 namespace dipwright {
 
-// What is told of the tank and the camera, for a photo that says itself how long the camera's lens
-// was, in half diagonals, or does not. Throws Error, naming `where`, where that is needed and
-// nobody says.
+// Returns the settings for a photo from the user's data on tank and camera. `focalLength` is the
+// focal length in the photo's metadata, in half diagonals. Throws Error, naming `where`, if the
+// focal length is needed and neither source gives it.
 FlatSettings flatSettings(const FilmOnWater& told, const std::optional<double>& focalLength,
                           const QString& where);
 
-// Finds the film's chessboard and the card in a photo and measures. Throws Error, naming `where`,
-// where one of them is missing, mirrored or seen in too small a part.
+// Finds the film's chessboard and the card in a photo and measures the film. Throws Error, naming
+// `where`, if one of them is missing, mirrored or visible only in small part.
 FlatFilm measureFlatFilm(const QImage& photo, const FlatSettings& settings, const QString& where);
 
 struct WatchedPhoto {
@@ -31,31 +31,31 @@ struct WatchedPhoto {
 };
 
 struct FilmWatch {
-    std::vector<WatchedPhoto> photos; // by their seconds
+    std::vector<WatchedPhoto> photos; // in order of time
     GrowthFit growth;
-    double begin = 0;      // seconds at which the dip begins
-    double rulerError = 0; // mm, 95 %, of each of the rulers
+    double begin = 0;      // when the dip begins, in seconds
+    double rulerError = 0; // mm, 95 %, of each ruler
 };
 
-// What follows from the photos together; at least one. Those without a time are taken to have been
-// made when the dip begins. The swell's interval holds how exactly the rulers were read; growth is
-// told by photos of one scale and has nothing of it. Throws Error where three moments and more say
-// nothing of when the dip begins.
+// Evaluates the photos together; at least one. Photos without a time count as taken when the dip
+// begins. The swell's interval includes the error of reading the rulers. Growth does not depend on
+// that error, because all photos share one scale. Throws Error if there are three or more times,
+// all too far from the start of the dip.
 FilmWatch watchedFilm(std::vector<WatchedPhoto> photos, double begin, double rulerError = 0);
 
-// What was known besides when the photos were made.
+// What the user noted when the photos were taken.
 struct WatchNotes {
-    QString date; // ISO
-    QString lot;  // empty: the profile keeps its own
+    QString date; // ISO 8601
+    QString lot;  // empty: the profile keeps its lot
     std::optional<double> waterTemperature;
 };
 
-// The profile with what was measured. Growth is taken over where rate and limit are known or there
-// is none; else the profile keeps its own. Throws Error where the swell is past what a profile may
-// say.
+// Returns the profile with the measured values. Growth is replaced if rate and limit are known or
+// if there is no growth; otherwise the profile keeps its own. Throws Error if the swell is outside
+// the profile's limits.
 FilmProfile withMeasurement(FilmProfile profile, const FilmWatch& watch, const WatchNotes& notes);
 
-// What was found, a sentence a line, the last ones what to photograph to know more.
+// Returns the result as sentences, one per line. The last ones say what to photograph to know more.
 QStringList watchSentences(const FilmWatch& watch);
 
 } // namespace dipwright

@@ -105,7 +105,7 @@ QByteArray tableOf(const FilmWatch& watch) {
     return table;
 }
 
-// Where the film's corners stand in the picture.
+// Draws the film's corners as a map.
 class Map {
 public:
     Map(const WatchedPhoto& photo, int height) : film_(photo.film), unit_(height / 100.0) {
@@ -135,7 +135,8 @@ public:
         painter.scale(unit_, unit_);
         letter(painter, {4, 6}, 2.6, Text::tr("Unevenness of the film"));
         letter(painter, {4, 9.5}, 1.6,
-               Text::tr("Colour: grown more or less than the mean, %1 · arrows: moved, %2 times")
+               Text::tr("Colour: growth relative to the mean swell %1 · arrows: displacement, "
+                        "enlarged %2 times")
                    .arg(QLocale().toString(mean_, 'f', 4))
                    .arg(QLocale().toString(enlarged(), 'f', 0)));
         for (const FilmCorner& corner : film_.corners) {
@@ -165,7 +166,7 @@ private:
         painter.restore();
     }
 
-    // So that the longest arrow is no longer than a square, and noise is not blown up.
+    // Limits the longest arrow to one square, and does not enlarge noise.
     double enlarged() const {
         constexpr double least = 0.17; // mm
         const double times = boardSquare(BoardKind::Film) / std::max(farthest_, least);
@@ -211,10 +212,10 @@ private:
     }
 
     const FlatFilm& film_;
-    double unit_; // pixels to a hundredth of the height
-    QRectF box_;  // mm of the sheet
+    double unit_; // pixels per hundredth of the height
+    QRectF box_;  // mm on the sheet
     double scale_ = 1, mean_ = 1, farthest_ = 0;
-    double most_ = 0.001; // of the swell, to either side: noise is not blown up to a picture
+    double most_ = 0.001; // half the colours' range, at least this: noise does not show
 };
 
 } // namespace

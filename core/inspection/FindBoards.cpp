@@ -15,13 +15,13 @@ namespace dipwright {
 
 namespace {
 
-// The picture is looked through at several sizes: a board may be small in it, or blurred.
+// The photo is searched at several sizes, because a board may be small in it, or blurred.
 constexpr std::array<int, 3> lengths{900, 1800, 3600}; // pixels of the longer side
 
-// Without corners that do not lie in line with those beside them: something else was taken for one.
+// Removes corners that are not in line with their neighbours; they were mistaken for corners.
 CornerGrid inLine(CornerGrid grid) {
     constexpr double mostBend = 0.1;                  // of a step, from one to the next
-    std::map<GridPlace, std::pair<int, int>> triples; // how many a corner is in, and of them bent
+    std::map<GridPlace, std::pair<int, int>> triples; // per corner: all, and bent
     for (const auto& [at, place] : grid.corners) {
         for (const auto& [dx, dy] : {GridPlace{1, 0}, {0, 1}}) {
             const auto [i, j] = at;
@@ -44,7 +44,7 @@ CornerGrid inLine(CornerGrid grid) {
     return grid;
 }
 
-// Corners moved to where the picture has them; those that it does not have are left out.
+// Moves corners to their exact places in the photo and drops those that it does not show.
 CornerGrid refined(const GreyLevels& grey, const CornerGrid& grid) {
     std::vector<GridPlace> places;
     for (const auto& [at, place] : grid.corners) {
@@ -67,7 +67,7 @@ CornerGrid refined(const GreyLevels& grey, const CornerGrid& grid) {
     return inLine(std::move(result));
 }
 
-// By rows.
+// Sorts the corners row by row.
 std::vector<SeenCorner> refined(const GreyLevels& grey, const std::vector<SeenCorner>& corners) {
     CornerGrid grid;
     for (const SeenCorner& corner : corners) {

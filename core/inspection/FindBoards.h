@@ -1,4 +1,4 @@
-// Chessboards with dots (sheet/page/CodedBoard.h) in a photo.
+// Finds chessboards with dots (sheet/page/CodedBoard.h) in a photo.
 #pragma once
 
 #include "sheet/page/CodedBoard.h"
@@ -10,7 +10,7 @@
 
 namespace dipwright {
 
-// Where four squares meet: the upper left corner of the square of that column and row.
+// A point where four squares meet: the upper left corner of the square in that column and row.
 struct SeenCorner {
     int column = 0, row = 0;
     Eigen::Vector2d place; // pixels, as in Lens.h
@@ -18,13 +18,14 @@ struct SeenCorner {
 
 struct SeenBoard {
     BoardKind kind = BoardKind::Film;
-    bool mirrored = false;           // seen from behind, or in a picture that was turned over
-    std::vector<SeenCorner> corners; // by rows
+    bool mirrored = false;           // seen from behind, or in a flipped photo
+    std::vector<SeenCorner> corners; // row by row
 };
 
-// Of each kind the one of which most corners are seen, refined on the picture: turned, seen at a
-// slant, dimly or in part, with corners missing where light glares. A board of which less than
-// forty squares are seen is not known and not told. Uses all cores; the same result on any number.
+// Returns, for each kind, the board with the most visible corners, refined on the photo. Boards may
+// be turned, slanted, dim or partly hidden, and corners may be missing in glare. A board with fewer
+// than forty visible squares is not identified and not returned. Uses all cores; the result does
+// not depend on their number.
 std::vector<SeenBoard> findBoards(const QImage& photo);
 
 } // namespace dipwright

@@ -23,30 +23,30 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::PartCamera)
 };
 
-constexpr double leastFacing = 0.3; // cosine between the line of sight and the body's normal
-constexpr double leastStep = 8;     // pixels to the next corner, and the least sine between them
-constexpr double leastSine = 0.25;  // … of the two steps in the picture
-constexpr double firstReach = 0.6;  // steps all round, in which a corner is looked for
-constexpr double nearReach = 0.35;  // … beside one that was found
-constexpr double leastAlike = 0.75; // correlation with what four squares look like
-constexpr double neighbours = 1.6;  // squares within which corners are beside each other
-constexpr double mostAstray = 0.35; // steps from where those beside it are, on the mean
+constexpr double leastFacing = 0.3; // cosine between line of sight and body normal
+constexpr double leastStep = 8;     // pixels to the next corner
+constexpr double leastSine = 0.25;  // sine of the angle between the two steps in the photo
+constexpr double firstReach = 0.6;  // steps in every direction, within which a corner is searched
+constexpr double nearReach = 0.35;  // the same beside a corner that was found
+constexpr double leastAlike = 0.75; // correlation with the pattern of four squares
+constexpr double neighbours = 1.6;  // squares within which corners are neighbours
+constexpr double mostAstray = 0.35; // steps from the place that the neighbours suggest
 constexpr double leastShare = 0.25; // of the corners that a photo should show
 constexpr int rounds = 3;           // of finding corners and fitting the camera to them
 
 // A corner as the camera should see it.
 struct Expected {
     std::size_t corner = 0;
-    Eigen::Vector2d pixel, right, down; // the last two: steps to the next corners
+    Eigen::Vector2d pixel, right, down; // `right` and `down`: steps to the next corners
 };
 
 struct Alike {
     double correlation = 0;
-    Eigen::Vector2d steps = Eigen::Vector2d::Zero(); // from where it was looked for
+    Eigen::Vector2d steps = Eigen::Vector2d::Zero(); // from the start of the search
 };
 
-// How much the picture looks like four squares that meet at a place: dark and light in turn, 1 at
-// most, −1 where black and white are swapped.
+// Returns how much the photo looks like four squares that meet at a place, dark and light in turn:
+// at most 1, and −1 if black and white are swapped.
 double alike(const cv::Mat& grey, const Expected& at, const Eigen::Vector2d& place, bool isDark) {
     constexpr std::array<double, 8> samples{-0.4, -0.3, -0.2, -0.1, 0.1, 0.2, 0.3, 0.4};
     double sum = 0, squares = 0, product = 0;
@@ -59,12 +59,12 @@ double alike(const cv::Mat& grey, const Expected& at, const Eigen::Vector2d& pla
         }
     }
     constexpr double count = samples.size() * samples.size();
-    constexpr double leastDeviation = 0.01; // of white: less is noise
+    constexpr double leastDeviation = 0.01; // of white; smaller deviations are noise
     const double deviation = std::sqrt(std::max(0.0, squares / count - std::pow(sum / count, 2)));
     return (isDark ? 1 : -1) * product / count / std::max(deviation, leastDeviation);
 }
 
-// Looks at a photo from the camera that is known so far.
+// Searches a photo, given the current camera.
 class PhotoSearch {
 public:
     PhotoSearch(const QImage& photo, const std::vector<PrintedCorner>& corners)
@@ -72,7 +72,7 @@ public:
         cv::GaussianBlur(grey_.front(), blurred_, {}, 1);
     }
 
-    // Those that face the camera, with nothing of the body before them.
+    // Returns the corners that face the camera and that the body does not hide.
     std::vector<Expected> expected(const PartView& view, int photo,
                                    const SurfaceQuery& body) const {
         const PartPose& pose = view.photos[std::size_t(photo)];
@@ -107,7 +107,7 @@ public:
         return all;
     }
 
-    // Where it is nearest to how it should look, within so many steps of `place`.
+    // Returns the best match within `reach` steps of `place`.
     Alike bestNear(const Expected& at, const Eigen::Vector2d& place, double reach) const {
         constexpr double step = 0.05;
         const int count = int(std::ceil(reach / step));
@@ -157,7 +157,7 @@ private:
     QSize size_;
 };
 
-// The corners of one photo, from those beside which others were found to the next.
+// Finds the corners of one photo, spreading from found corners to their neighbours.
 class PhotoCorners {
 public:
     PhotoCorners(const PhotoSearch& search, const std::vector<PrintedCorner>& corners,
@@ -191,7 +191,7 @@ private:
         return all;
     }
 
-    // Those that have a neighbour that was found.
+    // Returns the corners not found yet that have a found neighbour.
     std::vector<std::size_t> missing() const {
         std::vector<std::size_t> all = everything();
         std::erase_if(all, [&](std::size_t i) { return found_[i] || !moved(i); });
@@ -211,7 +211,7 @@ private:
         }
     }
 
-    // How far those beside it lie from where they are expected, by the middle one, in steps.
+    // Returns the median distance of the neighbours from their expected places, in steps.
     std::optional<Eigen::Vector2d> moved(std::size_t which) const {
         const PrintedCorner& here = corners_[expected_[which].corner];
         const double most = neighbours * std::max(here.right.norm(), here.down.norm());
@@ -243,8 +243,8 @@ private:
         return steps.inverse() * (*found_[which] - at.pixel);
     }
 
-    // Something else was taken for a corner where it does not go with those beside it, or stands
-    // alone.
+    // Drops corners that do not fit their neighbours or stand alone; they were mistaken for
+    // corners.
     void dropStrays() {
         std::vector<std::size_t> strays;
         for (std::size_t i = 0; i < expected_.size(); ++i) {
@@ -263,10 +263,10 @@ private:
     const PhotoSearch& search_;
     const std::vector<PrintedCorner>& corners_;
     std::vector<Expected> expected_;
-    std::vector<std::optional<Eigen::Vector2d>> found_; // of each expected one
+    std::vector<std::optional<Eigen::Vector2d>> found_; // per expected corner
 };
 
-// The sentence for a photo that does not show what it should.
+// Returns the sentence for a photo that does not show what it should.
 QString notSeen(const PhotoSearch& search, const PhotoCorners& corners, int photo) {
     std::size_t mirrored = 0;
     for (const Expected& at : corners.expected()) {
@@ -274,17 +274,17 @@ QString notSeen(const PhotoSearch& search, const PhotoCorners& corners, int phot
     }
     const std::size_t should = corners.expected().size();
     if (should == 0) {
-        return Text::tr("By its places, photo %1 shows none of the print; give them again, or "
-                        "photograph the side that was dipped")
+        return Text::tr("According to its places, photo %1 shows none of the print; give the "
+                        "places again, or photograph the dipped side")
             .arg(photo + 1);
     }
     if (double(mirrored) > 0.5 * double(should)) {
-        return Text::tr("In photo %1 black and white are swapped: the film was laid with its ink "
-                        "down, or turned by a square")
+        return Text::tr("In photo %1, black and white are swapped; the film was laid with its ink "
+                        "side down, or shifted by one square")
             .arg(photo + 1);
     }
-    return Text::tr("Of %1 corners that photo %2 should show, %3 were found: is this the job's "
-                    "part and print, sharp and whole, and were its places given rightly?")
+    return Text::tr("Photo %2 should show %1 corners, but only %3 were found; check that it shows "
+                    "this job's part and print, whole and sharp, and that its places are correct")
         .arg(should)
         .arg(photo + 1)
         .arg(corners.count());
@@ -325,7 +325,7 @@ FoundPrint findPrint(const std::vector<QImage>& photos, const TriangleMesh& mode
         for (int photo = 0; photo < count; ++photo) {
             progress(double(round * count + photo) / double(rounds * count),
                      Text::tr("Finding corners in photo %1").arg(photo + 1));
-            const PhotoSearch search(photos[std::size_t(photo)], corners); // large
+            const PhotoSearch search(photos[std::size_t(photo)], corners); // large: one at a time
             PhotoCorners found(search, corners, search.expected(print.view, photo, body));
             found.find();
             if (found.count() < std::size_t(leastPairs) ||
@@ -342,7 +342,7 @@ FoundPrint findPrint(const std::vector<QImage>& photos, const TriangleMesh& mode
             print.view = fitPartCamera(pairsOf(print.places), count, size, where, settings.lens);
             print.followsPrint = true;
         } catch (const Error&) {
-            break; // all on one face, say
+            break; // for example, all corners lie on one face
         }
     }
     print.view = viewOf(print.view, pairsOf(print.places), size);

@@ -1,5 +1,5 @@
-// Corners of the print in photos of a dipped part, each held against the place where it is meant to
-// be (docs/inspection.md, "From photos of a part to corners").
+// Finds corners of the print in photos of a dipped part, and their intended places on the part
+// (docs/inspection.md, "From photos of a part to corners").
 #pragma once
 
 #include "base/Progress.h"
@@ -13,28 +13,28 @@
 namespace dipwright {
 
 struct FindPrintSettings {
-    // The camera is the clicked pairs' alone: for pairs of the body itself, its tips and edges, so
-    // that a print that is shifted as a whole shows. Else the found corners say where the camera
-    // was, as far as they alone can.
+    // Keeps the camera of the clicked pairs. This suits pairs on the body itself, its tips and
+    // edges, because then a shift of the whole print shows. Otherwise the camera is fitted to the
+    // found corners, as far as they alone determine it.
     bool keepsCamera = false;
-    std::optional<Lens> lens; // of a camera measured before
+    std::optional<Lens> lens; // known from an earlier measurement of the camera
 };
 
 struct FoundPrint {
-    std::vector<PrintedPlace> places; // by photos
-    std::vector<int> expected;        // of each photo: corners that should be seen
-    bool followsPrint = false;        // whether the camera is that of the found places
-    PartView view;                    // its `off` is of the places found
+    std::vector<PrintedPlace> places; // photo by photo
+    std::vector<int> expected;        // per photo: the number of corners that should be visible
+    bool followsPrint = false;        // whether the camera is fitted to the found places
+    PartView view;                    // its `off` is that of the found places
 };
 
-// `clicked`: at least six pairs a photo. Uses all cores; the same result on any number. Throws
-// Error where a photo does not show the print, or shows it mirrored; Cancelled.
+// `clicked` holds at least six pairs per photo. Uses all cores; the result does not depend on their
+// number. Throws Cancelled, and Error if a photo does not show the print, or shows it mirrored.
 FoundPrint findPrint(const std::vector<QImage>& photos, const TriangleMesh& model,
                      const std::vector<PrintedCorner>& corners,
                      const std::vector<PlacePair>& clicked, const FindPrintSettings& settings,
                      const Progress& progress, const QString& where);
 
-// As pairs of a camera's fit, in the same order.
+// Returns the places as pairs for fitPartCamera(), in the same order.
 std::vector<PlacePair> pairsOf(const std::vector<PrintedPlace>& places);
 
 } // namespace dipwright

@@ -13,11 +13,10 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::FilmFit)
 };
 
-constexpr double exchangeable = 0.8; // correlation past which two are named together
-constexpr double moves = 0.02;       // mm: farther from their place, for all that may be off, than
-                                     // none of the places goes
+constexpr double exchangeable = 0.8; // correlation above which two unknowns are named together
+constexpr double leastEffect = 0.02; // mm: a smaller effect counts as none
 
-// As far as any of the places goes for so much of the unknown, mm.
+// Returns the largest movement of any place, in mm, for a change of the unknown by `of`.
 double farthest(const PlacesNear& near, std::size_t unknown, double of) {
     double most = 0;
     for (std::size_t i = 0; i < near.places.size(); ++i) {
@@ -33,14 +32,14 @@ QString advice(FitQuantity quantity) {
     case FitQuantity::ShiftX:
     case FitQuantity::ShiftZ:
     case FitQuantity::Turn:
-        return Text::tr("give pairs of places all round the body");
+        return Text::tr("give pairs of places all round the part");
     case FitQuantity::SwellX:
     case FitQuantity::SwellY:
     case FitQuantity::Relaxation:
-        return Text::tr("photograph places near the body's lowest point and others high on its "
+        return Text::tr("photograph places near the part's lowest point and others high on its "
                         "sides, from more than one direction");
     case FitQuantity::Growth:
-        return Text::tr("measure growth by photos of the floating film, “inspect film”");
+        return Text::tr("measure growth from photos of the floating film with “inspect film”");
     case FitQuantity::ContactDistance:
     case FitQuantity::Depth:
         break;
@@ -52,9 +51,9 @@ QString advice(FitQuantity quantity) {
 
 QString notInThisFilm(FitQuantity quantity) {
     return quantity == FitQuantity::Growth
-               ? Text::tr("The project's film does not grow, and so its growth cannot be fitted; "
-                          "measure it by photos of the floating film, “inspect film”")
-               : Text::tr("%1 changes nothing of this film and cannot be fitted")
+               ? Text::tr("The project's film does not grow, so its growth cannot be fitted; "
+                          "measure it from photos of the floating film with “inspect film”")
+               : Text::tr("%1 has no effect on this film and cannot be fitted")
                      .arg(fitQuantityText(quantity));
 }
 
@@ -62,8 +61,8 @@ QString whyUnknown(const JointSolution& solution, const std::vector<FitUnknown>&
                    const std::vector<bool>& isFree, std::size_t unknown, const PlacesNear& near,
                    bool hasBodyPairs) {
     const QString name = fitQuantityText(unknowns[unknown].quantity);
-    if (farthest(near, unknown, fitScale(unknowns[unknown].quantity).mostOff) < moves) {
-        return Text::tr("%1 moves none of the places, so that the pairs do not tell it; %2")
+    if (farthest(near, unknown, fitScale(unknowns[unknown].quantity).mostOff) < leastEffect) {
+        return Text::tr("%1 moves none of the places, so the pairs do not determine it; %2")
             .arg(name, advice(FitQuantity::Depth));
     }
     Eigen::Index row = 0, column = 0;
@@ -84,19 +83,21 @@ QString whyUnknown(const JointSolution& solution, const std::vector<FitUnknown>&
     }
     const QLocale locale;
     if (solution.withCamera[row] > std::max(most, exchangeable)) {
-        return Text::tr("The pairs cannot tell %1 from the camera's place (correlation %2); %3")
+        return Text::tr(
+                   "The pairs cannot separate %1 from the camera's position (correlation %2); %3")
             .arg(name, locale.toString(solution.withCamera[row], 'f', 2),
-                 hasBodyPairs ? Text::tr("give more pairs of the body itself, farther apart")
-                              : Text::tr("give pairs of the body itself, its edges, corners or "
-                                         "holes, with --pairs"));
+                 hasBodyPairs
+                     ? Text::tr("give more pairs on the part itself, farther apart")
+                     : Text::tr(
+                           "give pairs on the part itself (edges, corners or holes) with --pairs"));
     }
     if (most > exchangeable) {
-        return Text::tr("The pairs cannot tell %1 from %2 (correlation %3); fit one of the two "
-                        "alone, or %4")
+        return Text::tr("The pairs cannot separate %1 from %2 (correlation %3); fit only one of "
+                        "the two, or %4")
             .arg(name, fitQuantityText(unknowns[partner].quantity), locale.toString(most, 'f', 2),
                  advice(unknowns[unknown].quantity));
     }
-    return Text::tr("The pairs do not tell %1 well enough; give more of them, or %2")
+    return Text::tr("The pairs do not determine %1 well enough; give more pairs, or %2")
         .arg(name, advice(unknowns[unknown].quantity));
 }
 
@@ -106,9 +107,8 @@ QString whyUnsure(const JointSolution& solution, std::size_t unknown, const Plac
         return {};
     }
     const QLocale locale;
-    return Text::tr(
-               "%1 is known to about %2 % only: a tenth of it moves none of the places seen by "
-               "more than %3 mm; give more of them, or %4")
+    return Text::tr("%1 is known only to about %2 %: a change by a tenth moves none of the places "
+                    "by more than %3 mm; give more pairs, or %4")
         .arg(fitQuantityText(FitQuantity::Relaxation),
              locale.toString(100 * std::expm1(off), 'f', 0),
              locale.toString(farthest(near, unknown, tenth), 'f', 3),

@@ -19,9 +19,9 @@ struct Text {
 };
 
 constexpr double percent = 0.01;
-// Of a film that does not say: a viscous one is tried as one that relaxes in this share of the dip.
+// A viscous film has no relaxation time. Its fit starts with this share of the dip's duration.
 constexpr double viscousStart = 0.03;
-constexpr double farthestRelaxation = 300; // dips that it may take, and parts of one
+constexpr double farthestRelaxation = 300; // limits: this many dips, and a dip divided by it
 
 struct Described {
     const char* key;
@@ -33,14 +33,14 @@ struct Described {
 const Described& described(FitQuantity quantity) {
     static const std::array<Described, fitQuantityCount> all{{
         {"shift_x",
-         QT_TRANSLATE_NOOP("dipwright::FilmFit", "Body along X"),
+         QT_TRANSLATE_NOOP("dipwright::FilmFit", "Part along X"),
          "mm",
          {0.3, 5, 2, 0.01}},
         {"shift_z",
-         QT_TRANSLATE_NOOP("dipwright::FilmFit", "Body along Z"),
+         QT_TRANSLATE_NOOP("dipwright::FilmFit", "Part along Z"),
          "mm",
          {0.3, 5, 2, 0.01}},
-        {"turn", QT_TRANSLATE_NOOP("dipwright::FilmFit", "Body about Y"), "°", {0.5, 5, 3, 0.02}},
+        {"turn", QT_TRANSLATE_NOOP("dipwright::FilmFit", "Part about Y"), "°", {0.5, 5, 3, 0.02}},
         {"swell_x",
          QT_TRANSLATE_NOOP("dipwright::FilmFit", "Swell along X"),
          "",
@@ -102,9 +102,9 @@ FitQuantity fitQuantityOf(const QString& key) {
             return FitQuantity(number);
         }
     }
-    throw Error(Text::tr("“%1” is nothing that can be fitted; choose of %2")
-                    .arg(key, keys.join(QStringLiteral(", "))),
-                {});
+    throw Error(
+        Text::tr("“%1” cannot be fitted; choose from %2").arg(key, keys.join(QStringLiteral(", "))),
+        {});
 }
 
 FitScale fitScale(FitQuantity quantity) {

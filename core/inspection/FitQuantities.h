@@ -1,5 +1,5 @@
-// What a fit to a dipped part can find out, and what each does to a dip (docs/inspection.md, "The
-// fit").
+// Lists the quantities that a fit to a dipped part can determine, and applies them to a dip
+// (docs/inspection.md, "The fit").
 #pragma once
 
 #include "accuracy/tolerance/Contributors.h"
@@ -12,9 +12,9 @@ namespace dipwright {
 struct Project;
 
 enum class FitQuantity : std::uint8_t {
-    ShiftX, // of the body against the film, mm
+    ShiftX, // of the body relative to the film, mm
     ShiftZ,
-    Turn, // of the body about the vertical through the middle of its bounding box, degrees
+    Turn, // of the body about the vertical axis through the centre of its bounding box, degrees
     SwellX,
     SwellY,
     Relaxation,      // s
@@ -24,52 +24,53 @@ enum class FitQuantity : std::uint8_t {
 };
 inline constexpr std::size_t fitQuantityCount = 9;
 
-// Placement, swell and relaxation. Contact distance can hardly be told from swell, depth and growth
-// are better measured at the tank.
+// Returns placement, swell and relaxation. Contact distance can hardly be separated from swell;
+// depth and growth are better measured at the tank.
 std::vector<FitQuantity> usualQuantities();
-// Of a dip, that is; else of the film, and the same in all dips.
+// Tells whether a quantity belongs to a single dip. Otherwise it belongs to the film and is the
+// same in all dips.
 bool isOfDip(FitQuantity quantity);
-// For the user: "Body along X", "mm".
+// Return the name and unit for the user, for example "Part along X" and "mm".
 QString fitQuantityText(FitQuantity quantity);
 QString fitQuantityUnit(FitQuantity quantity);
-// For files and the command line: "shift_x".
+// Returns the key for files and the command line, for example "shift_x".
 QString fitQuantityKey(FitQuantity quantity);
-// Throws Error on another word.
+// Throws Error for an unknown key.
 FitQuantity fitQuantityOf(const QString& key);
 
-// A quantity that is looked for, of one dip where it is one's.
+// A quantity to determine. For a quantity of a single dip, `dip` is the dip's index.
 struct FitUnknown {
     FitQuantity quantity = FitQuantity::ShiftX;
     int dip = 0;
 };
 
-// In a fit an unknown is a number of the order of 1 that is 0 at the start: mm, degrees, per cent
-// of the swell, and the logarithm of relaxation and growth over the start's.
+// The scale of an unknown. In a fit, an unknown is a number of the order of 1 that starts at 0: mm,
+// degrees, per cent of the swell, or the logarithm of relaxation or growth over its start.
 struct FitScale {
     double step;    // to either side, for the derivatives
-    double most;    // that it goes in one round
-    double mostOff; // 95 %: past it, it is not known
-    double least;   // that it has to move by for another round
+    double most;    // largest change in one round
+    double mostOff; // 95 % interval above which it does not count as known
+    double least;   // smallest change that needs another round
 };
 FitScale fitScale(FitQuantity quantity);
 
-// The dips of a project, and what becomes of them for unknowns. Keeps references.
+// The dips of a project, and how unknowns change them. Keeps references.
 class FittedDips {
 public:
-    // `setups`: of the project's immersions each.
+    // `setups` has one entry per immersion of the project.
     FittedDips(const Project& project, std::vector<solver::DipSetup> setups);
 
     const solver::DipSetup& setup(int dip) const { return setups_[std::size_t(dip)]; }
-    // Whether it changes a dip at all.
+    // Tells whether the quantity has any effect on the dips.
     bool matters(FitQuantity quantity) const;
-    // Within what a dip can be.
+    // Clamps an unknown to what a dip can be.
     double within(FitQuantity quantity, double unknown) const;
     ChangedDip dip(int dip, const std::vector<FitUnknown>& unknowns,
                    const std::vector<double>& values) const;
-    // In the quantity's own unit. Shifts are offsets on the water, turns count from the pose that
-    // the project has.
+    // Returns a value in the quantity's own unit. Shifts are offsets on the water; turns count from
+    // the project's pose.
     double told(const FitUnknown& unknown, double value) const;
-    // As the project has it.
+    // Returns the project's value.
     double before(const FitUnknown& unknown) const;
 
 private:

@@ -25,13 +25,13 @@ struct Text {
 };
 
 constexpr double sure95 = 1.959964; // standard deviations to either side
-// Of half the picture's diagonal: a card is flat, and corners are found to a tenth of that.
+// Share of half the picture's diagonal. A card is flat, and corners are found to a tenth of this.
 constexpr double mostCardOff = 0.001;
-constexpr double mm = 100; // millimetres to a unit of the fit, so that its numbers are near 1
+constexpr double mm = 100; // mm per unit of the fit, so that its numbers are near 1
 
 using Places = std::vector<Eigen::Vector2d>;
 
-// On the printed page, from the board's upper left corner, in units of the fit.
+// Returns the places on the printed page from the board's upper left corner, in units of the fit.
 Places printedPlaces(const SeenBoard& board, const std::array<double, 2>& scale) {
     Places places;
     for (const SeenCorner& corner : board.corners) {
@@ -53,8 +53,8 @@ Eigen::Map<const Eigen::Matrix2Xd> columnsOf(const Places& places) {
     return {places.front().data(), 2, Eigen::Index(places.size())};
 }
 
-// Parameters: the water's homography (8), the film on the water (2 × 2 by columns, then its shift),
-// and k1, k2 where no camera is known.
+// Parameters: the homography of the water (8), the film on the water (a 2 × 2 matrix by columns,
+// then its shift), and k1 and k2 if no camera is known.
 class FlatFit {
 public:
     FlatFit(const SeenBoard& film, const SeenBoard& card, QSize picture,
@@ -106,8 +106,8 @@ public:
         return settings_.lens.value_or(p.size() > 14 ? Lens{p[14], p[15]} : Lens{});
     }
 
-    // Of the film's corners, in units of the fit: where they were printed, where an evenly swollen
-    // film has them, and where they lie.
+    // The film's corners in units of the fit: where they were printed, where an evenly swollen film
+    // has them, and where they lie.
     const Places& printed() const { return film_; }
     static Eigen::Vector2d onWater(const Eigen::VectorXd& p, const Eigen::Vector2d& printed) {
         return {p[8] * printed.x() + p[10] * printed.y() + p[12],
@@ -116,8 +116,8 @@ public:
     Eigen::Vector2d seenOnWater(const Eigen::VectorXd& p, std::size_t corner) const {
         return projected(waterOf(p).inverse(), undistorted(filmSeen_[corner], lensOf(p)));
     }
-    double pixels() const { return plane_.unit(); } // to a unit of the residuals
-    // Root mean square of what the card's corners are off, in units of the fit.
+    double pixels() const { return plane_.unit(); } // per unit of the residuals
+    // Returns the root mean square residual of the card's corners, in units of the fit.
     double cardOff(const Eigen::VectorXd& residuals) const {
         const double count = double(card_.size());
         return residuals.tail(2 * Eigen::Index(card_.size())).norm() / std::sqrt(count);
@@ -130,9 +130,9 @@ private:
         return water;
     }
 
-    // The homography of the plane that lies `cardAbove` over the water. Its third column moves by
-    // what a step along the plane's normal does: the camera's matrix times the normal, which is at
-    // right angles to the two others once the focal length is taken out of them.
+    // Returns the homography of the plane `cardAbove` over the water. Its third column changes by a
+    // step along the plane's normal: the camera's matrix times the normal. The normal is
+    // perpendicular to the other two columns after removal of the focal length.
     Eigen::Matrix3d raised(const Eigen::Matrix3d& water) const {
         if (settings_.cardAbove == 0 || !settings_.focalLength) {
             return water;
@@ -141,7 +141,7 @@ private:
         const Eigen::Vector3d camera(1 / f, 1 / f, 1);
         const Eigen::Vector3d x = camera.cwiseProduct(water.col(0));
         const Eigen::Vector3d y = camera.cwiseProduct(water.col(1));
-        // x × y points away from the camera where the plane is seen from above.
+        // x × y points away from the camera if the plane is seen from above.
         const Eigen::Vector3d up = -x.cross(y) / std::sqrt(x.norm() * y.norm());
         Eigen::Matrix3d card = water;
         card.col(2) += settings_.cardAbove / mm * Eigen::Vector3d(f, f, 1).cwiseProduct(up);
@@ -153,7 +153,8 @@ private:
     Places film_, card_, filmSeen_, cardSeen_;
 };
 
-// The length of one of the film's two steps, p[first] and p[first + 1], with its uncertainty.
+// Returns the length of one of the film's two steps, p[first] and p[first + 1], with its
+// uncertainty.
 Measured swellOf(const LeastSquaresFit& fit, Eigen::Index first, double sigma) {
     const Eigen::Vector2d step = fit.parameters.segment<2>(first);
     const Eigen::Vector2d slope = step.normalized();
@@ -161,7 +162,7 @@ Measured swellOf(const LeastSquaresFit& fit, Eigen::Index first, double sigma) {
     return {step.norm(), sure95 * sigma * std::sqrt(std::max(0.0, variance))};
 }
 
-// Mean of both directions, over a square to each side where there are corners there.
+// Fills in the mean swell of both directions, over one square to each side if there are corners.
 void fillSwell(std::vector<FilmCorner>& corners) {
     std::map<std::pair<int, int>, const FilmCorner*> at;
     for (const FilmCorner& corner : corners) {
@@ -203,19 +204,19 @@ Residuals residualsOf(const FlatFit& problem) {
 
 void requireDetermined(const LeastSquaresFit& fit, const QString& where) {
     if (!fit.converged || !fit.determined) {
-        throw Error(Text::tr("The corners seen do not tell how the film lies; photograph film and "
-                             "card from above, both whole"),
+        throw Error(Text::tr("The visible corners do not determine how the film lies; photograph "
+                             "film and card from above, both whole"),
                     where);
     }
 }
 
-// What is told of camera and card may be wrong without any scatter of the film's to show it.
+// The data on camera and card may be wrong without any scatter of the film's corners.
 void requireFlatCard(const FlatFit& problem, const LeastSquaresFit& fit, const QString& where) {
     const double off = problem.cardOff(fit.residuals);
     if (!(off < mostCardOff)) {
-        throw Error(Text::tr("The card's corners lie %1 px from where those of a flat card would; "
-                             "lay it flat, and correct what is told of the lens's distortion, the "
-                             "focal length and the card's height, or leave them out")
+        throw Error(Text::tr("The card's corners lie %1 px from their places on a flat card; lay "
+                             "the card flat, and correct the given lens distortion, focal length "
+                             "and card height, or leave them out")
                         .arg(QLocale().toString(off * problem.pixels(), 'f', 1)),
                     where);
     }
@@ -223,12 +224,12 @@ void requireFlatCard(const FlatFit& problem, const LeastSquaresFit& fit, const Q
 
 void requireBoth(const SeenBoard& film, const SeenBoard& card, const QString& where) {
     requireCorners(film,
-                   Text::tr("Only %1 corners of the film's chessboard are seen and it takes %2; "
-                            "photograph all of it, without glare"),
+                   Text::tr("Only %1 corners of the film's chessboard are visible, but %2 are "
+                            "needed; photograph all of it, without glare"),
                    where);
     requireCorners(card,
-                   Text::tr("Only %1 corners of the card are seen and it takes %2; photograph all "
-                            "of it, without glare"),
+                   Text::tr("Only %1 corners of the card are visible, but %2 are needed; "
+                            "photograph all of it, without glare"),
                    where);
 }
 
@@ -236,7 +237,7 @@ void requireBoth(const SeenBoard& film, const SeenBoard& card, const QString& wh
 
 FlatFilm fitFlatFilm(const SeenBoard& film, const SeenBoard& card, QSize picture,
                      const FlatSettings& settings, const QString& where) {
-    // Of a point off by a standard deviation of 1 in both directions.
+    // Median distance of points that scatter by a standard deviation of 1 in both directions.
     constexpr double medianOfDistances = 1.17741;
     requireBoth(film, card, where);
     const FlatFit problem(film, card, picture, settings);
@@ -244,7 +245,7 @@ FlatFilm fitFlatFilm(const SeenBoard& film, const SeenBoard& card, QSize picture
         robustLeastSquares(residualsOf(problem), problem.count(), problem.start());
     requireDetermined(fit, where);
     requireFlatCard(problem, fit, where);
-    // By the median, which a few places where something else was taken for a corner do not move.
+    // Uses the median, because a few points mistaken for corners do not move it.
     const double freedom = double(problem.count() - fit.parameters.size()) / problem.count();
     const double sigma =
         medianLength(fit.residuals, problem.count() / 2) / medianOfDistances / std::sqrt(freedom);

@@ -12,9 +12,10 @@ namespace dipwright {
 namespace {
 
 constexpr double sure95 = 1.959964;
-constexpr double leastOff = 1e-6; // of a swell, so that a perfect picture has a weight, too
-constexpr double surelyGrows = 3; // standard deviations that the growth is from nothing
-// Of the limit, at 95 %: past it, it is not known, nor whether there is one.
+constexpr double leastOff = 1e-6; // of a swell, so that a perfect photo also has a finite weight
+constexpr double surelyGrows = 3; // standard deviations by which growth exceeds 0
+// Share of the limit, at 95 %. With a larger interval it is not known, nor whether there is a
+// limit.
 constexpr double mostLimitOff = 0.5;
 
 double deviation(const Measured& measured) {
@@ -46,8 +47,8 @@ GrowthFit nearest(const std::vector<SwellAt>& moments, double begin) {
     return {meanOf(x), meanOf(y), GrowthKnown::No, {}, {}};
 }
 
-// Parameters: swell along X and Y when the dip begins, and the growth's own, which `grown` knows.
-// The seconds go from the begin of the dip.
+// Parameters: swell along X and Y when the dip begins, and those of the growth law `grown`. Seconds
+// count from the start of the dip.
 class Growing {
 public:
     using Grown = double (*)(double seconds, double span, const Eigen::VectorXd& parameters);
@@ -82,19 +83,19 @@ private:
     double span_ = 1e-9;
 };
 
-// p[2]: growth over the whole span, were it to go on as at the begin.
+// p[2] is the growth over the whole span at the initial rate.
 double grownSteadily(double seconds, double span, const Eigen::VectorXd& p) {
     return 1 + p[2] * seconds / span;
 }
 
-// p[2]: rate times span; p[3]: logarithm of how many times the growth's own time the span is.
+// p[2] is rate times span; p[3] is the logarithm of the span over the growth's own time.
 double grownToLimit(double seconds, double span, const Eigen::VectorXd& p) {
     const double times = std::exp(std::clamp(p[3], -20.0, 20.0));
     return 1 - p[2] / times * std::expm1(-times * seconds / span);
 }
 
-// What the photos' own uncertainty makes of a parameter's; more where they lie farther from the law
-// than that.
+// Returns a parameter's deviation from the photos' own uncertainty, enlarged if the photos scatter
+// more about the law than that.
 double deviationOf(const LeastSquaresFit& fit, Eigen::Index parameter) {
     const auto freedom = fit.residuals.size() - fit.parameters.size();
     const double excess =
@@ -106,7 +107,8 @@ Measured measuredOf(const LeastSquaresFit& fit, Eigen::Index parameter, double u
     return {fit.parameters[parameter] / unit, sure95 * deviationOf(fit, parameter) / unit};
 }
 
-// The best of several starts, from hardly bent to bent sharply; `steady` has the swell's start.
+// Returns the best fit of several starts, from almost straight to sharply bent. `steady` gives the
+// swell's start.
 std::optional<LeastSquaresFit> bestToLimit(const Growing& growing, const LeastSquaresFit& steady,
                                            double range) {
     std::optional<LeastSquaresFit> best;
@@ -122,7 +124,7 @@ std::optional<LeastSquaresFit> bestToLimit(const Growing& growing, const LeastSq
     return best;
 }
 
-// How much longer film was at the last moment than at the first, as a share.
+// Returns how much longer the film was at the last time than at the first, as a share.
 double rangeOf(const std::vector<SwellAt>& moments) {
     const auto [first, last] =
         std::minmax_element(moments.begin(), moments.end(), [](const SwellAt& a, const SwellAt& b) {
@@ -131,7 +133,7 @@ double rangeOf(const std::vector<SwellAt>& moments) {
     return std::max(1e-3, last->x.value / first->x.value - 1);
 }
 
-// limit = p[2] / exp(p[3]), with the uncertainty of both.
+// Returns limit = p[2] / exp(p[3]) with the uncertainty of both.
 Measured limitOf(const LeastSquaresFit& fit) {
     const double limit = fit.parameters[2] / std::exp(fit.parameters[3]);
     const Eigen::Vector2d slope(limit / fit.parameters[2], -limit);

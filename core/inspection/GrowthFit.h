@@ -1,5 +1,5 @@
-// How fast floating film goes on growing, by its swell at several moments
-// (docs/film-model.md, "Swell, relaxation and edges").
+// Fits how fast floating film keeps growing, from its swell at several times (docs/film-model.md,
+// "Swell, relaxation and edges").
 #pragma once
 
 #include "inspection/FlatFilm.h"
@@ -14,22 +14,23 @@ struct SwellAt {
 };
 
 enum class GrowthKnown {
-    No,       // fewer than three moments
-    None,     // it does not grow by more than the photos can tell
-    RateOnly, // it still grew as fast at the last moment as at the first
+    No,       // fewer than three times
+    None,     // no growth that the photos can show
+    RateOnly, // it grew at the same rate until the last time
     Both
 };
 
-// The swell when the dip begins, and what follows: t seconds later the film is
-// 1 + limit · (1 − exp(−rate · t / limit)) times as long.
+// The swell when the dip begins, and the growth from then on: t seconds later the film is longer by
+// the factor 1 + limit · (1 − exp(−rate · t / limit)). Rate and limit are 0 if they are not known.
 struct GrowthFit {
     Measured swellX, swellY;
     GrowthKnown known = GrowthKnown::No;
-    Measured rate, limit; // 1/s, and a share of the length; both 0 but for Both and RateOnly's rate
+    Measured rate, limit; // 1/s, and a share of the length
 };
 
-// `begin`: seconds at which the dip begins. At least one moment. Fewer than three: the swell is
-// that of the moment nearest to `begin`, or the mean of those that are as near.
+// `begin` is the time at which the dip begins, in seconds. `moments` has at least one entry. With
+// fewer than three times, the swell is that of the time nearest to `begin`, or the mean of equally
+// near ones.
 GrowthFit fitGrowth(const std::vector<SwellAt>& moments, double begin);
 
 } // namespace dipwright

@@ -16,20 +16,20 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::FilmFit)
 };
 
-// A spring of a pixel at so many times as far off as an unknown may be and count as known.
+// A spring has a residual of one pixel at this many times the interval that counts as known.
 constexpr double springLength = 10;
-constexpr double cameraSpring = 1; // of its unknowns, which are of the order of 1
+constexpr double cameraSpring = 1; // for the camera's unknowns, which are of the order of 1
 
-// Two-sided, of Student's distribution (M. Abramowitz and I. Stegun, "Handbook of Mathematical
-// Functions", 26.7.5).
+// Returns the two-sided 95 % quantile of Student's distribution (M. Abramowitz and I. Stegun,
+// "Handbook of Mathematical Functions", 26.7.5).
 double sure95(double freedom) {
     constexpr double z = 1.959964;
     const double z3 = z * z * z, z5 = z3 * z * z;
     return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom);
 }
 
-// Numbers: the free unknowns and then the camera's. Residuals: a pair of each place that is on the
-// body and of each of the body's own, pixels, and then the springs.
+// Parameters: the free unknowns, then the camera's. Residuals: two per place on the body and per
+// place of the body itself, in pixels, and then the springs.
 class Joint {
 public:
     Joint(const PlacesNear& near, const SeenPlaces& seen, const PartView& start,
@@ -128,7 +128,7 @@ private:
     std::vector<std::size_t> laid_;
 };
 
-void tellCertainty(JointSolution& solution, const Joint& joint, const Eigen::MatrixXd& covariance,
+void fillIntervals(JointSolution& solution, const Joint& joint, const Eigen::MatrixXd& covariance,
                    double freedom) {
     const Eigen::Index count = joint.freeCount();
     const Eigen::VectorXd deviations = covariance.diagonal().cwiseSqrt().cwiseMax(1e-300);
@@ -152,8 +152,8 @@ JointSolution fitJointly(const PlacesNear& near, const SeenPlaces& seen, const P
     const Joint joint(near, seen, start, isFree, camera);
     const double freedom = 2.0 * joint.points() - double(joint.count());
     if (freedom < 1) {
-        throw Error(Text::tr("There are fewer pairs on the body than tell %1 numbers of film and "
-                             "camera; give more, or fit fewer quantities")
+        throw Error(Text::tr("There are too few pairs on the part to determine %1 numbers of film "
+                             "and camera; give more pairs, or fit fewer quantities")
                         .arg(joint.count()),
                     where);
     }
@@ -165,14 +165,14 @@ JointSolution fitJointly(const PlacesNear& near, const SeenPlaces& seen, const P
             [&](const Eigen::VectorXd& at, Eigen::VectorXd& out) { joint.residuals(at, out); },
             joint.residualCount(), numbers, joint.points());
         if (!fit.converged || !fit.determined) {
-            throw Error(Text::tr("No film and camera are found that fit the pairs; look for places "
-                                 "that were mistaken for others"),
+            throw Error(Text::tr("No film and camera fit the pairs; check for places that were "
+                                 "mistaken for others"),
                         where);
         }
         numbers = fit.parameters;
         solution.unknowns = joint.unknowns(numbers);
         solution.pixels = std::sqrt(fit.residuals.head(2 * joint.points()).squaredNorm() / freedom);
-        tellCertainty(solution, joint, fit.covariance, freedom);
+        fillIntervals(solution, joint, fit.covariance, freedom);
     } else {
         joint.residuals(numbers, values);
         solution.unknowns = near.centre;

@@ -1,5 +1,4 @@
-// Film and camera fitted to one set of pairs together, near dips that have been simulated. Private
-// to this folder.
+// Fits film and camera together to one set of pairs, near simulated dips. Private to this folder.
 #pragma once
 
 #include "inspection/FitQuantities.h"
@@ -12,36 +11,37 @@ namespace dipwright {
 
 struct SeenPlaces {
     const std::vector<PrintedPlace>& printed;
-    const std::vector<PlacePair>& body; // of the body itself, whatever is printed
+    const std::vector<PlacePair>& body; // on the body itself, independent of the print
     QSize picture;
 };
 
-// Where printed places lie on the model, to first order near what was simulated.
+// Where printed places lie on the model, to first order near the simulation.
 struct PlacesNear {
     std::vector<FitUnknown> unknowns;
     Eigen::VectorXd centre; // of the unknowns
-    // A place each, mm; nothing where it is not on the body, or on film whose way is not known.
+    // One per place, mm; none if the place is not painted or its film is marked (torn, released or
+    // not converged).
     std::vector<std::optional<Eigen::Vector3d>> places;
-    // A place each; a column an unknown.
+    // One per place, with one column per unknown.
     std::vector<Eigen::Matrix3Xd> slopes;
 };
 
-enum class CameraFit : std::uint8_t { Whole, KnownLens, Held }; // what of it is fitted
+enum class CameraFit : std::uint8_t { Whole, KnownLens, Held }; // what is fitted
 
 struct JointSolution {
-    Eigen::VectorXd unknowns; // those that were held are as they were given
+    Eigen::VectorXd unknowns; // held unknowns keep the given values
     PartView view;
-    double pixels = 0;           // standard deviation of what remains, along each axis
-    Eigen::VectorXd off;         // 95 % of the unknowns, 0 of those that were held
-    Eigen::MatrixXd correlation; // of those that were not held, in their order
-    // Of those that were not held: the largest correlation, by size, with one of the camera's.
+    double pixels = 0;           // standard deviation of the residuals, along each axis
+    Eigen::VectorXd off;         // 95 % intervals of the unknowns; 0 for held ones
+    Eigen::MatrixXd correlation; // of the free unknowns, in their order
+    // For each free unknown, its largest absolute correlation with a parameter of the camera.
     Eigen::VectorXd withCamera;
-    std::vector<Eigen::Vector2d> seenOff; // a printed place each, seen less expected; pixels
+    std::vector<Eigen::Vector2d> seenOff; // one per printed place, seen minus expected; pixels
 };
 
-// `isFree`: of the unknowns, which are fitted; the others stay as in near.centre. Each is held to 0
-// as by a spring that is weak beside all that counts as known, so that there is always a solution.
-// Throws Error where it is not found.
+// Fits the unknowns with `isFree`; the others keep their values in near.centre. A weak spring pulls
+// each unknown to 0, so that there is always a solution; it is negligible beside what counts as
+// known. Throws Error if no solution is found.
 JointSolution fitJointly(const PlacesNear& near, const SeenPlaces& seen, const PartView& start,
                          const std::vector<bool>& isFree, CameraFit camera, const QString& where);
 

@@ -10,9 +10,9 @@ namespace dipwright {
 
 namespace {
 
-constexpr double step = 1e-6; // of derivatives, times the parameter or 1
+constexpr double step = 1e-6; // for derivatives, times the parameter or 1
 constexpr int mostEvaluations = 200;
-constexpr double leastCondition = 1e-11; // of the derivatives' triangle, smallest over largest
+constexpr double leastCondition = 1e-11; // of the R factor's diagonal, smallest over largest
 
 struct Functor {
     using Scalar = double;
@@ -37,7 +37,8 @@ struct Functor {
 
 void judge(LeastSquaresFit& fit, const Eigen::MatrixXd& jacobian) {
     const auto parameters = jacobian.cols();
-    // Columns of one length, so that units do not decide what is told apart.
+    // All columns get the same length, so that units do not decide whether parameters are
+    // separated.
     const Eigen::VectorXd scale = jacobian.colwise().norm().cwiseMax(1e-300);
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian *
                                                          scale.cwiseInverse().asDiagonal());
@@ -59,7 +60,7 @@ Eigen::VectorXd lengthsOf(const Eigen::VectorXd& residuals, Eigen::Index points)
     return Eigen::Map<const Eigen::Matrix2Xd>(residuals.data(), 2, points).colwise().norm();
 }
 
-// Square roots of Huber's weights of the points, 1 for what is none.
+// Returns the square roots of Huber's weights for the points, and 1 for the other residuals.
 Eigen::VectorXd huberRoots(const Eigen::VectorXd& residuals, Eigen::Index points) {
     const Eigen::VectorXd lengths = lengthsOf(residuals, points);
     const double far = 2.5 * std::max(medianLength(residuals, points), 1e-12);

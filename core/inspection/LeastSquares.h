@@ -1,4 +1,4 @@
-// Fits of a few parameters to many residuals, by Levenberg and Marquardt's method. Private to this
+// Fits a few parameters to many residuals by the Levenberg–Marquardt method. Private to this
 // folder.
 #pragma once
 
@@ -8,33 +8,33 @@
 
 namespace dipwright {
 
-// Fills `residuals`, which has its length already, for the parameters given.
+// Computes the residuals for the parameters. `residuals` already has its length.
 using Residuals =
     std::function<void(const Eigen::VectorXd& parameters, Eigen::VectorXd& residuals)>;
 
 struct LeastSquaresFit {
     Eigen::VectorXd parameters, residuals;
-    // Of the parameters, for residuals of standard deviation 1 that are independent.
+    // Covariance of the parameters, for independent residuals of standard deviation 1.
     Eigen::MatrixXd covariance;
     bool converged = false;
-    // False where the residuals do not tell the parameters apart; `covariance` is then of no use.
+    // False if the residuals do not separate the parameters; `covariance` is then useless.
     bool determined = false;
 };
 
-// Derivatives are taken by central differences: parameters should be of the order of 1.
+// Fits the parameters. Derivatives are central differences: parameters should be of the order of 1.
 LeastSquaresFit leastSquares(const Residuals& residuals, int count, Eigen::VectorXd start);
 
-// The same for points: residuals 2 i and 2 i + 1 are a point's, and one that lies out more than 2.5
-// times as far as most counts the less, by Huber's weights. `points`: how many there are; residuals
-// past theirs count as they are. The covariance is that of the weighted residuals.
+// Fits robustly. Residuals 2 i and 2 i + 1 belong to point i. Points more than 2.5 times as far out
+// as the median count less, by Huber's weights. `points` is the number of points; the residuals
+// after them count in full. The covariance is that of the weighted residuals.
 LeastSquaresFit robustLeastSquares(const Residuals& residuals, int count, Eigen::VectorXd start,
                                    int points);
 LeastSquaresFit robustLeastSquares(const Residuals& residuals, int count, Eigen::VectorXd start);
 
-// The median of how far out the first `points` of them lie.
+// Returns the median length of the first `points` pairs of residuals.
 double medianLength(const Eigen::VectorXd& residuals, Eigen::Index points);
 
-// Derivatives of `residuals` by the parameters, by central differences.
+// Returns the derivatives of `residuals` by the parameters, as central differences.
 Eigen::MatrixXd derivatives(const Residuals& residuals, int count, const Eigen::VectorXd& at);
 
 } // namespace dipwright

@@ -21,14 +21,14 @@ Eigen::Vector2d distorted(const Eigen::Vector2d& place, const Lens& lens) {
 }
 
 Eigen::Vector2d undistorted(const Eigen::Vector2d& seen, const Lens& lens) {
-    // Along the ray r (1 + k1 r² + k2 r⁴) = |seen|, by Newton's method from |seen|.
+    // Solves r (1 + k1 r² + k2 r⁴) = |seen| along the ray by Newton's method from |seen|.
     const double target = seen.norm();
     double r = target;
     for (int round = 0; round < 30; ++round) {
         const double square = r * r;
         const double slope = 1 + square * (3 * lens.k1 + 5 * square * lens.k2);
         if (slope < 0.1) {
-            return seen; // past the fold of the distortion
+            return seen; // beyond the fold of the distortion
         }
         const double change = (r * (1 + square * (lens.k1 + square * lens.k2)) - target) / slope;
         r -= change;

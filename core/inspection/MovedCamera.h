@@ -1,4 +1,4 @@
-// A part's camera near another one, by numbers to fit. Private to this folder.
+// Describes a part's camera near another one by parameters to fit. Private to this folder.
 #pragma once
 
 #include "inspection/PartCamera.h"
@@ -10,14 +10,14 @@
 
 namespace dipwright {
 
-// How many of k1 and k2 so many pairs tell.
+// Returns how many of k1 and k2 can be fitted to this number of pairs.
 inline int distortionsTold(std::size_t pairs) {
     return int(std::min<std::size_t>(2, pairs / pairsForDistortion));
 }
 
-// Numbers, 0 at the start: logarithm of the focal length, `distortions` of k1 and k2, and for each
-// photo a turn, as a vector along its axis, and a shift over the distance. A camera that is held
-// has none.
+// The parameters start at 0: the logarithm of the focal length, `distortions` of k1 and k2, and for
+// each photo a rotation vector and a shift relative to the distance. A held camera has no
+// parameters.
 class MovedCamera {
 public:
     MovedCamera(const PartView& start, int distortions, bool isHeld = false)

@@ -22,14 +22,14 @@ struct Text {
 };
 
 constexpr double sure95 = 1.959964;
-constexpr double leastDepth = 1e-3;  // of the pairs' extent over their thickness
+constexpr double leastDepth = 1e-3;  // least thickness of the pairs, as a share of their extent
 constexpr double mostFocalOff = 0.6; // of the focal length, at 95 %
 
 [[noreturn]] void refuse(const QString& sentence, const QString& where) {
     throw Error(sentence, where);
 }
 
-// A photo's pairs, a column each.
+// A photo's pairs, one per column.
 struct PhotoPairs {
     Eigen::Matrix3Xd model; // mm
     Eigen::Matrix2Xd seen;  // half diagonals
@@ -49,7 +49,7 @@ PhotoPairs ownPairs(const std::vector<PlacePair>& pairs, int photo, QSize pictur
     return own;
 }
 
-// How thick the places are, over how far they reach.
+// Returns the places' smallest extent over their largest.
 double thickness(const Eigen::Matrix3Xd& places) {
     const Eigen::Vector3d mean = places.rowwise().mean();
     const Eigen::Vector3d sizes =
@@ -62,11 +62,12 @@ struct Start {
     double focalLength = 1;
 };
 
-// A pinhole camera, its middle in the picture's, that is near the linear method's (R. Hartley and
-// A. Zisserman, "Multiple View Geometry", 7.1).
+// Returns a pinhole camera near the linear method's result, with its principal point in the
+// picture's middle (R. Hartley and A. Zisserman, "Multiple View Geometry", 7.1).
 Start pinhole(const PhotoPairs& pairs) {
     Eigen::Matrix<double, 3, 4> camera = linearProjection(pairs.model, pairs.seen);
-    // Scaled to unit length; the sign puts the places in front of the camera.
+    // The matrix is scaled to a viewing axis of unit length; the sign puts the places in front of
+    // the camera.
     const Eigen::Vector3d mean = pairs.model.rowwise().mean();
     camera /= std::copysign(camera.block<1, 3>(2, 0).norm(), camera.row(2) * mean.homogeneous());
     const Eigen::Vector3d x = camera.block<1, 3>(0, 0), y = camera.block<1, 3>(1, 0),
@@ -91,23 +92,23 @@ PartView firstCamera(const std::vector<PlacePair>& pairs, int photos, QSize pict
     for (int photo = 0; photo < photos; ++photo) {
         const PhotoPairs own = ownPairs(pairs, photo, picture);
         if (own.model.cols() < leastPairs) {
-            refuse(Text::tr("Photo %1 has %2 pairs of places and takes %3 to tell its camera; give "
-                            "more")
+            refuse(Text::tr(
+                       "Photo %1 has %2 pairs of places, but its camera needs %3; give more pairs")
                        .arg(photo + 1)
                        .arg(own.model.cols())
                        .arg(leastPairs),
                    where);
         }
         if (thickness(own.model) < leastDepth) {
-            refuse(Text::tr("All places of photo %1 lie in one plane, which does not tell how far "
-                            "the camera was; give some on other faces")
+            refuse(Text::tr("All places of photo %1 lie in one plane, which does not determine the "
+                            "camera's distance; give some places on other faces")
                        .arg(photo + 1),
                    where);
         }
         const Start start = pinhole(own);
         if (start.pose.turn.determinant() < 0) {
-            refuse(Text::tr("Photo %1 shows its places as in a mirror; give the photo as the "
-                            "camera made it, and the places with the model's own signs")
+            refuse(Text::tr("Photo %1 shows its places mirrored; use the photo without flipping "
+                            "it, and give the places in the model's own coordinates")
                        .arg(photo + 1),
                    where);
         }
@@ -161,15 +162,16 @@ PartView fitPartCamera(const std::vector<PlacePair>& pairs, int photos, QSize pi
         int(2 * pairs.size()), Eigen::VectorXd::Zero(camera.count()));
     const double freedom = double(fit.residuals.size() - camera.count());
     if (!fit.converged || !fit.determined || freedom <= 0) {
-        refuse(Text::tr("The pairs do not tell the camera; give more, farther apart"), where);
+        refuse(Text::tr("The pairs do not determine the camera; give more pairs, farther apart"),
+               where);
     }
     PartView view = camera.view(fit.parameters);
     const double sigma = std::sqrt(fit.residuals.squaredNorm() / freedom);
     view.focalLength.off =
         sure95 * sigma * view.focalLength.value * std::sqrt(fit.covariance(0, 0));
     if (view.focalLength.off > mostFocalOff * view.focalLength.value) {
-        refuse(Text::tr("The pairs do not tell how far the camera was; give places that lie nearer "
-                        "and farther, and photograph from less far away"),
+        refuse(Text::tr("The pairs do not determine the camera's distance; give places at "
+                        "different distances, and photograph from nearer"),
                where);
     }
     return viewOf(view, pairs, picture);

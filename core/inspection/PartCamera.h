@@ -1,5 +1,6 @@
-// The camera that photographed a dipped part, by places of which one knows where they are on the
-// model, and how far what is seen lies from there (docs/inspection.md, "The part's camera").
+// Finds the camera of photos of a dipped part from places with known positions on the model, and
+// measures how far the print lies from its intended place (docs/inspection.md, "The part's
+// camera").
 #pragma once
 
 #include "inspection/FlatFilm.h"
@@ -13,63 +14,65 @@
 
 namespace dipwright {
 
-// A place in a photo and the one on the model that is to be seen there.
+// A place in a photo and the place on the model that appears there.
 struct PlacePair {
     int photo = 0;         // index of the photo
     Eigen::Vector2d pixel; // as in Lens.h
-    Eigen::Vector3d model; // mm, as the project has the model
+    Eigen::Vector3d model; // mm, in the project's model coordinates
 };
 
-// How one photo was taken: a place appears where turn · place + shift is projected along the third
-// axis, which points away from the camera; the first points right in the picture, the second down.
+// The pose of the camera in one photo. A place appears where turn · place + shift is projected
+// along the third axis. The first axis points right in the picture, the second down, and the third
+// away from the camera.
 struct PartPose {
     Eigen::Matrix3d turn;
     Eigen::Vector3d shift; // mm
 };
 
 struct PairOff {
-    Eigen::Vector2d pixels; // seen less expected
-    double millimetres = 0; // across the line of sight, where the place is
+    Eigen::Vector2d pixels; // seen minus expected
+    double millimetres = 0; // across the line of sight, at the place
 };
 
-// The paper's figures (its Table II) and ours, of the distances between seen and expected.
+// Statistics of the distances between seen and expected: those in the paper's Table II, and two in
+// mm.
 struct PartFigures {
     int count = 0;
     double meanPixels = 0, deviationPixels = 0;
     double shareOfDiagonal = 0; // mean over the picture's diagonal
     double percentile95 = 0;    // mm
-    double worst = 0;           // mm …
-    std::size_t worstPair = 0;  // … of this pair
+    double worst = 0;           // mm
+    std::size_t worstPair = 0;  // the pair with `worst`
 };
 
 struct PartView {
     std::vector<PartPose> photos;
     Measured focalLength; // half diagonals; the same lens for all photos
     Lens lens;
-    std::vector<PairOff> off; // of each pair
+    std::vector<PairOff> off; // one per pair
     PartFigures figures;
 };
 
-// Least pairs of each photo.
+// Least number of pairs per photo.
 inline constexpr int leastPairs = 6;
-// From so many in all photos together on k1 is fitted, from twice as many k2.
+// Number of pairs in all photos from which k1 is fitted; k2 needs twice as many.
 inline constexpr int pairsForDistortion = 30;
 
-// One camera for photos of one size. Its lens is `lens`, where it is known; else k1 and k2 are
-// fitted as far as there are pairs for them, and 0. Throws Error where the
-// pairs are too few or do not tell the camera: all in one plane, say, or of a mirrored photo.
-// `where` names them.
+// Fits one camera to photos of one size. If `lens` is given, it is used. Otherwise k1 and k2 are
+// fitted if there are enough pairs; else they are 0. Throws Error, naming `where`, if the pairs are
+// too few or do not determine the camera, for example if all lie in one plane or the photo is
+// mirrored.
 PartView fitPartCamera(const std::vector<PlacePair>& pairs, int photos, QSize picture,
                        const QString& where, const std::optional<Lens>& lens = {});
 
-// The same camera's figures of other pairs of its photos.
+// Returns the same camera with the figures of other pairs in its photos.
 PartView viewOf(const PartView& camera, const std::vector<PlacePair>& pairs, QSize picture);
 
-// Those of one photo's pairs alone; `view` is of all of them.
+// Returns the figures of one photo's pairs; `view` belongs to all pairs.
 PartFigures figuresOfPhoto(const PartView& view, const std::vector<PlacePair>& pairs, int photo,
                            QSize picture);
 
-// Where a place of the model appears, in pixels.
+// Returns where a place of the model appears, in pixels.
 Eigen::Vector2d seenAt(const PartView& view, int photo, QSize picture,
                        const Eigen::Vector3d& model);
 

@@ -34,16 +34,16 @@ QString photoName(std::size_t index) {
     return QStringLiteral("part-photo-%1.png").arg(index + 1);
 }
 
-// The numbers of a table's lines: a whole one from 1 to `photos` first, pixels in the next two
-// columns, and millimetres after them. `kind`: what is wrong with a line.
+// Returns the numbers of a table's lines: first a whole number from 1 to `photos`, then two columns
+// in pixels, then millimetres. `kind` says what a line must contain.
 std::vector<std::vector<double>> numbersOf(const QByteArray& table, const QByteArray& header,
                                            int photos, const QString& kind, const QString& where) {
-    const QByteArray mark = "\xef\xbb\xbf"; // that some spreadsheets begin with
+    const QByteArray mark = "\xef\xbb\xbf"; // byte order mark that some spreadsheets write
     const QList<QByteArray> lines =
         (table.startsWith(mark) ? table.mid(mark.size()) : table).split('\n');
     if (lines.first().trimmed() != header) {
         throw Error(
-            Text::tr("The first line of the pairs is not %1").arg(QString::fromLatin1(header)),
+            Text::tr("The first line of the pairs must be %1").arg(QString::fromLatin1(header)),
             where);
     }
     const auto count = header.count(',') + 1;
@@ -61,11 +61,12 @@ std::vector<std::vector<double>> numbersOf(const QByteArray& table, const QByteA
             isGood = isGood && std::abs(values.back()) <= most;
         }
         if (!isGood || values[0] < 1 || values[0] != std::floor(values[0])) {
-            throw Error(Text::tr("Line %1 of the pairs is not %2").arg(i + 1).arg(kind), where);
+            throw Error(Text::tr("Line %1 of the pairs must contain %2").arg(i + 1).arg(kind),
+                        where);
         }
         all.push_back(std::move(values));
         if (qsizetype(all.size()) > mostPairs) {
-            throw Error(Text::tr("There are more than %1 pairs").arg(mostPairs), where);
+            throw Error(Text::tr("There are more than %1 pairs; give fewer").arg(mostPairs), where);
         }
     }
     return all;
@@ -127,7 +128,7 @@ QByteArray tableOf(const std::vector<PlacePair>& pairs, const PartView& view) {
     return table;
 }
 
-// As the paper's Table II has it, a line for each photo and one for all.
+// Returns a table like the paper's Table II, with one line per photo and one for all.
 QByteArray figuresTable(const std::vector<PartPhoto>& photos, const std::vector<PlacePair>& pairs,
                         const PartView& view) {
     QByteArray table;
@@ -168,7 +169,7 @@ QByteArray placesTable(const std::vector<PrintedPlace>& places) {
     return table;
 }
 
-// As much longer as keeps the longest line a twentieth of the picture.
+// Returns the enlargement with which the longest line is at most a twentieth of the picture.
 double enlargement(const PartView& view, QSize picture) {
     double longest = 1e-3;
     for (const PairOff& off : view.off) {
@@ -184,8 +185,8 @@ std::vector<PlacePair> readPairs(const QByteArray& table, int photos, const QStr
     std::vector<PlacePair> pairs;
     for (const std::vector<double>& v :
          numbersOf(table, columns, photos,
-                   Text::tr("the number of a photo, two numbers of pixels and three of "
-                            "millimetres, joined by commas"),
+                   Text::tr("a photo number, two coordinates in pixels and three in millimetres, "
+                            "separated by commas"),
                    where)) {
         pairs.push_back({int(v[0]) - 1, {v[1], v[2]}, {v[3], v[4], v[5]}});
     }
@@ -193,13 +194,15 @@ std::vector<PlacePair> readPairs(const QByteArray& table, int photos, const QStr
 }
 
 std::vector<PrintedPlace> readPlaces(const QByteArray& table, int photos, const QString& where) {
-    const QString kind = Text::tr("the number of a photo, two numbers of pixels, the number of a "
-                                  "dip, and two and three of millimetres, joined by commas");
+    const QString kind =
+        Text::tr("a photo number, two coordinates in pixels, a dip number, two sheet coordinates "
+                 "and three model coordinates in millimetres, separated by commas");
     std::vector<PrintedPlace> places;
     for (const std::vector<double>& v : numbersOf(table, placeColumns, photos, kind, where)) {
         if (v[3] != 1 && v[3] != 2) {
-            throw Error(Text::tr("Line %1 of the pairs is not %2").arg(places.size() + 2).arg(kind),
-                        where);
+            throw Error(
+                Text::tr("Line %1 of the pairs must contain %2").arg(places.size() + 2).arg(kind),
+                where);
         }
         places.push_back(
             {int(v[0]) - 1, {v[1], v[2]}, int(v[3]) - 1, {v[4], v[5]}, {v[6], v[7], v[8]}});
@@ -210,14 +213,15 @@ std::vector<PrintedPlace> readPlaces(const QByteArray& table, int photos, const 
 void addPartPhoto(std::vector<PartPhoto>& photos, PartPhoto photo) {
     const QSize size = photo.picture.size();
     if (!photos.empty() && photos.front().picture.size() != size) {
-        throw Error(Text::tr("The photos are of different sizes; take those of one camera, held "
-                             "the same way"),
-                    photo.where);
+        throw Error(
+            Text::tr(
+                "The photos have different sizes; use photos of one camera, held the same way"),
+            photo.where);
     }
     const qint64 pixels = qint64(size.width()) * size.height() * qint64(photos.size() + 1);
     if (pixels > mostPartPixels) {
-        throw Error(Text::tr("With this photo those of the part have %1 million pixels together, "
-                             "and %2 may be held at once; give fewer, or smaller ones")
+        throw Error(Text::tr("With this photo, the part's photos have %1 million pixels in total, "
+                             "but the limit is %2 million; use fewer or smaller photos")
                         .arg(pixels / 1'000'000)
                         .arg(mostPartPixels / 1'000'000),
                     photo.where);
@@ -248,8 +252,9 @@ QImage pairsPicture(const PartPhoto& photo, int index, const std::vector<PlacePa
     QFont font(QStringLiteral("DejaVu Sans"));
     font.setPixelSize(std::max(8, int(9 * unit)));
     painter.setFont(font);
-    const QString words = Text::tr("Rings: expected · lines: to where it is seen, %1 times as long")
-                              .arg(QLocale().toString(times, 'g', 3));
+    const QString words =
+        Text::tr("Rings: expected places · lines: towards the seen places, enlarged %1 times")
+            .arg(QLocale().toString(times, 'g', 3));
     const QRectF band(0, 0, picture.width(), 14 * unit);
     painter.fillRect(band, QColor(255, 255, 255, 210));
     painter.setPen(Qt::black);
@@ -266,7 +271,7 @@ void writePartView(const std::vector<PartPhoto>& photos, const std::vector<Place
     const QString found = QStringLiteral("part-places.csv");
     QStringList names{json, figures, table, found};
     for (std::size_t i = 0; i < std::size_t(mostPhotos); ++i) {
-        names << photoName(i); // those of an earlier run with more photos go
+        names << photoName(i); // removes those of an earlier run with more photos
     }
     FolderTransaction files(folder, names);
     files.write(json, jsonOf(photos, view));

@@ -1,4 +1,4 @@
-// Pairs of places come in a table, and what follows from them goes out as numbers, a table and
+// Reads pairs of places from a table and writes the camera's results as numbers, tables and
 // pictures (docs/files-and-commands.md, "Part files").
 #pragma once
 
@@ -12,11 +12,11 @@
 
 namespace dipwright {
 
-// Of the bytes of a table with the columns photo (from 1), x_px, y_px, x_mm, y_mm, z_mm under these
-// names. Throws Error, naming `where` and the line, for anything else.
+// Reads a table with the columns photo (from 1), x_px, y_px, x_mm, y_mm and z_mm, under these
+// names. Throws Error, naming `where` and the line, if the table is different.
 std::vector<PlacePair> readPairs(const QByteArray& table, int photos, const QString& where);
 
-// Of the bytes of part-places.csv, or of a table like it. Throws Error as readPairs() does.
+// Reads part-places.csv, or a table like it. Throws Error as readPairs() does.
 std::vector<PrintedPlace> readPlaces(const QByteArray& table, int photos, const QString& where);
 
 struct PartPhoto {
@@ -25,21 +25,21 @@ struct PartPhoto {
     std::optional<QDateTime> taken = std::nullopt;
 };
 
-// Photos of one part are all held at once, 4 bytes a pixel.
+// All photos of one part are in memory at once, with 4 bytes per pixel.
 inline constexpr qint64 mostPartPixels = 400'000'000;
 
-// One more photo of a part. Throws Error where it is of another size than the others, or where they
-// have more than mostPartPixels together; `photos` is then as it was.
+// Adds a photo of the part. Throws Error, without changing `photos`, if its size differs from the
+// others' or if all together exceed mostPartPixels.
 void addPartPhoto(std::vector<PartPhoto>& photos, PartPhoto photo);
 
-// The photo, with a line from where each of its places is expected to where it is seen, as in the
-// paper's Figure 8, `times` as long as it is.
+// Returns the photo with a line from each expected place to the seen place, enlarged `times`, as in
+// the paper's Figure 8.
 QImage pairsPicture(const PartPhoto& photo, int index, const std::vector<PlacePair>& pairs,
                     const PartView& view, double times);
 
 // Replaces part-view.json, part-figures.csv, part-pairs.csv and part-photo-N.png in `folder`
-// together, and part-places.csv, of places that were found, where there are any: `pairs` are then
-// theirs. Needs a QGuiApplication. Throws Error.
+// together. Also replaces part-places.csv, which is written only if there are found places; `pairs`
+// are then those places. Needs a QGuiApplication. Throws Error.
 void writePartView(const std::vector<PartPhoto>& photos, const std::vector<PlacePair>& pairs,
                    const PartView& view, const std::vector<PrintedPlace>& places,
                    const QString& folder);

@@ -20,14 +20,14 @@ namespace dipwright {
 
 namespace {
 
-constexpr double reach = 0.25; // of a square to each side, to tell how the film runs
+constexpr double reach = 0.25; // of a square to each side, to see how the film runs
 
-// A film at the end of its dip, asked where the places of its sheet have come to lie.
+// Tells where the places of a film's sheet lie at the end of the dip.
 class SheetOnBody {
 public:
     SheetOnBody(const LaidFilm& laid, QSizeF sheet) : laid_(laid), sheet_(sheet) {}
 
-    // In the body's pose frame; nothing where no film is on the body.
+    // Returns the place in the body's pose frame; none if no film adheres there.
     std::optional<SurfacePoint> at(const Eigen::Vector2d& place) const {
         const solver::FilmGrid& grid = laid_.film().grid;
         const Eigen::Vector2d share(place.x() / sheet_.width() + 0.5,
@@ -68,7 +68,7 @@ private:
     QSizeF sheet_;
 };
 
-// From the pose frame back to the model's.
+// Converts from the pose frame to model coordinates.
 struct ToModel {
     const PosedBody& body;
     Eigen::Isometry3d back = body.modelToPose.inverse();
@@ -85,13 +85,13 @@ bool isEven(int number) {
     return number % 2 == 0;
 }
 
-// A corner between squares in a texture, in its pixels.
+// A corner between squares in a texture, in pixels of the texture.
 struct TextureCorner {
     Eigen::Vector2d place, right, down;
-    bool isDark = false; // the square right of it and below
+    bool isDark = false; // whether the square below and to the right is dark
 };
 
-// Whether it is dark between `right` and `down`, by the squares that touch there.
+// Tells whether the square between `right` and `down` is dark, by the squares that touch there.
 bool isDarkBetween(const cv::Mat& grey, const TextureCorner& corner) {
     double opposite = 0;
     for (const double right : {-0.25, 0.25}) {
@@ -104,7 +104,7 @@ bool isDarkBetween(const cv::Mat& grey, const TextureCorner& corner) {
 }
 
 std::vector<TextureCorner> cornersIn(const QImage& texture) {
-    constexpr int longest = 4096; // texels a side; more makes no corner better
+    constexpr int longest = 4096; // texels per side; more do not improve the corners
     const cv::Mat full = greyOf(texture);
     const cv::Mat grey = shortened(full, longest);
     const Eigen::Vector2d scale(double(full.cols) / grey.cols, double(full.rows) / grey.rows);
@@ -132,7 +132,7 @@ std::vector<TextureCorner> cornersIn(const QImage& texture) {
     return corners;
 }
 
-// The places of the model that show a corner: where a triangle's texture coordinates are round it.
+// Finds the places of the model that show a corner: triangles whose texture coordinates enclose it.
 class ModelCorners {
 public:
     ModelCorners(const TexturedMesh& model, int texture, std::vector<TextureCorner> corners)

@@ -9,19 +9,19 @@ namespace dipwright {
 namespace {
 
 constexpr std::size_t leastKnown = 40; // squares
-constexpr double mostWrong = 0.12;     // of the squares, at the board's place
-constexpr double leastAhead = 0.15;    // of the squares, before any other place
+constexpr double mostWrong = 0.12;     // of the squares, at the best place
+constexpr double leastAhead = 0.15;    // of the squares, ahead of any other place
 
 // A square of the grid, between the corners (column, row) and (column + 1, row + 1).
 struct Square {
     int column = 0, row = 0;
-    double ring = 0, middle = 0; // its grey values outside and inside where a dot would be
+    double ring = 0, middle = 0; // its grey values outside and inside a possible dot
     bool black = false, dot = false;
 };
 
-// How a grid lies on a board: place = turn · (grid place) + shift, for corners.
+// The position of a grid on a board: place = turn · (grid place) + shift, for corners.
 struct Lie {
-    std::array<int, 4> turn{1, 0, 0, 1}; // by rows
+    std::array<int, 4> turn{1, 0, 0, 1}; // row by row
     int column = 0, row = 0;
 
     bool isLeftHanded() const { return turn[0] * turn[3] < turn[1] * turn[2]; }
@@ -29,7 +29,7 @@ struct Lie {
         return {turn[0] * place.first + turn[1] * place.second + column,
                 turn[2] * place.first + turn[3] * place.second + row};
     }
-    // Of the four corners of a square that which is up and left on the board is the board's square.
+    // The board numbers a square by its corner that is up and left on the board.
     GridPlace square(int i, int j) const {
         const GridPlace a = corner({i, j}), b = corner({i + 1, j + 1});
         return {std::min(a.first, b.first), std::min(a.second, b.second)};
@@ -73,7 +73,8 @@ std::vector<Square> squaresOf(const cv::Mat& grey, const CornerGrid& grid) {
     return squares;
 }
 
-// Black or white beside the squares next to it; those that do not differ from them are left out.
+// Decides black or white by comparison with neighbouring squares. Squares that do not differ from
+// them are dropped.
 std::vector<Square> judged(std::vector<Square> squares, const std::vector<Square>& all) {
     std::map<GridPlace, double> rings;
     for (const Square& square : all) {
@@ -103,7 +104,7 @@ struct Match {
     double wrong = 1; // share of the squares
 };
 
-// The board's pattern, once.
+// The board's pattern, computed once.
 using Pattern = std::array<std::array<bool, mostBoardSquares>, mostBoardSquares>;
 
 Pattern patternOf(BoardKind kind) {
@@ -116,7 +117,7 @@ Pattern patternOf(BoardKind kind) {
     return pattern;
 }
 
-// Counted until it is too many.
+// Returns the number of wrong squares; stops counting above `most`.
 std::size_t wrongSquares(const std::vector<Square>& squares, const Pattern& pattern, const Lie& lie,
                          std::size_t most) {
     std::size_t wrong = 0;
@@ -133,7 +134,8 @@ std::size_t wrongSquares(const std::vector<Square>& squares, const Pattern& patt
     return wrong;
 }
 
-// Tries all ways of one kind of board and one turn; keeps the two best of all tried.
+// Tries all shifts of one kind of board at one turn. `best` holds the two best matches of all
+// tries.
 void tryShifts(const std::vector<Square>& squares, BoardKind kind, const Pattern& pattern,
                const std::array<int, 4>& turn, std::array<Match, 2>& best) {
     Lie lie{turn};
@@ -158,7 +160,7 @@ void tryShifts(const std::vector<Square>& squares, BoardKind kind, const Pattern
     }
 }
 
-// Whether a grid's rows run to the left of its columns in the picture.
+// Tells whether a grid is mirrored in the photo: its rows run to the left of its columns.
 bool isLeftHanded(const CornerGrid& grid) {
     for (const auto& [place, corner] : grid.corners) {
         if (grid.hasSteps(place)) {
@@ -198,7 +200,7 @@ std::optional<SeenBoard> readBoard(const cv::Mat& blurred, const CornerGrid& gri
     SeenBoard board{best[0].kind, isLeftHanded(grid) != lie.isLeftHanded(), {}};
     for (const auto& [place, corner] : grid.corners) {
         const auto [column, row] = lie.corner(place);
-        // On the board's own edge nothing meets that is a corner between four squares.
+        // Four squares do not meet on the board's own edge.
         if (column > 0 && row > 0) {
             board.corners.push_back({column, row, corner});
         }

@@ -1,4 +1,4 @@
-// Which place of which board a grid of corners is. Private to this folder.
+// Identifies the board, and the place on it, that a grid of corners shows. Private to this folder.
 #pragma once
 
 #include "inspection/CornerGrid.h"
@@ -8,7 +8,8 @@
 
 namespace dipwright {
 
-// By the colours of the squares and their dots. Nothing where these fit no place, or more than one.
+// Compares the colours of the squares and their dots with the boards. Returns none if they match no
+// place, or more than one.
 std::optional<SeenBoard> readBoard(const cv::Mat& blurred, const CornerGrid& grid);
 
 } // namespace dipwright

@@ -13,21 +13,21 @@ namespace dipwright {
 
 namespace {
 
-constexpr double reach = 0.36;    // of the steps, all round: short of the dots
+constexpr double reach = 0.36;    // of the steps in every direction: does not reach the dots
 constexpr double farthest = 15;   // pixels to each side
 constexpr double mostMoved = 0.7; // of that reach
 constexpr std::size_t leastPixels = 30;
-constexpr double mostMisfit = 0.2; // of the contrast, rms
-constexpr Eigen::Index bends = 7;  // the first of the two parameters
-constexpr double bendUnit = 100;   // pixels: of what a bend of 1 is half the inverse radius
+constexpr double mostMisfit = 0.2; // of the contrast, root mean square
+constexpr Eigen::Index bends = 7;  // index of the first of the two bends
+constexpr double bendUnit = 100;   // pixels: a bend of 1 is half the inverse of this radius
 
 struct Window {
-    Eigen::Matrix2d inverse;             // of what makes a circle of 1 the window's ellipse
-    std::vector<Eigen::Vector2d> places; // from the corner's first place
+    Eigen::Matrix2d inverse;             // of the map from a unit circle to the window's ellipse
+    std::vector<Eigen::Vector2d> places; // relative to the corner's first place
     std::vector<double> values;
 };
 
-// Pixels whose middle lies in the ellipse that a circle on the board becomes.
+// Returns the pixels whose middle lies in the ellipse that shows a circle on the board.
 Window windowRound(const cv::Mat& grey, const Eigen::Vector2d& place, const Eigen::Vector2d& right,
                    const Eigen::Vector2d& down) {
     Eigen::Matrix2d steps;
@@ -50,8 +50,8 @@ Window windowRound(const cv::Mat& grey, const Eigen::Vector2d& place, const Eige
     return window;
 }
 
-// A corner as it is seen, by its parameters: place (2), directions (2), mean, contrast, blur and,
-// of a bent board, how much each of the two edges bends.
+// A corner's model by its parameters: place (2), directions (2), mean, contrast, blur and, on a
+// bent board, the bends of the two edges.
 class ModelledCorner {
 public:
     explicit ModelledCorner(const Eigen::VectorXd& p)
@@ -71,7 +71,7 @@ private:
         return {std::cos(p[2 + which]), std::sin(p[2 + which]),
                 p.size() > bends ? p[bends + which] / bendUnit : 0};
     }
-    // From −1 on one side of the edge to 1 on the other.
+    // Returns −1 on one side of the edge to 1 on the other.
     double across(const Edge& line, const Eigen::Vector2d& from) const {
         const double along = line.x * from.x() + line.y * from.y();
         return std::erf((line.x * from.y() - line.y * from.x() - line.bend * along * along) /
@@ -83,7 +83,8 @@ private:
     std::array<Edge, 2> edges_;
 };
 
-// Half of what the two dark and the two light quarters differ by, with the model's sign.
+// Returns half the difference between the two dark and the two light quarters, with the model's
+// sign.
 double firstContrast(const Window& window, const Eigen::VectorXd& start) {
     double sum = 0, weight = 1e-9;
     Eigen::VectorXd one = start;
@@ -119,7 +120,7 @@ std::optional<Eigen::Vector2d> fittedCorner(const cv::Mat& grey, const Eigen::Ve
         }
     };
     LeastSquaresFit fit = leastSquares(residuals, int(window.values.size()), start);
-    if (shape == BoardShape::Bent) { // from the straight edges on, which are near
+    if (shape == BoardShape::Bent) { // starts from the fitted straight edges
         Eigen::VectorXd bent = Eigen::VectorXd::Zero(bends + 2);
         bent.head<bends>() = fit.parameters;
         fit = leastSquares(residuals, int(window.values.size()), bent);
@@ -151,7 +152,7 @@ std::optional<Eigen::Vector2d> refinedCorner(const GreyLevels& levels, Eigen::Ve
         if (level == 0) {
             return found;
         }
-        if (found) { // else perhaps of the larger picture, which shows less round it
+        if (found) { // otherwise the larger picture, which shows less around it, may succeed
             place = found->cwiseQuotient(scale);
         }
     }

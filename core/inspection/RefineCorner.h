@@ -1,4 +1,4 @@
-// Where exactly four squares meet. Private to this folder.
+// Finds the exact point where four squares meet. Private to this folder.
 #pragma once
 
 #include "inspection/Saddles.h"
@@ -8,14 +8,14 @@
 namespace dipwright {
 
 // Fits two crossing blurred edges to the grey values round a corner,
-//   grey = m + c · erf(d₁/s) · erf(d₂/s),   d the distances from the two edges,
-// with place, both directions, m, c and s free; where the board is bent, how much each edge bends,
-// too. No slope of the light is among them: near a blurred
-// corner it is the same as a shift, and what light does across a few pixels is far less. `right`
-// and `down` are the steps to the next corners, which give first directions; what is more than a
-// good third of them away is not looked at, nor what is more than 15 pixels away: where squares are
-// larger than that, the smaller pictures are looked at first. Nothing where the picture is not like
-// that, or the place would move by more than a quarter of the steps, or 10 pixels.
+//   grey = m + c · erf(d₁/s) · erf(d₂/s),   d the distances from the two edges.
+// Place, both directions, m, c and s are free; on a bent board, also the bend of each edge. No
+// slope of the light is fitted: near a blurred corner it looks like a shift, and light changes far
+// less across a few pixels.
+// `right` and `down` are the steps to the next corners and give the first directions. Only pixels
+// within a good third of the steps, and within 15 pixels, are used. For larger squares the smaller
+// pictures are used first. Returns none if the picture does not fit the model, or if the place
+// would move by more than a quarter of the steps, or 10 pixels.
 enum class BoardShape { Flat, Bent };
 std::optional<Eigen::Vector2d> refinedCorner(const GreyLevels& levels, Eigen::Vector2d place,
                                              const Eigen::Vector2d& right,

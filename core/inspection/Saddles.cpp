@@ -16,12 +16,12 @@ namespace {
 constexpr double leastStrength = 0.02;
 constexpr double leastContrast = 0.02;
 constexpr double saddleBlur = 2; // pixels
-constexpr int ringRadius = 5;    // pixels: squares are to have twice this at least
+constexpr int ringRadius = 5;    // pixels: squares need at least twice this
 constexpr int ringPlaces = 48;
 constexpr std::size_t mostSaddles = 20'000;
 
-// −det of the second derivatives over the fourth power of the local contrast, which is 0.4 for an
-// ideal corner and about 0 along an edge.
+// Returns −det of the second derivatives over the fourth power of the local contrast. It is 0.4 for
+// an ideal corner and about 0 along an edge.
 cv::Mat saddleStrength(const cv::Mat& grey) {
     cv::Mat smooth, xx, yy, xy, mean, square;
     cv::GaussianBlur(grey, smooth, {}, saddleBlur);
@@ -38,11 +38,11 @@ cv::Mat saddleStrength(const cv::Mat& grey) {
 }
 
 struct Ring {
-    std::array<double, 4> changes{}; // angles at which dark and light change over
+    std::array<double, 4> changes{}; // angles where dark and light change
     double contrast = 0;
 };
 
-// Nothing where there are not just four changes round the place.
+// Returns none unless there are exactly four changes round the place.
 std::optional<Ring> ringRound(const cv::Mat& grey, const Eigen::Vector2d& place) {
     std::array<double, ringPlaces> values{};
     double mean = 0;
@@ -67,7 +67,7 @@ std::optional<Ring> ringRound(const cv::Mat& grey, const Eigen::Vector2d& place)
     return found == 4 && ring.contrast > leastContrast ? std::optional(ring) : std::nullopt;
 }
 
-// The two edges, if opposite changes lie on one line each and the lines cross well.
+// Finds the two edges, if opposite changes lie on one line each and the lines cross clearly.
 bool findEdges(const Ring& ring, Saddle& saddle) {
     constexpr double bent = 0.6, leastAngle = 0.3; // radians
     for (std::size_t i = 0; i < 2; ++i) {

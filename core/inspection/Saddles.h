@@ -1,5 +1,5 @@
-// Places in a grey picture where four squares meet. OpenCV's pictures end here and in RefineCorner.
-// Private to this folder.
+// Finds places in a grey picture where four squares meet. Only this file and RefineCorner use
+// OpenCV's pictures. Private to this folder.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,30 +12,31 @@ class QImage;
 
 namespace dipwright {
 
-// Grey values 0 … 1, as the file has them (not in linear light: a corner between four squares looks
-// the same from opposite sides, so that no curve of brightness moves it).
+// Returns grey values 0 … 1, as the file has them. They need not be in linear light: a corner
+// between four squares looks the same from opposite sides, so that no brightness curve moves it.
 cv::Mat greyOf(const QImage& picture);
-// The same with its longer side shortened to `side` pixels, each the mean of those it stands for.
+// Returns the picture with its longer side shortened to `side` pixels, each the mean of the pixels
+// that it replaces.
 cv::Mat shortened(const cv::Mat& grey, int side);
-// The picture itself, and on and on the one before at half its size.
+// The picture itself, then pictures of half the size of the one before.
 using GreyLevels = std::vector<cv::Mat>;
 GreyLevels levelsOf(const cv::Mat& grey);
-// Between the pixels' middles, at a place counted from the picture's corner; the edge goes on
-// outside.
+// Returns the grey value at a place, interpolated between the pixels' middles. Places count from
+// the picture's corner; outside, the edge value continues.
 double greyAt(const cv::Mat& grey, const Eigen::Vector2d& place);
 
 struct Saddle {
     Eigen::Vector2d place; // to about a pixel
-    double strength = 0;   // 0 … about 0.4 for a sharp corner, whatever its contrast
-    double contrast = 0;   // half of black to white round it
+    double strength = 0;   // 0 … about 0.4 for a sharp corner of any contrast
+    double contrast = 0;   // half the difference of black and white around it
     // Directions of the two edges that cross there, radians, the second to the left of the first.
     std::array<double, 2> edges{};
 };
 
-// The strongest first. `blurred`: a grey picture that has been blurred by about a pixel.
+// Returns the saddles, the strongest first. `blurred` is a grey picture blurred by about a pixel.
 std::vector<Saddle> findSaddles(const cv::Mat& blurred);
 
-// Whether an edge of a square runs from one place to the other: dark all along on one side.
+// Tells whether an edge of a square runs between two places: one side is dark all along.
 bool isEdge(const cv::Mat& blurred, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
             double contrast);
 

@@ -54,10 +54,11 @@ SimulatedPlaces::SimulatedPlaces(const Project& project, const DistanceField& fi
       fields_(fieldsOf(bodies_, field)), dips_(project, setupsOf(project, fields_, bodies_)) {
     for (const PrintedPlace& place : printed) {
         if (place.dip < 0 || place.dip >= int(project.immersions.size())) {
-            throw Error(Text::tr("A place is said to be of dip %1, and the project has %2")
-                            .arg(place.dip + 1)
-                            .arg(project.immersions.size()),
-                        where);
+            throw Error(
+                Text::tr("A place belongs to dip %1, but the number of dips in the project is %2")
+                    .arg(place.dip + 1)
+                    .arg(project.immersions.size()),
+                where);
         }
     }
 }
@@ -103,7 +104,7 @@ PlacesNear SimulatedPlaces::near(const std::vector<FitUnknown>& unknowns,
                 near.places[i] = found[number][i];
             }
         }
-        // Of each unknown up to two sides; where one of them is missing, from the centre.
+        // Each unknown has up to two sides. If one is missing, the slope is taken from the centre.
         for (std::size_t unknown = 0; near.places[i] && unknown < unknowns.size(); ++unknown) {
             std::vector<std::pair<double, Eigen::Vector3d>> known;
             for (std::size_t number = printing.size(); number < tried.size(); ++number) {
@@ -160,7 +161,8 @@ SimulatedPlaces::Places SimulatedPlaces::placesOn(const LaidFilm& laid, int dip)
         }
         const Eigen::Vector2d rest = printed_[i].sheet.array() * swell;
         const std::optional<FilmPlace> place = laid.flat(rest.cast<float>());
-        // Neither past the paint's end nor where a law without measurement has put it.
+        // Places past the paint's end are left out, and so is marked film, whose place follows from
+        // an unmeasured law.
         const bool isSure = place && laid.contact().painted[place->triangle] != 0 &&
                             laid.marks(place->triangle) == 0;
         const auto lies = isSure ? laid.onBody(*place) : std::nullopt;

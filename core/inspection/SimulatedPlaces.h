@@ -1,4 +1,5 @@
-// Where printed places lie on the body in a dip and in dips near it. Private to this folder.
+// Simulates where printed places lie on the body in a dip and in dips near it. Private to this
+// folder.
 #pragma once
 
 #include "base/Progress.h"
@@ -12,24 +13,25 @@ struct Project;
 
 class SimulatedPlaces {
 public:
-    // Keeps references. Throws Error where a place names a dip that there is not.
+    // Keeps references. Throws Error if a place names a dip that does not exist.
     SimulatedPlaces(const Project& project, const DistanceField& field,
                     const std::vector<PrintedPlace>& printed, const solver::SolverModule& module,
                     const QString& where);
 
     const FittedDips& dips() const { return dips_; }
-    // Simulated at `centre`, and with each unknown moved by its step to either side. Those that
-    // are not free are not moved. All cores. Throws Error, Cancelled.
+    // Simulates at `centre` and with each free unknown moved by its step to either side. Uses all
+    // cores. Throws Error, Cancelled.
     PlacesNear near(const std::vector<FitUnknown>& unknowns, const Eigen::VectorXd& centre,
                     const std::vector<bool>& isFree, const Progress& progress);
     int dipsDone() const { return dipsDone_; }
 
 private:
-    // A place each of those that the dip printed, in model coordinates, mm.
+    // One entry per printed place, in model coordinates, mm; set only for places that the dip
+    // painted.
     using Places = std::vector<std::optional<Eigen::Vector3d>>;
     struct Tried {
         int dip = 0;
-        std::vector<double> values; // an unknown each
+        std::vector<double> values; // one per unknown
     };
     std::vector<Places> simulate(const std::vector<FitUnknown>& unknowns,
                                  const std::vector<Tried>& tried, const Progress& progress);
@@ -38,8 +40,8 @@ private:
     const Project& project_;
     const std::vector<PrintedPlace>& printed_;
     const solver::SolverModule& module_;
-    std::vector<std::shared_ptr<const PosedBody>> bodies_; // a dip each
-    std::vector<FilledField> fields_;                      // of each
+    std::vector<std::shared_ptr<const PosedBody>> bodies_; // one per dip
+    std::vector<FilledField> fields_;                      // one per dip
     FittedDips dips_;
     int dipsDone_ = 0;
 };

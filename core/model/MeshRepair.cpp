@@ -23,19 +23,19 @@ struct Text {
 };
 
 constexpr std::uint32_t unused = 0xffffffffu;
-// How far rounding takes the two sides of a seam apart, of the model's longest edge: files have six
-// or seven digits.
+// The distance that rounding puts between the sides of a seam, relative to the model's longest
+// edge: files have six or seven digits.
 constexpr double seamTolerance = 1e-5;
 
-// Finds positions by their exact value: a hash table with open addressing, at most half full. Where
-// in it they lie differs from run to run, so that no file can be made whose positions all meet in
-// one place; what is found does not.
+// Finds positions by their exact value, with a hash table with open addressing that is at most half
+// full. The hash differs in every run, so that no file can make all its positions collide. The
+// results do not differ.
 class PositionIndex {
 public:
     explicit PositionIndex(const std::vector<Eigen::Vector3f>& positions)
         : positions_(positions), slots_(std::bit_ceil(2 * positions.size() + 1), unused) {}
 
-    // The first position that was asked for and equals this one.
+    // Returns the first requested position that equals this one.
     std::uint32_t firstEqual(std::uint32_t position) {
         for (std::size_t slot = hash(positions_[position]);; ++slot) {
             std::uint32_t& found = slots_[slot & (slots_.size() - 1)];
@@ -52,7 +52,7 @@ private:
     std::size_t hash(const Eigen::Vector3f& position) const {
         std::uint64_t value = seed_;
         for (const float coordinate : position) {
-            // Adding zero makes −0 and 0, which are equal, the same bits.
+            // Adding zero gives −0 and 0, which are equal, the same bits.
             value = (value ^ std::bit_cast<std::uint32_t>(coordinate + 0.0F)) * 0x9e3779b97f4a7c15u;
             value ^= value >> 29;
         }
@@ -73,14 +73,15 @@ std::size_t qHash(const Cell& cell, std::size_t seed) {
     return qHashMulti(seed, cell.x, cell.y, cell.z);
 }
 
-// Finds positions by their place, to within a reach. Each kept is farther from the others than
-// that, so that no file makes a cell hold many.
+// Finds positions within a given distance. Stored positions are farther apart than that, so that no
+// file can put many into one cell.
 class NearbyPositions {
 public:
     NearbyPositions(const std::vector<Eigen::Vector3f>& positions, double reach)
         : positions_(positions), reach_(reach) {}
 
-    // The first position kept within the reach of this one; keeps this one where there is none.
+    // Returns the first stored position within the distance of this one; stores this one if there
+    // is none.
     std::uint32_t firstNear(std::uint32_t position) {
         const Eigen::Vector3d place = positions_[position].cast<double>();
         const Eigen::Vector3d middle = (place / reach_).array().floor();
@@ -109,7 +110,7 @@ private:
     QMultiHash<Cell, std::uint32_t> kept_;
 };
 
-// Which positions are ends of edges that do not lie between exactly two triangles.
+// Returns which positions are on edges that do not lie between exactly two triangles.
 std::vector<bool> positionsOnRims(const TriangleMesh& mesh) {
     std::vector<bool> isOnRim(mesh.positions.size());
     const auto opposite = oppositeEdges(mesh);
@@ -154,11 +155,11 @@ void turn(TexturedMesh& mesh, std::size_t triangle) {
     std::swap(mesh.textureCoordinates[triangle][1], mesh.textureCoordinates[triangle][2]);
 }
 
-// A triangle by its corners, whichever of them is first.
+// A triangle identified by its corners, whatever their order.
 struct CornerSet {
     std::array<std::uint32_t, 3> sorted;
     std::uint32_t triangle;
-    bool isEven; // runs through the corners in their order, or one that begins elsewhere in it
+    bool isEven; // whether its corners are an even permutation of `sorted`
     bool operator<(const CornerSet& other) const {
         return std::tie(sorted, triangle) < std::tie(other.sorted, other.triangle);
     }
@@ -193,7 +194,7 @@ void forEachDoubled(const std::vector<CornerSet>& sets, const Use& use) {
     }
 }
 
-// Positions that hang together over triangles, by one of them.
+// Groups of positions that triangles connect; each group is named by one of its positions.
 class JoinedPositions {
 public:
     explicit JoinedPositions(const TriangleMesh& mesh) : parent_(mesh.positions.size()) {
@@ -220,7 +221,7 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
-// For each position, whether all triangles of its piece are in `chosen`.
+// Returns for each position whether all triangles of its connected piece are in `chosen`.
 std::vector<bool> areAllChosen(const TriangleMesh& mesh, const std::vector<bool>& chosen) {
     JoinedPositions joined(mesh);
     std::vector<bool> isMixed(mesh.positions.size()), areAll(mesh.positions.size());
@@ -234,15 +235,15 @@ std::vector<bool> areAllChosen(const TriangleMesh& mesh, const std::vector<bool>
     return areAll;
 }
 
-// One connected piece of a mesh and which of its triangles run against its first one.
+// A connected piece of a mesh, and which of its triangles run against its first one.
 struct Piece {
     std::vector<std::uint32_t> triangles, against;
     bool isOrientable = true;
     bool isClosed = true;
 };
 
-// The piece that holds the triangle `first`. `sense` holds what is known of each triangle: 0
-// unknown, 1 as its piece's first, −1 against it.
+// Returns the piece that contains the triangle `first`. `sense` holds for each triangle: 0 unknown,
+// 1 the same way as its piece's first, −1 against it.
 Piece gatherPiece(const TriangleMesh& mesh, const std::vector<std::uint32_t>& opposite,
                   std::uint32_t first, std::vector<std::int8_t>& sense) {
     Piece piece;
@@ -286,7 +287,7 @@ double enclosedVolume(const TriangleMesh& mesh, const std::vector<std::uint32_t>
     return sixfold / 6;
 }
 
-// Whether some fifty places spread over the piece lie inside the body of `query`.
+// Whether about fifty places spread over the piece lie inside the body of `query`.
 bool isInside(const SurfaceQuery& query, const TriangleMesh& mesh, const Piece& piece,
               const std::function<void()>& goOn) {
     const std::size_t step = 1 + piece.triangles.size() / 50;
@@ -299,7 +300,7 @@ bool isInside(const SurfaceQuery& query, const TriangleMesh& mesh, const Piece& 
     return true;
 }
 
-// About the origin, so that no ray loses its digits.
+// Moves the mesh to the origin, so that rays lose no precision.
 TriangleMesh centred(TriangleMesh mesh) {
     const BoundingBox box = boundingBox(mesh);
     const Eigen::Vector3d middle = (box.min().cast<double>() + box.max().cast<double>()) / 2;
@@ -309,8 +310,7 @@ TriangleMesh centred(TriangleMesh mesh) {
     return mesh;
 }
 
-// Whether a ray goes through an odd number of triangles; those nearer than `clear` to one another
-// count as one.
+// Whether a ray crosses an odd number of triangles. Triangles less than `clear` apart count as one.
 bool isOdd(const SurfaceQuery& query, Eigen::Vector3f origin, const Eigen::Vector3f& direction,
            float clear) {
     bool odd = false;
@@ -322,15 +322,15 @@ bool isOdd(const SurfaceQuery& query, Eigen::Vector3f origin, const Eigen::Vecto
     return odd;
 }
 
-// Of rays to all sides of a place on a surface, those that cross an odd number of triangles on the
-// side of its back, less those on the side of its front, as shares of the rays on each side.
+// Casts rays to all sides from a place on a surface. Returns the share of rays on its back side
+// that cross an odd number of triangles, minus the share on its front side.
 double voteOfRays(const SurfaceQuery& query, const Eigen::Vector3f& place,
                   const Eigen::Vector3f& normal, float clear) {
     constexpr int rays = 32;
     constexpr float alongTheSurface = 0.15F;
     double odd[2] = {}, all[2] = {}; // front, back
     for (int ray = 0; ray < rays; ++ray) {
-        // A spiral round the sphere, turned on by the golden angle.
+        // A spiral around the sphere, with steps of the golden angle.
         const double height = 1 - (2 * ray + 1) / double(rays), turn = 2.399963229728653 * ray;
         const double radius = std::sqrt(1 - height * height);
         const Eigen::Vector3f direction =
@@ -347,7 +347,7 @@ double voteOfRays(const SurfaceQuery& query, const Eigen::Vector3f& place,
     return odd[1] / std::max(all[1], 1.0) - odd[0] / std::max(all[0], 1.0);
 }
 
-// Whether rays from so many places of the piece say that it faces inwards.
+// Whether rays from `places` places of the piece say that it faces inwards.
 bool facesInwards(const SurfaceQuery& query, const TriangleMesh& mesh, const Piece& piece,
                   std::size_t places, float clear, const std::function<void()>& goOn) {
     constexpr double decided = 0.5;
@@ -364,8 +364,8 @@ bool facesInwards(const SurfaceQuery& query, const TriangleMesh& mesh, const Pie
     return votes < -decided * area;
 }
 
-// Those of the open pieces that are inside out. Beyond so many places the pieces are too many to be
-// asked one by one, as of a surface whose triangles do not hang together, and are asked as one.
+// Returns the open pieces that are inside out. Above mostPlaces there are too many pieces to test
+// separately, as in a surface of unconnected triangles; they are then tested as one.
 std::vector<Piece> insideOutOf(std::vector<Piece> open, const TriangleMesh& mesh,
                                const std::function<void()>& goOn) {
     constexpr std::size_t mostPlaces = 20'000, placesOfPiece = 50;
@@ -383,7 +383,8 @@ std::vector<Piece> insideOutOf(std::vector<Piece> open, const TriangleMesh& mesh
     const std::size_t places = std::min(mostPlaces / open.size(), placesOfPiece);
     const TriangleMesh body = centred(mesh);
     const SurfaceQuery query(body);
-    const float clear = 1e-4F * boundingBox(body).diagonal().norm(); // of the place itself
+    // so that rays miss the place itself
+    const float clear = 1e-4F * boundingBox(body).diagonal().norm();
     std::erase_if(open, [&](const Piece& piece) {
         return !facesInwards(query, body, piece, places, clear, goOn);
     });
@@ -399,12 +400,13 @@ QStringList sentencesOf(const ModelRepairs& repairs) {
             sentences.push_back(sentence.arg(count));
         }
     };
-    add(Text::tr("Points joined along seams that rounding had opened: %1"), repairs.joinedPoints);
+    add(Text::tr("Points merged along seams that rounding had opened: %1"), repairs.joinedPoints);
     add(Text::tr("Triangles without area that were removed: %1"), repairs.removedTriangles);
-    add(Text::tr("Triangles removed that the file gives twice: %1"), repairs.mergedTriangles);
-    add(Text::tr("Triangles turned that faced the other way than their neighbours: %1"),
+    add(Text::tr("Duplicate triangles that were removed: %1"), repairs.mergedTriangles);
+    add(Text::tr("Triangles flipped because they faced the other way than their neighbours: %1"),
         repairs.turnedTriangles);
-    add(Text::tr("Parts of the surface turned that were inside out: %1"), repairs.turnedParts);
+    add(Text::tr("Parts of the surface flipped because they were inside out: %1"),
+        repairs.turnedParts);
     return sentences;
 }
 
@@ -492,7 +494,7 @@ std::size_t removeDegenerateTriangles(TexturedMesh& mesh) {
     if (std::find(flat.begin(), flat.end(), true) == flat.end()) {
         return removed;
     }
-    // A triangle squeezed to a line can be what joins its neighbours.
+    // A degenerate triangle may be what connects its neighbours.
     const TexturedMesh without = withoutTriangles(mesh, flat);
     if (isClosed(mesh.mesh) && !isClosed(without.mesh)) {
         return removed;

@@ -1,4 +1,5 @@
-// The formats of models that are read, all of them: texts and dialogs name these. Reentrant.
+// All model formats that the program reads. Messages and dialogs take their names from here.
+// Reentrant.
 #pragma once
 
 #include <QString>
@@ -9,17 +10,17 @@ namespace dipwright {
 
 struct ModelFormat {
     QString name;         // "glTF"
-    QStringList suffixes; // of its files, in lower case: "gltf", "glb"
+    QStringList suffixes; // file suffixes in lower case: "gltf", "glb"
 };
-// In the order in which they are named.
+// The formats in the order in which they are listed.
 const std::vector<ModelFormat>& modelFormats();
 
-// The file filters for dialogs: "*.obj", "*.ply" …
+// Returns the file filters for dialogs: "*.obj", "*.ply" …
 QStringList modelFilePatterns();
 
-// "OBJ, PLY, STL", all of them.
+// Returns all names as a list: "OBJ, PLY, STL".
 QString modelFormatNames();
-// "OBJ, PLY or STL", all of them, in the user's language.
+// Returns all names as a choice in the user's language: "OBJ, PLY or STL".
 QString anyModelFormat();
 
 } // namespace dipwright

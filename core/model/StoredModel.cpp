@@ -33,7 +33,7 @@ void prepare(QDataStream& stream) {
     stream.setByteOrder(QDataStream::LittleEndian);
 }
 
-// Arrays of plain numbers, or of arrays of them, as one block.
+// Writes an array of numbers, or of arrays of numbers, as one block.
 template <typename Number, typename Value>
 void writeNumbers(QDataStream& stream, const std::vector<Value>& values) {
     static_assert(sizeof(Value) % sizeof(Number) == 0);
@@ -91,12 +91,11 @@ private:
         stream_.readRawData(found, sizeof(found));
         require(std::equal(std::begin(found), std::end(found), std::begin(signature)));
         if (const auto version = readNumber<quint32>(); version != formatVersion) {
-            throw Error(
-                Text::tr("The stored model has format version %1 and this program reads version "
-                         "%2; use a newer program")
-                    .arg(version)
-                    .arg(formatVersion),
-                where_);
+            throw Error(Text::tr("The stored model has format version %1, but this program reads "
+                                 "version %2; use a newer version of this program")
+                            .arg(version)
+                            .arg(formatVersion),
+                        where_);
         }
     }
 
@@ -108,7 +107,7 @@ private:
         return number;
     }
 
-    // Nothing is allocated before the bytes are known to be there.
+    // Limits allocation to bytes that are really there.
     quint64 bytesLeft() const { return quint64(bytes_.size() - stream_.device()->pos()); }
 
     template <typename Number, typename Value>

@@ -1,4 +1,4 @@
-// The project's own model file.
+// Reads and writes the model file inside a project.
 #pragma once
 
 #include "model/TexturedMesh.h"
@@ -7,25 +7,26 @@
 
 namespace dipwright {
 
-// A model as it was stored, with its pictures still packed.
+// A model as stored, with its pictures still encoded.
 struct StoredModel {
-    TexturedMesh model;               // without textures; its materials name them by index
-    std::vector<QByteArray> pictures; // PNG of each of them, not looked at
+    TexturedMesh model;               // without textures; its materials refer to them by index
+    std::vector<QByteArray> pictures; // PNG files, not validated
 };
 
-// The model without its pictures, which then stand elsewhere: one pixel holds each one's place.
+// Returns the model with each picture replaced by a single pixel, because the pictures are stored
+// elsewhere.
 TexturedMesh withoutPictures(const TexturedMesh& model);
 
-// The model as one self-contained file for a project's assets, lossless in positions to float,
+// Returns the model as one self-contained file for a project's assets. Lossless: float positions,
 // texture coordinates, charts and pictures.
 QByteArray writeModel(const TexturedMesh& model);
 
-// The model that `bytes` hold. Throws Error about `where` for what is damaged, newer, or more than
-// Budgets.h allows.
+// Reads the model from `bytes`. Throws Error about `where` if it is damaged, has a newer format, or
+// exceeds the limits of Budgets.h.
 StoredModel readModel(const QByteArray& bytes, const QString& where);
 
-// The same for a model that was read and not yet looked at: it may be empty and its coordinates no
-// numbers.
+// Reads a model without checking its contents: it may be empty, and its coordinates may not be
+// finite.
 StoredModel readUncheckedModel(const QByteArray& bytes, const QString& where);
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// What is to be said of a model's textures.
+// Notes for the user about a model's textures.
 #pragma once
 
 #include "model/TexturedMesh.h"
@@ -7,7 +7,7 @@
 
 namespace dipwright {
 
-// A sentence for each texture whose colours were not all read as they were meant
+// Returns a sentence for each texture whose colours could not all be read as intended
 // (base/ColourNote.h).
 QStringList colourNotes(const SurfaceAppearance& appearance);
 

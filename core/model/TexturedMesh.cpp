@@ -7,13 +7,13 @@ namespace dipwright {
 
 namespace {
 
-// Bit for bit, so that corners without coordinates (NaN) are the same too.
+// Compares bits, so that corners without coordinates (NaN) are equal too.
 bool isSame(const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
     return std::bit_cast<std::uint32_t>(a.x()) == std::bit_cast<std::uint32_t>(b.x()) &&
            std::bit_cast<std::uint32_t>(a.y()) == std::bit_cast<std::uint32_t>(b.y());
 }
 
-// Whether the texture goes on across the edge from one of its triangles to the other.
+// Whether the texture continues across the edge from one triangle to the other.
 bool isContinuous(const TexturedMesh& mesh, std::uint32_t edge, std::uint32_t opposite) {
     const std::uint32_t here = edge / 3, there = opposite / 3;
     if (mesh.material[here] != mesh.material[there]) {

@@ -18,14 +18,14 @@ struct Text {
 constexpr double mostMillimetres = 1e6, mostGrown = 1e3;
 constexpr int longestFailure = 1000;
 
-// A dip as it is stored, read one value after the other and held against what it may be.
+// Reads the values of a stored dip in order and checks each against its range.
 class Reader {
 public:
     Reader(const QByteArray& bytes, const QString& where) : in_(bytes), where_(where) {
         in_.setVersion(QDataStream::Qt_6_0);
     }
 
-    // NaN is none of them.
+    // Refuses NaN.
     template <typename Value>
     Value value(Value least, Value most) {
         Value value{};
@@ -33,7 +33,7 @@ public:
         require(value >= least && value <= most);
         return value;
     }
-    // NaN too, where it `mayLack`.
+    // Accepts NaN only if `mayLack`.
     std::vector<float> floats(std::size_t count, double least, double most, bool mayLack = false) {
         requireLeft(count * sizeof(float));
         in_.setFloatingPointPrecision(QDataStream::SinglePrecision);
@@ -109,7 +109,6 @@ void write(QDataStream& out, const DippedFilm& film) {
         << film.wallSeconds;
 }
 
-// Of the points of `grid`.
 DippedFilm readFilm(Reader& stored, const solver::FilmGrid& grid, bool isotropic) {
     constexpr std::uint8_t allMarks = 7, lastState = std::uint8_t(solver::PointState::Trapped);
     constexpr double most = std::numeric_limits<double>::max();
@@ -140,7 +139,7 @@ DippedFilm readFilm(Reader& stored, const solver::FilmGrid& grid, bool isotropic
     return film;
 }
 
-// The figures of a change, for reading and writing alike.
+// Visits all numbers, so that reading and writing use the same order.
 template <typename Use>
 void eachFigure(SheetChange& change, const Use& use) {
     for (double* figure :
@@ -183,7 +182,9 @@ CertaintyEstimate readEstimate(Reader& stored, std::size_t points) {
 } // namespace
 
 Error damagedDips(const QString& where) {
-    return {Text::tr("The kept dips are damaged and not used; a run makes them again"), where};
+    return {Text::tr("The file of cached dips is damaged and is ignored; the next run replaces "
+                     "it"),
+            where};
 }
 
 QByteArray cachedDip(const CachedDip& dip) {

@@ -1,4 +1,4 @@
-// One dip as the file of kept dips holds it. Private to this folder.
+// Encodes and decodes one dip for the project's dip cache. Private to this folder.
 #pragma once
 
 #include "accuracy/certainty/CertaintyEstimate.h"
@@ -11,17 +11,19 @@
 
 namespace dipwright {
 
+// A dip as the cache holds it.
 struct CachedDip {
     DippedFilm film;
-    std::shared_ptr<const CertaintyEstimate> certainty; // null: none was made
+    std::shared_ptr<const CertaintyEstimate> certainty; // null: not estimated
 };
 
+// Encodes a dip.
 QByteArray cachedDip(const CachedDip& dip);
-// Of the points of `grid`. Throws Error where the bytes are not those of a dip of such a film:
-// every value is held against what it may be, and no more is taken than there is.
+// Decodes a dip with the film points of `grid`. Checks every value against its range and never
+// reads beyond the bytes. Throws Error if they are not a dip of such a film.
 CachedDip readCachedDip(const QByteArray& bytes, const solver::FilmGrid& grid, bool isotropic,
                         const QString& where);
-// What is wrong with a file of kept dips, in which `where` is.
+// Returns the error for a damaged cache file `where`.
 Error damagedDips(const QString& where);
 
 } // namespace dipwright

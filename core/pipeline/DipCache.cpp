@@ -26,18 +26,17 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(DipCache)
 };
 
-// Raised when a dip of the same inputs comes out otherwise within one version of the program, or is
-// stored in another way.
+// Raised when the dips or their storage format change within one version of the program.
 constexpr quint32 keptVersion = 2;
 constexpr int mostDips = 1000;
-constexpr qint64 entryBytes = 256; // of a zip, for an entry's name and place, at most
+constexpr qint64 entryBytes = 256; // upper limit of the zip's overhead for an entry
 
 template <typename Value>
 QByteArrayView bytesOf(const std::vector<Value>& values) {
     return {reinterpret_cast<const char*>(values.data()), qsizetype(values.size() * sizeof(Value))};
 }
 
-// Of all that a dip depends on (DipInputs), the version of program and solver among it.
+// Hashes all that a dip depends on (DipInputs), and the versions of program and solver.
 class DipKeys {
 public:
     explicit DipKeys(const Project& project) {
@@ -46,7 +45,7 @@ public:
         hash.add(bytesOf(project.model->mesh.triangles));
         const QJsonObject values = toJson(project);
         QJsonObject process = values[QLatin1String("process")].toObject();
-        process.remove(QStringLiteral("solver")); // that may be "auto"
+        process.remove(QStringLiteral("solver")); // it may be "auto"
         common_ = {{QStringLiteral("kept"), int(keptVersion)},
                    {QStringLiteral("program"), programVersion()},
                    {QStringLiteral("mesh"), QString::fromLatin1(hash.result().toHex())},
@@ -83,7 +82,7 @@ QString entryOf(int number, const QString& key) {
     return QStringLiteral("%1-%2.dip").arg(number, 4, 10, QLatin1Char('0')).arg(key);
 }
 
-// Fills in what was kept of the film and its certainty.
+// Fills in the cached film and its numerical error.
 void restore(ImmersionResult& dip, const Project& project, const QByteArray& bytes,
              const QString& where) {
     const FilmSettings& settings = project.film;
@@ -102,7 +101,7 @@ void restore(ImmersionResult& dip, const Project& project, const QByteArray& byt
     dip.laid = layFilm(dip.body, std::move(kept.film), project.process);
 }
 
-// What is in a file of kept dips, by key, the oldest first.
+// Returns the contents of a dip cache by key, the oldest first.
 std::vector<std::pair<QString, QByteArray>> readAll(const QString& path) {
     std::vector<std::pair<QString, QByteArray>> dips;
     try {
@@ -115,13 +114,13 @@ std::vector<std::pair<QString, QByteArray>> readAll(const QString& path) {
             }
         }
     } catch (const Error&) {
-        dips.clear(); // missing, or not to be saved
+        dips.clear(); // missing or damaged
     }
     return dips;
 }
 
-// Those of the project's immersions; empty where not all of them are there. Whatever is wrong with
-// the archive is damage.
+// Returns the cached dips of the project's immersions; empty if one is missing. Every fault of the
+// archive is reported as damage.
 std::vector<QByteArray> readWanted(const QString& path, const DipKeys& keys, const Project& project,
                                    const SolverInfo& solver) {
     std::vector<QByteArray> dips;
@@ -184,7 +183,7 @@ void cacheDips(const JobResult& result, const QString& project, qint64 most) {
     }
     dips.erase(dips.begin(), oldest);
     if (dips.empty()) {
-        return; // not even one has room
+        return; // there is no room even for one
     }
     ZipWriter archive;
     for (std::size_t number = 0; number < dips.size(); ++number) {
@@ -192,7 +191,7 @@ void cacheDips(const JobResult& result, const QString& project, qint64 most) {
                     ZipWriter::Packing::Stored);
     }
     if (const QString failure = replaceFile(path, archive.finish()); !failure.isEmpty()) {
-        throw Error(Text::tr("The dips cannot be kept: %1").arg(failure), path);
+        throw Error(Text::tr("The dips cannot be cached: %1").arg(failure), path);
     }
 }
 
@@ -210,7 +209,7 @@ std::shared_ptr<const JobResult> cachedDips(const Project& project, const Solver
     result->chosenSolver = solver.id;
     const std::vector<QByteArray> kept = readWanted(file, DipKeys(project), project, solver);
     for (std::size_t number = 0; number < kept.size(); ++number) {
-        progress(double(number) / double(kept.size()), Text::tr("Reading the kept dips"));
+        progress(double(number) / double(kept.size()), Text::tr("Reading the cached dips"));
         ImmersionResult& dip = result->immersions.emplace_back();
         dip.immersion = project.immersions[number];
         dip.solver = solver;

@@ -1,4 +1,4 @@
-// The cradles of a job: one for each immersion, which keep off what the earlier ones have painted.
+// Makes the cradles of a job: one for each dip, which avoids the area that earlier dips painted.
 #pragma once
 
 #include "base/Progress.h"
@@ -6,8 +6,8 @@
 
 namespace dipwright {
 
-// In the order of the immersions, without a mesh where nothing can be held, and why in its notes.
-// All cores; deterministic. Throws Error or Cancelled.
+// Returns the cradles in the order of the dips. A cradle that cannot hold the body has no mesh, and
+// its notes say why. All cores; deterministic. Throws Error or Cancelled.
 std::vector<Cradle> jobCradles(const JobResult& result, const Progress& progress);
 
 } // namespace dipwright

@@ -21,7 +21,7 @@ QString filmFile(std::size_t number, const char* suffix) {
     return QStringLiteral("film-%1.%2").arg(number + 1).arg(QLatin1String(suffix));
 }
 
-// All that may have been written before.
+// All files that an earlier run may have written.
 QStringList filmFiles() {
     QStringList files{reportFile};
     for (int number = 0; number < mostFilms; ++number) {
@@ -104,7 +104,7 @@ QStringList filmsText(const PackedFilms& films) {
     QStringList lines;
     for (std::size_t number = 0; number < films.plan.films.size(); ++number) {
         const PlannedFilm& film = films.plan.films[number];
-        lines << Text::tr("Film %1: %2 × %3 mm, pieces: %4, %5 % of it used")
+        lines << Text::tr("Film %1: %2 × %3 mm, pieces: %4, %5 % used")
                      .arg(number + 1)
                      .arg(QString::number(film.size.width(), 'f', 0),
                           QString::number(film.size.height(), 'f', 0))
@@ -139,7 +139,7 @@ void writeFilms(const PackedFilms& films, const QString& folder, const Progress&
                              {"dpi", films.pieces.front().sheet.settings.resolution.value()},
                              {"films", list}};
     results.write(reportFile, QJsonDocument(report).toJson());
-    progress(1, Text::tr("Moving the results in place"));
+    progress(1, Text::tr("Moving the results into place"));
     progress.cancelToken.throwIfCancelled();
     results.commit();
 }

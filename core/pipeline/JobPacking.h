@@ -1,4 +1,4 @@
-// Several projects on one film: their sheets as pieces, and the files of the films that they make.
+// Packs the sheets of several projects onto shared films and writes the films' files.
 #pragma once
 
 #include "pipeline/JobResult.h"
@@ -8,36 +8,38 @@ namespace dipwright {
 
 struct PackSettings {
     PackingFilm film;
-    FeedDirection feed = FeedDirection::ShortEdgeFirst; // of a film that is no roll
-    bool mayTurn = false; // pictures for films that swell alike both ways may be turned
+    FeedDirection feed = FeedDirection::ShortEdgeFirst; // for cut film, not for a roll
+    bool mayTurn = false; // allows turning if the film swells equally both ways
 };
 
-// A film swells more along its web, and pictures are made for that: a piece whose own film had it
-// across that of this film is turned, one that had it along never is. Where its film swells alike
-// both ways it makes no difference, and `mayTurn` decides.
+// Returns whether a project's piece is turned. A film swells more along its web, and each picture
+// is made for that. A piece is turned if its own web runs across the web of this film, and never if
+// both run the same way. If its film swells equally both ways, `mayTurn` decides.
 Turning turningOf(const Project& project, const PackSettings& settings);
 
-// The sheets of a job that was run, each `copies` times.
+// Returns the sheets of a finished job as pieces, each `copies` times.
 std::vector<PieceToPack> piecesOf(const JobResult& result, int copies,
                                   const PackSettings& settings);
 
+// Pieces and their places on the films.
 struct PackedFilms {
     std::vector<PieceToPack> pieces;
     PackSettings settings;
     FilmPlan plan;
 };
-// Throws Error as planFilms() does.
+// Places the pieces on films. Throws Error as planFilms() does.
 PackedFilms packedFilms(std::vector<PieceToPack> pieces, const PackSettings& settings);
+// Returns the sheet of a film, counted from 0.
 Sheet sheetOf(const PackedFilms& films, std::size_t number);
 
-// A sentence a film: its size, its pieces and how much of it they take.
+// Describes each film in one sentence: size, number of pieces and used share.
 QStringList filmsText(const PackedFilms& films);
 
-// Throws Error where the files of packed films could not be written into `folder`: worth asking
-// before the work.
+// Throws Error if writeFilms() could not write into `folder`. Call it before the work.
 void checkFilmsFolder(const QString& folder);
-// Writes film-N.pdf, .png and .tif of each film and films.json (docs/files-and-commands.md, "Packed
-// films") into `folder`. They replace earlier ones, all or none (disk/FolderTransaction.h).
+// Writes film-N.pdf, .png and .tif for each film, and films.json, into `folder`
+// (docs/files-and-commands.md, "Packed films"). Replaces all earlier files or none
+// (disk/FolderTransaction.h).
 // Needs a QGuiApplication. Throws Error or Cancelled.
 void writeFilms(const PackedFilms& films, const QString& folder, const Progress& progress);
 

@@ -1,4 +1,4 @@
-// What a run of the main job has come to.
+// The result of a run of the main job.
 #pragma once
 
 #include "accuracy/certainty/LawChange.h"
@@ -17,14 +17,14 @@ namespace dipwright {
 
 struct ReverseTexture;
 
-// Immutable parts are shared with the results that later runs take them over into.
+// The result of one dip. Later results share the immutable parts that they take over.
 struct ImmersionResult {
     Immersion immersion;
-    SheetInputs inputs; // what all of this was made from
+    SheetInputs inputs; // the inputs of everything below
     std::shared_ptr<const PosedBody> body;
-    std::shared_ptr<const SurfaceAppearance> appearance; // of the body; null: a kept dip's
-    SolverInfo solver;       // that dipped the film: the chosen one, or one that took over from it
-    QStringList solverNotes; // sentences for the user, where one took over
+    std::shared_ptr<const SurfaceAppearance> appearance; // of the body; null for a cached dip
+    SolverInfo solver;       // simulated the dip: the chosen solver, or one that took over
+    QStringList solverNotes; // sentences for the user if a solver took over
     std::shared_ptr<const LaidFilm> laid;
     std::shared_ptr<const Coverage> coverage;
     std::shared_ptr<const CertaintyEstimate> certainty; // null: not asked for
@@ -33,43 +33,39 @@ struct ImmersionResult {
     ReadBackError readBack;
     std::shared_ptr<const ReverseTexture> texture;
     Sheet sheet;
-    // mm² of the part that the inks of the project's printer leave visibly too pale
-    // (sheet/prepress/Separation.h); none: it is no printer of inks that are compensated one by
-    // one.
+    // mm² of the part that the project's printer leaves visibly too pale
+    // (sheet/prepress/Separation.h). None if the printer does not compensate each ink by itself.
     std::optional<double> inkShortfall;
 };
 
-// How far the colours of a job may land off their places.
+// How far the colours of a job may land from their places.
 struct JobTolerances {
-    std::vector<DipTolerances> dips; // an immersion each
-    std::vector<ZoneVerdict> zones;  // those that there are, of all dips together
+    std::vector<DipTolerances> dips; // one for each immersion
+    std::vector<ZoneVerdict> zones;  // of the existing zones, for all dips together
 };
 
 struct JobResult {
-    Project project;                            // what was computed
-    QString wantedSolver, chosenSolver;         // "auto" or an id, and the id that it stood for
-    SolverInfo solver;                          // that dipped the last immersion's film
-    FieldInputs fieldInputs;                    // of `field`
-    std::shared_ptr<const DistanceField> field; // null when no dip needed it
-    PaintInputs paintInputs;                    // of `painted`
-    std::shared_ptr<const TexturedMesh>
-        painted; // the model with its artwork, which all bodies wear
+    Project project;                             // what was computed
+    QString wantedSolver, chosenSolver;          // "auto" or an id, and the id chosen for it
+    SolverInfo solver;                           // simulated the last dip
+    FieldInputs fieldInputs;                     // of `field`
+    std::shared_ptr<const DistanceField> field;  // null when no dip needed it
+    PaintInputs paintInputs;                     // of `painted`
+    std::shared_ptr<const TexturedMesh> painted; // the model's appearance: texture and artwork
     std::vector<ImmersionResult> immersions;
     std::shared_ptr<const BodyShare> share; // null: each dip paints all that it reaches
-    double coverageTotal = 0;               // share of the body's surface that any immersion paints
+    double coverageTotal = 0; // coverage of all dips together: painted share of the surface, 0 … 1
     QImage proof;
-    QImage proofWithoutWhite; // null where there is no white, or the part has no colour of its own
-    QImage coverage;          // who paints what of a body that is shared out; null of others
+    QImage proofWithoutWhite; // null if there is no white or the part has no colour of its own
+    QImage coverage;          // shows which dip paints what; null if the dips share nothing
     std::shared_ptr<const JobTolerances> tolerances; // null: not asked for
-    Verdict verdict;                                 // of what is told of all dips together
+    Verdict verdict;                                 // about all dips together
     std::vector<Cradle> cradles;                     // of each immersion; empty: not asked for
-    QStringList notes; // sentences for the user: a solver that took over, a film past its date or
-                       // too small
+    QStringList notes; // sentences for the user: a solver took over, the film has expired, …
 };
 
-// The id of the solver that a project's `wanted` stands for, as far as `result` tells: the one that
-// was chosen for it when it wanted the same; otherwise `wanted` itself. So "auto" and the id that
-// "auto" came to are one solver.
+// Returns the id of the solver that `wanted` stands for. If `result` was run with the same wish, it
+// is the solver chosen then; otherwise it is `wanted`. So "auto" equals the id chosen for it.
 inline QString solverFor(const QString& wanted, const JobResult& result) {
     return wanted == result.wantedSolver ? result.chosenSolver : wanted;
 }

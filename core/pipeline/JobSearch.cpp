@@ -21,7 +21,7 @@ bool isWhitePrinted(const Project& project) {
     return project.sheet.white != WhiteLayer::None;
 }
 
-// Of all that the dips of a search depend on; its poses are not among that.
+// Hashes all that the dips of a search depend on, except the poses.
 QByteArray identityOf(const Project& project, const QString& solver) {
     const QJsonObject whole = toJson(project);
     QJsonObject counting;
@@ -37,14 +37,14 @@ QByteArray identityOf(const Project& project, const QString& solver) {
     return sha256(QJsonDocument(counting).toJson(QJsonDocument::Compact));
 }
 
-// What the search asks of the artwork is what there is ink for; a few colours a place will do.
+// Coarse texels suffice: the search only asks where the artwork has ink.
 constexpr double texel = 0.5; // mm
 
 } // namespace
 
 SearchSubject searchSubject(const Project& project, const QString& solver) {
     if (!project.model) {
-        throw Error(Text::tr("The project has no model, import one first"), project.name);
+        throw Error(Text::tr("The project has no model; import one first"), project.name);
     }
     SearchSubject subject;
     subject.name = project.name;

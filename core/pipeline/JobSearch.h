@@ -1,4 +1,4 @@
-// The pose search of a job.
+// Prepares the pose search of a project.
 #pragma once
 
 #include "search/PoseSearch.h"
@@ -7,7 +7,8 @@ namespace dipwright {
 
 struct Project;
 
-// What is searched for, of a project, by the solver of this id. Throws Error where it has no model.
+// Returns the project's data for a pose search with the solver of this id. Throws Error if the
+// project has no model.
 SearchSubject searchSubject(const Project& project, const QString& solver);
 
 } // namespace dipwright

@@ -19,7 +19,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Pipeline)
 };
 
-constexpr int hashLetters = 12; // one in 2⁴⁸: enough to tell sheets apart by eye
+constexpr int hashLetters = 12; // 48 bits: enough to tell sheets apart, short enough to compare
 
 QString plain(double number) {
     return QString::number(number, 'g', 6);
@@ -34,7 +34,7 @@ QString scaleText(const FilmSettings& film) {
     if (film.swellX == 1 && film.swellY == 1) {
         return QStringLiteral("1:1");
     }
-    return Text::tr("1:1, swell %1 × %2 taken out").arg(plain(film.swellX), plain(film.swellY));
+    return Text::tr("1:1, reduced for swell %1 × %2").arg(plain(film.swellX), plain(film.swellY));
 }
 
 void addPixels(Sha256& hash, const QImage& image) {
@@ -44,12 +44,12 @@ void addPixels(Sha256& hash, const QImage& image) {
     }
 }
 
-// Of the film's pictures and of every setting that they came from; where the project lies plays no
-// part, nor does whether the solver was named or found by "auto": which one it was, they show.
+// Hashes the film's pictures and all settings behind them. The project's location does not count.
+// Nor does the solver's name: the pictures show which solver was used, named or found by "auto".
 QString jobHash(const Project& project, const Immersion& immersion, const PrintedFilm& film) {
     Project anonymous = project;
     anonymous.process.solver = ProcessSettings().solver;
-    anonymous.baseColour.clear(); // nothing of it is printed
+    anonymous.baseColour.clear(); // it is not printed
     QJsonObject settings = countedSettings(anonymous);
     for (const char* key : {"model", "immersions", "name", "cradle", "tolerance", "verdict",
                             "inspection", "pose_search"}) {
@@ -91,15 +91,15 @@ void checkSpots(const Project& project) {
     const std::vector<ArtworkLayer> spots = project.artwork.spots();
     for (const ArtworkLayer& layer : spots) {
         if (names.contains(layer.spot.toLower())) {
-            throw Error(Text::tr("Two plates of the sheet are called %1; give each a name of its "
-                                 "own")
+            throw Error(Text::tr("Two plates of the sheet have the name %1; give each plate its "
+                                 "own name")
                             .arg(layer.spot),
                         layer.name);
         }
         names << layer.spot.toLower();
     }
     if (spots.size() > mostSpots) {
-        throw Error(Text::tr("The artwork has %1 spot inks, and there is room for %2")
+        throw Error(Text::tr("The artwork has %1 spot colours; the limit is %2")
                         .arg(spots.size())
                         .arg(mostSpots),
                     QStringLiteral("artwork"));
@@ -116,7 +116,7 @@ Sheet jobSheet(const Project& project, const Immersion& immersion, const Printed
         sheet.plates.push_back({layer.spot, film.spots[spot], layer.spotFirst, layer.spotColour});
     }
     if (!film.white.isNull()) {
-        const double pixels = film.white.width() / project.film.width.value(); // to the mm
+        const double pixels = film.white.width() / project.film.width.value(); // per mm
         user.throwIfCancelled();
         sheet.plates.push_back({project.sheet.whiteName,
                                 choked(film.white, project.sheet.whiteChoke.value() * pixels),

@@ -1,4 +1,4 @@
-// The sheet of one immersion: its film image with the job line that tells it from every other.
+// Makes the sheet of one dip: the film image and the job line that identifies it.
 #pragma once
 
 #include "base/Progress.h"
@@ -9,18 +9,18 @@ namespace dipwright {
 struct Project;
 struct Immersion;
 
-// What is printed on a film; all but the colours may be null.
+// The images printed on a film; all except the colours may be null.
 struct PrintedFilm {
     QImage colours;
-    QImage white = {};                // tints of the white layer, Grayscale8, not choked yet
-    QImage wanted = {}, stretch = {}; // as of WantedInk (sheet/page/Sheet.h)
-    std::vector<QImage> spots = {};   // tints of the artwork's spot inks, in their order
+    QImage white = {};                // tints of the white layer, Grayscale8, before choking
+    QImage wanted = {}, stretch = {}; // as in WantedInk (sheet/page/Sheet.h)
+    std::vector<QImage> spots = {};   // tints of the artwork's spot colours, in their order
 };
 
-// Throws Error where two plates of a sheet had one name, or the artwork has too many.
+// Throws Error if two plates of a sheet would have the same name, or the artwork has too many.
 void checkSpots(const Project& project);
 
-// Throws Cancelled.
+// Makes the sheet. Throws Cancelled.
 Sheet jobSheet(const Project& project, const Immersion& immersion, const PrintedFilm& film,
                const CancelToken& user = {});
 

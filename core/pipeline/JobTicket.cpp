@@ -20,7 +20,7 @@ QJsonValue orNull(const std::optional<Seconds>& time) {
     return time ? QJsonValue(time->value()) : QJsonValue();
 }
 
-// What stands in a profile's file; null where the project has none.
+// Returns the profile's name and the values of `keys`; null if the project has no such profile.
 template <typename Kind>
 QJsonValue named(const std::optional<Kind>& profile, std::initializer_list<const char*> keys) {
     if (!profile) {
@@ -48,8 +48,7 @@ QJsonObject filmTicket(const Project& project) {
             {"profile", named(project.profiles.film, {"lot", "expiry", "feed"})}};
 }
 
-// How long the film waits for what; null where the project has no film profile, or that does not
-// say.
+// Waiting times of the film; null where there is no film profile or it does not give the time.
 QJsonObject dwellTicket(const std::optional<FilmProfile>& film) {
     if (!film) {
         return {{"soak_s", {}}, {"activator_s", {}}, {"flash_s", {}}, {"drying_s", {}}};

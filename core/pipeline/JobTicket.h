@@ -1,5 +1,5 @@
-// What was computed, for the programs of whoever prints and dips it: film, motion, times, and which
-// files belong to which dip.
+// Makes the job ticket for the programs that print and dip: film, motion, times, and the files of
+// each dip.
 #pragma once
 
 #include "pipeline/JobResult.h"
@@ -10,18 +10,18 @@
 
 namespace dipwright {
 
-// The contents of a file of the results by its name in their folder; empty where it was not
+// Returns the contents of a result file by its name in the results' folder; empty if it was not
 // written.
 using ResultContents = std::function<QByteArray(const QString&)>;
 
-// What stands in ticket.json (docs/files-and-commands.md, "ticket.json";
-// resources/schemas/ticket.schema.json). `files`: for each immersion the names of those that are to
-// be printed or driven by. Nothing in it comes from the clock.
+// Returns the contents of ticket.json (docs/files-and-commands.md, "ticket.json";
+// resources/schemas/ticket.schema.json). `files`: for each immersion, the names of its sheet and
+// motion files. Does not depend on the clock.
 QJsonObject jobTicket(const JobResult& result, const std::vector<QStringList>& files,
                       const ResultContents& contents);
 
-// Of a film image as sheet.png has it: the SHA-256, hexadecimal, of its pixels, row by row from the
-// top, red, green and blue a byte each.
+// Returns the hexadecimal SHA-256 of a film image's pixels as in sheet.png: rows from the top, one
+// byte each for red, green and blue.
 QString pictureHash(const QImage& filmImage);
 
 } // namespace dipwright

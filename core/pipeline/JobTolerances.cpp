@@ -6,7 +6,7 @@ namespace dipwright {
 namespace {
 
 constexpr double fieldDone = 0.05;
-constexpr float mostColour = 0.5f; // from where on a dip's colour is the one that is seen
+constexpr float mostColour = 0.5f; // from this share on, a dip's colour dominates
 
 } // namespace
 

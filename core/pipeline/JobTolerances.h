@@ -1,5 +1,5 @@
-// How far the colours of a job may land off their places for its tolerances, and whether its zones
-// keep their limits.
+// Computes how far the colours of a job may land from their places within the tolerances, and
+// whether the zones keep their limits.
 #pragma once
 
 #include "base/Progress.h"
@@ -8,10 +8,10 @@
 
 namespace dipwright {
 
-// By `settings`, which need not be those that the job was run with, as they change no dip of it.
-// Where two dips share the body out, a place counts where its dip gives at least half of the
-// colour. Where a GPU solver fails, the best CPU solver takes over. All cores; deterministic.
-// Throws Error or Cancelled.
+// `settings` may differ from those that the job was run with, because they do not change its dips.
+// If two dips share the body, a place counts for the dip that gives at least half of the colour. If
+// a GPU solver fails, the best CPU solver takes over. All cores; deterministic. Throws Error or
+// Cancelled.
 JobTolerances jobTolerances(const JobResult& result, const ToleranceSettings& settings,
                             const SolverRegistry& registry, const Progress& progress);
 

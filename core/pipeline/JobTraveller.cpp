@@ -11,7 +11,7 @@ namespace {
 const QSize posePixels(900, 560), afterPixels(620, 480);
 constexpr int sheetPixelsAcross = 500;
 
-// The body without its cradle, beside each other from the front, from the right and from below.
+// Draws the body without its cradle from the front, the right and below, side by side.
 QImage afterDip(const PoseView& view, const Progress& progress) {
     QImage pictures(3 * afterPixels.width(), afterPixels.height(), QImage::Format_RGB32);
     QPainter painter(&pictures);
@@ -23,7 +23,7 @@ QImage afterDip(const PoseView& view, const Progress& progress) {
     return pictures;
 }
 
-// What is told of a dip and of all together.
+// Returns the verdict on the job, and the reasons about this dip and about all dips together.
 QStringList verdictLines(const JobResult& result, std::size_t number) {
     QStringList lines{adviceText(adviceOf(result))};
     for (const JobReason& reason : reasonsOf(result)) {

@@ -1,4 +1,4 @@
-// What of a job goes to the tank.
+// Makes the traveller of a job and the motion of its dips.
 #pragma once
 
 #include "base/Progress.h"
@@ -7,8 +7,9 @@
 
 namespace dipwright {
 
+// Returns the motion of a dip.
 DipMotion jobMotion(const JobResult& result, std::size_t immersion);
-// Draws its pictures: all cores; deterministic. Throws Cancelled.
+// Draws the traveller's pictures. All cores; deterministic. Throws Cancelled.
 Traveller jobTraveller(const JobResult& result, const Progress& progress);
 
 } // namespace dipwright

@@ -18,9 +18,9 @@ struct Text {
 
 using Kind = VerdictReason::Kind;
 
-constexpr double bareSamples = 20'000; // of the body
+constexpr double bareSamples = 20'000; // on the body
 
-// How much of each zone no dip paints, 0 … 1.
+// Returns the share of each zone that no dip paints, 0 … 1.
 std::array<double, zoneCount> bareZones(const JobResult& result, const ZonedBody& zones) {
     const TriangleMesh& mesh = result.project.model->mesh;
     const std::vector<SurfacePoint> places = evenSamples(mesh, surfaceArea(mesh) / bareSamples);
@@ -42,7 +42,7 @@ std::array<double, zoneCount> bareZones(const JobResult& result, const ZonedBody
     return bare;
 }
 
-// What is marked is to be painted; the rest of the body is told of by itself.
+// Marked zones should be painted. The rest of the body is judged by Kind::Unreached.
 void objectToBareZones(Objections& found, const JobResult& result, const ZonedBody& zones) {
     const std::array<double, zoneCount> bare = bareZones(result, zones);
     for (const Zone zone : {Zone::A, Zone::B}) {
@@ -70,7 +70,7 @@ double unreached(const JobResult& result) {
                         : 1 - result.coverageTotal;
 }
 
-// Whether nothing but one colour is to be seen of the model.
+// Whether the model shows only one colour.
 bool isPlain(const Project& project) {
     const std::vector<Material>& materials = project.model->materials;
     return project.artwork.isEmpty() && project.model->textures.empty() &&
@@ -79,7 +79,7 @@ bool isPlain(const Project& project) {
            });
 }
 
-// What is no matter of a limit but is told, and weighs as much as the project says.
+// Adds reasons that have no limit; the project sets their weight.
 void objectToOrigins(Objections& found, const JobResult& result) {
     const Project& project = result.project;
     if (result.immersions.front().inputs.texture.isReversed() && isPlain(project)) {

@@ -1,31 +1,30 @@
-// The verdict on a whole job: of its dips, and of what is told of them together.
+// Judges a whole job: each dip, and all dips together.
 #pragma once
 
 #include "pipeline/JobResult.h"
 
 namespace dipwright {
 
-// The zones that the project marks on its body; null where it marks none.
+// Returns the zones marked in the project; null if there are none.
 std::shared_ptr<const ZonedBody> markedZones(const Project& project);
 
-// Of a dip whose film is laid, measured and printed. `zones`: markedZones().
+// Judges a dip whose film is laid and measured and whose sheet is made. `zones`: markedZones().
 Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const ZonedBody* zones);
 
-// Of all dips together: what JobResult::verdict is. `zones`: markedZones().
+// Judges all dips together, for JobResult::verdict. `zones`: markedZones().
 Verdict togetherVerdict(const JobResult& result, const ZonedBody* zones);
 
-// A reason and the dip that it is of; none: all of them.
+// A reason and the dip that it is about; without a dip it is about all.
 struct JobReason {
     std::optional<std::size_t> dip;
     VerdictReason reason;
 };
 
-// The worst of the dips' advice and of what is told of them together, and all reasons, the worst
-// first.
+// Returns the worst verdict of the dips and of all together, and all reasons, the worst first.
 Advice adviceOf(const JobResult& result);
 std::vector<JobReason> reasonsOf(const JobResult& result);
 
-// For the user: "Top: Trapped air keeps …". `length` words a length given in mm.
+// A sentence for the user: "Top: Trapped air keeps …". `length` formats mm.
 QString reasonText(const JobReason& reason, const JobResult& result, const LengthText& length);
 
 } // namespace dipwright

@@ -45,7 +45,7 @@ std::vector<LawChange> lawChanges(const Project& project, const Immersion& immer
                                   const CancelToken& cancelToken) {
     const FilledField filled(*body, field);
     std::vector<LawChange> changes;
-    std::vector<Project> jobs; // two a law: less and more
+    std::vector<Project> jobs; // two for each law: less and more
     std::vector<solver::BatchItem> dips;
     for (const QString& setting : lawSettings()) {
         const Field<Project>& law = fieldOf(setting);
@@ -67,8 +67,8 @@ std::vector<LawChange> lawChanges(const Project& project, const Immersion& immer
         cancelToken.throwIfCancelled();
         DippedFilm film = dippedFilm(dips[dip], immersion);
         if (!isStable(film, dips[dip].setup.motion.travel)) {
-            throw Error(Text::tr("With a law varied the film does not follow the body; give the "
-                                 "film smaller cells or more points"),
+            throw Error(Text::tr("With this setting varied, the film does not follow the part; "
+                                 "give the film smaller cells or more points"),
                         changes[dip / 2].setting);
         }
         return layFilm(body, std::move(film), jobs[dip].process);

@@ -1,4 +1,4 @@
-// What is to be said of a job's model, whatever is done with it.
+// Warns the user about thin or inside-out parts of a job's model.
 #pragma once
 
 #include "geometry/SurfaceQuery.h"
@@ -10,13 +10,14 @@ namespace dipwright {
 
 struct Project;
 
-// That parts of it are too thin for the distance field; empty where none are. `mesh`: the
-// project's, in any pose; `query`: of that.
+// Warns if parts of the model are too thin for the distance field; otherwise empty. `mesh`: the
+// project's mesh in any pose; `query` belongs to it.
 QString thinPartNote(const Project& project, const TriangleMesh& mesh, const SurfaceQuery& query);
 
-// Whether parts of the model face inwards, which an import turns; projects from before may have
-// such. Takes seconds for models of many open parts.
+// Whether parts of the model face inwards. The import turns such parts; older projects may still
+// have them. Takes seconds for models with many open parts.
 bool isInsideOut(const TexturedMesh& model);
+// Returns the warning for such a model.
 QString insideOutNote();
 
 } // namespace dipwright

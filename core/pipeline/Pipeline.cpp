@@ -38,25 +38,25 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Pipeline)
 };
 
-// Shares of the time of a job, roughly as measured on a film of 120 × 170 points.
+// Fractions of a job's time, roughly as measured on a film of 120 × 170 points.
 constexpr double fieldDone = 0.1;
-constexpr double lawsBegin = 0.3;        // where they are varied
-constexpr double tolerancesBegin = 0.15; // where they are told
+constexpr double lawsBegin = 0.3;        // if laws are varied
+constexpr double tolerancesBegin = 0.15; // if tolerances are computed
 constexpr double cradlesBegin = 0.6;
-constexpr double dipsDone = 0.7; // of what follows the field
+constexpr double dipsDone = 0.7; // of the time after the field
 constexpr double sharesDone = 0.75;
 constexpr double proofDone = 0.97;
 constexpr int coverageTile = 560; // pixels of each side of the body
 constexpr double picturesDone = 0.8;
 
-// What all steps of one run are given.
+// The context that all steps of one run share.
 struct Run {
     const Project& project;
     const SolverRegistry& registry;
     const JobOptions& options;
     const JobResult* previous; // may be null
     CancelToken user;
-    std::shared_ptr<const ZonedBody> zones; // null: none are marked
+    std::shared_ptr<const ZonedBody> zones; // null: no zones are marked
 
     const ImmersionResult* earlier(std::size_t number) const {
         return previous && number < previous->immersions.size() ? &previous->immersions[number]
@@ -68,12 +68,12 @@ bool hasDipped(const ImmersionResult* earlier, const DipInputs& inputs) {
     return earlier && earlier->inputs.texture.dip == inputs;
 }
 
-// Whether coarser films are to be dipped as well.
+// Whether the numerical error has to be estimated by coarser dips.
 bool isToBeJudged(const Run& run, const ImmersionResult* earlier, const DipInputs& inputs) {
     return run.options.estimatesCertainty && !(hasDipped(earlier, inputs) && earlier->certainty);
 }
 
-// Null where nothing is dipped anew and the earlier result has none.
+// Returns null if nothing has to be dipped and the earlier result has no field.
 std::shared_ptr<const DistanceField> fieldOf(const Run& run, const std::vector<SheetInputs>& inputs,
                                              const Progress& progress) {
     const FieldInputs wanted = fieldInputs(run.project);
@@ -90,7 +90,7 @@ std::shared_ptr<const DistanceField> fieldOf(const Run& run, const std::vector<S
     return nullptr;
 }
 
-// The model as it is to look.
+// Returns the model with its artwork.
 std::shared_ptr<const TexturedMesh> paintedOf(const Run& run, const PaintInputs& inputs,
                                               const Progress& progress) {
     if (run.previous && run.previous->painted && run.previous->paintInputs == inputs) {
@@ -110,7 +110,7 @@ std::shared_ptr<const PosedBody> bodyOf(const Run& run, std::size_t number,
         posedBody(inputs.model->mesh, run.project.immersions[number]));
 }
 
-// Fills in the film on the body.
+// Fills in the laid film.
 void dip(ImmersionResult& result, const Run& run, std::size_t number, const DistanceField& field,
          SolverChoice& solver, const Progress& progress) {
     FilmObserver observer;
@@ -123,12 +123,12 @@ void dip(ImmersionResult& result, const Run& run, std::size_t number, const Dist
     });
     result.solver = solver.solver;
     result.solverNotes = std::exchange(solver.notes, {});
-    progress(1, Text::tr("Finding the film on the body"));
+    progress(1, Text::tr("Locating the film on the part"));
     result.laid = layFilm(result.body, std::move(film), run.project.process);
 }
 
-// What is not measured yet: the coverage of film that was just dipped, or taken over from dips that
-// were kept; the sheet read back of that, and of a body that looked otherwise before.
+// Measures the coverage of a newly dipped or cached film. Measures the read-back error of such a
+// film, and after the body's appearance has changed.
 void measure(ImmersionResult& result, const ImmersionResult* earlier, const CancelToken& user) {
     const bool isLaidAnew = !result.coverage;
     user.throwIfCancelled();
@@ -142,14 +142,13 @@ void measure(ImmersionResult& result, const ImmersionResult* earlier, const Canc
 }
 
 QImage chessboardOf(const FilmSettings& film, QSize pixels) {
-    solver::FilmGrid printed = filmGrid(film); // the squares are measured on the sheet
+    solver::FilmGrid printed = filmGrid(film); // the squares have their true size on the sheet
     printed.width = film.width.value();
     printed.depth = film.height.value();
     return chessboard(printed, chessSquare, pixels);
 }
 
-// The picture for the film: the body's texture reversed, or what is to be on it instead.
-// Under all colour of a picture that was not made for a body, of one tint.
+// Returns a white layer of one tint under all ink of a picture that was not made for a body.
 QImage evenWhite(const QImage& picture, double tint) {
     const QImage pixels = picture.convertToFormat(QImage::Format_RGBA8888);
     QImage white(pixels.size(), QImage::Format_Grayscale8);
@@ -164,7 +163,8 @@ QImage evenWhite(const QImage& picture, double tint) {
     return white;
 }
 
-// Returns how the body looks in each of the artwork's spot inks. Keeps references to its arguments.
+// Returns the body's appearance in each of the artwork's spot colours. Keeps references to its
+// arguments.
 std::vector<SpotAppearance> spotPlates(const TextureInputs& inputs, const Progress& progress) {
     std::vector<SpotAppearance> plates;
     for (const ArtworkLayer& layer : inputs.paint.artwork.spots()) {
@@ -176,6 +176,7 @@ std::vector<SpotAppearance> spotPlates(const TextureInputs& inputs, const Progre
     return plates;
 }
 
+// Returns the picture for the film: the reverse texture, or the picture that replaces it.
 ReverseTexture textureOf(const LaidFilm& laid, const SurfaceAppearance& appearance,
                          const TextureInputs& inputs, std::optional<PaintShare> share,
                          const Progress& progress) {
@@ -201,19 +202,19 @@ ReverseTexture textureOf(const LaidFilm& laid, const SurfaceAppearance& appearan
     return picture;
 }
 
-// The films that one immersion's is to be compared with, dipped beside everything else.
+// The coarser films of one immersion, dipped in parallel with the job.
 struct Comparison {
     CoarserFilms films;
-    Tasks dips; // after what they fill in: they are waited for before it goes
+    Tasks dips; // declared after `films`: its destructor waits before `films` is destroyed
     bool isWanted = false;
 };
 
-// Begins it and keeps references to all but the result and the solver's id.
+// Starts the comparison. Keeps references to all arguments except the result and the solver's id.
 void compare(Comparison& comparison, const Run& run, const ImmersionResult& result,
              const DistanceField& field, const QString& solver, const CancelToken& left) {
     comparison.dips.run([&, solver, body = result.body, immersion = result.immersion] {
         const auto isCancelled = [&] { return left.isCancelled() || run.user.isCancelled(); };
-        // Else its own loops might take up the piece of work that waits for it.
+        // Without this, its own loops might take over the task that waits for it.
         undisturbed([&] {
             comparison.films =
                 coarserFilms(body, field, immersion, run.project.film, run.project.process,
@@ -222,8 +223,8 @@ void compare(Comparison& comparison, const Run& run, const ImmersionResult& resu
     });
 }
 
-// The first part of an immersion's work: up to the film on the body. Coarser films are dipped
-// beside it on the processor; on a GPU, which it would have to share with them, after it.
+// The first part of an immersion's work: up to the laid film. On a CPU the coarser films are dipped
+// in parallel; on a GPU, which they would have to share, afterwards.
 ImmersionResult dippedImmersion(const Run& run, std::size_t number, const SheetInputs& inputs,
                                 const JobResult& job, SolverChoice& solver, Comparison& comparison,
                                 const CancelToken& left, const Progress& progress) {
@@ -252,7 +253,7 @@ ImmersionResult dippedImmersion(const Run& run, std::size_t number, const SheetI
     return now;
 }
 
-// How the dips share the body out; null where they do not.
+// Returns how the dips share the body; null if they do not share it.
 std::shared_ptr<const BodyShare> shareOf(const Run& run, const TexturedMesh& model,
                                          const std::vector<ImmersionResult>& immersions,
                                          const Progress& progress) {
@@ -268,7 +269,7 @@ std::shared_ptr<const BodyShare> shareOf(const Run& run, const TexturedMesh& mod
         model, {immersions[0].laid, immersions[1].laid}, inputs->settings, inputs->ink, progress));
 }
 
-// The second: the picture that the film wears. `share`: null where it is not shared with others.
+// The second part: the picture on the film. `share`: null if the dips do not share the body.
 void paint(ImmersionResult& now, const Run& run, std::size_t number, const BodyShare* share,
            const Progress& progress) {
     const ImmersionResult* earlier = run.earlier(number);
@@ -279,7 +280,8 @@ void paint(ImmersionResult& now, const Run& run, std::size_t number, const BodyS
     }
 }
 
-// What stands on the film, with what repeats in the parts before taken off, where that is wanted.
+// Returns the images printed on the film, corrected for the repeating error of earlier parts if the
+// project asks for it.
 PrintedFilm printedFilm(const ReverseTexture& texture, const SheetInputs& inputs,
                         const Project& project, std::size_t number) {
     PrintedFilm film{texture.image, texture.white, texture.wanted, texture.stretch, texture.spots};
@@ -317,7 +319,7 @@ std::optional<double> shortfallOf(const Sheet& sheet,
     return colour.isCmyk() ? std::optional(inkShortfall(sheet, correction)) : std::nullopt;
 }
 
-// The rest: what is measured of the film, its sheet, and the verdict on that.
+// The last part: measurements of the film, its sheet, and the verdict.
 void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison& comparison) {
     const ImmersionResult* earlier = run.earlier(number);
     Tasks measuring;
@@ -343,7 +345,7 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
     }
 }
 
-// Fills in how much each sheet depends on the laws of ours.
+// Fills in how much each sheet depends on the assumed laws.
 void varyLaws(JobResult& result, const Run& run, SolverChoice& solver, const Progress& progress) {
     const auto field = result.field ? result.field
                                     : cachedDistanceField(result.fieldInputs.model->mesh,
@@ -379,7 +381,7 @@ bool hasProofOf(const JobResult* previous, const std::vector<SheetInputs>& input
                                   });
 }
 
-// Whether the picture of who paints what is lettered with other names than it is to be.
+// Whether the earlier coverage picture shows other names of the dips.
 bool hasOldNames(const JobResult* previous, const std::vector<SheetInputs>& inputs) {
     return previous && previous->share &&
            !std::equal(inputs.begin(), inputs.end(), previous->immersions.begin(),
@@ -389,7 +391,7 @@ bool hasOldNames(const JobResult* previous, const std::vector<SheetInputs>& inpu
                        });
 }
 
-// `white`: as printed, else as it were without that plate.
+// `white`: draws the proof with the white layer; otherwise without it.
 QImage proofOf(const ProofStage& stage, const std::vector<ImmersionResult>& immersions, bool white,
                const Progress& progress) {
     const SheetInputs& inputs = immersions.front().inputs;
@@ -399,7 +401,7 @@ QImage proofOf(const ProofStage& stage, const std::vector<ImmersionResult>& imme
     return proofPicture(stage, filmAppearances(immersions, white), options, progress);
 }
 
-// Null where the dips do not share the body out.
+// Returns null if the dips do not share the body.
 QImage coverageOf(const ProofStage& stage, const JobResult& result, const Progress& progress) {
     if (!result.share) {
         return {};
@@ -411,13 +413,13 @@ QImage coverageOf(const ProofStage& stage, const JobResult& result, const Progre
     return coveragePicture(stage, *result.share, films, coverageTile, progress);
 }
 
-// Whether the proof would be another without the white layer.
+// Whether the proof would look different without the white layer.
 bool showsWhite(const SheetInputs& inputs) {
     return inputs.texture.white > 0 && !inputs.baseColour.isEmpty();
 }
 
-// Fills in the proofs and the picture of who paints what, or takes them over where the earlier
-// result has the same; the stage is not needed then.
+// Fills in the proofs and the coverage picture. Takes over those that the earlier result already
+// has; `stage` may be null if it has all.
 void showTogether(JobResult& result, const Run& run, const ProofStage* stage, bool hasProof,
                   bool hasCoverage, const Progress& progress) {
     const std::vector<ImmersionResult>& immersions = result.immersions;
@@ -431,22 +433,22 @@ void showTogether(JobResult& result, const Run& run, const ProofStage* stage, bo
                                   : coverageOf(*stage, result, progress.part(proofDone, 1));
 }
 
-// Fills in the immersions and what is told of them together. One film is dipped after the other;
-// what follows a dip goes on beside the next one, for which the solver does not need, or cannot
-// use, all of the processor; but where the dips share the body out, the pictures wait for the last
-// of them. The proof waits for the pictures and for no sheet.
+// Fills in the immersions and the results about all of them together. The films are dipped one
+// after the other. The work after a dip runs beside the next dip, whose solver does not need, or
+// cannot use, the whole processor. If the dips share the body, the pictures wait for the last dip.
+// The proof waits for the pictures, not for the sheets.
 void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInputs>& inputs,
                    SolverChoice& solver, const Progress& progress) {
     std::vector<ImmersionResult>& immersions = result.immersions;
     immersions.resize(inputs.size());
     const bool hasProof = hasProofOf(run.previous, inputs);
     const bool hasCoverage = hasProof && !hasOldNames(run.previous, inputs);
-    // Before the tasks that use them: with an exception these are waited for first.
-    CancelToken left; // with an exception: the comparisons are not finished
+    // Declared before the tasks that use them: after an exception the tasks are waited for first.
+    CancelToken left; // cancelled on an exception, so that the comparisons stop
     std::shared_ptr<const ProofStage> stage;
     std::vector<Comparison> comparisons(inputs.size());
     Tasks sheets;
-    Tasks pictures; // each begins a sheet
+    Tasks pictures; // each starts a sheet
     const auto leave = qScopeGuard([&left] { left.cancel(); });
     if (!hasProof || !hasCoverage) {
         pictures.run([&] {
@@ -511,9 +513,9 @@ QStringList notesOf(const JobResult& result) {
     if (result.share && betterLast(*result.share) == std::size_t(0)) {
         const QLocale locale;
         const auto& [first, second] = result.share->joinStretch;
-        notes.append(Text::tr("%1 is better dipped after %2: along the join its film is drawn out "
-                              "%3 times and that of %2 %4 times, and the last film lies off so "
-                              "many times as far on the body as on the water")
+        notes.append(Text::tr("%1 should be dipped after %2. Along the seam, the film's stretch is "
+                              "%3 for %1 and %4 for %2. A placement error of the second film grows "
+                              "with its stretch.")
                          .arg(result.immersions[0].immersion.name,
                               result.immersions[1].immersion.name, locale.toString(first, 'f', 2),
                               locale.toString(second, 'f', 2)));
@@ -526,7 +528,7 @@ QStringList notesOf(const JobResult& result) {
 JobResult runJob(const Project& project, const SolverRegistry& registry, const JobOptions& options,
                  const JobResult* previous, const Progress& progress) {
     if (!project.model) {
-        throw Error(Text::tr("The project has no model, import one first"), project.name);
+        throw Error(Text::tr("The project has no model; import one first"), project.name);
     }
     checkSpots(project);
     checkMemory(project);

@@ -1,5 +1,5 @@
-// model → field → dip → texture → sheet: the main job, of which an edit recomputes just what it
-// must.
+// Runs the main job: model → field → dip → texture → sheet. After an edit, only the affected steps
+// are computed again.
 #pragma once
 
 #include "base/Progress.h"
@@ -8,9 +8,9 @@
 
 namespace dipwright {
 
-// Runs the main job with what can be reused of `previous` (may be null): steps whose inputs did not
-// change are taken over (StepInputs.h). Where a GPU solver fails, the best CPU solver takes over
-// and the notes say so. Throws Error or Cancelled. Pure: touches no file but the field cache.
+// Runs the main job. Takes over the steps of `previous` (may be null) whose inputs did not change
+// (StepInputs.h). If a GPU solver fails, the best CPU solver takes over and the notes say so.
+// Throws Error or Cancelled. Touches no file except the field cache.
 JobResult runJob(const Project& project, const SolverRegistry& registry, const JobOptions& options,
                  const JobResult* previous, const Progress& progress);
 

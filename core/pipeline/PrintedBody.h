@@ -1,4 +1,4 @@
-// How a body wears what its dips have given it, for proofs and views.
+// Gives proofs and views the appearance of a dipped body.
 #pragma once
 
 #include "pipeline/JobResult.h"
@@ -6,12 +6,11 @@
 
 namespace dipwright {
 
-// The film of each dip with its picture and its spot inks, and with its white where that is to be
-// seen.
+// Returns the film of each dip with its picture and spot colours, and its white layer if `white`.
 std::vector<FilmAppearance> filmAppearances(const std::vector<ImmersionResult>& immersions,
                                             bool white);
 
-// What the ink is seen on, of a body of `baseColour` ("#rrggbb"; empty: none of its own).
+// Returns the ground below the ink. `baseColour`: the body's own colour "#rrggbb", or empty.
 Ground groundOf(const SheetSettings& sheet, const QString& baseColour);
 
 } // namespace dipwright

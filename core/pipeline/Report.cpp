@@ -43,7 +43,6 @@ QJsonObject toJson(const UncertainPlace& place) {
             {"off_by_mm", place.offBy}};
 }
 
-// The reasons in sentences.
 QJsonArray sentencesOf(const Verdict& verdict) {
     QJsonArray sentences;
     for (const VerdictReason& reason : verdict.reasons) {
@@ -52,7 +51,7 @@ QJsonArray sentencesOf(const Verdict& verdict) {
     return sentences;
 }
 
-// Those of the whole job, the worst first.
+// The reasons of the whole job, the worst first.
 QJsonArray reasonsJson(const JobResult& result) {
     QJsonArray json;
     for (const JobReason& reason : reasonsOf(result)) {
@@ -74,7 +73,7 @@ QJsonArray reasonsJson(const JobResult& result) {
     return json;
 }
 
-// All plates beside the four inks, in the order of printing.
+// All plates in addition to the four process inks, in the order of printing.
 QJsonArray spotsJson(const ImmersionResult& result) {
     QJsonArray spots;
     for (const SheetPlate& plate : result.sheet.plates) {
@@ -311,7 +310,7 @@ QJsonObject filmJson(const Project& project) {
             {"ink", word(hasMeasuredInk(project.ink, project.profiles))}};
 }
 
-// How much of the film the dips use, and a format that would do.
+// The used share of the film, and a smaller format that would suffice.
 QJsonObject filmUseJson(const JobResult& result) {
     QJsonObject json{{"used", filmUsed(result)}};
     if (const std::optional<SmallerFilm> smaller = smallerFilm(result)) {
@@ -321,7 +320,7 @@ QJsonObject filmUseJson(const JobResult& result) {
     return json;
 }
 
-// What repeats in the parts before, and whether the sheets were corrected by it; a dip each.
+// For each dip: the repeating error of earlier parts, and whether the sheet was corrected for it.
 QJsonObject asBuiltJson(const JobResult& result) {
     const AsBuilt& built = result.project.asBuilt;
     QJsonArray dips;

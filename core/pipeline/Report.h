@@ -1,4 +1,4 @@
-// A job's figures for other programs.
+// Reports a job's figures to other programs.
 #pragma once
 
 #include "pipeline/JobResult.h"
@@ -7,7 +7,7 @@
 
 namespace dipwright {
 
-// What stands in report.json.
+// Returns the contents of report.json.
 QJsonObject report(const Project& project, const JobResult& result);
 
 } // namespace dipwright

@@ -1,12 +1,12 @@
-// Whether two projects come to the same sheets.
+// Tells whether two projects make the same sheets.
 #pragma once
 
 namespace dipwright {
 
 struct Project;
 
-// By the inputs of the usual run of either (StepInputs.h): the projects differ, if at all, in what
-// no step depends on, such as snapshots.
+// Compares the inputs of a default run of each (StepInputs.h). Values that no step depends on, such
+// as snapshots, may differ.
 bool makeSameSheets(const Project& first, const Project& second);
 
 } // namespace dipwright

@@ -29,12 +29,12 @@ struct Text {
 
 constexpr int mapEdge = 1600; // pixels
 
-// Shares of the time: that of the field, and in an immersion of the first two films. The third has
-// twice the points a side and takes most of it.
+// Fractions of the time: the field, then the first two films of an immersion. The third film has
+// twice as many points per side and takes most of the time.
 constexpr double fieldDone = 0.02;
 constexpr double ownDone = 0.1;
 constexpr double halfStepDone = 0.3;
-constexpr double dipDone = 0.9; // of a film
+constexpr double dipDone = 0.9; // within one film
 
 Project withHalfStep(Project project) {
     project.process.contactTravel /= 2;
@@ -42,14 +42,14 @@ Project withHalfStep(Project project) {
     return project;
 }
 
-// The production film's steps follow its cells by themselves: they are given in cells.
+// The steps of the production film are given in cells, so they become shorter too.
 Project withHalfSpacing(Project project) {
     FilmSettings& film = project.film;
     film.refinement *= 2;
     if (const solver::FilmGrid finer = filmGrid(film);
         !isGraded(film) && !mayHavePoints(finer.columns, finer.rows)) {
-        throw Error(Text::tr("The film is too fine to be compared with one of %1 × %2 points, set "
-                             "half as many for the comparison")
+        throw Error(Text::tr("The comparison would need a film of %1 × %2 points, which is too "
+                             "many; set half as many points for it")
                         .arg(finer.columns)
                         .arg(finer.rows),
                     QStringLiteral("film.points"));
@@ -72,7 +72,7 @@ ImmersionCertainty certainty(const Project& project, const Immersion& immersion,
                              const Progress& progress) {
     const auto body = std::make_shared<const PosedBody>(posedBody(project.model->mesh, immersion));
     const std::vector<SurfacePoint> places = comparedPlaces(body->mesh);
-    // Of all places, and of the unmarked ones.
+    // The changes at all places, and at the unmarked ones.
     const auto changes = [&](const LaidFilm& own, const LaidFilm& finer) {
         const std::vector<float> moves = sheetMoves(own, finer, places);
         return std::pair(sheetChange(moves), sheetChange(unmarkedMoves(moves, own, places)));
@@ -117,9 +117,9 @@ bool isCertain(const ImmersionCertainty& certainty) {
 std::vector<ImmersionCertainty>
 sheetCertainty(const Project& project, const SolverRegistry& registry, const Progress& progress) {
     if (!project.model) {
-        throw Error(Text::tr("The project has no model, import one first"), project.name);
+        throw Error(Text::tr("The project has no model; import one first"), project.name);
     }
-    withHalfSpacing(project); // refuses before any work
+    withHalfSpacing(project); // throws before any work if the film is too fine
     SolverChoice solver = chooseSolver(project.process.solver, registry, progress.cancelToken);
     const auto field = cachedDistanceField(project.model->mesh, project.fieldResolution,
                                            progress.part(0, fieldDone));
@@ -138,7 +138,8 @@ sheetCertainty(const Project& project, const SolverRegistry& registry, const Pro
 
 namespace {
 
-// Both, so that no second map of an earlier check stays beside that of a single immersion.
+// Both names, so that no second map of an earlier check remains beside the map of a single
+// immersion.
 QStringList mapNames() {
     return {QStringLiteral("certainty-1.png"), QStringLiteral("certainty-2.png")};
 }

@@ -1,4 +1,4 @@
-// How certain a job's sheets are: how far they move when the same dips are computed more finely.
+// Measures the numerical error of a job's sheets by repeating the dips with finer cells and steps.
 #pragma once
 
 #include "accuracy/certainty/SheetChange.h"
@@ -14,34 +14,34 @@ namespace dipwright {
 struct Project;
 class LaidFilm;
 
+// The numerical error of one dip's sheet.
 struct ImmersionCertainty {
     Immersion immersion;
-    SheetChange halfStep;    // steps half as long
-    SheetChange halfSpacing; // film cells half as wide, and steps half as long with them
-    // The same over what no mark of the film lies on (solver::PointMark): where it neither tore nor
-    // was let go of.
+    SheetChange halfStep;    // with steps half as long
+    SheetChange halfSpacing; // with film cells and steps half as long
+    // The same without marked film (solver::PointMark): torn, released or without equilibrium.
     SheetChange unmarkedHalfStep, unmarkedHalfSpacing;
-    std::shared_ptr<const LaidFilm> laid; // as the project has it
-    std::vector<float> moves; // of its points in the latter, mm; NaN: paints in one dip only
-    QStringList notes;        // sentences for the user, where another solver took over
+    std::shared_ptr<const LaidFilm> laid; // with the project's settings
+    std::vector<float> moves; // of its points with half the spacing, mm; NaN: only one dip paints
+    QStringList notes;        // sentences for the user if another solver took over
 };
 
-// Where the film moves: certaintyMap() in Results.h.
+// Draws how far the film moves: certaintyMap() in Results.h.
 QImage mapOf(const ImmersionCertainty& certainty, LengthUnit unit = LengthUnit::Millimetre);
 
-// False where nothing is painted.
+// Whether both changes keep their limits; false if nothing is painted.
 bool isCertain(const ImmersionCertainty& certainty);
 
-// Dips every immersion three times, all on one solver: the project's or, where that needs a GPU
-// that is missing or fails, the best on the CPU. From any thread; touches no file but the field
-// cache; the maps need a QGuiApplication. Throws Error (no model, no such solver, no contact, a
-// film that cannot have twice the points a side) or Cancelled.
+// Simulates each immersion three times with one solver: the project's, or the best CPU solver if
+// the project's needs a GPU that is missing or fails. Any thread; touches no file except the field
+// cache; the maps need a QGuiApplication. Throws Error (no model, no such solver, no contact, too
+// many film points with half the spacing) or Cancelled.
 std::vector<ImmersionCertainty>
 sheetCertainty(const Project& project, const SolverRegistry& registry, const Progress& progress);
 
-// Writes the maps into `folder`, certainty-N.png for immersion N, in place of those of an earlier
-// check; other files are left alone. All of them or none (disk/FolderTransaction.h). Throws Error,
-// and so does checkMapFolder where this could not be: worth asking before the work.
+// Writes the maps into `folder` as certainty-N.png for immersion N. Replaces the maps of an earlier
+// check, all or none (disk/FolderTransaction.h); other files stay. Throws Error. checkMapFolder
+// throws Error if the maps could not be written; call it before the work.
 void checkMapFolder(const QString& folder);
 void writeCertaintyMaps(const std::vector<ImmersionCertainty>& certainty, const QString& folder);
 

@@ -15,12 +15,12 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Pipeline)
 };
 
-// At the peak, for a pixel of the film's picture; measured (docs/speed.md, "Memory").
+// Peak memory for each pixel of the film's picture; measured (docs/speed.md, "Memory").
 constexpr double bytesOfPixel = 8;    // once
-constexpr double bytesOfSheet = 10.5; // and for each immersion,
-constexpr double bytesOfPlate = 8;    // more where it has a plate beside the colours
+constexpr double bytesOfSheet = 10.5; // for each immersion
+constexpr double bytesOfPlate = 8;    // for each further plate of an immersion
 constexpr double gigabyte = 1e9;
-constexpr double told = 1 * gigabyte;
+constexpr double told = 1 * gigabyte; // from here on the user is told
 
 QString gigabytes(double bytes) {
     return QLocale().toString(bytes / gigabyte, 'f', 1);
@@ -41,7 +41,7 @@ double sheetMemory(const Project& project) {
 QString memoryNote(const Project& project) {
     const double bytes = sheetMemory(project);
     return bytes < told ? QString()
-                        : Text::tr("The sheets take about %1 GB of memory while they are made")
+                        : Text::tr("The run needs about %1 GB of memory for the sheets")
                               .arg(gigabytes(bytes));
 }
 
@@ -49,8 +49,8 @@ void checkMemory(const Project& project) {
     const double bytes = sheetMemory(project);
     const auto there = double(physicalMemory());
     if (there > 0 && bytes > there) {
-        throw Error(Text::tr("The sheets would take about %1 GB of memory, and this computer has "
-                             "%2 GB: choose a lower resolution or a smaller film")
+        throw Error(Text::tr("The sheets need about %1 GB of memory, but this computer has %2 GB; "
+                             "choose a lower resolution or a smaller film")
                         .arg(gigabytes(bytes), gigabytes(there)),
                     QStringLiteral("sheet.dpi"));
     }

@@ -1,4 +1,4 @@
-// How much memory the sheets of a job take, said before the work begins.
+// Estimates the memory that the sheets of a job need, before the work begins.
 #pragma once
 
 #include <QString>
@@ -7,14 +7,14 @@ namespace dipwright {
 
 struct Project;
 
-// Bytes at the peak of a run, of which the sheets' pictures and what is made of them take nearly
-// all: measured per pixel (docs/speed.md, "Memory").
+// Returns the peak memory of a run in bytes. The sheets' pictures take nearly all of it; measured
+// per pixel (docs/speed.md, "Memory").
 double sheetMemory(const Project& project);
 
-// A sentence for the user where the sheets take a GB or more; empty otherwise.
+// Returns a sentence for the user if the sheets need 1 GB or more; otherwise empty.
 QString memoryNote(const Project& project);
 
-// Throws Error where they take more than this computer has.
+// Throws Error if the sheets need more memory than this computer has.
 void checkMemory(const Project& project);
 
 } // namespace dipwright

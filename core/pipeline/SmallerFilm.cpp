@@ -8,7 +8,7 @@
 namespace dipwright {
 namespace {
 
-// Of the printed film, for a dip, mm; origin in its middle.
+// Returns the part of the printed film that a dip needs, in mm from the film's centre.
 Eigen::AlignedBox2d neededFilm(const ImmersionResult& dip, const FilmSettings& film) {
     Eigen::AlignedBox2d needed = usedFilm(*dip.laid).cast<double>();
     const BoundingBox body = boundingBox(dip.body->mesh);
@@ -43,7 +43,7 @@ std::optional<SmallerFilm> smallerFilm(const JobResult& result) {
     for (const ImmersionResult& dip : result.immersions) {
         const Eigen::AlignedBox2d box = neededFilm(dip, film);
         needed = needed.cwiseMax(box.sizes());
-        const Eigen::Vector2d middle = box.center(); // to whole millimetres: well within the rim
+        const Eigen::Vector2d middle = box.center(); // rounded to mm below; the rim allows it
         found.moves.push_back({Millimetres(-std::round(middle.x() * film.swellX)),
                                Millimetres(-std::round(middle.y() * film.swellY))});
     }

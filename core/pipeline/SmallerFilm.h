@@ -1,32 +1,33 @@
-// Whether a smaller film would do: what of the film the dips of a job use, and the format that they
-// need.
+// Finds out whether a smaller film would suffice for the dips of a job.
 #pragma once
 
 #include "pipeline/JobResult.h"
 
 namespace dipwright {
 
-// So much of the printed film is left free on each side of what paints, for film that is drawn in
-// and for hands to hold; ours.
+// Printed film left free on each side of the painting film, for film that is drawn in and for
+// handling. Assumed, not measured.
 inline constexpr Millimetres freeRim{20};
-// A format is proposed where it is at most so large, of the film that there is.
+// A format is proposed only if its area is at most this share of the present film's.
 inline constexpr double mostOfTheFilm = 0.75;
 
+// A film format that suffices, and where the bodies then lie.
 struct SmallerFilm {
-    QString format;                                // "A5"; its name
-    Millimetres width{0}, height{0};               // as it is to lie
-    std::vector<std::array<Millimetres, 2>> moves; // an immersion each: of its offset
+    QString format;                                // its name, "A5"
+    Millimetres width{0}, height{0};               // in the proposed orientation
+    std::vector<std::array<Millimetres, 2>> moves; // change of each immersion's offset
 };
 
-// The share of the film that the dip uses that uses most of it (usedShare() in dip/LaidFilm.h).
+// Returns the used share of the film in the dip that uses most of it (usedShare() in
+// dip/LaidFilm.h).
 double filmUsed(const JobResult& result);
 
-// The smallest of the film formats that holds what the dips paint, with a free rim, once the bodies
-// are moved to its middle; nothing where there is none so much smaller, or a barrier holds the
+// Returns the smallest film format that holds the painting film of all dips and a free rim, with
+// the bodies moved to its centre. Nothing if no format is small enough, or a barrier holds the
 // film.
 std::optional<SmallerFilm> smallerFilm(const JobResult& result);
 
-// Gives the project that film, and moves the bodies over it. The project has the immersions that
+// Sets the project's film to `film` and moves the bodies. The project must have the immersions that
 // the film was found for.
 void take(Project& project, const SmallerFilm& film);
 

@@ -9,8 +9,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Pipeline)
 };
 
-// The CPU solver of the highest priority that can run here, in the place of `solver`, if that needs
-// a GPU.
+// Returns the available CPU solver of the highest priority; nothing if `solver` needs no GPU.
 std::optional<SolverInfo> cpuInPlaceOf(const SolverInfo& solver, const SolverRegistry& registry,
                                        const CancelToken& cancelToken) {
     std::optional<SolverInfo> best;
@@ -39,7 +38,8 @@ SolverChoice chooseSolver(const QString& wanted, const SolverRegistry& registry,
             throw;
         }
         return {*other,
-                {Text::tr("The CPU takes over from %1: %2").arg(missing->name, error.sentence())},
+                {Text::tr("The CPU takes over from %1, which is not available: %2")
+                     .arg(missing->name, error.sentence())},
                 cancelToken};
     }
 }

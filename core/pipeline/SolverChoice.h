@@ -1,5 +1,5 @@
-// Which solver computes, and who takes over where a GPU is missing or fails: the one place where
-// that is decided, for a run, for its check beforehand and for every other work on a solver.
+// Chooses the solver, and the CPU solver that takes over if a GPU is missing or fails. Runs, checks
+// before a run, and all other work with solvers use this.
 #pragma once
 
 #include "base/Error.h"
@@ -7,24 +7,24 @@
 
 namespace dipwright {
 
+// The chosen solver and why it was chosen.
 struct SolverChoice {
     SolverInfo solver;
-    QStringList notes;            // a sentence for the user each time that another takes over
-    CancelToken cancelToken = {}; // of whoever waits until a solver is loaded
+    QStringList notes;            // one sentence for the user for each take-over
+    CancelToken cancelToken = {}; // cancels waiting for a solver to load
 };
 
-// The solver `wanted`, an id or "auto"; the best on the CPU in the place of one that needs a GPU
-// and cannot have it. Throws Error where there is no such solver, or none to take its place;
-// Cancelled.
+// Returns the solver `wanted`, an id or "auto". If it needs a GPU and has none, the best CPU solver
+// takes its place. Throws Error if there is no such solver and none to replace it, or Cancelled.
 SolverChoice chooseSolver(const QString& wanted, const SolverRegistry& registry,
                           const CancelToken& cancelToken = {});
 
-// Puts the best CPU solver into the choice when its GPU solver has failed with `error`. False, and
-// nothing is changed, where it was not a GPU solver or there is none to take its place.
+// Replaces a GPU solver that failed with `error` by the best CPU solver. Returns false and changes
+// nothing if it was not a GPU solver or there is no replacement.
 bool takeOver(SolverChoice& choice, const SolverRegistry& registry, const Error& error);
 
-// Returns work(module) of the chosen solver's module. Where a GPU solver fails, the work is done
-// again on the best CPU solver, which stays chosen. Throws what `work` throws on the last solver.
+// Returns work(module) for the chosen solver's module. If a GPU solver fails, repeats the work on
+// the best CPU solver, which stays chosen. Throws what `work` throws on the last solver.
 template <typename Work>
 auto withFallback(SolverChoice& choice, const SolverRegistry& registry, const Work& work) {
     try {

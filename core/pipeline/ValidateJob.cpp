@@ -23,9 +23,9 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Pipeline)
 };
 
-constexpr double cellsAcrossBody = 10; // fewer say little about the body's shape
+constexpr double cellsAcrossBody = 10; // fewer cells resolve the body's shape poorly
 
-// The body's outline on the water for this immersion, as a box in x and z.
+// Returns the body's extent on the water in this immersion, as a box in x and z.
 Eigen::AlignedBox2d footprint(const TexturedMesh& model, const Immersion& immersion) {
     const Eigen::Isometry3d pose = poseTransform(model.mesh, immersion);
     const Eigen::Vector2d offset(immersion.offset[0].value(), immersion.offset[1].value());
@@ -42,14 +42,14 @@ Eigen::AlignedBox2d centred(double width, double depth) {
     return {-half, half};
 }
 
-// Of the floating film.
+// Returns the outline of the floating film.
 Eigen::AlignedBox2d filmOutline(const FilmSettings& settings) {
     const solver::FilmGrid film = filmGrid(settings);
     return centred(film.width, film.depth);
 }
 
 QString beside() {
-    return Text::tr("The body does not meet the film; move it over the film or choose a larger "
+    return Text::tr("The part does not meet the film; move it over the film or choose a larger "
                     "film");
 }
 
@@ -71,13 +71,13 @@ void checkImmersion(const Project& project, const Immersion& immersion, const Su
     }
     if (body.sizes().maxCoeff() < grid.leastSpacingX()) {
         throw Error(
-            Text::tr("The body is smaller than the film's cells; give the film smaller cells "
+            Text::tr("The part is smaller than the film's cells; give the film smaller cells "
                      "or more points, or check the model's unit"),
             immersion.name);
     }
     if (body.sizes().minCoeff() < cellsAcrossBody * grid.leastSpacingX()) {
-        warnings.append(Text::tr("%1: the film's cells are coarse for this body, give the film "
-                                 "smaller cells or more points")
+        warnings.append(Text::tr("%1: the film's cells are too coarse for this part; give the "
+                                 "film smaller cells or more points")
                             .arg(immersion.name));
     }
 }
@@ -86,7 +86,7 @@ void checkImmersion(const Project& project, const Immersion& immersion, const Su
 
 QStringList validateJob(const Project& project, const SolverRegistry& registry) {
     if (!project.model) {
-        throw Error(Text::tr("The project has no model, import one first"), project.name);
+        throw Error(Text::tr("The project has no model; import one first"), project.name);
     }
     sheetPixels(project.film.width, project.film.height, project.sheet.resolution);
     pageSize(Sheet{{}, project.film.width, project.film.height, project.sheet, {}});
@@ -99,7 +99,7 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
     warnings += chooseSolver(project.process.solver, registry).notes;
     const SurfaceQuery query(project.model->mesh);
     if (!project.modelOrigin.remarks.isEmpty()) {
-        warnings.append(Text::tr("Of the model's file: %1").arg(project.modelOrigin.remarks));
+        warnings.append(Text::tr("Import of the model: %1").arg(project.modelOrigin.remarks));
     }
     if (const QString note = thinPartNote(project, project.model->mesh, query); !note.isEmpty()) {
         warnings.append(note);
@@ -108,10 +108,10 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
         warnings.append(insideOutNote());
     }
     if (!isClosed(project.model->mesh)) {
-        warnings.append(Text::tr("The model is not closed, what is inside is guessed"));
+        warnings.append(Text::tr("The model is not closed; Dipwright guesses what is inside"));
     }
     if (project.model->textures.empty() && project.artwork.isEmpty()) {
-        warnings.append(Text::tr("The model has no texture, its plain colours are printed"));
+        warnings.append(Text::tr("The model has no texture; its plain colours are printed"));
     }
     warnings += fontWarnings(project.artwork);
     warnings += colourNotes(*project.model) + colourNotes(project.artwork);
@@ -128,7 +128,7 @@ QString misplacement(const Project& project, const Immersion& immersion) {
     const Eigen::AlignedBox2d body = footprint(*project.model, immersion);
     const std::optional<TankProfile>& tank = project.profiles.tank;
     if (tank && !centred(tank->width.value(), tank->length.value()).contains(body)) {
-        return Text::tr("The body reaches past the edge of the tank “%1”; move or turn it")
+        return Text::tr("The part reaches past the edge of the tank “%1”; move or turn it")
             .arg(tank->name);
     }
     const Eigen::AlignedBox2d film = filmOutline(project.film);
@@ -136,7 +136,7 @@ QString misplacement(const Project& project, const Immersion& immersion) {
         return beside();
     }
     if (!film.contains(body)) {
-        return Text::tr("The body reaches past the film's edge; move or turn it, or %1")
+        return Text::tr("The part reaches past the film's edge; move or turn it, or %1")
             .arg(adviceOnFilm(body, project.film));
     }
     return {};

@@ -48,8 +48,8 @@ QStringList cradleFiles() {
     return {cradleFile(1, "stl"), cradleFile(1, "3mf"), cradleFile(2, "stl"), cradleFile(2, "3mf")};
 }
 
-// All that a run may write: those of both immersions, so that no second immersion of an earlier run
-// stays beside the results of a single one.
+// All files that a run may write. Includes both immersions, so that no second immersion of an
+// earlier run remains beside the results of a single one.
 QStringList resultFiles() {
     QStringList files = cradleFiles();
     files += {QStringLiteral("proof.png"),    QStringLiteral("proof-without-white.png"),
@@ -67,8 +67,7 @@ QStringList resultFiles() {
     return files;
 }
 
-// One of the pieces of writing that go on at the same time: packing pictures takes far longer than
-// the disk.
+// One of the tasks that write in parallel; compressing pictures takes far longer than the disk.
 struct Piece {
     QString text;
     std::function<void()> write;
@@ -107,7 +106,7 @@ void addSheet(std::vector<Piece>& pieces, const ImmersionResult& result, const Q
          }});
 }
 
-// `allowedError`: mm, of the map of how far the sheet may be off.
+// `allowedError`: limit of the numerical error map, mm.
 void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QString& prefix,
              double allowedError, const FolderTransaction& folder) {
     pieces.push_back(
@@ -138,7 +137,7 @@ void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QS
     }
 }
 
-// The files of one immersion, `number` from 0. Keeps references to all but the number.
+// Returns the tasks for one immersion, `number` from 0. Keeps references to all other arguments.
 std::vector<Piece> immersionPieces(const Project& project, const ImmersionResult& result,
                                    std::size_t number, const FolderTransaction& folder) {
     const QString prefix = immersionFolder(int(number) + 1) + QLatin1Char('/');
@@ -148,7 +147,7 @@ std::vector<Piece> immersionPieces(const Project& project, const ImmersionResult
     return pieces;
 }
 
-// Of those immersions that have one. Keeps references to all.
+// Returns the tasks for the cradles that have a mesh. Keeps references to all arguments.
 std::vector<Piece> cradlePieces(const JobResult& result, const std::vector<Cradle>& cradles,
                                 const FolderTransaction& folder) {
     std::vector<Piece> pieces;
@@ -168,14 +167,14 @@ std::vector<Piece> cradlePieces(const JobResult& result, const std::vector<Cradl
     return pieces;
 }
 
-// The page for each dip, and its motion. Keeps references to all but the template.
+// Adds the traveller and the motion of each dip. Keeps references to all but the template.
 void addTraveller(std::vector<Piece>& pieces, const JobResult& result, const MotionTemplate& motion,
                   const FolderTransaction& folder, const CancelToken& cancelToken) {
     pieces.push_back({Text::tr("Writing the traveller"), [&result, &folder, cancelToken] {
                           folder.write(QStringLiteral("traveller.pdf"),
                                        travellerPdf(jobTraveller(result, {{}, cancelToken})));
                       }});
-    pieces.push_back({Text::tr("Writing the motion"), [&result, &folder, motion] {
+    pieces.push_back({Text::tr("Writing the motion files"), [&result, &folder, motion] {
                           for (std::size_t i = 0; i < result.immersions.size(); ++i) {
                               const DipMotion way = jobMotion(result, i);
                               folder.write(motionFile(int(i) + 1, "csv"), motionCsv(way));
@@ -185,7 +184,8 @@ void addTraveller(std::vector<Piece>& pieces, const JobResult& result, const Mot
                       }});
 }
 
-// Of each immersion, where they were asked for. Keeps references to all.
+// Adds the tolerance map of each immersion if tolerances were computed. Keeps references to all
+// arguments.
 void addToleranceMaps(std::vector<Piece>& pieces, const JobResult& result,
                       const FolderTransaction& folder) {
     for (std::size_t i = 0; result.tolerances && i < result.tolerances->dips.size(); ++i) {
@@ -202,7 +202,7 @@ void addToleranceMaps(std::vector<Piece>& pieces, const JobResult& result,
     }
 }
 
-// The files of the whole job.
+// Returns the tasks for the files of the whole job.
 std::vector<Piece> jobPieces(const Project& project, const JobResult& result,
                              const FolderTransaction& folder) {
     std::vector<Piece> pieces = cradlePieces(result, result.cradles, folder);
@@ -218,7 +218,7 @@ std::vector<Piece> jobPieces(const Project& project, const JobResult& result,
                           }});
     }
     if (!result.coverage.isNull()) {
-        pieces.push_back({Text::tr("Writing who paints what"), [&] {
+        pieces.push_back({Text::tr("Writing the coverage picture"), [&] {
                               const QString name = QStringLiteral("coverage.png");
                               folder.write(name, pngBytes(result.coverage, name));
                           }});
@@ -230,7 +230,7 @@ std::vector<Piece> jobPieces(const Project& project, const JobResult& result,
     return pieces;
 }
 
-// When all that it names is written: it has the hashes of the very files.
+// Call when all files that the ticket names are written: it contains their hashes.
 void writeTicket(const JobResult& result, const FolderTransaction& folder) {
     std::vector<QStringList> files;
     for (int number = 1; number <= int(result.immersions.size()); ++number) {
@@ -244,7 +244,7 @@ void writeTicket(const JobResult& result, const FolderTransaction& folder) {
 }
 
 void commit(FolderTransaction& folder, const Progress& progress) {
-    progress(1, Text::tr("Moving the results in place"));
+    progress(1, Text::tr("Moving the results into place"));
     progress.cancelToken.throwIfCancelled();
     folder.commit();
 }
@@ -281,7 +281,7 @@ JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
                       const JobOptions& options, const QString& folder, const Progress& progress) {
     FolderTransaction results(folder, resultFiles());
     const MotionTemplate motion = options.motion ? *options.motion : motionTemplate();
-    filledTemplate({}, motion.text, motion.where); // refused before the job
+    filledTemplate({}, motion.text, motion.where); // throws before the job
     pageSize(Sheet{{}, project.film.width, project.film.height, project.sheet, {}}); // likewise
     Tasks writing;
     JobOptions watched = options;
@@ -302,10 +302,10 @@ JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
 
 QStringList resultFolders(const QStringList& projects, const QString& folder) {
     QStringList folders;
-    QSet<QString> taken; // as systems that tell no small letters from large ones see it
+    QSet<QString> taken; // in lower case, for file systems that ignore case
     for (const QString& project : projects) {
         const QString base = QFileInfo(project).completeBaseName();
-        // "." and ".." are other folders than one in this.
+        // "." and ".." would not be folders within this one.
         const bool isNone = base.count(u'.') == base.size();
         const QString name = isNone ? QStringLiteral("project") : base;
         QString own = name;

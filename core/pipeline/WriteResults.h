@@ -1,4 +1,4 @@
-// A job's files.
+// Writes a job's result files.
 #pragma once
 
 #include "base/Progress.h"
@@ -6,23 +6,22 @@
 
 namespace dipwright {
 
-// Writes every file of docs/files-and-commands.md, "Result files", into `folder`, which is made if
-// it is missing, whole or not at all (disk/FolderTransaction.h). Earlier results there are
-// replaced, other files are left alone. Throws Error or Cancelled.
+// Writes all files of docs/files-and-commands.md, "Result files", into `folder`, or none
+// (disk/FolderTransaction.h). Creates the folder, replaces earlier results and leaves other files
+// alone. Throws Error or Cancelled.
 void writeResults(const Project& project, const JobResult& result, const QString& folder,
                   const Progress& progress);
 
-// Where the results of several projects go: for each a folder in `folder` with its file's name,
-// made different from the others by a number.
+// Returns a results folder within `folder` for each project file: its name, with a number if
+// another project has the same name.
 QStringList resultFolders(const QStringList& projects, const QString& folder);
 
-// Writes the cradles of the result, made if it has none, into `folder` in the same way, and nothing
-// else. Returns them.
+// Writes only the cradles, in the same way, and returns them. Makes them if the result has none.
 std::vector<Cradle> writeCradles(const JobResult& result, const QString& folder,
                                  const Progress& progress);
 
-// Runs the job (runJob) and writes its results (writeResults) in one: the files of one immersion
-// while the next is dipped. A folder that cannot be written is found out before the job.
+// Runs the job (runJob) and writes its results (writeResults). Writes the files of one immersion
+// while the next is dipped. Throws Error before the job if the folder cannot be written.
 JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
                       const JobOptions& options, const QString& folder, const Progress& progress);
 

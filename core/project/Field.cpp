@@ -79,13 +79,13 @@ QString shown(const QJsonValue& value) {
         return Text::tr("an array");
     case QJsonValue::Object:
         return Text::tr("an object");
-    case QJsonValue::Undefined: // told of before
+    case QJsonValue::Undefined: // checkPart() reports it
         break;
     }
     return {};
 }
 
-// Of an array what stands in it, if that is little.
+// Shows the parts of a short array.
 QString shownParts(const QJsonValue& value) {
     constexpr int most = 4;
     const QJsonArray array = value.toArray();
@@ -99,12 +99,13 @@ QString shownParts(const QJsonValue& value) {
 void checkPart(const FieldRule& rule, const QJsonValue& value, const QString& path,
                const QString& file) {
     if (value.isUndefined()) {
-        throw Error(Text::tr("A value is missing, give %1").arg(expectation(rule)),
+        throw Error(Text::tr("A value is missing; expected %1").arg(expectation(rule)),
                     place(path, file));
     }
     if (!keepsRule(rule, value)) {
-        throw Error(Text::tr("%1 does not fit here, give %2").arg(shown(value), expectation(rule)),
-                    place(path, file));
+        throw Error(
+            Text::tr("%1 is not allowed here; expected %2").arg(shown(value), expectation(rule)),
+            place(path, file));
     }
 }
 
@@ -135,7 +136,7 @@ void checkValue(const FieldRule& rule, const QJsonValue& value, const QString& p
         return;
     }
     if (!value.isArray() || value.toArray().size() != rule.parts) {
-        throw Error(Text::tr("%1 does not fit here, give %2 parts, each %3")
+        throw Error(Text::tr("%1 is not allowed here; expected %2 parts, each of them %3")
                         .arg(shownParts(value), QString::number(rule.parts), expectation(rule)),
                     place(path, file));
     }

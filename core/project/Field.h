@@ -1,6 +1,5 @@
-// One value of a file's schema, of a project's or a profile's, declared once: where it stands, what
-// it may be, and how it is got from and set in its owner. Reading, writing, `--set` and the
-// dialogs' limits all use it.
+// Declares one value of a project's or profile's file schema: its path, its rule, and how to get
+// and set it. Reading, writing, `--set` and the dialogs' limits all use this declaration.
 #pragma once
 
 #include <QJsonValue>
@@ -14,34 +13,33 @@ namespace dipwright {
 // A colour is a text such as #1a2b3c.
 enum class FieldKind { Text, Choice, Flag, Number, WholeNumber, Colour };
 
-// What a value must be. With `parts` > 1 it is an array of that many such values.
+// The rule that a value must keep. With `parts` > 1 the value is an array of that many values.
 struct FieldRule {
     FieldKind kind = FieldKind::Number;
     int parts = 1;
     bool nullable = false;
-    double minimum = 0; // of numbers, both ends allowed; of texts: nothing
-    double maximum = 0; // of numbers; of texts: the greatest length
+    double minimum = 0; // for numbers; the limits themselves are allowed
+    double maximum = 0; // for numbers; for texts: the greatest length
     QStringList choices = {};
 };
 
-// `set` is only called with values that keep the rule, and may throw Error for what depends on
-// more than one value.
+// `set` is called only with values that keep the rule. It may throw Error for conditions that
+// depend on several values.
 template <typename Owner>
 struct Field {
     QString path; // "film.size_mm", from the owner's own object
     FieldRule rule;
     std::function<QJsonValue(const Owner&)> get;
     std::function<void(Owner&, const QJsonValue&)> set;
-    // Files have it only where it is not what a new owner has: files that know nothing of it stay
-    // as they are, and so do the jobs that are hashed of them.
+    // The file omits the default value. Older files without the field therefore stay the same, and
+    // so do their job numbers.
     bool leftOutWhenUsual = false;
-    // The job's number is made of it only where it is not what a new owner has: sheets that were
-    // made before there was the field keep their number.
+    // The job number omits the default value. Sheets made before the field existed therefore keep
+    // their job number.
     bool uncountedWhenUsual = false;
 };
 
-// Sets a value that keeps the field's rule. What `set` throws passes through; the owner is then as
-// it was.
+// Sets a value that keeps the field's rule. If `set` throws, the owner does not change.
 template <typename Owner>
 void setField(Owner& owner, const Field<Owner>& field, const QJsonValue& value) {
     Owner changed = owner;
@@ -53,8 +51,8 @@ void setField(Owner& owner, const Field<Owner>& field, const QJsonValue& value) 
 void checkValue(const FieldRule& rule, const QJsonValue& value, const QString& path,
                 const QString& file);
 
-// The value written as text on a command line: parts joined by x or ;, "null", "true" and "false".
-// Throws Error naming `path`; the result keeps the rule.
+// Parses a value from the command line: parts joined by x or ;, "null", "true" or "false". The
+// result keeps the rule. Throws Error naming `path`.
 QJsonValue parseValue(const FieldRule& rule, const QString& text, const QString& path);
 
 } // namespace dipwright

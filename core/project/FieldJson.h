@@ -1,4 +1,4 @@
-// Reads and writes what a schema declares. Private to this folder.
+// Reads and writes the fields that a schema declares. Private to this folder.
 #pragma once
 
 #include "project/Field.h"
@@ -8,15 +8,15 @@
 
 namespace dipwright {
 
-// The value at a dotted path; undefined where there is none. Throws Error where an object is
-// expected on the way and something else stands there.
+// Returns the value at a dotted path; undefined if there is none. Throws Error if a value on the
+// way is not an object.
 QJsonValue valueAt(const QJsonObject& json, const QString& path, const QString& file);
 void insertAt(QJsonObject& json, const QString& path, const QJsonValue& value);
-// Removes the value, and every object on the way that it leaves empty.
+// Removes the value, and every object on the way that becomes empty.
 void removeAt(QJsonObject& json, const QString& path);
 
-// Sets what stands in `json`, checked, and leaves the rest of the owner as it is; `prefix` is the
-// owner's own path, for errors.
+// Checks and sets the values that are in `json`; other values of the owner stay. `prefix`: the
+// owner's path, for errors.
 template <typename Owner>
 void readFields(Owner& owner, const std::vector<Field<Owner>>& fields, const QJsonObject& json,
                 const QString& prefix, const QString& file) {
@@ -40,7 +40,7 @@ void writeFields(const Owner& owner, const std::vector<Field<Owner>>& fields, QJ
     }
 }
 
-// Removes what a job's number is not made of.
+// Removes the values that a job number omits (Field::uncountedWhenUsual).
 template <typename Owner>
 void removeUncounted(QJsonObject& json, const std::vector<Field<Owner>>& fields) {
     const Owner usual{};

@@ -1,5 +1,4 @@
-// Makes the fields of a schema from where they stand, what they may be and an access to the value.
-// Private to this folder.
+// Makes the fields of a schema from a path, a rule and an access function. Private to this folder.
 #pragma once
 
 #include "base/Error.h"
@@ -18,11 +17,11 @@ namespace dipwright {
 
 struct Project;
 
-// The highest growth of a film that may be entered or measured.
+// The highest growth that may be entered or measured.
 inline constexpr double mostGrowthRate = 1; // 1/s
 inline constexpr double mostGrowth = 1;
 
-// What FilmEdges calls false and true.
+// The file's words for false and true in FilmEdges.
 inline QStringList edgeWords() {
     return {QStringLiteral("free"), QStringLiteral("pinned")};
 }
@@ -35,7 +34,8 @@ double plainNumber(Quantity<Unit> quantity) {
     return quantity.value();
 }
 
-// `access` is a generic lambda from an owner, const or not, to a reference to the value.
+// `access` is a generic lambda that takes an owner, const or not, and returns a reference to the
+// value.
 template <typename Owner, typename Access>
 using ValueOf = std::remove_cvref_t<decltype(std::declval<Access>()(std::declval<Owner&>()))>;
 
@@ -51,7 +51,7 @@ Field<Owner> number(const char* path, double minimum, double maximum, Access acc
             }};
 }
 
-// A number that may be infinite, which is null in the file.
+// A number that may be infinite; the file then holds null.
 template <typename Owner = Project, typename Access>
 Field<Owner> numberOrInfinity(const char* path, double minimum, double maximum, Access access) {
     using Value = ValueOf<Owner, Access>;
@@ -67,7 +67,7 @@ Field<Owner> numberOrInfinity(const char* path, double minimum, double maximum, 
             }};
 }
 
-// A number that there may be none of, which is null in the file.
+// An optional number; the file holds null if there is none.
 template <typename Owner = Project, typename Access>
 Field<Owner> numberOrNone(const char* path, double minimum, double maximum, Access access) {
     using Value = typename ValueOf<Owner, Access>::value_type;
@@ -97,7 +97,7 @@ Field<Owner> uncountedWhenUsual(Field<Owner> field) {
     return field;
 }
 
-// The field of a part as one of the owner that has it: `access` is to the part.
+// Turns a field of a part into a field of its owner. `access` returns the part.
 template <typename Owner = Project, typename Part, typename Access>
 Field<Owner> fieldOf(const QString& prefix, const Field<Part>& field, Access access) {
     return {prefix + field.path,
@@ -117,8 +117,8 @@ Field<Owner> fieldOf(const QString& prefix, const Field<Part>& field, Access acc
             field.uncountedWhenUsual};
 }
 
-// The same of an owner that may have none of it: `access` is to the optional value, `member` is
-// where the part has it.
+// Does the same for an optional value of the owner. `access` returns the optional value; `member`
+// is the part's member.
 template <typename Owner, typename Part, typename Value, typename Access>
 Field<Owner> optionalFieldOf(const Field<Part>& field, Value Part::*member, Access access) {
     FieldRule rule = field.rule;
@@ -142,7 +142,7 @@ Field<Owner> optionalFieldOf(const Field<Part>& field, Value Part::*member, Acce
             field.uncountedWhenUsual};
 }
 
-// Several numbers of one unit: `access` gives the part of that index.
+// Several numbers of one unit. `access` takes the index of a number.
 template <typename Owner = Project, typename Access>
 Field<Owner> numbers(const char* path, int parts, double minimum, double maximum, Access access) {
     using Value = std::remove_cvref_t<decltype(access(std::declval<Owner&>(), 0))>;
@@ -162,7 +162,7 @@ Field<Owner> numbers(const char* path, int parts, double minimum, double maximum
             }};
 }
 
-// A text of one line: what would break or rewrite the line that it is shown in becomes a space.
+// A text of one line: characters that would break or rewrite the displayed line become spaces.
 template <typename Owner = Project, typename Access>
 Field<Owner> text(const char* path, int maximumLength, Access access) {
     return {QString::fromLatin1(path),
@@ -173,7 +173,7 @@ Field<Owner> text(const char* path, int maximumLength, Access access) {
             }};
 }
 
-// A text of any letters, line breaks too, which nothing shows within a line.
+// A text of any characters, line breaks included. It is not shown within a line.
 template <typename Owner = Project, typename Access>
 Field<Owner> textOfLines(const char* path, int maximumLength, Access access) {
     Field<Owner> field = text<Owner>(path, maximumLength, access);
@@ -183,13 +183,13 @@ Field<Owner> textOfLines(const char* path, int maximumLength, Access access) {
     return field;
 }
 
-// Where a file lies: its name may have any letter.
+// A file's path; it may hold any characters.
 template <typename Owner = Project, typename Access>
 Field<Owner> filePath(const char* path, int maximumLength, Access access) {
     return textOfLines<Owner>(path, maximumLength, access);
 }
 
-// The tones of inks, which were measured (settings/InkTones.h).
+// The measured tones of inks (settings/InkTones.h).
 template <typename Owner = Project, typename Access>
 Field<Owner> inkTonesField(const char* path, Access access) {
     constexpr int longestTones = 20'000;
@@ -209,7 +209,7 @@ Field<Owner> flag(const char* path, Access access) {
             [access](Owner& owner, const QJsonValue& value) { access(owner) = value.toBool(); }};
 }
 
-// A value out of a list of words; `words` are in the order of the values 0, 1, 2 …
+// A value from a list of words, in the order of the values 0, 1, 2 …
 template <typename Owner = Project, typename Access>
 Field<Owner> choice(const char* path, const QStringList& words, Access access) {
     using Value = ValueOf<Owner, Access>;
@@ -232,7 +232,7 @@ Field<Owner> colour(const char* path, Access access) {
             }};
 }
 
-// A colour that there may be none of, which is null in the file.
+// An optional colour; the file holds null if there is none.
 template <typename Owner = Project, typename Access>
 Field<Owner> colourOrNone(const char* path, Access access) {
     return {QString::fromLatin1(path),

@@ -14,7 +14,7 @@ struct Text {
 
 using Film = FilmBehaviour;
 
-// Gathered to below 2/3 the plane film has no equilibrium of its own; at 1 nothing keeps it flat.
+// Below 2/3 the gathered plane film has no equilibrium of its own; at 1 nothing keeps it flat.
 constexpr double leastGathering = 0.67, mostGathering = 0.98;
 
 QStringList widthAndHeight() {
@@ -25,8 +25,8 @@ MaterialField<Film> edge(const char* path, const QString& label, bool FilmEdges:
     return {choice<Film>(
                 path, edgeWords(), [side](auto& f) -> auto& { return f.edges.*side; }),
             {.label = label,
-             .help = Text::tr("Whether this side of the film floats freely or is held by a barrier "
-                              "in the tank."),
+             .help = Text::tr("Whether this side of the film floats freely or a barrier in the "
+                              "tank holds it."),
              .words = {{QStringLiteral("free"), Text::tr("Free")},
                        {QStringLiteral("pinned"), Text::tr("Held by a barrier")}}}};
 }
@@ -37,9 +37,9 @@ void addFloating(std::vector<MaterialField<Film>>& fields) {
              "swell", 2, 0.5, 2,
              [](auto& f, int part) -> auto& { return part == 0 ? f.swellX : f.swellY; }),
          {.label = Text::tr("Swell"),
-          .help = Text::tr("How much the wetted film has grown over the printed one, across and "
-                           "down. Measure it: it is the first number to calibrate, and the sheet "
-                           "is printed smaller by it."),
+          .help = Text::tr("Size of the wetted film relative to the printed film, in width and "
+                           "height. The sheet is printed smaller by this factor, so measure it "
+                           "first."),
           .unit = Unit::Ratio,
           .parts = widthAndHeight(),
           .linked = true}});
@@ -47,23 +47,23 @@ void addFloating(std::vector<MaterialField<Film>>& fields) {
         {numberOrInfinity<Film>(
              "relaxation_time_s", 0, 1e6, [](auto& f) -> auto& { return f.relaxationTime; }),
          {.label = Text::tr("Relaxation"),
-          .help = Text::tr("How fast stress in the floating film decays. An elastic film remembers "
-                           "its shape for ever; a viscous one, at 0 s, forgets at once."),
+          .help = Text::tr("Time in which stress in the floating film decays. Elastic film keeps "
+                           "its stress for ever; viscous film (0 s) loses it at once."),
           .unit = Unit::Time,
           .absent = Text::tr("Elastic"),
           .isOfProductionFilm = true}});
     fields.push_back(
         {uncountedWhenUsual(number<Film>(
              "growth_per_s", 0, mostGrowthRate, [](auto& f) -> auto& { return f.growthRate; })),
-         {.label = Text::tr("Growth"),
-          .help = Text::tr("How fast the film goes on growing while it floats, in a second of the "
-                           "dip and at its begin. What is on the body grows no more."),
+         {.label = Text::tr("Growth rate"),
+          .help = Text::tr("How fast the floating film grows at the start of the dip, per second. "
+                           "Adhered film does not grow."),
           .unit = Unit::ShareRate,
           .isOfProductionFilm = true}});
     fields.push_back(
         {uncountedWhenUsual(number<Film>(
              "growth_limit", 0, mostGrowth, [](auto& f) -> auto& { return f.growthLimit; })),
-         {.label = Text::tr("Grows by at most"),
+         {.label = Text::tr("Growth limit"),
           .help = Text::tr("Total growth of the floating film after a long time, relative to its "
                            "length at the start of the dip. 0: the film does not grow."),
           .unit = Unit::Share,
@@ -72,7 +72,8 @@ void addFloating(std::vector<MaterialField<Film>>& fields) {
         {number<Film>(
              "contact_distance_mm", 0, 10, [](auto& f) -> auto& { return f.contactDistance; }),
          {.label = Text::tr("Contact distance"),
-          .help = Text::tr("How near a film point has to come to the surface to touch it."),
+          .help =
+              Text::tr("A film point touches the part when it comes this close to its surface."),
           .unit = Unit::Length}});
 }
 
@@ -81,8 +82,8 @@ void addLaws(std::vector<MaterialField<Film>>& fields) {
         {uncountedWhenUsual(number<Film>(
              "grip_fade_deg", 0.1, 45, [](auto& f) -> auto& { return f.gripFade; })),
          {.label = Text::tr("Grip fades over"),
-          .help = Text::tr("So far before the overhang the body begins to lose its grip on the "
-                           "film. A guess: no film was measured."),
+          .help = Text::tr("Range of angles before the overhang over which the part loses its grip "
+                           "on the film. This value is a guess; no film was measured."),
           .unit = Unit::Angle,
           .isOfProductionFilm = true}});
     fields.push_back(
@@ -90,8 +91,8 @@ void addLaws(std::vector<MaterialField<Film>>& fields) {
              "gathering_stretch", leastGathering, mostGathering,
              [](auto& f) -> auto& { return f.gatheringStretch; })),
          {.label = Text::tr("Gathers below"),
-          .help = Text::tr("Film pushed together to a mean stretch below this gathers, and hardly "
-                           "resists any more. A guess: no film was measured."),
+          .help = Text::tr("Compressed film gathers where its mean stretch falls below this value; "
+                           "there it hardly resists. This value is a guess; no film was measured."),
           .unit = Unit::Ratio,
           .isOfProductionFilm = true}});
 }
@@ -124,10 +125,10 @@ std::vector<MaterialField<InkLaw>> inkLawFields() {
         {numbers<InkLaw>(
              "exponents", lightInks, 0, mostInkExponent,
              [](auto& ink, int part) -> auto& { return ink.exponents[std::size_t(part)]; }),
-         {.label = Text::tr("Ink thins by"),
-          .help = Text::tr("The exponent n: ink printed with density D shows D·J^−n where film is "
-                           "stretched to J times its area. 1 for dye, 0 for dots that hide what "
-                           "is behind them. A guess, taken for inks without tones."),
+         {.label = Text::tr("Ink exponent"),
+          .help = Text::tr("How ink thins: where film is stretched to J times its area, ink of "
+                           "density D shows D·J^−n. n is 1 for dye and 0 for opaque dots. Used for "
+                           "inks without measured tones; the preset value is a guess."),
           .parts = {Text::tr("C", "cyan"), Text::tr("M", "magenta"), Text::tr("Y", "yellow")},
           .linked = true}},
         {leftOutWhenUsual(numbers<InkLaw>(
@@ -135,14 +136,14 @@ std::vector<MaterialField<InkLaw>> inkLawFields() {
              [](auto& ink, int part) -> auto& {
                  return ink.exponents[std::size_t(lightInks + part)];
              })),
-         {.label = Text::tr("Black and white"),
-          .help = Text::tr("The same of black and white ink, which printers in CMYK have: "
-                           "there each ink is made up for by itself, after separation."),
+         {.label = Text::tr("Ink exponent, black and white"),
+          .help = Text::tr("The exponent n for black and white ink. CMYK printers use it, because "
+                           "there each ink is compensated by itself, after separation."),
           .parts = {Text::tr("K", "black"), Text::tr("W", "white")}}},
         {inkTonesField<InkLaw>(
              "tones", [](auto& ink) -> auto& { return ink.tones; }),
-         {.label = Text::tr("Ink, measured"),
-          .help = Text::tr("What a step wedge told, tone by tone: ink, density, exponent, "
+         {.label = Text::tr("Measured ink"),
+          .help = Text::tr("Measurements of a step wedge for each tone: ink, density, exponent, "
                            "bend, greatest stretch (dipwright-cli profile wedge).")}}};
 }
 
@@ -151,15 +152,16 @@ FilmLimitFields filmLimitFields() {
     return {{number<ProcessSettings>(
                  "tear_stretch", 1, 100, [](auto& p) -> auto& { return p.tearStretch; }),
              {.label = Text::tr("Tears at"),
-              .help = Text::tr("How many times its length or its area film can be stretched before "
-                               "it tears. Torn film is marked and not painted."),
+              .help = Text::tr("Film tears where its length or its area is stretched by more than "
+                               "this factor. Torn film is marked and does not paint."),
               .unit = Unit::Ratio,
               .absent = project,
               .whenPresent = 4}},
             {number<ProcessSettings>(
                  "overhang_deg", 0, 90, [](auto& p) -> auto& { return p.overhang; }),
              {.label = Text::tr("Overhang"),
-              .help = Text::tr("Film holds on faces that turn upwards by no more than this."),
+              .help = Text::tr("Film adheres to faces that turn upwards by at most this angle; the "
+                               "part releases it on steeper faces."),
               .unit = Unit::Angle,
               .absent = project,
               .whenPresent = 20}}};

@@ -1,8 +1,8 @@
-// A film's material: the fields that a project and a film profile have in common, each declared
-// once. Project file and profile file, `--set`, the window, the job's number and the check of
-// docs/files-and-commands.md have path, unit, limits and words from here.
+// Declares the fields of a film's material that a project and a film profile share. Project file,
+// profile file, `--set`, the window, the job number and the check of docs/files-and-commands.md
+// take path, unit, limits and texts from here.
 //
-// Paths are those from the part's own object. A project has them as "film.swell", "ink.exponents"
+// Paths are relative to the part's own object. A project uses them as "film.swell", "ink.exponents"
 // and "process.overhang_deg"; a profile as "swell", "ink_exponents" and "overhang_deg".
 #pragma once
 
@@ -17,17 +17,17 @@
 
 namespace dipwright {
 
-// How a field is called and explained to the user, in the program's language.
+// The texts of a field for the user, in the program's language.
 struct FieldWords {
     QString label;
-    QString help; // a sentence or two: what it is and what it does
+    QString help; // one or two sentences: what it is and what it does
     Unit unit = Unit::None;
-    QStringList parts = {};            // short names where the value has several: "X", "Y"
+    QStringList parts = {};            // short names of several numbers: "X", "Y"
     QMap<QString, QString> words = {}; // the choices
-    QString absent = {};               // what no value means, where there may be none: "Elastic"
-    double whenPresent = 1;            // the value when the user asks for one
-    bool linked = false;               // several parts that usually are one number
-    bool isOfProductionFilm = false;   // says nothing of the paper's film
+    QString absent = {};               // shown for an optional value that is not set: "Elastic"
+    double whenPresent = 1;            // first value when the user sets an optional value
+    bool linked = false;               // the parts are usually equal
+    bool isOfProductionFilm = false;   // does not apply to the paper's film
 };
 
 template <typename Part>
@@ -38,13 +38,13 @@ struct MaterialField {
 
 std::vector<MaterialField<FilmBehaviour>> filmBehaviourFields();
 std::vector<MaterialField<InkLaw>> inkLawFields();
-// A profile may leave these to the project.
+// Fields that a profile may leave to the project.
 struct FilmLimitFields {
     MaterialField<ProcessSettings> tearStretch, overhang;
 };
 FilmLimitFields filmLimitFields();
 
-// Of the field that a profile has at `path`, which must be one of those above.
+// Returns the texts of the profile field at `path`. It must be one of the fields above.
 FieldWords materialWords(const QString& path);
 
 } // namespace dipwright

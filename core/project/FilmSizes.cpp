@@ -55,7 +55,7 @@ QSizeF filmSize(const QString& name) {
             return {size.width, size.height};
         }
     }
-    throw Error(Text::tr("There is no film size of this name, use one of %1")
+    throw Error(Text::tr("There is no film size of this name; use one of %1")
                     .arg(filmSizeNames().join(QStringLiteral(", "))),
                 name);
 }
@@ -72,7 +72,7 @@ void resizeFilm(FilmSettings& film, Millimetres width, Millimetres height) {
     const double h = height.value();
     double spacing =
         std::min(film.width.value() / (film.columns - 1), film.height.value() / (film.rows - 1));
-    // No finer than the limits allow, no coarser than the fewest points across the shorter side.
+    // Keep the limits: the most points in all, and the fewest across the shorter side.
     spacing = std::max({spacing, w / (maximumFilmPoints - 2), h / (maximumFilmPoints - 2),
                         std::sqrt(1.01 * w * h / maximumFilmGrid)});
     spacing = std::min({spacing, w / (minimumFilmPoints - 1), h / (minimumFilmPoints - 1)});

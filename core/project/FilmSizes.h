@@ -1,4 +1,4 @@
-// The film sizes that have a name, and how the grid follows a change of size.
+// Lists the named film sizes and resizes a film with its grid.
 #pragma once
 
 #include "settings/FilmSettings.h"
@@ -8,18 +8,18 @@
 
 namespace dipwright {
 
-inline constexpr int minimumFilmPoints = 8;    // a side
-inline constexpr int maximumFilmPoints = 2048; // a side
-bool mayHavePoints(int columns, int rows);     // no more than that, and than maximumFilmGrid
+inline constexpr int minimumFilmPoints = 8;    // per side
+inline constexpr int maximumFilmPoints = 2048; // per side
+// Whether the points keep maximumFilmPoints and maximumFilmGrid.
+bool mayHavePoints(int columns, int rows);
 
-// "A5", "A4", "A3", "Letter" …; upright.
+// "A5", "A4", "A3", "Letter" …
 QStringList filmSizeNames();
-// mm; throws Error for a name that is none of the above.
+// Returns the size in mm, upright. Throws Error for an unknown name.
 QSizeF filmSize(const QString& name);
 
-// Gives the film another printed size. The cells stay as large as they were and square, within the
-// limits above; the preset's name becomes that of the size, or "custom". A film that has this size
-// already is left alone.
+// Sets the printed size. The cells keep their size and stay square, within the limits above. The
+// preset becomes the name of the size, or "custom". Does nothing if the film has this size already.
 void resizeFilm(FilmSettings& film, Millimetres width, Millimetres height);
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// A profile's values by their path in its file ("scale", "edges.left"), as editors use them.
+// Gives editors access to a profile's values by their path in its file ("scale", "edges.left").
 #pragma once
 
 #include "project/Field.h"
@@ -8,18 +8,18 @@
 
 namespace dipwright {
 
-// A nameless one with the values that stand for “nothing measured yet”.
+// Returns a profile without a name, with the values for “nothing measured yet”.
 Profile newProfile(ProfileKind kind);
 
-// In the order of the file, its name first.
+// Returns the paths in the order of the file, the name first.
 QStringList profilePaths(ProfileKind kind);
-// These throw Error for a path that the kind of profile has not.
+// The following throw Error for a path that this kind of profile does not have.
 FieldRule profileRule(ProfileKind kind, const QString& path);
 QJsonValue profileValue(const Profile& profile, const QString& path);
-// Throws Error when the value breaks the rule; the profile is then as it was.
+// Throws Error if the value breaks the rule; the profile then does not change.
 void setProfileValue(Profile& profile, const QString& path, const QJsonValue& value);
 
-// The film's file without what the number of a job is not made of (Field::uncountedWhenUsual).
+// Returns the film's file without the values that a job number omits (Field::uncountedWhenUsual).
 QJsonObject countedValues(const FilmProfile& film);
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// The file form of profiles, as tables of fields.
+// Defines the file format of profiles as tables of fields.
 #include "project/ProfileFields.h"
 #include "project/Profiles.h"
 
@@ -38,7 +38,7 @@ Field<PrinterProfile> iccField() {
                     value.toString().toLatin1(), QByteArray::AbortOnBase64DecodingErrors);
                 if (!bytes) {
                     throw Error(
-                        Text::tr("The ICC profile is not stored as base64 text, import it anew"),
+                        Text::tr("The ICC profile is not valid base64 text; import it again"),
                         QStringLiteral("icc_profile"));
                 }
                 p.iccProfile = *bytes;
@@ -74,7 +74,7 @@ const std::vector<Field<PrinterProfile>>& fieldsOf(const PrinterProfile*) {
     return fields;
 }
 
-// An ISO date, or nothing.
+// A field for an ISO date or an empty text.
 template <typename Access>
 Field<FilmProfile> dateField(const char* path, Access access) {
     return {QString::fromLatin1(path),
@@ -83,7 +83,7 @@ Field<FilmProfile> dateField(const char* path, Access access) {
             [access, path](FilmProfile& p, const QJsonValue& value) {
                 const QString date = value.toString();
                 if (!date.isEmpty() && !QDate::fromString(date, Qt::ISODate).isValid()) {
-                    throw Error(Text::tr("%1 is not a date, write it as 2027-03-31").arg(date),
+                    throw Error(Text::tr("%1 is not a date; write it as 2027-03-31").arg(date),
                                 QString::fromLatin1(path));
                 }
                 access(p) = date;
@@ -121,7 +121,7 @@ void addMeasurement(std::vector<Field<FilmProfile>>& fields) {
         [](auto& p) -> auto& { return p.measured.relaxationTime; })));
 }
 
-// What a project has as well.
+// Adds the fields that a project has too.
 void addMaterial(std::vector<Field<FilmProfile>>& fields) {
     using P = FilmProfile;
     for (const auto& material : filmBehaviourFields()) {
@@ -206,8 +206,8 @@ void checkFormat(const QJsonObject& json, const QString& where) {
                where);
     if (version.toInt() > profileVersion) {
         throw Error(
-            Text::tr("The profile has version %1 of the file format and this program reads up "
-                     "to version %2, open it with a newer Dipwright")
+            Text::tr("The profile has version %1 of the file format, but this program reads only "
+                     "up to version %2; open it with a newer Dipwright")
                 .arg(version.toInt())
                 .arg(profileVersion),
             where);
@@ -233,9 +233,9 @@ const Field<P>& fieldAt(const P& profile, const QString& path) {
         }
         paths << field.path;
     }
-    throw Error(Text::tr("There is no such value in this profile, there are %1")
-                    .arg(paths.join(QStringLiteral(", "))),
-                path);
+    throw Error(
+        Text::tr("This profile has no such value; it has %1").arg(paths.join(QStringLiteral(", "))),
+        path);
 }
 
 } // namespace

@@ -36,7 +36,7 @@ QString shippedFolder() {
     return QStringLiteral(":/dipwright/profiles");
 }
 
-// Any name makes a file name that every system takes and no other name makes.
+// Makes a unique file name from any profile name, valid on every system.
 QString fileName(const QString& name) {
     QString plain;
     for (const QChar letter : name.left(40)) {
@@ -46,7 +46,7 @@ QString fileName(const QString& name) {
     return QStringLiteral("%1-%2.json").arg(plain, sha256Hex(name.toUtf8()).left(8));
 }
 
-// Later folders do not stand in for earlier ones.
+// Adds the profiles of a folder; profiles found before keep their place.
 void addFolder(std::map<QString, ProfileEntry>& found, ProfileKind kind, const QString& folder) {
     const QDir directory(folder + QLatin1Char('/') + profileKindName(kind));
     for (const QString& file :
@@ -58,7 +58,7 @@ void addFolder(std::map<QString, ProfileEntry>& found, ProfileKind kind, const Q
                 found.try_emplace(nameOf(profile), ProfileEntry{kind, nameOf(profile), path});
             }
         } catch (const Error&) {
-            continue; // one damaged file must not take the others away
+            continue; // one damaged file must not hide the others
         }
     }
 }
@@ -66,13 +66,13 @@ void addFolder(std::map<QString, ProfileEntry>& found, ProfileKind kind, const Q
 void take(FileLock& lock, const QString& path) {
     const LockState state = lock.acquire(path);
     if (!state.acquired) {
-        throw Error(Text::tr("The profile is being written elsewhere (%1), try again")
+        throw Error(Text::tr("Another program is writing the profile (%1); try again")
                         .arg(holderText(state)),
                     path);
     }
 }
 
-// A project, a later version's profile, or one with a slip of the user's pen would be lost.
+// Otherwise a project, a newer version's profile, or one with a user's typing error would be lost.
 void requireReadable(const QString& path) {
     const QFileInfo file(path);
     if (!file.exists() || (file.isFile() && file.size() == 0)) {
@@ -81,14 +81,14 @@ void requireReadable(const QString& path) {
     try {
         importProfile(path);
     } catch (const Error& error) {
-        throw Error(Text::tr("The file that is there cannot be read as a profile and is not "
-                             "replaced; mend it, move it away, or choose another name: %1")
+        throw Error(Text::tr("A file of this name exists and is not a readable profile, so it is "
+                             "not replaced; repair it, move it, or choose another name: %1")
                         .arg(error.sentence()),
                     path);
     }
 }
 
-// What cannot be read again would be lost with its file in plain sight, as one without a name.
+// Throws Error if the profile could not be read again, for example because it has no name.
 void requireReadableAgain(const Profile& profile) {
     profileFromJson(toJson(profile), {});
 }
@@ -132,7 +132,7 @@ Profile ProfileLibrary::profile(ProfileKind kind, const QString& name) const {
         }
         names << entry.name;
     }
-    throw Error(Text::tr("There is no %1 profile of this name, there are: %2")
+    throw Error(Text::tr("There is no %1 profile of this name; there are: %2")
                     .arg(profileKindName(kind), names.join(QStringLiteral(", "))),
                 name);
 }
@@ -153,8 +153,8 @@ void ProfileLibrary::save(const Profile& profile, const std::optional<Profile>& 
     take(lock, path);
     requireReadable(path);
     if (found(kindOf(profile), nameOf(profile)) != known) {
-        throw ChangedFile(Text::tr("Another program has changed the profile since it was read, "
-                                   "nothing is saved; look at what it says now and do it again"),
+        throw ChangedFile(Text::tr("Another program has changed the profile since it was read, so "
+                                   "it is not saved; read it again and repeat your change"),
                           nameOf(profile));
     }
     exportProfile(profile, path);
@@ -168,15 +168,15 @@ void ProfileLibrary::replace(const Profile& profile) const {
     exportProfile(profile, path);
 }
 
-// Makes its folder.
+// Creates the folder if it is missing.
 QString ProfileLibrary::pathFor(const Profile& profile) const {
     const QString folder = folder_ + QLatin1Char('/') + profileKindName(kindOf(profile));
     if (!QDir().mkpath(folder)) {
-        throw Error(Text::tr("The folder for profiles cannot be made, choose another with "
+        throw Error(Text::tr("The folder for profiles cannot be created; choose another with "
                              "DIPWRIGHT_PROFILE_PATH"),
                     folder);
     }
-    // A file of another name may hold a profile of this name, if the user put it there.
+    // The user may have stored a profile of this name in a file of another name.
     QString path = folder + QLatin1Char('/') + fileName(nameOf(profile));
     for (const ProfileEntry& entry : profiles(kindOf(profile))) {
         if (entry.name == nameOf(profile) && entry.isUsers()) {
@@ -197,9 +197,7 @@ void ProfileLibrary::remove(ProfileKind kind, const QString& name) const {
             return;
         }
     }
-    throw Error(
-        Text::tr("There is no %1 profile of your own of this name").arg(profileKindName(kind)),
-        name);
+    throw Error(Text::tr("You have no %1 profile of this name").arg(profileKindName(kind)), name);
 }
 
 Profile importProfile(const QString& path) {

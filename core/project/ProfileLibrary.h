@@ -1,4 +1,4 @@
-// The profiles at hand: those that come with the program, and the user's own in a folder of files.
+// Finds, reads and writes profiles: those shipped with the program and the user's own files.
 #pragma once
 
 #include "settings/Profile.h"
@@ -7,39 +7,41 @@
 
 namespace dipwright {
 
+// A profile in the library.
 struct ProfileEntry {
     ProfileKind kind;
     QString name;
-    QString path; // of its file; one of the program's own begins with ":"
+    QString path; // of its file; begins with ":" if shipped with the program
     bool isUsers() const { return !path.startsWith(QLatin1Char(':')); }
 };
 
-// Reads files when asked; keeps none. A user's profile stands in for the program's of the same
+// Reads files on each call and caches nothing. A user's profile replaces a shipped one of the same
 // name.
 class ProfileLibrary {
 public:
-    // DIPWRIGHT_PROFILE_PATH, or "profiles" in the user's folder for program data. Of the latter,
-    // those are found too that earlier versions of the command line have kept elsewhere.
+    // Returns DIPWRIGHT_PROFILE_PATH, or "profiles" in the user's folder for program data. With the
+    // latter, profiles are also found where earlier versions of the command line kept them.
     static QString standardFolder();
 
     explicit ProfileLibrary(const QString& userFolder = standardFolder());
 
-    // By name, the user's and the program's together. Files that are no profiles are passed over.
+    // Returns the user's and the shipped profiles, sorted by name. Skips files that are not
+    // profiles.
     std::vector<ProfileEntry> profiles(ProfileKind kind) const;
     bool contains(ProfileKind kind, const QString& name) const;
-    // Throws Error when there is none of that name, or its file is damaged.
+    // Throws Error if there is no profile of that name, or its file is damaged.
     Profile profile(ProfileKind kind, const QString& name) const;
 
-    // Nothing where there is none of that name. Throws Error when its file is damaged.
+    // Nothing if there is no profile of that name. Throws Error if its file is damaged.
     std::optional<Profile> found(ProfileKind kind, const QString& name) const;
 
-    // Writes a user's profile whole or not at all, over one of the same name. `known` is what was
-    // found under that name when the profile was read: where another program has changed it since,
-    // ChangedFile is thrown and nothing written. Throws Error.
+    // Writes a user's profile by an atomic write and replaces one of the same name. `known`: the
+    // result of found() when the profile was read. If another program has changed it since, throws
+    // ChangedFile and writes nothing. Throws Error.
     void save(const Profile& profile, const std::optional<Profile>& known) const;
-    // The same whatever is there.
+    // Writes the profile without comparing it with the present one.
     void replace(const Profile& profile) const;
-    // Removes a user's profile; the program's own of that name comes back. Throws Error.
+    // Removes a user's profile; a shipped one of that name reappears. Throws Error.
     void remove(ProfileKind kind, const QString& name) const;
 
 private:
@@ -48,7 +50,7 @@ private:
     QString folder_;
 };
 
-// One profile as a file of its own, for another machine. Throws Error.
+// Read and write one profile as a file of its own, for another computer. Throw Error.
 Profile importProfile(const QString& path);
 void exportProfile(const Profile& profile, const QString& path);
 

@@ -47,7 +47,7 @@ QString profileKindName(ProfileKind kind) {
 ProfileKind profileKindOf(const QString& name) {
     const auto index = kindNames.indexOf(name);
     if (index < 0) {
-        throw Error(Text::tr("There is no such kind of profile, use printer, film or tank"), name);
+        throw Error(Text::tr("There is no such kind of profile; use printer, film or tank"), name);
     }
     return ProfileKind(index);
 }
@@ -104,7 +104,7 @@ QString expiryWarning(const std::optional<FilmProfile>& film) {
     }
     const QString name =
         film->lot.isEmpty() ? film->name : Text::tr("%1, lot %2,").arg(film->name, film->lot);
-    return Text::tr("The film %1 expired on %2; take a fresh lot, or try this one first")
+    return Text::tr("The film %1 expired on %2; use a fresh lot, or test this one first")
         .arg(name, film->expiry);
 }
 

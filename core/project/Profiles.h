@@ -1,4 +1,4 @@
-// Profiles in use: taken over into projects, read and written.
+// Applies profiles to projects, and reads and writes their file format.
 #pragma once
 
 #include "settings/FilmSettings.h"
@@ -11,41 +11,40 @@
 
 namespace dipwright {
 
-// "printer", "film", "tank": in files and on the command line.
+// "printer", "film" or "tank", in files and on the command line.
 QString profileKindName(ProfileKind kind);
-// Throws Error on another word.
+// Throws Error for another word.
 ProfileKind profileKindOf(const QString& name);
 ProfileKind kindOf(const Profile& profile);
 const QString& nameOf(const Profile& profile);
 
 struct Project;
-// Takes a profile over into a project, content and effect: all that a film's profile
-// says of the film; a printer's resolution and ink limit; a tank's barriers.
+// Stores a profile in a project and applies its values: all values of a film, the resolution and
+// ink limit of a printer, the barriers of a tank.
 void applyProfile(Project& project, const Profile& profile);
-// The project's film as a profile: its own, nameless where there is none, with all that a profile
-// says of the film as the project has it now. What a profile may leave to the project stays as the
-// profile has it.
+// Returns the project's film profile (without a name if there is none) with the project's present
+// film values. Values that a profile may leave to the project stay as in the profile.
 FilmProfile filmProfileOf(const Project& project);
 
-// Whether the film that is dipped has the swell, growth or relaxation that was measured. Else they
-// are guessed: none were, or somebody has changed them since.
+// Whether the film's swell, growth or relaxation equals the measured one. Otherwise it is guessed:
+// it was not measured, or it was changed since.
 bool hasMeasuredSwell(const FilmSettings& film, const ProjectProfiles& profiles);
 bool hasMeasuredGrowth(const FilmSettings& film, const ProjectProfiles& profiles);
 bool hasMeasuredRelaxation(const FilmSettings& film, const ProjectProfiles& profiles);
-// Whether the ink thins as a step wedge on this film told.
+// Whether the ink's law was measured by a step wedge on this film.
 bool hasMeasuredInk(const InkSettings& ink, const ProjectProfiles& profiles);
 
-// A sentence where the film has expired by today, else empty.
+// Returns a sentence if the film has expired; otherwise empty.
 QString expiryWarning(const std::optional<FilmProfile>& film);
 
 // Sets one value by its path in the file ("scale", "edges.left"), parts of an array joined by x or
-// ;. Throws Error naming the path when it is unknown or out of range; the profile is then as it
-// was.
+// ;. Throws Error naming the path if it is unknown or the value is out of range; the profile then
+// does not change.
 void setByPath(Profile& profile, const QString& path, const QString& value);
 
 // A profile file: {"format":"dipwright-profile","version":1,"kind":…,"name":…,…}. Unknown keys are
-// ignored. `profileFromJson` checks every value and throws Error naming `where` and the path; a
-// newer version is refused.
+// ignored. `profileFromJson` checks every value and throws Error naming `where` and the path. It
+// refuses newer versions.
 QJsonObject toJson(const Profile& profile);
 Profile profileFromJson(const QJsonObject& json, const QString& where);
 

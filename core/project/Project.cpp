@@ -31,7 +31,7 @@ constexpr const char* floatingPath = "inspection.film.photos";
 constexpr const char* artworkPath = "artwork";
 constexpr const char* layersPath = "artwork.layers";
 
-// A list of things that have fields of their own. `path`: the list's.
+// Reads a list of objects that have fields of their own. `path`: of the list.
 template <typename Item>
 std::vector<Item> readList(const QJsonArray& array, const std::vector<Field<Item>>& fields,
                            const QString& path, const QString& file) {
@@ -48,7 +48,7 @@ std::vector<Item> readList(const QJsonArray& array, const std::vector<Field<Item
     return items;
 }
 
-// `unknown`: what a file had at their places besides.
+// `unknown`: unknown keys of the file's list, by position.
 template <typename Item>
 QJsonArray writeList(const std::vector<Item>& items, const std::vector<Field<Item>>& fields,
                      const QJsonArray& unknown) {
@@ -64,12 +64,12 @@ QJsonArray writeList(const std::vector<Item>& items, const std::vector<Field<Ite
 std::vector<Immersion> readImmersions(const QJsonValue& value, const QString& file) {
     const QJsonArray array = value.toArray();
     if (!value.isArray() || array.isEmpty() || array.size() > maximumImmersions) {
-        throw Error(Text::tr("immersions must be an array of one or two immersions"), file);
+        throw Error(Text::tr("immersions must be an array with one or two entries"), file);
     }
     return readList(array, immersionFields(), QStringLiteral("immersions"), file);
 }
 
-// A list that may be missing, of so many items at most.
+// Reads a list that may be missing and has at most `most` items.
 template <typename Item>
 std::vector<Item> readEntries(const QJsonObject& json, const std::vector<Field<Item>>& fields,
                               const char* list, std::size_t most, const QString& file) {
@@ -134,7 +134,7 @@ Artwork readArtwork(const QJsonObject& json, const QString& file) {
     return artwork;
 }
 
-// Nothing where there is none: such a file is what it was before there was artwork.
+// Writes nothing if there is no artwork, so that such files stay as in versions without artwork.
 void writeArtwork(const Artwork& artwork, QJsonObject& json) {
     if (!artwork.isEmpty()) {
         QJsonObject own;
@@ -145,14 +145,14 @@ void writeArtwork(const Artwork& artwork, QJsonObject& json) {
     }
 }
 
-// What of a file this version does not know, with the shape of the file.
+// Returns the keys that this version does not know, nested as in the file.
 QJsonObject unknownPart(const QJsonObject& json) {
     QJsonObject unknown = withoutFields(json, projectFields());
     for (const char* key : {"format", "version", "immersions"}) {
         unknown.remove(QLatin1String(key));
     }
     for (const char* path : {"model.mesh", "model.texture", "model.textures"}) {
-        removeAt(unknown, QLatin1String(path)); // the store's, which knows the assets
+        removeAt(unknown, QLatin1String(path)); // ProjectStore writes these
     }
     for (const char* path : {"profiles.printer", "profiles.film", "profiles.tank"}) {
         removeAt(unknown, QLatin1String(path));
@@ -181,21 +181,20 @@ void checkFormat(const QJsonObject& json, const QString& file) {
     checkValue({FieldKind::WholeNumber, 1, false, 1, 1e6}, version, QStringLiteral("version"),
                file);
     if (version.toInt() > projectVersion) {
-        throw Error(Text::tr("The project has version %1 of the file format and this program reads "
-                             "up to version %2, open it with a newer Dipwright")
+        throw Error(Text::tr("The project has version %1 of the file format, but this program "
+                             "reads only up to version %2; open it with a newer Dipwright")
                         .arg(version.toInt())
                         .arg(projectVersion),
                     file);
     }
 }
 
-// Up to version 1 each dip printed all that it reached; such a project goes on to print what it
-// printed.
+// Up to version 1 each dip painted all that it reached; such a project keeps doing so.
 void shareNothing(QJsonObject& json) {
     insertAt(json, QStringLiteral("share.enabled"), false);
 }
 
-// Each takes a document of the version of its place (the first: version 1) to the next version.
+// The migration at index n takes a document from version n + 1 to the next.
 using Migration = void (*)(QJsonObject&);
 const std::vector<Migration> migrations{shareNothing};
 
@@ -207,7 +206,7 @@ QJsonObject migrated(QJsonObject json) {
     return json;
 }
 
-// The paths that begin as the unknown one does, for a hint.
+// Returns the paths in the same section as an unknown one, for a hint.
 QStringList siblingPaths(const QString& path) {
     const QString section = path.left(path.indexOf(QLatin1Char('.')) + 1);
     QStringList paths;
@@ -226,7 +225,7 @@ QStringList siblingPaths(const QString& path) {
                                         "immersions[0], sheet, ink, share, cradle, tolerance, "
                                         "pose_search, as_built and inspection")
                              : Text::tr("there are %1").arg(siblings.join(QStringLiteral(", ")));
-    throw Error(Text::tr("There is no such setting, %1").arg(hint), path);
+    throw Error(Text::tr("There is no such setting; %1").arg(hint), path);
 }
 
 template <typename Owner>
@@ -259,7 +258,7 @@ void applyPreset(Project& project, const QString& preset) {
         project.film.edges = {};
         project.film.growthRate = 0;
     } else {
-        throw Error(Text::tr("There is no preset %1, use production or paper-2020").arg(preset),
+        throw Error(Text::tr("There is no preset %1; use production or paper-2020").arg(preset),
                     QStringLiteral("preset"));
     }
     project.process.dipSpeed = standard.dipSpeed;
@@ -272,8 +271,8 @@ void applyPreset(Project& project, const QString& preset) {
 
 namespace {
 
-// "artwork.base_colour", "artwork.layers[0].turn_deg"; of a layer's picture only the id is a field,
-// which says nothing by itself. False where there is no such value.
+// Sets a value such as "artwork.base_colour" or "artwork.layers[0].turn_deg". A layer's picture
+// cannot be set, because its field is only an id. Returns false if there is no such value.
 bool setArtworkAt(Artwork& artwork, const QString& path, const QString& value) {
     static const QRegularExpression layerPath(
         QStringLiteral("^artwork\\.layers\\[(\\d{1,3})\\]\\.(.+)$"));
@@ -281,10 +280,10 @@ bool setArtworkAt(Artwork& artwork, const QString& path, const QString& value) {
     if (const auto match = layerPath.match(path); match.hasMatch()) {
         const auto index = match.captured(1).toUInt();
         if (index >= artwork.layers.size()) {
-            throw Error(
-                Text::tr("The artwork's layers are %1 in number, the lowest is artwork.layers[0]")
-                    .arg(artwork.layers.size()),
-                path);
+            throw Error(Text::tr("There is no such layer; the artwork's layers: %1, the lowest is "
+                                 "artwork.layers[0]")
+                            .arg(artwork.layers.size()),
+                        path);
         }
         return match.captured(2) != QLatin1String("picture") &&
                setFieldAt(artwork.layers[index], artworkLayerFields(), match.captured(2), path,
@@ -303,7 +302,7 @@ void setByPath(Project& project, const QString& path, const QString& value) {
         const auto index = match.captured(1).toUInt();
         if (index >= project.immersions.size()) {
             throw Error(
-                Text::tr("The project's immersions are %1 in number, the first is immersions[0]")
+                Text::tr("There is no such dip; the project's dips: %1, the first is immersions[0]")
                     .arg(project.immersions.size()),
                 path);
         }
@@ -378,7 +377,7 @@ Project fromJson(const QJsonObject& json, const QString& where) {
         readEntries(current, floatingPhotoFields(), floatingPath, mostFloatingPhotos, where);
     for (const ClickedPair& pair : project.inspection.pairs) {
         if (std::size_t(pair.photo) >= project.inspection.photos.size()) {
-            throw Error(Text::tr("inspection.pairs names a photo that inspection.photos has not"),
+            throw Error(Text::tr("inspection.pairs names a photo that is not in inspection.photos"),
                         where);
         }
     }

@@ -1,5 +1,5 @@
-// The document: everything a job is, as one value. docs/files-and-commands.md, "The project file",
-// gives its file form.
+// Holds everything that defines a job as one value: the document. Its file format is in
+// docs/files-and-commands.md, "The project file".
 #pragma once
 
 #include "settings/Artwork.h"
@@ -29,13 +29,13 @@ namespace dipwright {
 
 struct TexturedMesh;
 
-// Where the model came from.
+// The origin of the model.
 struct ModelOrigin {
-    QString source;  // the file it was imported from, for "reload from disk"
-    QString texture; // the picture that replaced the model's own, or empty
+    QString source;  // the imported file, for "reload from disk"
+    QString texture; // the picture that replaced the model's texture, or empty
     double unitMillimetres = 1;
-    QString remarks;   // what was put right in it, or is missing: sentences; empty: nothing
-    QByteArray sha256; // of the embedded model, hex
+    QString remarks;   // sentences about repairs and missing files; empty: none
+    QByteArray sha256; // of the embedded model, hexadecimal
     bool operator==(const ModelOrigin&) const = default;
 };
 
@@ -43,52 +43,54 @@ inline constexpr int longestProjectName = 200;
 
 struct Project {
     QString name;
-    QString date; // ISO date of creation; stands in the job line
+    QString date; // ISO date of creation; printed in the job line
     std::shared_ptr<const TexturedMesh>
         model; // shared between versions of the document, never null in a valid project
     ModelOrigin modelOrigin;
-    Artwork artwork; // on the model; in the file only where there is any
+    Artwork artwork; // on the model; the file omits it if there is none
     FilmSettings film;
     ProcessSettings process;
     int fieldResolution = 128;                      // body.sdf_resolution
     std::vector<Immersion> immersions{Immersion{}}; // one or two
     SheetSettings sheet;
     InkSettings ink;
-    // Of the bare part, "#rrggbb"; empty: proofs show it light grey, and ink as it looks on white.
+    // Colour of the bare part, "#rrggbb". Empty: proofs show the part light grey, and ink as on
+    // white.
     QString baseColour;
     ShareSettings share; // of two immersions
     CradleSettings cradle;
     ToleranceSettings tolerance;
-    VerdictSettings verdict; // in the file only what is not usual
-    PoseAims poseAims;       // of its pose searches; in the file only what is not usual
+    VerdictSettings verdict; // the file omits default values
+    PoseAims poseAims;       // of pose searches; the file omits default values
     AsBuilt asBuilt;
     InspectedPart inspection;
     FilmOnWater filmOnWater;
-    ProjectProfiles profiles; // that it was made with, by content
-    QJsonObject unknown;      // keys this version does not know; they survive a save
-    std::map<QString, QByteArray> unknownEntries; // and so do the file's other entries, by name
+    ProjectProfiles profiles; // contents of the profiles in use
+    QJsonObject unknown;      // keys that this version does not know; kept on saving
+    std::map<QString, QByteArray> unknownEntries; // the file's other entries by name; also kept
 
     bool operator==(const Project&) const = default;
 };
 
-// What a project is called that is made of this file, or written to it: as the file, as far as a
-// name may be long.
+// Returns the name of a project that is made from this file or saved to it: the file's name, cut to
+// longestProjectName.
 QString projectName(const QString& path);
 
-// "production" (the default) or "paper-2020"; changes film and process, throws Error on another
-// name.
+// Sets film and process to the preset "production" (the default) or "paper-2020". Throws Error for
+// another name.
 void applyPreset(Project& project, const QString& preset);
 
 // Sets one value by its path in the schema ("film.points", "immersions[0].rotation_deg"), parts of
-// an array joined by x or ;. Throws Error naming the path when it is unknown or out of range; the
-// project is then as it was.
+// an array joined by x or ;. Throws Error naming the path if it is unknown or the value is out of
+// range; the project then does not change.
 void setByPath(Project& project, const QString& path, const QString& value);
 
-// What the number of a job is made of: project.json of version 1, without what sheets were made
-// before there was, where it is as usual (Field::uncountedWhenUsual).
+// Returns the values that make up the job number: project.json of version 1 without newer fields
+// that have their default value (Field::uncountedWhenUsual).
 QJsonObject countedSettings(const Project& project);
 
-// project.json and back; `fromJson` checks every value's range and throws Error by its path.
+// Convert to and from project.json. `fromJson` checks the range of every value and throws Error
+// naming its path.
 QJsonObject toJson(const Project& project);
 Project fromJson(const QJsonObject& json, const QString& where);
 

@@ -13,24 +13,25 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(ProjectFile)
 };
 
-// One that is gone is written anew: nobody loses by that.
+// A missing file is written again; nothing is lost by that.
 void requireUnchanged(const QString& path, const FileVersion& known) {
     const FileVersion now = FileVersion::of(path);
     if (now != known && QFileInfo::exists(path)) {
         if (now == FileVersion()) {
-            throw Error(Text::tr("The file that is there cannot be read, and nothing is saved over "
-                                 "it; try again, or save under another name"),
+            throw Error(Text::tr("The existing file cannot be read, so it is not replaced; try "
+                                 "again, or save under another name"),
                         path);
         }
-        throw ChangedFile(Text::tr("Another program has written the project since it was read, "
-                                   "nothing is saved; look at what it holds now and do it again"),
+        throw ChangedFile(Text::tr("Another program has changed the project since it was read, so "
+                                   "it is not saved; open it again and repeat your change"),
                           path);
     }
 }
 
 } // namespace
 
-// Looked at when nobody else can replace it any more: packing takes long enough for others to.
+// Checks the file right before it is replaced, because another program may write while this one
+// packs.
 void replaceProject(const Project& project, const QString& path, FileVersion& known) {
     known = saveProject(project, path, [&] { requireUnchanged(path, known); });
 }

@@ -1,5 +1,4 @@
-// A project's file while somebody works on it: nobody else writes it meanwhile, and who does so
-// without asking is noticed.
+// Locks a project's file while it is open, and detects changes by programs that ignore the lock.
 #pragma once
 
 #include "base/Error.h"
@@ -10,23 +9,23 @@ namespace dipwright {
 
 struct Project;
 
-// Thrown where a file is not as it was when it was read: somebody else has written it since. It is
-// then left as it is.
+// Thrown if another program has written the file since it was read. The file is then left alone.
 class ChangedFile : public Error {
 public:
     using Error::Error;
 };
 
-// Writes the project (saveProject) where its file still has the contents `known`, which are those
-// written afterwards, or is gone. Throws ChangedFile or Error.
+// Writes the project (saveProject) if its file still has the contents `known` or is gone. Then sets
+// `known` to the new contents. Throws ChangedFile or Error.
 void replaceProject(const Project& project, const QString& path, FileVersion& known);
 
+// An open project file. Holds its lock.
 class ProjectFile {
 public:
-    // Before the project is read. Throws Error where another program has the file open.
+    // Construct it before the project is read. Throws Error if another program has the file open.
     explicit ProjectFile(const QString& path);
 
-    // As replaceProject.
+    // See replaceProject().
     void save(const Project& project) { replaceProject(project, path_, known_); }
 
 private:

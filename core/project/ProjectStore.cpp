@@ -50,8 +50,8 @@ QJsonArray textureEntries(const TexturedMesh& model) {
     return entries;
 }
 
-// The pictures of a project on their way into its file, each once. Throws Error for more than would
-// be read again.
+// Writes each picture of a project into its file once. Throws Error if there are too many to be
+// read again.
 class SavedPictures {
 public:
     explicit SavedPictures(ZipWriter& archive) : archive_(archive) {}
@@ -69,7 +69,7 @@ public:
 
 private:
     ZipWriter& archive_;
-    std::map<QString, qint64> sizes_; // of those that are in it
+    std::map<QString, qint64> sizes_; // bytes of the pictures written so far, by entry
     PictureCount count_;
 };
 
@@ -78,7 +78,7 @@ void requireModestModel(const TexturedMesh& model, const QString& path) {
     requireWithin(Budget::Materials, qint64(model.materials.size()), path);
 }
 
-// What this program would not open again is not put in the place of what it does open.
+// Refuses a project that could not be opened again, so that it does not replace one that can.
 void requireOpenable(const TexturedMesh& model, const ZipWriter& archive,
                      const QByteArray& document, const QByteArray& packed, const QString& path) {
     try {
@@ -87,7 +87,7 @@ void requireOpenable(const TexturedMesh& model, const ZipWriter& archive,
         requireWithin(Budget::DocumentBytes, document.size(), path);
         requireWithin(Budget::UnpackedBytes, archive.unpackedBytes(), path, packed.size());
     } catch (const Error& error) {
-        throw Error(Text::tr("The project is not saved, as it could not be opened again: %1")
+        throw Error(Text::tr("The project is not saved, because it could not be opened again: %1")
                         .arg(error.message()),
                     path);
     }
@@ -131,7 +131,7 @@ QByteArray projectBytes(const Project& project, const QString& path) {
 
 QJsonObject readDocument(ZipReader& archive, const QString& path) {
     if (!archive.contains(documentEntry)) {
-        throw Error(Text::tr("This is not a Dipwright project, it holds no project.json"), path);
+        throw Error(Text::tr("This is not a Dipwright project: it has no project.json"), path);
     }
     const QByteArray bytes = archive.read(documentEntry);
     requireWithin(Budget::DocumentBytes, bytes.size(), path);
@@ -139,7 +139,7 @@ QJsonObject readDocument(ZipReader& archive, const QString& path) {
     QJsonParseError error;
     const auto document = QJsonDocument::fromJson(bytes, &error);
     if (document.isArray()) {
-        throw Error(Text::tr("project.json holds a list where a project should be"), path);
+        throw Error(Text::tr("project.json contains a list instead of a project"), path);
     }
     if (!document.isObject()) {
         throw Error(Text::tr("project.json is damaged at character %1: %2")
@@ -150,7 +150,7 @@ QJsonObject readDocument(ZipReader& archive, const QString& path) {
     return document.object();
 }
 
-// "texture" is the first; "textures", all of them, is there for models of several.
+// "texture" holds the first texture; "textures" holds all textures of a model with several.
 QJsonArray textureNames(const QJsonObject& model) {
     QJsonArray names = model.value(QLatin1String("textures")).toArray();
     const QJsonValue first = model.value(QLatin1String("texture"));
@@ -164,7 +164,7 @@ QJsonArray textureNames(const QJsonObject& model) {
     return names;
 }
 
-// What several textures share is unpacked once.
+// Unpacks an entry that several textures share only once.
 std::vector<PackedPicture> packedPictures(ZipReader& archive, const QJsonArray& names,
                                           const QString& path) {
     std::map<QString, QByteArray> unpacked;
@@ -179,22 +179,22 @@ std::vector<PackedPicture> packedPictures(ZipReader& archive, const QJsonArray& 
     return pictures;
 }
 
-// With pictures that only hold their places, as many as `entries` names.
+// Reads the mesh. Its textures are null pictures, as many as `entries` names.
 TexturedMesh readMesh(ZipReader& archive, const QJsonObject& entries, const QString& path) {
     const QString meshName = entries.value(QLatin1String("mesh")).toString();
     if (meshName.isEmpty()) {
-        throw Error(Text::tr("The project names no model, model.mesh is missing"), path);
+        throw Error(Text::tr("The project names no model: model.mesh is missing"), path);
     }
     const QByteArray mesh = archive.read(meshName);
     if (entries.value(QLatin1String("sha256")).toString() != sha256Hex(mesh)) {
-        throw Error(Text::tr("The model in the project is not the one that was saved, its sha256 "
+        throw Error(Text::tr("The model in the project was changed after saving: its sha256 "
                              "differs"),
                     path);
     }
     StoredModel stored = readModel(mesh, path);
     const QJsonArray textures = textureNames(entries);
     if (std::size_t(textures.size()) != stored.pictures.size()) {
-        throw Error(Text::tr("The project lists %1 textures and its model needs %2")
+        throw Error(Text::tr("The project lists %1 textures, but its model needs %2")
                         .arg(textures.size())
                         .arg(stored.pictures.size()),
                     path);
@@ -204,8 +204,8 @@ TexturedMesh readMesh(ZipReader& archive, const QJsonObject& entries, const QStr
     return std::move(stored.model);
 }
 
-// The model, its pictures, and those that the artwork's layers name by content. All pictures are
-// read together, as they count together.
+// Reads the model, its textures and the pictures of the artwork's layers. All pictures are read
+// together, because one budget limits them all.
 void readAssets(ZipReader& archive, const QJsonObject& json, Project& project,
                 const QString& path) {
     const QJsonObject entries = json.value(QLatin1String("model")).toObject();
@@ -229,7 +229,7 @@ void readAssets(ZipReader& archive, const QJsonObject& json, Project& project,
     project.model = std::make_shared<TexturedMesh>(std::move(model));
 }
 
-// All that is neither the document nor an asset that it names.
+// Reads all entries except the document and the assets that it names.
 std::map<QString, QByteArray> readOthers(ZipReader& archive, const QJsonObject& json,
                                          const QStringList& layers, const QString& path) {
     const QJsonObject model = json.value(QLatin1String("model")).toObject();
@@ -244,7 +244,7 @@ std::map<QString, QByteArray> readOthers(ZipReader& archive, const QJsonObject& 
     std::map<QString, QByteArray> entries;
     qint64 total = 0;
     for (const QString& name : others) {
-        if (!name.endsWith(QLatin1Char('/'))) { // a folder
+        if (!name.endsWith(QLatin1Char('/'))) { // skip folders
             total += entries.emplace(name, archive.read(name)).first->second.size();
             requireWithin(Budget::OtherBytes, total, path);
         }
@@ -258,7 +258,7 @@ Project loadProject(const QString& path) {
     ZipReader archive(path);
     const QJsonObject json = readDocument(archive, path);
     Project project = fromJson(json, path);
-    QStringList layers; // by the ids that the file has
+    QStringList layers; // entries by the picture ids in the file
     for (const ArtworkLayer& layer : project.artwork.layers) {
         layers.append(layerEntry(layer.picture.id));
     }

@@ -1,5 +1,5 @@
-// Project files *.dipw: a zip with `mimetype` (first, stored), project.json, assets/ and whatever
-// else others have put there (docs/files-and-commands.md, "The project file").
+// Reads and writes project files *.dipw: a zip with `mimetype` (first, stored), project.json,
+// assets/ and any entries of other programs (docs/files-and-commands.md, "The project file").
 #pragma once
 
 #include "disk/FileVersion.h"
@@ -10,18 +10,18 @@ namespace dipwright {
 
 struct Project;
 
-// Reads a project, migrating older versions in memory. Throws Error: missing, empty, truncated,
-// encrypted, not a zip, larger than sane when unpacked, entries with unsafe paths, a newer version.
+// Reads a project and migrates older versions in memory. Throws Error if the file is missing,
+// empty, truncated, encrypted or not a zip. Also throws Error if it is too large when unpacked, has
+// entries with unsafe paths, or is of a newer version.
 Project loadProject(const QString& path);
 
-// The solver that the file's project asks for, as it stands there and without anything else of it:
-// for who gets it ready while the project is read. Throws Error.
+// Reads only the solver that the project asks for, so that it can load while the project is read.
+// Throws Error.
 QString solverOfProject(const QString& path);
 
-// Writes the whole file or leaves the old one whole (disk/AtomicFile.h), whatever it holds now: who
-// read it before and wants to know uses ProjectFile. Returns what the file now holds. Throws Error
-// (not writable, disk full, more in the project than would be read again). `lastLook`: as of
-// replaceFile().
+// Writes the file by an atomic write (disk/AtomicFile.h), whatever it contains; ProjectFile detects
+// changes by others. Returns the version of the new contents. Throws Error (not writable, disk
+// full, or too large to be read again). `lastLook`: as in replaceFile().
 FileVersion saveProject(const Project& project, const QString& path,
                         const std::function<void()>& lastLook = {});
 

@@ -1,11 +1,11 @@
-// The projects that come with the program.
+// Finds the sample projects that are shipped with the program.
 #pragma once
 
 #include <QStringList>
 
 namespace dipwright {
 
-// The files of the sample projects, where they are installed or built.
+// Returns the paths of the sample projects, installed or built.
 QStringList sampleProjects();
 
 } // namespace dipwright

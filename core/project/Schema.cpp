@@ -52,8 +52,8 @@ Field<Project> filmPoints() {
                 const int columns = value.toArray().at(0).toInt();
                 const int rows = value.toArray().at(1).toInt();
                 if (!mayHavePoints(columns, rows)) {
-                    throw Error(Text::tr("%1 × %2 points are more than the %3 million that a film "
-                                         "may have, give fewer")
+                    throw Error(Text::tr("%1 × %2 points are too many; a film may have up to %3 "
+                                         "million points")
                                     .arg(columns)
                                     .arg(rows)
                                     .arg(maximumFilmGrid / 1'000'000),
@@ -161,7 +161,7 @@ Field<Project> paper() {
         [](Project& project, const QJsonValue& value) { project.sheet.paper = value.toString(); }};
 }
 
-// A plate's name, which must not be one that stands for other inks.
+// A field for a plate's name. It refuses the reserved names of other inks.
 template <typename Owner = Project, typename Access>
 Field<Owner> spotName(const char* path, Access access, bool mayBeNone = false) {
     Field<Owner> field = leftOutWhenUsual(text<Owner>(path, longestSpotName, access));
@@ -175,8 +175,8 @@ Field<Owner> spotName(const char* path, Access access, bool mayBeNone = false) {
                                 QStringLiteral("yellow"),
                                 QStringLiteral("black")};
         if (taken.contains(name.toLower()) && !(mayBeNone && name.isEmpty())) {
-            throw Error(Text::tr("A spot ink needs a name of its own, and not All, None, or that "
-                                 "of one of the four inks"),
+            throw Error(Text::tr("A spot colour needs its own name; All, None and the names of the "
+                                 "four process inks are reserved"),
                         QString::fromLatin1(path));
         }
         access(owner) = name;
@@ -190,7 +190,7 @@ Field<Project> baseColour() {
     field.set = [](Project& project, const QJsonValue& value) {
         static const QRegularExpression colour(QStringLiteral("^(#[0-9a-fA-F]{6})?$"));
         if (!colour.match(value.toString()).hasMatch()) {
-            throw Error(Text::tr("“%1” is not a colour, write it as #1a2b3c").arg(value.toString()),
+            throw Error(Text::tr("“%1” is not a colour; write it as #1a2b3c").arg(value.toString()),
                         QStringLiteral("body.base_colour"));
         }
         project.baseColour = value.toString();
@@ -307,7 +307,7 @@ void addToleranceFields(std::vector<Field<Project>>& fields) {
         [](auto& p, int part) -> auto& { return p.tolerance.limits[part]; }));
 }
 
-// What a job's verdict makes of something that is no matter of a limit.
+// A field for the verdict on a condition that has no limit.
 Field<Project> adviceField(const char* path, Advice VerdictSettings::*member) {
     const QStringList words{QStringLiteral("print"), QStringLiteral("look_first"),
                             QStringLiteral("do_not_print")};

@@ -1,5 +1,5 @@
-// The schema of project.json, version 2 (docs/files-and-commands.md, "The project file"), as tables
-// of fields. Private to this folder but for the limits, which the dialogs show.
+// Defines project.json, version 2 (docs/files-and-commands.md, "The project file"), as tables of
+// fields. Private to this folder, except that the dialogs show the limits.
 #pragma once
 
 #include "project/Field.h"
@@ -11,8 +11,8 @@ namespace dipwright {
 
 inline constexpr int projectVersion = 2;
 
-// In the order in which a file is read: a film's preset comes before its size, its size before its
-// points, its points and its cell before which of them counts, as each sets what follows.
+// Fields in the order of reading. Each sets the following ones, so a film's preset comes before its
+// size. The size comes before points and cell, and these before the choice between them.
 const std::vector<Field<Project>>& projectFields();
 const std::vector<Field<Immersion>>& immersionFields();
 const std::vector<Field<ShareMark>>& shareMarkFields();
@@ -22,7 +22,7 @@ const std::vector<Field<BuiltPlace>>& builtPlaceFields();
 const std::vector<Field<InspectedPhoto>>& inspectedPhotoFields();
 const std::vector<Field<ClickedPair>>& clickedPairFields();
 const std::vector<Field<FloatingPhoto>>& floatingPhotoFields();
-// Of "artwork" beside its layers, and of a layer. A layer's picture is told by its id.
+// Fields of "artwork" without its layers, and of a layer. A layer names its picture by an id.
 const std::vector<Field<Artwork>>& artworkFields();
 const std::vector<Field<ArtworkLayer>>& artworkLayerFields();
 

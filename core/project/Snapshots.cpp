@@ -24,12 +24,12 @@ struct Text {
 };
 
 const QString folder = QStringLiteral("snapshots/");
-const QString endOfFolder = QStringLiteral("snapshots0"); // the first name behind it
+const QString endOfFolder = QStringLiteral("snapshots0"); // sorts right after the folder's names
 const QString artworkKey = QStringLiteral("artwork");
 constexpr int longestName = 200;
-constexpr qint64 mostBytes = 64 << 20; // of all, well below what a project may hold beside its own
+constexpr qint64 mostBytes = 64 << 20; // of all snapshots; well below Budget::OtherBytes
 
-// Sorted as they are numbered; after them come the pictures.
+// Names sort by number; the pictures follow.
 QString entryName(std::size_t number) {
     return folder + QStringLiteral("%1.json").arg(number, 4, 10, QLatin1Char('0'));
 }
@@ -42,7 +42,7 @@ QByteArray bytesOf(const Snapshot& snapshot) {
         .toJson();
 }
 
-// Nothing where it is no snapshot of ours, which are far from any limit.
+// Returns an empty object if the entry is not a snapshot; real snapshots are far below the limits.
 QJsonObject jsonOf(const QByteArray& entry) {
     try {
         requireModestJson(entry, {});
@@ -66,7 +66,7 @@ std::set<QString> picturesOf(const Snapshot& snapshot) {
     return ids;
 }
 
-// Of a snapshot's picture; none where neither the project's snapshots nor its artwork have it.
+// Returns a snapshot's picture; empty if neither the project's snapshots nor its artwork have it.
 QByteArray pictureBytes(const Project& project, const QString& id) {
     const QString entry = pictureEntry(id);
     if (const auto kept = project.unknownEntries.find(entry);
@@ -81,8 +81,8 @@ QByteArray pictureBytes(const Project& project, const QString& id) {
     return {};
 }
 
-// The pictures of layers that only have their ids. Those that are to be read are read together, as
-// they count together.
+// Fills in the pictures of layers that only have ids. Pictures are read together, because one
+// budget limits them all.
 void findPictures(Artwork& artwork, const Project& project, const QString& snapshot) {
     std::map<QString, ArtworkPicture> found{{QString(), {}}};
     for (const ArtworkLayer& layer : project.artwork.layers) {
@@ -195,7 +195,7 @@ Snapshot snapshotOf(const Project& project, const QString& name, const QString& 
     settings.filmOnWater = {};
     QJsonObject state = toJson(settings);
     if (!state.contains(artworkKey)) {
-        state.insert(artworkKey, QJsonObject()); // there was none
+        state.insert(artworkKey, QJsonObject()); // records that there was no artwork
     }
     return {name.left(longestName).simplified(), taken, state, measures};
 }

@@ -1,8 +1,8 @@
-// Named states of a project, kept in its file beside project.json: entries snapshots/N.json.
+// Keeps named states of a project in its file beside project.json, as entries snapshots/N.json.
 //
-// A snapshot has the settings and the artwork, whose pictures lie beside the snapshots as
-// snapshots/artwork-ID.png, each once. What was found out since (parts as built, photos), the model
-// and the snapshots themselves are the project's and stay as they are when it goes back to one.
+// A snapshot holds the settings and the artwork. Each picture is stored once beside the snapshots
+// as snapshots/artwork-ID.png. Restoring a snapshot does not change the model, the measurements
+// (parts as built, photos) or the snapshots.
 #pragma once
 
 #include <QJsonObject>
@@ -13,30 +13,30 @@ namespace dipwright {
 
 struct Project;
 
+// One snapshot.
 struct Snapshot {
     QString name;
     QString taken;        // ISO date and time, local
-    QJsonObject state;    // as project.json
-    QJsonObject measures; // of the result that fitted then: numbers by name; empty: there was none
+    QJsonObject state;    // as in project.json
+    QJsonObject measures; // numbers of the result at that time, by name; empty: no result
     bool operator==(const Snapshot&) const = default;
 };
 
 inline constexpr std::size_t mostSnapshots = 50;
 
-// The newest mostSnapshots of them, the oldest first. Entries that are no snapshots are passed
-// over.
+// Returns the newest mostSnapshots snapshots, the oldest first. Skips entries that are not
+// snapshots.
 std::vector<Snapshot> snapshots(const Project& project);
-// The project with these, in place of those it has; where they are more than mostSnapshots, or
-// than 64 MiB with their pictures, without the oldest. Pictures come from those snapshots and from
-// the project's artwork.
+// Replaces the project's snapshots. Drops the oldest beyond mostSnapshots, or beyond 64 MiB with
+// their pictures. Pictures come from the present snapshots and the project's artwork.
 Project withSnapshots(Project project, const std::vector<Snapshot>& kept);
-// The project as it is, or, where it has more snapshots than that, without the oldest.
+// Drops the project's oldest snapshots beyond the same limits.
 Project withinSnapshotLimits(Project project);
-// Of the project as it is.
+// Takes a snapshot of the project's present state.
 Snapshot snapshotOf(const Project& project, const QString& name, const QString& taken,
                     const QJsonObject& measures);
-// The project as it was, as far as a snapshot has it; snapshots from before they had artwork leave
-// that as it is. Throws Error where its values are out of range or a picture is not there.
+// Restores a snapshot. Older snapshots without artwork leave the artwork alone. Throws Error if a
+// value is out of range or a picture is missing.
 Project atSnapshot(const Project& project, const Snapshot& snapshot);
 
 } // namespace dipwright

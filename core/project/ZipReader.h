@@ -1,4 +1,4 @@
-// A zip as the store needs it: read with distrust. disk/ZipWriter.h writes one.
+// Reads zips from untrusted sources. disk/ZipWriter.h writes them.
 #pragma once
 
 #include <QByteArray>
@@ -11,9 +11,9 @@ class QuaZip;
 
 namespace dipwright {
 
-// A zip to read from. All of the directory is judged before anything is unpacked: the constructor
-// throws Error for a file that is missing, empty, truncated, not a zip, encrypted, has unsafe or
-// repeated names, or is or would be larger than Budgets.h allows.
+// An open zip. The constructor checks the whole directory before anything is unpacked. It throws
+// Error if the file is missing, empty, truncated, not a zip or encrypted. It also throws Error for
+// unsafe or repeated names, and if the size exceeds Budgets.h, packed or unpacked.
 class ZipReader {
 public:
     explicit ZipReader(const QString& path);
@@ -21,7 +21,7 @@ public:
 
     const QSet<QString>& names() const { return names_; }
     bool contains(const QString& name) const { return names_.contains(name); }
-    // The whole entry, its checksum verified. Throws Error.
+    // Returns the whole entry after verifying its checksum. Throws Error.
     QByteArray read(const QString& name);
 
 private:

@@ -1,5 +1,5 @@
-// Where a picture that is traced needs more than one ray a pixel. Most pixels show light that
-// hardly changes; only where neighbours differ one is worth several.
+// Decides which pixels of a ray-traced picture need more than one ray: only those that differ from
+// their neighbours.
 #pragma once
 
 #include <QSize>
@@ -10,11 +10,11 @@
 
 namespace dipwright {
 
-// Red, green and blue as a picture has them.
+// Red, green and blue, encoded as in a picture.
 using PixelBytes = std::array<std::uint8_t, 3>;
 
-// Whether a pixel is like its neighbours, as far as anyone sees. `pixels`: row by row, what one ray
-// through each one's middle tells.
+// Whether a pixel looks the same as its neighbours. `pixels`: row by row, from one ray through each
+// pixel's centre.
 bool isEven(const std::vector<PixelBytes>& pixels, QSize size, int x, int y);
 
 } // namespace dipwright

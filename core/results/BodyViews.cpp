@@ -16,10 +16,10 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Results)
 };
 
-constexpr int samplesAcross = 3;  // of a pixel, both ways
+constexpr int samplesAcross = 3;  // rays per pixel in each direction
 constexpr float airRound = 1.22f; // times the body's own span
 
-// One view as light a pixel.
+// One view: the light in each pixel.
 class View {
 public:
     View(const RayLight& light, const BodyCamera& camera, float span, QSize size)
@@ -50,7 +50,7 @@ private:
 
     LinearColour sample(float x, float y) const {
         return light_(camera_.ray(QPointF(double(x), double(y)), span_, size_))
-            .min(1.0f); // before any mean, so that edges of highlights stay smooth
+            .min(1.0f); // before averaging, so that edges of highlights stay smooth
     }
 
     LinearColour meanLight(int x, int y) const {
@@ -70,8 +70,8 @@ private:
     const BodyCamera& camera_;
     float span_;
     QSize size_;
-    std::vector<LinearColour> centres_; // the light in the pixels' middles
-    std::vector<PixelBytes> shown_;     // the same as a picture has it
+    std::vector<LinearColour> centres_; // light at the pixels' centres
+    std::vector<PixelBytes> shown_;     // the same, encoded
 };
 
 } // namespace

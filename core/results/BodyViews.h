@@ -1,4 +1,4 @@
-// Pictures of a body from several sides, traced by rays.
+// Draws pictures of a body from several sides by ray tracing.
 #pragma once
 
 #include "base/Progress.h"
@@ -17,16 +17,16 @@ struct BodyRay {
     Eigen::Vector3f origin, direction;
 };
 
-// Looks at a body's middle from a side.
+// A camera that looks at the centre of a body.
 class BodyCamera {
 public:
-    // `turn`: radians from the front (0) to the right (a quarter turn) and on; `elevation`: of the
-    // camera over the horizon.
+    // `turn`: radians from the front (0) to the right (π/2) and on. `elevation`: radians over the
+    // horizon.
     BodyCamera(const BoundingBox& box, float turn, float elevation);
 
-    // Half the height of the view, at unit distance, that shows all of `mesh` in a `tile`.
+    // Returns half the height of the view, at unit distance, that shows all of `mesh` in a `tile`.
     float span(const TriangleMesh& mesh, QSize tile) const;
-    // Through a place of a view of that span and size, in pixels from its upper left corner.
+    // Returns the ray through `pixel`, from the upper left corner of a view of that span and size.
     BodyRay ray(QPointF pixel, float span, QSize tile) const;
 
     bool isBelow() const { return back_.y() < -0.5f; }
@@ -38,24 +38,24 @@ private:
     float distance_;
 };
 
-// From the front, the right, above, the back, the left and below, as they stand three by two in
-// pictures; the four sides from `elevation` radians over the horizon.
+// Returns cameras at the front, the right, above, the back, the left and below: the order of the
+// tiles, three by two. The four sides are seen from `elevation` radians over the horizon.
 inline constexpr int sideColumns = 3;
 std::vector<BodyCamera> sixSides(const BoundingBox& box, float elevation);
 QRect sideBox(int side, QSize tile);
 
-// The span with which all of the body is seen from each of these, with air round it.
+// Returns the span that shows the whole body, with a margin, in each of these cameras.
 float commonSpan(const std::vector<BodyCamera>& cameras, const TriangleMesh& mesh, QSize tile);
 
-// The light that comes along a ray; asked on many threads.
+// Returns the light along a ray; called on many threads.
 using RayLight = std::function<LinearColour(const BodyRay&)>;
 
-// Fills a tile of an RGB888 picture. Most pixels show light that hardly changes: one ray tells
-// theirs, and only where neighbours differ a pixel is worth many. All cores; throws Cancelled.
+// Traces a view into a tile of an RGB888 picture. Uses one ray for most pixels and several where
+// neighbours differ. All cores; throws Cancelled.
 void traceView(QImage& picture, const QRect& tile, const RayLight& light, const BodyCamera& camera,
                float span, const CancelToken& cancelToken);
 
-// The sides' names, and lines between them.
+// Draws the sides' names and lines between the tiles.
 void nameSides(QPainter& painter, QSize tile);
 
 } // namespace dipwright

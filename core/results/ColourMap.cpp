@@ -1,6 +1,6 @@
-// Colour maps as curves in OKLab (B. Ottosson, "A perceptual color space for image processing",
-// 2020): lightness runs evenly, so that equal steps of the value are equal steps to the eye and the
-// order survives any kind of colour vision and a grey print.
+// Defines colour maps as curves in OKLab (B. Ottosson, "A perceptual color space for image
+// processing", 2020). Lightness changes evenly: equal steps of the value look equal, and the order
+// stays visible in grey and with any colour vision.
 #include "results/Results.h"
 #include "texture/LinearLight.h"
 
@@ -40,7 +40,7 @@ bool isInGamut(const LinearColour& colour) {
     return (colour >= -1e-4f).all() && (colour <= 1 + 1e-4f).all();
 }
 
-// The colour with as much of its chroma as sRGB can show at that lightness.
+// Reduces the chroma until sRGB can show the colour at its lightness.
 QColor shown(OkLab colour) {
     LinearColour linear = linearColour(colour);
     while (!isInGamut(linear)) {

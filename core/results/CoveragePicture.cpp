@@ -20,10 +20,10 @@ struct Text {
 
 const QColor background(252, 252, 252);
 const QColor ink(38, 42, 48);
-const QColor joinColour(255, 221, 87); // on painterColour(Painter::Both)
+const QColor joinColour(255, 221, 87); // the seam; visible on painterColour(Painter::Both)
 const QColor pale(232, 235, 238);      // film that paints nothing
-constexpr float shownBand = 0.98f;     // past it the other dip gives less than a hundredth
-constexpr double joinWidth = 0.004;    // of the body's diagonal
+constexpr float shownBand = 0.98f;     // beyond it the other dip gives less than 1 %
+constexpr double joinWidth = 0.004;    // relative to the body's diagonal
 
 LinearColour linear(const QColor& colour) {
     const std::array<float, 256>& light = linearTable();
@@ -31,19 +31,20 @@ LinearColour linear(const QColor& colour) {
             light[std::size_t(colour.blue())]};
 }
 
-// Who paints a place `inside` bands from the join on a dip's side, where that dip or both reach it.
+// Returns which dip paints a place that `dip` or both reach. `inside`: distance from the seam to
+// the side of `dip`, in widths of the overlap.
 Painter painterAt(float inside, std::size_t dip) {
     const Painter own = dip == 0 ? Painter::First : Painter::Second;
     const Painter other = dip == 0 ? Painter::Second : Painter::First;
     return std::abs(inside) < shownBand / 2 ? Painter::Both : inside > 0 ? own : other;
 }
 
-// How wide the line of the join is drawn, in bands.
+// Returns the width of the drawn seam, in widths of the overlap.
 float joinWidthIn(const BodyShare& share, const Eigen::AlignedBox3f& box) {
     return float(joinWidth * double(box.diagonal().norm()) / std::max(share.overlap.middle, 0.1));
 }
 
-// The body as paper would be: bright where it faces the reader, on white.
+// The body in the colours of the dips, shaded: bright where it faces the viewer.
 class SharedBody {
 public:
     SharedBody(const ProofStage& stage, const BodyShare& share)
@@ -84,7 +85,7 @@ void letter(QPainter& painter, const QRect& box, int flags, const QString& text,
     painter.drawText(box, flags, text);
 }
 
-// The size of letters, at most `size`, with which the longest of some texts is `width` long.
+// Returns the font size, at most `size`, at which the longest text fits into `width`.
 int letterSize(const std::vector<ShareLine>& lines, int width, int size) {
     QFont font(QStringLiteral("DejaVu Sans"));
     font.setPixelSize(size);
@@ -118,17 +119,16 @@ std::vector<ShareLine> shareLines(const BodyShare& share, const QStringList& dip
                              .arg(name, locale.toString(area, 'f', 0),
                                   locale.toString(100 * area / share.areas.total(), 'f', 1))};
     };
-    return {
-        line(Painter::First, dips[0], share.areas.first),
-        line(Painter::Second, dips[1], share.areas.second),
-        line(Painter::Both, Text::tr("Both, along the join"), share.areas.both),
-        line(Painter::None, Text::tr("Not reached"), share.areas.none),
-        {joinColour, Text::tr("The join: %1 mm").arg(locale.toString(share.cost.length, 'f', 0))}};
+    return {line(Painter::First, dips[0], share.areas.first),
+            line(Painter::Second, dips[1], share.areas.second),
+            line(Painter::Both, Text::tr("Both, in the overlap"), share.areas.both),
+            line(Painter::None, Text::tr("Not painted"), share.areas.none),
+            {joinColour, Text::tr("Seam: %1 mm").arg(locale.toString(share.cost.length, 'f', 0))}};
 }
 
 QImage sharePicture(const LaidFilm& laid, const BodyShare& share, std::size_t dip, QSize pixels) {
     const PaintShare own = share.of(dip);
-    std::vector<float> inside, joining; // bands; not a number where it does not count
+    std::vector<float> inside, joining; // in widths of the overlap; NaN where it does not count
     for (const SurfacePoint& point : laid.contact().surface) {
         const float distance = point.isValid() ? own.fade.at(point) : std::nanf("");
         const bool joins = point.isValid() &&
@@ -171,7 +171,7 @@ QImage coveragePicture(const ProofStage& stage, const BodyShare& share,
     picture.fill(background);
     const SharedBody body(stage, share);
     for (int number = 0; number < int(cameras.size()); ++number) {
-        progress(0.9 * number / double(cameras.size()), Text::tr("Tracing the shares"));
+        progress(0.9 * number / double(cameras.size()), Text::tr("Drawing the coverage picture"));
         traceView(
             picture, sideBox(number, view), [&](const BodyRay& ray) { return body.light(ray); },
             cameras[std::size_t(number)], span, progress.cancelToken);

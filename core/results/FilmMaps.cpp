@@ -22,21 +22,21 @@ struct Text {
 const QColor background(252, 252, 252);
 const QColor ink(38, 42, 48);
 const QColor paleInk(105, 112, 120);
-// In none of the colour maps:
+// Colours that no colour map contains:
 const QColor unknown(208, 60, 140);
-const QColor past(255, 128, 96); // the end of the scale
+const QColor past(255, 128, 96); // values above the scale
 
-// The values that the colours span, and which colours.
+// The range of values and its colour map.
 struct Scale {
     double low = 1;
     double high = 1;
     double step = 0.1;
     QString map;
-    bool lowerHalf = false; // of the map's colours: up to its middle
-    bool hasPast = false;   // values past `high` have a colour of their own
+    bool lowerHalf = false; // use only the lower half of the map
+    bool hasPast = false;   // values above `high` have a colour of their own
 
     double share(double value) const { return std::clamp((value - low) / (high - low), 0.0, 1.0); }
-    // Of the colour map, from its first colour to its last.
+    // Returns the colour at a place of the scale, 0 … 1.
     QColor colour(double place) const { return mapColour(map, lowerHalf ? place / 2 : place); }
 };
 
@@ -51,10 +51,10 @@ double niceStep(double span) {
     return 10 * decade;
 }
 
-// From 1, unstretched, upwards; where film is compressed as well, evenly to both sides of 1. A few
-// points that tore away do not take the colours from the others: they lie past the scale's end.
+// Returns a scale from 1 (unstretched) upwards, or symmetric about 1 if film is also compressed. A
+// few outliers, such as torn film, lie outside the scale.
 Scale scaleOf(std::vector<float> values) {
-    constexpr double least = 0.02; // noise is not blown up to a picture
+    constexpr double least = 0.02; // a smaller range would show only noise
     constexpr double outliers = 0.002;
     std::sort(values.begin(), values.end());
     const auto last = double(values.size() - 1);
@@ -64,7 +64,7 @@ Scale scaleOf(std::vector<float> values) {
     const double above = std::clamp(highest - 1, least, 9.0);
     const double below = 1 - lowest;
     if (below > 0.1 * above && below > least / 2) {
-        const double reach = std::min(std::max(above, below), 1.0); // nothing is shorter than 0
+        const double reach = std::min(std::max(above, below), 1.0); // stretch is never below 0
         scale.step = niceStep(2 * reach);
         const double end = std::ceil(reach / scale.step - 1e-6) * scale.step;
         scale.low = 1 - end;
@@ -78,9 +78,9 @@ Scale scaleOf(std::vector<float> values) {
     return scale;
 }
 
-// Up to 1, from the most compressed place on.
+// Returns a scale from the most compressed place up to 1.
 Scale compressionScale(double least) {
-    constexpr double shallowest = 0.05; // noise is not blown up to a picture
+    constexpr double shallowest = 0.05; // a smaller range would show only noise
     const double depth = std::clamp(1 - least, shallowest, 1.0);
     Scale scale;
     scale.step = niceStep(depth);
@@ -105,8 +105,8 @@ QRgb faded(QRgb colour) {
                 part(qBlue(colour), background.blue()));
 }
 
-// The film in colours; pale where it is not on the body, a dark line round what is, hatched and in
-// a line of its colour what is marked.
+// Draws the film in colours: pale off the body, with a dark outline round the painted film. Marked
+// film is hatched and outlined in its colour.
 class FilmPicture {
 public:
     FilmPicture(const FilmValues& film, const solver::FilmGrid& grid, const Scale& scale,
@@ -153,7 +153,7 @@ private:
     double column(int x) const { return columnAt(grid_, (x + 0.5) / size_.width()); }
     double row(int y) const { return rowAt(grid_, (y + 0.5) / size_.height()); }
 
-    // Whether one of the pixels at this reach to all sides is not what this one `is`.
+    // Whether a pixel at this distance to any side does not satisfy `is`.
     template <typename Is>
     bool isBorder(int x, int y, int reach, const Is& is) const {
         return !(is(column(x - reach), row(y)) && is(column(x + reach), row(y)) &&
@@ -165,7 +165,7 @@ private:
     const Scale& scale_;
     QSize size_;
     std::array<QRgb, 256> colours_;
-    int reach_; // of the line round what is on the body, to each side, pixels
+    int reach_; // half the width of the outline of painted film, pixels
     Hatch hatch_;
 };
 
@@ -173,18 +173,18 @@ QString unitSign(LengthUnit unit) {
     return unit == LengthUnit::Inch ? Text::tr("in") : Text::tr("mm");
 }
 
-// What a map is of, in words and colours.
+// The texts and colours of a map.
 struct MapSubject {
     QString title, explanation;
     QString unit;    // under the scale
     QString summary; // under the map
     Scale scale;
-    LengthUnit length = LengthUnit::Millimetre; // of the rules along the film
-    bool goesOn = false;                        // there are values past the scale's upper end
-    std::uint8_t marks = 0;                     // solver::PointMark bits that are hatched somewhere
+    LengthUnit length = LengthUnit::Millimetre; // of the rulers along the film
+    bool goesOn = false;                        // some values lie above the scale
+    std::uint8_t marks = 0;                     // solver::PointMark bits that the map shows
 };
 
-// The picture's parts, all measured in hundredths of its height.
+// Draws a map with title, rulers and scale. Lengths are hundredths of the picture's height.
 class FilmMap {
 public:
     FilmMap(const solver::FilmGrid& grid, FilmValues values, MapSubject subject, int longEdge)
@@ -227,7 +227,7 @@ private:
         font.setStyleHint(QFont::SansSerif);
         font.setPixelSize(std::max(1, int(std::lround(size * unit_))));
         font.setBold(bold);
-        // Longer in other languages, and yet on the picture.
+        // Texts in other languages may be longer; they must still fit.
         const double room = picture_.width() - (box.left() + rightMargin) * unit_;
         const double width = QFontMetricsF(font).horizontalAdvance(text);
         if (width > room) {
@@ -254,7 +254,7 @@ private:
         drawRule(painter, grid_.depth, false);
     }
 
-    // Lengths along the film's lower or left edge, from its upper left corner.
+    // Draws a ruler along the film's lower or left edge, starting at its upper left corner.
     void drawRule(QPainter& painter, double millimetres, bool across) const {
         const double length = millimetres / millimetresIn(subject_.length);
         const double step = niceStep(length);
@@ -307,7 +307,7 @@ private:
                1.5, paleInk);
     }
 
-    // What is past the scale's upper end.
+    // Draws the legend for values above the scale.
     void drawPast(QPainter& painter, const QRectF& box) const {
         painter.setPen(QPen(ink, 0.12));
         painter.setBrush(past);
@@ -318,7 +318,7 @@ private:
 
     QString scaleLabel(double value) const {
         const Scale& scale = subject_.scale;
-        int decimals = 1; // that tell the steps apart
+        int decimals = 1; // enough to tell the steps apart
         for (double step = 10 * scale.step; std::abs(step - std::round(step)) > 1e-6 * step;
              step *= 10) {
             ++decimals;
@@ -332,7 +332,7 @@ private:
         const QRectF box(plot_.left(), plot_.bottom() + 4.6, plot_.width(), 2);
         letter(painter, box, Qt::AlignLeft, subject_.summary, 1.6, ink);
         letter(painter, box.translated(0, 2.4), Qt::AlignLeft,
-               Text::tr("Outlined: film on the body · pale: film left over"), 1.5, paleInk);
+               Text::tr("Outlined: film on the part · pale: unused film"), 1.5, paleInk);
         drawMarks(painter, box.translated(0, 4.8));
     }
 
@@ -363,9 +363,9 @@ MapSubject stretchSubject(const FilmValues& values) {
     const Distribution stretch = distribution(painted);
     const Scale scale = scaleOf(painted);
     return {Text::tr("Stretch of the film"),
-            Text::tr("Mean of each point's constraints, final over rest length; ink side up"),
+            Text::tr("Mean stretch at each point, final over rest length; ink side up"),
             Text::tr("stretch\nmm per mm"),
-            Text::tr("On the body: min %1 · mean %2 · 95 % %3 · max %4")
+            Text::tr("On the part: min. %1 · mean %2 · 95 % below %3 · max. %4")
                 .arg(rounded(stretch.minimum), rounded(stretch.mean), rounded(stretch.percentile95),
                      rounded(stretch.maximum)),
             scale,
@@ -378,14 +378,13 @@ MapSubject wrinklingSubject(const FilmValues& values, const Wrinkling& wrinkling
         Text::tr("Wrinkling of the film"),
         Text::tr("Smaller principal stretch; below 1 the film is compressed and may fold"),
         Text::tr("stretch\nmm per mm"),
-        Text::tr("On the body: compressed by over 1 % on %1 % of the film · smallest stretch %2")
+        Text::tr("On the part: %1 % of the film is compressed by over 1 % · smallest stretch %2")
             .arg(QLocale().toString(100 * wrinkling.share, 'f', 1), rounded(wrinkling.least)),
         compressionScale(distribution(values.paintedValues()).minimum)};
 }
 
-// From 0 up to what all but a few points keep below, but to a few times `limit` at most: a few
-// places that are far off do not take the colours from the others. `least`: noise is not blown up
-// to a picture.
+// Returns a scale from 0 to the values of nearly all points, at most a few times `limit`. Outliers
+// lie above the scale. `least`: the smallest range, so that noise does not fill the picture.
 Scale changeScale(std::vector<float> values, double limit, double least) {
     constexpr double outliers = 0.01;
     constexpr double mostLimits = 4;
@@ -402,7 +401,7 @@ Scale changeScale(std::vector<float> values, double limit, double least) {
     return scale;
 }
 
-// Distances over the film, as they are told.
+// Distances over the film in the unit shown.
 struct ToldDistances {
     ToldDistances(const LaidFilm& laid, std::vector<float> millimetres, double limitMillimetres,
                   LengthUnit wanted)
@@ -414,7 +413,7 @@ struct ToldDistances {
           scale(changeScale(painted, limit, 0.02 / millimetresIn(wanted))) {}
 
     QString text(double value, int decimals) const {
-        const int more = unit == LengthUnit::Inch ? 1 : 0; // about as fine as in millimetres
+        const int more = unit == LengthUnit::Inch ? 1 : 0; // about the resolution of millimetres
         return Text::tr("%1 %2", "a number and its unit")
             .arg(QLocale().toString(value, 'f', decimals + more), unitSign(unit));
     }
@@ -427,7 +426,7 @@ struct ToldDistances {
     Scale scale;
 
 private:
-    // The scale's steps are as large, which are to be read.
+    // The scale's steps equal the limit, so it is rounded to be readable.
     static double twoDigits(double value) {
         const double decade = std::pow(10, std::floor(std::log10(value)) - 1);
         return std::round(value / decade) * decade;
@@ -441,10 +440,10 @@ private:
 };
 
 MapSubject certaintySubject(const ToldDistances& told) {
-    return {Text::tr("Certainty of the sheet"),
-            Text::tr("Numerical error of the ink's position; ink side up"),
-            Text::tr("change\n%1").arg(unitSign(told.unit)),
-            Text::tr("Limit: %1 · magenta: painted in only one of the dips")
+    return {Text::tr("Numerical error of the sheet"),
+            Text::tr("How far the image may be off because of cell and step; ink side up"),
+            Text::tr("error\n%1").arg(unitSign(told.unit)),
+            Text::tr("Limit: %1 · magenta: painted by only one of the compared dips")
                 .arg(told.text(told.limit, 2)),
             told.scale,
             told.unit,
@@ -454,9 +453,9 @@ MapSubject certaintySubject(const ToldDistances& told) {
 
 MapSubject toleranceSubject(const ToldDistances& told) {
     return {Text::tr("Tolerance of the sheet"),
-            Text::tr("How far the ink may land off its place on the body; ink side up"),
-            Text::tr("off by\n± %1").arg(unitSign(told.unit)),
-            Text::tr("On the body: 95 % within ±%1")
+            Text::tr("How far handling may move the image on the part; ink side up"),
+            Text::tr("shift\n± %1").arg(unitSign(told.unit)),
+            Text::tr("On the part: 95 % is within ±%1")
                 .arg(told.text(distribution(told.painted).percentile95, 2)),
             told.scale,
             told.unit,

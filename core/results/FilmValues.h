@@ -1,4 +1,4 @@
-// Numbers over the flat film, to be drawn.
+// Interpolates values over the flat film, for drawing maps.
 #pragma once
 
 #include "dip/FilmMarks.h"
@@ -9,15 +9,14 @@
 
 namespace dipwright {
 
-// A value a film point, NaN where it is not known, which of the film is on the body, and how that
-// is marked.
+// One value for each film point (NaN if unknown), which film is on the body, and its marks.
 class FilmValues {
 public:
     FilmValues(const LaidFilm& laid, std::vector<float> values)
         : grid_(laid.film().grid), values_(std::move(values)), painted_(laid.contact().painted),
           isOn_(laid.painted().points) {}
 
-    // At a place given in cells, columns to the right and rows down.
+    // Returns the value at a place given in cells, columns to the right and rows down.
     double at(double column, double row) const {
         const int i = std::clamp(int(column), 0, grid_.columns - 2);
         const int j = std::clamp(int(row), 0, grid_.rows - 2);
@@ -31,11 +30,11 @@ public:
 
     bool isPainted(double column, double row) const { return painted_[triangle(column, row)] != 0; }
 
-    // Of painted film; nothing before showMarks().
+    // Returns the gravest mark of painted film; nothing before showMarks().
     std::optional<solver::PointMark> mark(double column, double row) const {
         return marks_.empty() ? std::nullopt : gravestMark(marks_[triangle(column, row)]);
     }
-    // Returns the solver::PointMark bits that are shown.
+    // Shows the marks of painted film and returns their solver::PointMark bits.
     std::uint8_t showMarks(const LaidFilm& laid) {
         std::uint8_t shown = 0;
         marks_.assign(painted_.size(), 0);
@@ -46,7 +45,7 @@ public:
         return shown;
     }
 
-    // Those known of the points that belong to painted film, or of all where nothing is painted.
+    // Returns the known values on painted film, or on the whole film if nothing is painted.
     std::vector<float> paintedValues() const {
         std::vector<float> painted, all;
         for (std::size_t i = 0; i < values_.size(); ++i) {
@@ -66,7 +65,7 @@ private:
         const int j = std::clamp(int(row), 0, grid_.rows - 2);
         const double x = column - i;
         const double y = row - j;
-        // As filmTriangles() cuts the cells: the first triangle is the left one.
+        // filmTriangles() divides the cells this way; the first triangle is the left one.
         const bool first = (i + j) % 2 == 0 ? y >= x : x + y <= 1;
         return 2 * (std::size_t(j) * std::size_t(grid_.columns - 1) + std::size_t(i)) +
                (first ? 0 : 1);
@@ -74,9 +73,9 @@ private:
 
     solver::FilmGrid grid_;
     std::vector<float> values_;
-    std::vector<std::uint8_t> painted_; // a film triangle each, as
-    std::vector<std::uint8_t> marks_;   // solver::PointMark bits; empty: not shown
-    std::vector<std::uint8_t> isOn_;    // a film point each
+    std::vector<std::uint8_t> painted_; // of each film triangle
+    std::vector<std::uint8_t> marks_;   // solver::PointMark bits of each; empty: not shown
+    std::vector<std::uint8_t> isOn_;    // of each film point: whether it is on the body
 };
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// Lines across a picture over what is marked.
+// Hatches marked film in pictures.
 #pragma once
 
 #include "dip/FilmMarks.h"
@@ -10,14 +10,14 @@ class QRectF;
 
 namespace dipwright {
 
-// Slanting lines, one in the mark's colour beside a white one so that they show on any colour, and
-// what lies between them left as it is.
+// Slanting lines in the mark's colour, each beside a white line so that it shows on any colour. The
+// picture between them stays visible.
 class Hatch {
 public:
-    // `longEdge` of the picture, pixels.
+    // `longEdge`: of the picture, in pixels.
     explicit Hatch(int longEdge);
 
-    // Whether a line goes over a pixel, and its colour there.
+    // Whether a line covers a pixel, and its colour there.
     bool isOn(int x, int y) const { return 2 * along(x, y) < period_; }
     QRgb colour(int x, int y, solver::PointMark mark) const;
 
@@ -27,7 +27,7 @@ private:
     int period_; // pixels along a row
 };
 
-// A small piece of hatched ground, for a legend; `box` and the lines in the painter's units.
+// Draws a hatched box for a legend. `box` and the lines are in the painter's units.
 void paintHatched(QPainter& painter, const QRectF& box, solver::PointMark mark);
 
 } // namespace dipwright

@@ -14,21 +14,21 @@ namespace {
 
 const LinearColour bareBody(0.62f, 0.62f, 0.60f);
 
-// A film image that can be asked for the light at a place on the film.
+// Interpolates a film image at places of the film.
 class FilmPicture {
 public:
     FilmPicture(const QImage& image, const solver::FilmGrid& grid)
         : image_(isWide(image) ? image : image.convertToFormat(QImage::Format_RGBA8888)),
           code_(image_), width_(float(grid.width)), depth_(float(grid.depth)) {}
 
-    // Light in sRGB of light in the picture's own primaries.
+    // Converts light from the picture's own primaries to sRGB.
     LinearColour inSrgb(const LinearColour& light) const {
         return code_.isWide() ? srgbLight(light) : light;
     }
 
     struct Paint {
-        LinearColour colour = LinearColour::Zero(); // of a sum: times the cover
-        float cover = 0;                            // 0: unprinted … 1
+        LinearColour colour = LinearColour::Zero(); // multiplied by the cover in sums
+        float cover = 0;                            // 0 (unprinted) … 1
     };
 
     Paint at(const Eigen::Vector2f& rest) const {
@@ -63,7 +63,7 @@ private:
 
 } // namespace
 
-// One immersion's paint on the body.
+// The paint of one dip on the body.
 class PaintedFilm {
 public:
     PaintedFilm(const FilmAppearance& appearance, const InkSettings& ink)
@@ -76,7 +76,7 @@ public:
         }
     }
 
-    // How much of a place its white hides, 0 … 1.
+    // Returns how much of the ground the white layer hides at a place, 0 … 1.
     float whiteAt(const SurfacePoint& point) const {
         const std::optional<FilmPlace> place = white_.isNull() ? std::nullopt : placeOf(point);
         if (!place) {
@@ -86,7 +86,7 @@ public:
         return isCompensated_ ? ink_.shownWhite(printed, areaStretch(*place)) : printed;
     }
 
-    // The light that its ink lets through at a place of the body, and how much of it is there.
+    // Returns the light that the ink lets through at a place of the body, and its cover.
     FilmPicture::Paint at(const SurfacePoint& point) const {
         const std::optional<FilmPlace> place = placeOf(point);
         if (!place) {
@@ -106,7 +106,7 @@ public:
         return paint;
     }
 
-    // solver::PointMark bits of its paint there; nothing where it has put none.
+    // Returns the solver::PointMark bits of its paint at a place; nothing if it does not paint it.
     std::optional<std::uint8_t> marks(const SurfacePoint& point) const {
         const std::optional<FilmPlace> place = placeOf(point);
         if (!place || picture_.at(printedAt(place->rest)).cover <= 0) {
@@ -121,7 +121,7 @@ private:
         LinearColour light; // that full tint lets through
     };
 
-    // Where nothing else is printed the film is clear.
+    // Adds a spot colour. Film without other ink is clear.
     void throughSpot(FilmPicture::Paint& paint, const Spot& spot, const FilmPlace& place) const {
         float tint = tintAt(spot.tints, place);
         if (tint > 0) {
@@ -132,7 +132,7 @@ private:
         }
     }
 
-    // As printed, 0 … 1.
+    // Returns the printed tint, 0 … 1.
     float tintAt(const QImage& tints, const FilmPlace& place) const {
         const solver::FilmGrid& grid = laid_->film().grid;
         const Eigen::Vector2f at = printedAt(place.rest);
@@ -144,12 +144,12 @@ private:
         return float(tints.constScanLine(row)[column]) / 255;
     }
 
-    // Of the film that covers a place of the body, if the dip gets as deep.
+    // Returns the film on a place of the body; nothing above the water's highest level.
     std::optional<FilmPlace> placeOf(const SurfacePoint& point) const {
         return position(laid_->body().mesh, point).y() > highest_ ? std::nullopt
                                                                   : laid_->place(point);
     }
-    // The place of the picture that lies where the flat film has `rest`, were it in its place.
+    // Returns the place of the picture that the slipped film brings to `rest`.
     Eigen::Vector2f printedAt(const Eigen::Vector2f& rest) const {
         const Eigen::Rotation2Df back(-float(radians(slip_.turn)));
         const Eigen::Vector2f shift(float(slip_.shift[0].value()), float(slip_.shift[1].value()));
@@ -170,7 +170,7 @@ private:
     QImage white_;
     std::vector<Spot> spots_;
     FilmSlip slip_;
-    float highest_; // in the pose frame, that gets wet
+    float highest_; // the highest wet place, y in the pose frame, mm
 };
 
 PaintedBody::PaintedBody(const std::vector<FilmAppearance>& films, const InkSettings& ink,

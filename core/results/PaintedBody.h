@@ -1,4 +1,4 @@
-// The ink of several films on one body.
+// Combines the ink of several films on one body.
 #pragma once
 
 #include "results/Results.h"
@@ -11,19 +11,19 @@ namespace dipwright {
 
 class PaintedFilm;
 
-// Keeps the films. Any thread may read.
+// Keeps the films. Any thread may read it.
 class PaintedBody {
 public:
-    // `ink`: by which the images were compensated, if they were.
+    // `ink`: how the images were compensated, if at all.
     PaintedBody(const std::vector<FilmAppearance>& films, const InkSettings& ink,
                 const Ground& ground = {});
     ~PaintedBody();
 
-    // The bare body, or the films' ink on white or on the body's own colour. Densities add up:
-    // light goes through them all.
+    // Returns the bare body's colour, or the films' ink on white or on the body's own colour.
+    // Densities add up, because light passes through all films.
     LinearColour colour(const SurfacePoint& point) const;
-    // solver::PointMark bits of the film that was dipped last of those that paint a place; nothing
-    // where none does.
+    // Returns the solver::PointMark bits of the last dipped film that paints a place; nothing if
+    // none does.
     std::optional<std::uint8_t> marks(const SurfacePoint& point) const;
 
 private:

@@ -23,7 +23,7 @@ struct Text {
 const LinearColour table(0.93f, 0.935f, 0.94f);
 constexpr float elevation = 22 * std::numbers::pi_v<float> / 180; // of the camera over the horizon
 
-// The light that the table, the body and its paint send along a ray.
+// The light from the table, the body and its paint along a ray.
 class Scene {
 public:
     Scene(const ProofStage& stage, const std::vector<FilmAppearance>& films,
@@ -36,9 +36,9 @@ public:
         }
     }
 
-    // solver::PointMark bits of any film.
+    // Returns the solver::PointMark bits of all films.
     std::uint8_t marks() const { return marks_; }
-    // How the paint is marked that a ray meets first, that of the film that was dipped last.
+    // Returns the gravest mark of the last dipped film at the place that a ray hits.
     std::optional<solver::PointMark> mark(const BodyRay& ray) const {
         const RayHit hit = query_.hit(ray.origin, ray.direction);
         const auto marks = hit.point.isValid() ? films_.marks(hit.point) : std::nullopt;
@@ -62,7 +62,7 @@ private:
         const Eigen::Vector3f lamp =
             (0.5f * camera.up() - 0.45f * camera.right() - ray.direction).normalized();
         const float facing = std::max(0.0f, 0.25f + 0.75f * normal.dot(lamp));
-        // From below the table is of glass.
+        // Seen from below, the table is transparent.
         const float open = camera.isBelow() ? 1 : sky_.onBody(point);
         const float room = open * (0.75f + 0.25f * (camera.isBelow() ? -normal.y() : normal.y()));
         const Eigen::Vector3f halfway = (lamp - ray.direction).normalized();
@@ -91,7 +91,7 @@ private:
     std::uint8_t marks_ = 0;
 };
 
-// Over what marked film paints, in a tile of the picture.
+// Hatches the area that marked film paints, in a tile of the picture.
 void hatchView(QImage& picture, const QRect& tile, const Scene& scene, const BodyCamera& camera,
                float span) {
     const Hatch hatch(picture.height());
@@ -112,7 +112,7 @@ void hatchView(QImage& picture, const QRect& tile, const Scene& scene, const Bod
     });
 }
 
-// What the hatches mean that are in the picture, along its lower edge.
+// Draws a legend of the hatches along the picture's lower edge.
 void drawMarks(QImage& picture, std::uint8_t marks) {
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);

@@ -9,7 +9,7 @@
 namespace dipwright {
 namespace {
 
-// Evenly spread over the half sphere round +Z, denser towards its pole as light counts there more
+// Returns directions in the half sphere round +Z, denser towards the pole, where light counts more
 // (cosine-weighted Fibonacci spiral).
 std::vector<Eigen::Vector3f> hemisphere(int count) {
     std::vector<Eigen::Vector3f> directions;
@@ -46,7 +46,7 @@ SkyLight::SkyLight(const TriangleMesh& mesh, const SurfaceQuery& query)
     const BoundingBox box = boundingBox(mesh);
     const float size = box.diagonal().norm();
     const std::vector<Eigen::Vector3f> normals = vertexNormals(mesh);
-    // Fine meshes have many positions to share the noise of few rays.
+    // Fine meshes need fewer rays, because interpolation between many positions averages the noise.
     const auto rays = int(std::clamp<std::size_t>(4'000'000 / mesh.positions.size(), 12, 96));
     const std::vector<Eigen::Vector3f> overBody = hemisphere(rays);
     parallelFor(std::size_t(0), body_.size(), [&](std::size_t i) {

@@ -1,4 +1,4 @@
-// A body on a light table, ready to be looked at: what a ray meets, and the light there.
+// Prepares a body on a light table for ray tracing: ray queries, normals and ambient light.
 #pragma once
 
 #include "geometry/CornerNormals.h"
@@ -6,14 +6,14 @@
 
 namespace dipwright {
 
-// How much of the sky is open, 0 … 1, over each position of a mesh (ambient occlusion), and over
-// the table under it. Computed once, by rays on all cores; read from any thread.
+// The visible share of the sky, 0 … 1, at each position of a mesh (ambient occlusion) and on the
+// table below it. Computed once by rays on all cores; any thread may read it.
 class SkyLight {
 public:
     SkyLight(const TriangleMesh& mesh, const SurfaceQuery& query);
 
     float onBody(const SurfacePoint& point) const;
-    // On the table, y = tableHeight(), at x and z.
+    // Returns the share at x and z on the table, y = tableHeight().
     float onTable(float x, float z) const;
     float tableHeight() const { return tableHeight_; }
 
@@ -21,13 +21,14 @@ private:
     static constexpr int tableCells = 96;
 
     const TriangleMesh& mesh_;
-    std::vector<float> body_; // a position each
+    std::vector<float> body_; // of each position
     float tableHeight_ = 0;
     Eigen::Vector2f tableOrigin_ = Eigen::Vector2f::Zero();
     float tableSpacing_ = 1;
     std::vector<float> table_; // (tableCells + 1)², rows along x
 };
 
+// The body with all that ray tracing needs. Keeps a reference to the mesh.
 struct ProofStage {
     explicit ProofStage(const TriangleMesh& body)
         : mesh(body), query(body), normals(cornerNormals(body)), sky(body, query),

@@ -1,7 +1,7 @@
-// What a run leaves behind: VTK files, heatmaps, proof pictures.
+// Makes the result files of a run: VTK files, maps and proof pictures.
 //
-// The pictures are lettered, which needs a QGuiApplication (the "offscreen" platform will do). All
-// functions are reentrant and give the same bytes for the same input.
+// The pictures contain text, which needs a QGuiApplication (the "offscreen" platform suffices). All
+// functions are reentrant and return the same bytes for the same input.
 #pragma once
 
 #include "dip/Coverage.h"
@@ -14,126 +14,124 @@
 
 namespace dipwright {
 
-// VTK XML PolyData files as docs/files-and-commands.md, "Result files", says, in the pose frame:
-// float arrays, compressed. `appearance`: of the body, whose texture coordinates are written.
+// Return VTK XML PolyData files in the pose frame, with compressed float arrays
+// (docs/files-and-commands.md, "Result files"). `appearance`: gives the body's texture coordinates.
 QByteArray filmVtp(const LaidFilm& laid, const SurfaceAppearance& appearance);
 QByteArray bodyVtp(const PosedBody& body, const SurfaceAppearance& appearance,
                    const Coverage& coverage);
 
-// The mean stretch of each film point over the flat film, ink side up, with a labelled scale, the
-// outline of the painted area and its distribution. `longEdge` pixels tall.
+// Draws the mean stretch of each film point on the flat film, ink side up. Adds a labelled scale,
+// the outline of the painted area and its distribution. `longEdge`: pixels.
 QImage stretchMap(const LaidFilm& laid, int longEdge);
 
-// Where film on the body is compressed and may fold: the smaller principal stretch λ2 over the flat
-// film, drawn like stretchMap(); white where nothing is compressed.
+// Draws where film on the body is compressed and may fold: the smaller principal stretch λ2, drawn
+// like stretchMap(). White where nothing is compressed.
 QImage wrinklingMap(const LaidFilm& laid, int longEdge);
 
-// How far the sheet moves when it is computed more finely: `changes` in mm, told in `unit`, one of
-// each film point, NaN where it paints in one of the dips only; over the flat film, drawn like
-// stretchMap(). Marked film on the body is hatched. The colours go up to a few times `limit`, mm,
-// what a place of a certain sheet changes by at most; what is past them has a colour of its own.
+// Draws the numerical error on the flat film, like stretchMap(), with marked film hatched.
+// `changes`: of each film point in mm, shown in `unit`; NaN where only one of the dips paints. The
+// scale ends at a few times `limit` (mm); higher values have a colour of their own.
 QImage certaintyMap(const LaidFilm& laid, const std::vector<float>& changes, double limit,
                     int longEdge, LengthUnit unit = LengthUnit::Millimetre);
 
-// How far colours may land off their places: `spread` in mm, told in `unit`, one of each film
-// point; over the flat film, drawn like certaintyMap(), the colours up to a few times `limit`, mm.
+// Draws how far handling may move the image, like certaintyMap(). `spread`: of each film point in
+// mm, shown in `unit`. The scale ends at a few times `limit` (mm).
 QImage toleranceMap(const LaidFilm& laid, const std::vector<float>& spread, double limit,
                     int longEdge, LengthUnit unit = LengthUnit::Millimetre);
 
-// Colour maps of even lightness steps, made in OKLab: "lagoon" (dark blue over green to yellow),
-// "dusk" (blue over grey to yellow, the same to readers with any colour vision), both light at 1;
-// "balance" (blue over near-white to orange, the middle at 0.5); "grey".
+// Names of the colour maps, all with even lightness steps: "lagoon" (dark blue, green, yellow),
+// "dusk" (blue, grey, yellow; equal for any colour vision), "balance" (blue, near-white at 0.5,
+// orange) and "grey". "lagoon" and "dusk" are light at 1.
 QStringList colourMaps();
-// The colour at `value`, clamped to 0 … 1. Throws Error on an unknown map.
+// Returns the colour at `value`, clamped to 0 … 1. Throws Error for an unknown map.
 QColor mapColour(const QString& map, double value);
 
-// By which film that is marked so is told from other film in maps, proof and views.
+// Returns the colour of marked film in maps, proof and views.
 QColor markColour(solver::PointMark mark);
 
-// By which the shares of two dips are told apart, in maps and views.
+// Returns the colour of a dip's share in maps and views.
 QColor painterColour(Painter painter);
 
-// A colour of a shared body and what it means.
+// A colour of a shared body and its meaning.
 struct ShareLine {
     QColor colour;
     QString text;
 };
-// Who paints how much of the body, mm² and per cent, and how long the join is. `dips`: the names of
-// the two.
+// Returns how much of the body each dip paints, in mm² and per cent, and the length of the seam.
+// `dips`: the names of the two dips.
 std::vector<ShareLine> shareLines(const BodyShare& share, const QStringList& dips);
 
-// The flat film of dip `dip`, 0 or 1, in the colours of those who paint what it lies on, and the
-// join; ink side up, the whole film.
+// Draws the whole flat film of dip `dip`, 0 or 1, ink side up, with the seam. Each place has the
+// colour of the dips that paint the body there.
 QImage sharePicture(const LaidFilm& laid, const BodyShare& share, std::size_t dip, QSize pixels);
 
-// How far a floating film lies off its place when the body comes down, how much it has grown beyond
-// what was reckoned with, and how much deeper the body is dipped. The film is much alike
-// everywhere, so that the body meets other ink and no other film; what is laid is laid as it would
-// be in a deeper dip.
+// A placement error of the floating film, additional swell, and additional depth of the dip. The
+// body then meets other ink, but the film deforms as before, because film is nearly uniform. A
+// greater depth uses the film of a deeper dip.
 struct FilmSlip {
     std::array<Millimetres, 2> shift{}; // along the film's X and Z
-    Degrees turn{0};                    // from X to Z, about the film's middle
-    double swell = 1;                   // times as large
-    Millimetres deeper{0};              // less deep where negative
+    Degrees turn{0};                    // from X to Z, about the film's centre
+    double swell = 1;                   // factor on the film's size
+    Millimetres deeper{0};              // negative: less deep
     bool operator==(const FilmSlip&) const = default;
 };
 
-// A plate of a film that is printed with an ink of its own.
+// A spot colour's plate on a film.
 struct PrintedSpot {
     QImage tints;  // of the flat film, Grayscale8
-    QColor colour; // of full tint on white
+    QColor colour; // full tint on white
 };
 
-// One immersion's film, on the body in its own pose, wearing a picture.
+// The film of one dip on the body, in the dip's pose, with its picture.
 struct FilmAppearance {
     std::shared_ptr<const LaidFilm> laid;
     QImage image; // of the flat film
     FilmSlip slip = {};
-    // mm from the body's lowest point up to the water at the end of the dip that was reckoned with;
-    // a slip that goes deeper needs a film that was dipped so deep.
+    // Planned depth: mm from the body's lowest point up to the water at the end of the dip. A slip
+    // that goes deeper needs a film that was dipped at least that deep.
     double depth = std::numeric_limits<double>::infinity();
     QImage white = {};                   // tints of its white layer, Grayscale8; null: none
-    std::vector<PrintedSpot> spots = {}; // light goes through them as through the other inks
+    std::vector<PrintedSpot> spots = {}; // transparent like the other inks
 };
 
-// What the films' ink is seen on.
+// The surface below the ink.
 struct Ground {
-    // Of the bare body: light goes through the ink to it, but for what white hides. None: a bare
-    // body is shown light grey, and ink as it looks on white.
+    // Colour of the bare body, seen through the ink where no white hides it. None: the bare body is
+    // light grey, and ink looks as on white.
     std::optional<QColor> base = {};
-    bool whiteOutside = false; // white was printed first: it lies over the colour
+    bool whiteOutside = false; // white was printed first and lies over the colours
 };
 
-// What the films give the body, by the middles of the fine triangles: a colour each, as the proof
-// has it in white light. All cores.
+// Returns the colour at the centre of each fine triangle of the body in white light, as in the
+// proof. All cores.
 std::vector<QRgb> printedColours(const RefinedMesh& body, const std::vector<FilmAppearance>& films,
                                  const InkSettings& ink, const Ground& ground = {});
 
 struct ProofOptions {
-    QSize tile{640, 640}; // one view's pixels
-    InkSettings ink = {}; // by which the images were compensated, if they were
+    QSize tile{640, 640}; // pixels of one view
+    InkSettings ink = {}; // how the images were compensated, if at all
     Ground ground = {};
 };
 
-// A body on a light table, ready to be shown in proofs: what is the same whatever film it wears.
+// A body on a light table: the part of a proof that does not depend on the films.
 struct ProofStage;
-// Computed by rays on all cores. Keeps a reference to the model. Any thread may read.
+// Computes the stage by rays on all cores. Keeps a reference to the model. Any thread may read it.
 std::shared_ptr<const ProofStage> proofStage(const TexturedMesh& model);
 
 // One dip of a shared body.
 struct SharedFilm {
     std::shared_ptr<const LaidFilm> laid;
-    QString name; // the dip's
+    QString name; // of the dip
 };
-// Who paints what: the body from six sides, both flat films, the areas. `tile`: a view's pixels.
-// Throws Cancelled.
+// Draws which dip paints what: the body from six sides, both flat films, and the areas. `tile`:
+// pixels of one view. Throws Cancelled.
 QImage coveragePicture(const ProofStage& stage, const BodyShare& share,
                        const std::vector<SharedFilm>& films, int tile, const Progress& progress);
 
-// The body as it will come out, in model orientation: front (along −Z), right and above over back,
-// left and below, the four sides from slightly above. Where films lie over each other
-// their densities add up, unpainted body is light grey, what marked film paints is hatched. Traced
-// by Embree on all cores, without OpenGL; throws Cancelled.
+// Draws the painted body in model orientation: front (along −Z), right and above in the upper row;
+// back, left and below in the lower. The four sides are seen from slightly above. Densities of
+// overlapping films add up, the bare body is light grey, and marked film is hatched. Traced by
+// Embree on all cores, without OpenGL; throws Cancelled.
 QImage proofPicture(const ProofStage& stage, const std::vector<FilmAppearance>& films,
                     const ProofOptions& options, const Progress& progress);
 

@@ -26,7 +26,7 @@ QByteArray vtpBytes(vtkPolyData* data) {
     writer->SetCompressorTypeToZLib();
     writer->WriteToOutputStringOn();
     if (writer->Write() != 1) {
-        throw std::bad_alloc(); // nothing else can go wrong in memory
+        throw std::bad_alloc(); // writing to memory fails for no other reason
     }
     return QByteArray::fromStdString(writer->GetOutputString());
 }
@@ -66,7 +66,8 @@ vtkNew<vtkCellArray> cells(const std::vector<std::array<std::uint32_t, 3>>& tria
     return result;
 }
 
-// A body whose points each have one texture coordinate: those on a seam are there once a chart.
+// A body whose points each have one texture coordinate. Points on a chart's border are repeated for
+// each chart.
 struct SplitBody {
     std::vector<Eigen::Vector3f> positions;
     std::vector<Eigen::Vector2f> textureCoordinates;
@@ -74,7 +75,7 @@ struct SplitBody {
 };
 
 SplitBody splitAtSeams(const TriangleMesh& mesh, const SurfaceAppearance& appearance) {
-    using Key = std::array<std::uint32_t, 3>; // bits, as NaN is not equal to itself
+    using Key = std::array<std::uint32_t, 3>; // bits, because NaN does not equal itself
     std::map<Key, std::uint32_t> known;
     SplitBody body;
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {

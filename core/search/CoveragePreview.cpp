@@ -13,11 +13,11 @@ namespace {
 
 constexpr double fewestTriangles = 6000;
 constexpr int heightCells = 160;     // along the longer side of the body's shadow
-constexpr float wallSlope = 0.25f;   // faces that turn down by less (−n.y) stand upright
-constexpr float cellsOfSlack = 1.5f; // that a face may lie above the lowest of its cell, …
-constexpr float steepestSlack = 4;   // … times its slope, at most
+constexpr float wallSlope = 0.25f;   // faces with a smaller −n.y count as upright
+constexpr float cellsOfSlack = 1.5f; // cells that a face may lie above its cell's lowest place …
+constexpr float steepestSlack = 4;   // … times its slope, which counts up to this
 
-// The lowest of a body over each cell of the water.
+// The body's lowest place over each cell of the water.
 class HeightField {
 public:
     explicit HeightField(const std::vector<Eigen::Vector3f>& places) {
@@ -42,7 +42,7 @@ public:
         }
         const float area = (b.x() - a.x()) * (c.z() - a.z()) - (b.z() - a.z()) * (c.x() - a.x());
         if (!(std::abs(area) > 1e-12f)) {
-            return; // seen from its edge: its corners say it all
+            return; // a vertical triangle: its corners suffice
         }
         const auto [left, right] = std::minmax({a.x(), b.x(), c.x()});
         const auto [top, bottom] = std::minmax({a.z(), b.z(), c.z()});
@@ -84,10 +84,11 @@ bool isSeenFromBelow(const HeightField& heights, const Eigen::Vector3f& place, f
     return place.y() <= heights.lowestAt(place) + slack;
 }
 
-// The y of the normal of the steepest face that turns up and is still painted. Film is laid along a
-// face of u by g − (1 − g) u of its length, g falling from 1 at the beginning u₁ of the fade to 0
-// at z = u₀ + u₀ (u₀ − u₁), u₀ being the overhang (docs/film-model.md, "Where film does not go");
-// where that is less than 1/t it is stretched by more than the t at which it tears.
+// Returns the y of the normal of the steepest upward face that is still painted
+// (docs/film-model.md, "Where film does not go"). A face with normal y = u is laid with
+// g − (1 − g) u of the film's length. The grip g falls from 1 at u₁, where the fade begins, to 0 at
+// z = u₀ + u₀ (u₀ − u₁). u₀ is the overhang. Below 1/t the film is stretched by more than the tear
+// stretch t.
 float steepestPainted(const FilmSettings& film, const ProcessSettings& process) {
     const double overhang = std::sin(radians(process.overhang));
     if (!solver::isProductionFilm(film.lattice, film.support)) {
@@ -99,7 +100,8 @@ float steepestPainted(const FilmSettings& film, const ProcessSettings& process) 
     return float((std::sqrt((1 - fade) * (1 - fade) + 4 * laid) - (1 - fade)) / 2);
 }
 
-// Marks 2 all that hangs together with what is marked 1 over triangles for which `holds`.
+// Extends the covered area to all triangles that are connected with it through triangles for which
+// `holds`.
 template <typename Holds>
 void spread(std::vector<std::uint8_t>& covered, const std::vector<std::uint32_t>& opposite,
             const Holds& holds) {
@@ -160,7 +162,7 @@ PreviewedCoverage CoveragePreview::at(const Immersion& immersion, const FilmSett
         return (places[corners[0]] + places[corners[1]] + places[corners[2]]) / 3;
     };
     const std::vector<std::uint8_t> dry = air_->dry(upward);
-    // Under water, over the sheet, not in air, and not turned up too far.
+    // Under water, within the film, not in trapped air, and not steeper than the overhang.
     const auto canHold = [&](std::uint32_t triangle, const Eigen::Vector3f& place) {
         const Eigen::Vector2f onWater = Eigen::Vector2f(place.x(), place.z()) + offset;
         return dry[triangle] == 0 && normals_[triangle].dot(upward) <= steepest &&

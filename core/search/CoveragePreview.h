@@ -1,5 +1,5 @@
-// What a dip would paint, by the body's shape alone: for the eye while a pose is being turned, and
-// for the first stage of the pose search (docs/pose-search.md, "By its shape").
+// Predicts the painted area of a dip from the body's shape alone. Used while the user turns a pose,
+// and in the first stage of the pose search (docs/pose-search.md, "By its shape").
 #pragma once
 
 #include "geometry/RefinedMesh.h"
@@ -15,28 +15,29 @@ class AirInPoses;
 
 struct PreviewedCoverage {
     double share = 0;                  // of the surface, 0 … 1
-    std::vector<std::uint8_t> covered; // a triangle of CoveragePreview::mesh() each: 1 is painted
+    std::vector<std::uint8_t> covered; // of each triangle of CoveragePreview::mesh(): 1 if painted
 };
 
-// Made once for a model, asked for each pose. Faces near the overhang may be told wrong
-// (docs/pose-search.md, "The preview"). Immutable; any thread may ask. Deterministic.
+// Made once for a model and used for many poses. It may be wrong for faces near the overhang
+// (docs/pose-search.md, "The preview"). Immutable; any thread may use it. Deterministic.
 class CoveragePreview {
 public:
     explicit CoveragePreview(const TriangleMesh& model);
 
-    // Film lies on what faces down without anything below it, and goes on from there over walls
-    // that turn up by no more than the overhang, as far as the dip goes under and the sheet
-    // reaches; none where air is trapped.
+    // Film covers faces that point down with nothing below them. From there it spreads over walls
+    // that turn up by at most the overhang. It ends at the depth of the dip, at the film's edge and
+    // at trapped air.
     PreviewedCoverage at(const Immersion& immersion, const FilmSettings& film,
                          const ProcessSettings& process) const;
-    // The same, a triangle of the model each: 1 where at least half of it is painted.
+    // Converts to triangles of the model: 1 if at least half of the triangle is painted.
     std::vector<std::uint8_t> ofModel(const PreviewedCoverage& coverage) const;
 
     const TriangleMesh& model() const { return model_; }
-    // The model, its large triangles cut.
+    // The model with its large triangles divided.
     const TriangleMesh& mesh() const { return fine_.mesh(); }
-    SurfacePoint middle(std::size_t fine) const { return fine_.middle(fine); } // of the model
-    const std::vector<float>& areas() const { return areas_; } // mm², a triangle of mesh() each
+    // Centre of a triangle of mesh(), as a point of the model.
+    SurfacePoint middle(std::size_t fine) const { return fine_.middle(fine); }
+    const std::vector<float>& areas() const { return areas_; } // of each triangle of mesh(), mm²
     const std::vector<Eigen::Vector3f>& normals() const { return normals_; }
 
 private:

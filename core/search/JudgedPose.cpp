@@ -20,10 +20,10 @@ namespace {
 constexpr double samplesOfBody = 6000;
 constexpr double stretchUnits = 4096;
 static_assert(largestStretch * stretchUnits <= 65535);
-constexpr double keptBelow = 0.99; // share of what is painted that the largest stretch leaves out
-constexpr double gatheredBelow = 0.9; // λ2 of film that is pushed together so that it may fold
-constexpr double markedWorth = 0.5;   // of film with marks, against film without
-constexpr double linkedSamples = 2;   // places within so many times their spacing are neighbours
+constexpr double keptBelow = 0.99;    // "largest stretch" is this percentile
+constexpr double gatheredBelow = 0.9; // λ2 below which compressed film may fold
+constexpr double markedWorth = 0.5;   // worth of marked film relative to unmarked film
+constexpr double linkedSamples = 2;   // neighbours are within this many times the spacing
 
 std::uint16_t units(float stretch) {
     return std::uint16_t(std::clamp(std::lround(double(stretch) * stretchUnits), 1L, 65535L));
@@ -33,7 +33,7 @@ bool isMarked(const PaintedSample& sample, solver::PointMark mark) {
     return solver::has(sample.marks, mark);
 }
 
-// Of two dips that paint a place, the one whose film is worth more there.
+// Ranks the films of two dips that paint the same place.
 double worth(const PaintedSample& sample) {
     if (sample.larger == 0) {
         return -1;
@@ -92,7 +92,7 @@ void JudgedBody::linkNeighbours() {
             for (const std::uint32_t other : found->second) {
                 const float length = (places[other] - places[index]).norm();
                 if (double(length) <= joinReach_ &&
-                    normals[other].dot(normals[index]) > 0) { // not through a thin wall
+                    normals[other].dot(normals[index]) > 0) { // not across a thin wall
                     links_[index].push_back({other, length});
                     links_[other].push_back({index, length});
                 }
@@ -102,7 +102,7 @@ void JudgedBody::linkNeighbours() {
     }
 }
 
-// By Dijkstra's way along the links; paint ends halfway between two places.
+// Dijkstra's algorithm along the links; paint ends halfway between two places.
 std::vector<float> JudgedBody::depths(const std::vector<PaintedSample>& samples) const {
     std::vector<float> depths(samples.size(), std::numeric_limits<float>::infinity());
     using Entry = std::pair<float, std::uint32_t>;
@@ -136,8 +136,7 @@ std::vector<float> JudgedBody::depths(const std::vector<PaintedSample>& samples)
     return depths;
 }
 
-// Whether both dips together reach less across a join there than it takes them to fade, for the
-// last of them may lie off.
+// Whether the dips reach too little across the seam to hide a placement error of the second film.
 bool JudgedBody::isNarrow(std::size_t sample, const std::vector<const JudgedPose*>& dips) const {
     const PaintedSample& last = dips.back()->samples[sample];
     const double stretch = std::sqrt(double(last.larger) * last.smaller) / stretchUnits;
@@ -145,8 +144,8 @@ bool JudgedBody::isNarrow(std::size_t sample, const std::vector<const JudgedPose
            double(bands_[sample]) * std::max(stretch, 1.0);
 }
 
-// Of n places a mm², each linked to all within r, a line crosses 2/3·n²·r³ links a mm (Cauchy and
-// Crofton; docs/pose-search.md, "The join").
+// With n places per mm², each linked to all within r, a line crosses 2/3·n²·r³ links per mm (Cauchy
+// and Crofton; docs/pose-search.md, "The join").
 void JudgedBody::measureJoin(const std::vector<std::uint8_t>& painters,
                              const std::vector<const JudgedPose*>& dips,
                              PoseMeasures& measures) const {
@@ -186,7 +185,7 @@ JudgedPose JudgedBody::judged(const LaidFilm& laid, const Immersion& immersion) 
 }
 
 PoseMeasures JudgedBody::measures(const std::vector<const JudgedPose*>& dips) const {
-    std::vector<std::uint8_t> painters(samples_.size(), 0); // 1, 2 …; 0: none
+    std::vector<std::uint8_t> painters(samples_.size(), 0); // number of the dip; 0: none
     std::vector<std::uint16_t> stretches;
     double quality = 0, weights = 0;
     std::size_t certain = 0, wrinkled = 0, torn = 0;

@@ -1,4 +1,5 @@
-// One dip as the search remembers it, and what dips together are worth. Private to this folder.
+// Stores the measurements of one dip of a search and combines those of one or two dips. Private to
+// this folder.
 #pragma once
 
 #include "dip/LaidFilm.h"
@@ -9,7 +10,7 @@
 
 namespace dipwright {
 
-// What a dip does to one of the places that a body is judged at; stretches in 1/4096, 0: unpainted.
+// The film at one sampled place of the body; stretches in 1/4096, 0: unpainted.
 struct PaintedSample {
     std::uint16_t larger = 0, smaller = 0;
     std::uint8_t marks = 0; // solver::PointMark bits
@@ -18,26 +19,26 @@ struct PaintedSample {
 
 struct JudgedPose {
     Immersion immersion;
-    std::vector<PaintedSample> samples; // a place of the body each; empty: the dip failed
-    std::vector<float> depths; // mm along the body from each place to where the dip's paint ends
+    std::vector<PaintedSample> samples; // of each sampled place; empty: the dip failed
+    std::vector<float> depths; // mm along the surface from each place to the end of the paint
     double trappedAir = 0;     // share of the surface
-    double filmUsed = 0;       // share of the sheet
+    double filmUsed = 0;       // share of the film
 };
 
-// The places that the dips of a body are judged at. Immutable; any thread may ask.
+// The places of a body at which its dips are measured. Immutable; any thread may use it.
 class JudgedBody {
 public:
-    // Its zones are weighed by `zoneWeights`.
+    // `zoneWeights`: the weight of each zone.
     JudgedBody(const SearchSubject& subject, const std::array<double, zoneCount>& zoneWeights);
 
     std::size_t places() const { return samples_.size(); }
-    double equator() const { return equator_; } // mm: the girth of a ball with this surface
+    double equator() const { return equator_; } // mm: circumference of a ball of equal surface
 
     JudgedPose judged(const LaidFilm& laid, const Immersion& immersion) const;
-    // As JudgedPose has them. Infinite where the dip paints everything.
+    // Computes JudgedPose::depths. Infinite if the dip paints everything.
     std::vector<float> depths(const std::vector<PaintedSample>& samples) const;
-    // Of one or two dips together, in this order: each place counts for the one that paints it
-    // better.
+    // Measures one or two dips together, in this order. Each place counts for the dip that paints
+    // it better.
     PoseMeasures measures(const std::vector<const JudgedPose*>& dips) const;
 
 private:
@@ -54,8 +55,8 @@ private:
     std::shared_ptr<const TexturedMesh> model_;
     std::vector<SurfacePoint> samples_;
     std::vector<float> weights_;
-    std::vector<std::vector<Link>> links_; // from each sample to those within joinReach_
-    std::vector<float> bands_; // mm: the overlap that each place takes, of film not drawn out
+    std::vector<std::vector<Link>> links_; // from each sample to the samples within joinReach_
+    std::vector<float> bands_; // mm: the overlap that each place needs with unstretched film
     double area_ = 0, joinReach_ = 0, equator_ = 0;
 };
 

@@ -5,12 +5,12 @@
 namespace dipwright {
 namespace {
 
-// Film drawn out as far as it commonly tears shows nothing of its picture (process.tear_stretch).
+// At the usual tear stretch (process.tear_stretch), film no longer shows its picture.
 constexpr double goodStretch = 1.2, uselessStretch = 4;
-constexpr double longestJoin = 2;        // equators: a join as long as this is as bad as can be
-constexpr double leastLimitScale = 0.01; // what a limit of 0 is missed by is reckoned against
+constexpr double longestJoin = 2;        // equators: a seam of this length has the worst rating
+constexpr double leastLimitScale = 0.01; // divisor for limits near 0
 
-// 1 at `good`, 0 at `bad`, linear between.
+// Returns 1 at `good` and 0 at `bad`, linear between.
 double ramp(double value, double good, double bad) {
     return std::clamp((value - bad) / (good - bad), 0.0, 1.0);
 }

@@ -1,18 +1,18 @@
-// How good a pose is, by what was measured of it (docs/pose-search.md, "The objective").
+// Rates poses by their measures (docs/pose-search.md, "The objective").
 #pragma once
 
 #include "settings/SearchSettings.h"
 
 namespace dipwright {
 
-// How well film that is stretched by λ1 ≥ λ2 shows its picture: 1 up to λ1 = 1.2 and down to
-// λ2 = 0.7, falling to 0 at 2.5 and at 0.2.
+// Returns how well film with the stretches λ1 ≥ λ2 shows its picture: 1 for λ1 ≤ 1.2 and λ2 ≥ 0.7,
+// falling linearly to 0 at λ1 = 2.5 and at λ2 = 0.2.
 double printQuality(double larger, double smaller);
 
-// 0 … 1: the mean of how good each measure is, by the weights. The join counts for two dips only
-// (isOfTwoDips), against `equator`, mm: the girth of a ball with the body's surface.
+// Returns the weighted mean of the measures' ratings, 0 … 1. The seam counts only for two dips
+// (isOfTwoDips), relative to `equator`: the circumference of a ball of equal surface, mm.
 double objective(const PoseMeasures& measures, const SearchSettings& settings, double equator);
-// How far the limits are missed, each as a share of the limit, together; 0: all are kept.
+// Returns the sum by which limits are missed, each relative to its limit; 0: all limits are kept.
 double limitsMissed(const PoseMeasures& measures, const SearchSettings& settings);
 
 } // namespace dipwright

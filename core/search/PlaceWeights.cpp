@@ -7,8 +7,8 @@
 namespace dipwright {
 namespace {
 
-// Reflectance of every channel from which on a place takes no ink worth its film: a step of sRGB's
-// 255 below white is 0.991.
+// A place whose channels all reflect at least this needs no ink. One of 255 sRGB steps below white
+// is 0.991.
 constexpr float blankFrom = 0.98f;
 
 } // namespace

@@ -1,4 +1,4 @@
-// How much the places of a body matter to a search. Private to this folder.
+// Weighs the places of a body for a pose search. Private to this folder.
 #pragma once
 
 #include "geometry/TriangleMesh.h"
@@ -8,9 +8,9 @@
 
 namespace dipwright {
 
-// Of each of these places of the subject's model: the weight of its zone, or 0 where the model is
-// to stay without ink, unless it is to stay so wherever a zone weighs anything. `colours`: what
-// each place is to show (texture/SurfaceColours.h).
+// Returns the weight of each place: the weight of its zone, or 0 where the model needs no ink. If
+// no weighted place needs ink, the zones alone count. `colours`: of each place
+// (texture/SurfaceColours.h).
 std::vector<float> placeWeights(const SearchSubject& subject,
                                 const std::array<double, zoneCount>& zoneWeights,
                                 const std::vector<SurfacePoint>& places,

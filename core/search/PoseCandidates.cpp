@@ -12,15 +12,15 @@ namespace dipwright {
 namespace {
 
 constexpr int turnStep = 5; // degrees about the vertical
-// What film shows on an upright wall, of what it shows on a face that lies flat on it.
+// Quality of film on an upright wall, relative to film on a horizontal face.
 constexpr float qualityOfWalls = 0.4f;
-constexpr int signatureBands = 6;      // by the height over the lowest point
+constexpr int signatureBands = 6;      // bands of height over the lowest point
 constexpr float sameSignature = 0.01f; // of the body's surface
 constexpr std::size_t sidesOfBox = 6;
-constexpr double spreadShare = 0.5; // of the poses simulated: spread over all directions
-constexpr double closest = 0.002;   // radians between poses simulated
+constexpr double spreadShare = 0.5; // share of simulated poses that cover all directions
+constexpr double closest = 0.002;   // least angle between simulated poses, radians
 
-// The six sides of the box, and directions evenly over the sphere by the golden angle.
+// Returns the six sides of the box, and directions spread evenly by the golden angle.
 std::vector<Eigen::Vector3d> directions(int count, int seed) {
     std::vector<Eigen::Vector3d> result;
     for (int axis = 0; axis < 3; ++axis) {
@@ -42,8 +42,8 @@ Eigen::Matrix3d turnAboutY(double angle) {
     return Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()).toRotationMatrix();
 }
 
-// The turn about the vertical, in degrees, for which the body's outline takes the smallest share of
-// the film's sides.
+// Returns the turn about the vertical, in degrees, at which the body's outline takes the smallest
+// share of the film's sides.
 int bestTurn(const TriangleMesh& mesh, const Eigen::Matrix3d& rotation,
              const solver::FilmGrid& film) {
     int best = 0;
@@ -57,7 +57,7 @@ int bestTurn(const TriangleMesh& mesh, const Eigen::Matrix3d& rotation,
             box.extend(Eigen::Vector2f(p.x(), p.z()));
         }
         const double share = std::max(box.sizes().x() / film.width, box.sizes().y() / film.depth);
-        if (share < smallest * 0.999) { // not for rounding's sake
+        if (share < smallest * 0.999) { // ignores differences by rounding
             smallest = share;
             best = turn;
         }
@@ -69,8 +69,8 @@ Eigen::Matrix3d lowering(const Eigen::Vector3d& down) {
     return Eigen::Quaterniond::FromTwoVectors(down, -Eigen::Vector3d::UnitY()).toRotationMatrix();
 }
 
-// What is painted, by bands of height: how much, how steep and how far from its middle. The same
-// for poses that differ by a turn about the vertical or by a mirror.
+// Area, slope and distance from the axis of the painted surface in each band of height. Equal for
+// poses that differ by a turn about the vertical or by mirroring.
 using Signature = std::array<float, std::size_t(3 * signatureBands) + 1>;
 
 Signature signatureOf(const CoveragePreview& preview, const std::vector<float>& zoneWeights,
@@ -98,8 +98,8 @@ Signature signatureOf(const CoveragePreview& preview, const std::vector<float>& 
         if (coverage.covered[triangle] == 0) {
             continue;
         }
-        // A triangle counts in the two bands that it lies between, so that no border tells alike
-        // poses apart.
+        // A triangle counts in its two nearest bands, so that a border between bands does not
+        // separate similar poses.
         const float height =
             (-down.dot(places[triangle]) - lowest) / size * float(signatureBands - 1);
         const int band = std::clamp(int(height), 0, signatureBands - 2);
@@ -144,7 +144,7 @@ double promiseOf(const CoveragePreview& preview, const std::vector<float>& zoneW
     return whole > 0 ? promise / whole : 0;
 }
 
-// Those that are not like one before them.
+// Sets `like` of each candidate.
 void findAlike(std::vector<PoseCandidate>& all, const std::vector<Signature>& signatures) {
     std::vector<std::size_t> kinds;
     for (std::size_t index = 0; index < all.size(); ++index) {
@@ -158,7 +158,8 @@ void findAlike(std::vector<PoseCandidate>& all, const std::vector<Signature>& si
     }
 }
 
-// The sides of the box, then the best first, farther and farther apart until there are enough.
+// Chooses the sides of the box, then the best candidates. Reduces the angle between them until
+// enough are chosen.
 std::vector<std::size_t> choose(const std::vector<PoseCandidate>& all, std::size_t wanted) {
     std::vector<std::size_t> order, chosen;
     for (std::size_t index = 0; index < all.size(); ++index) {
@@ -168,7 +169,7 @@ std::vector<std::size_t> choose(const std::vector<PoseCandidate>& all, std::size
     }
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return all[a].promise > all[b].promise; });
-    // Caps of this half-angle round half of the wanted would cover the sphere.
+    // Caps of this half-angle round half of the wanted candidates would cover the sphere.
     double apart = std::acos(1 - 2 / (std::max(spreadShare * double(wanted), 2.0)));
     const auto isFree = [&](std::size_t index) {
         return std::none_of(chosen.begin(), chosen.end(), [&](std::size_t other) {
@@ -223,7 +224,7 @@ PoseCandidates poseCandidates(const CoveragePreview& preview, const std::vector<
         candidate.promise = promiseOf(preview, zoneWeights, coverage, down);
         signatures[index] = signatureOf(preview, zoneWeights, coverage, down);
     });
-    // Of two dips alike ones paint different places.
+    // In a pair, similar poses may paint different places.
     if (settings.immersions == 1) {
         findAlike(result.all, signatures);
     }

@@ -15,12 +15,11 @@ namespace {
 constexpr int fewestPoints = 8;
 constexpr std::size_t batchSize = 32;
 constexpr int searchedAirCells = 48; // along the body's longest edge
-// Films of one batch whose fine cells would lie over nearly the same are made alike, so that a
-// device that dips alike films together can: sides are moved out to multiples of this share of the
-// body's longest edge.
+// Sides of the fine cells are moved out to multiples of this share of the body's longest edge. Many
+// films of a batch then become equal, and a device can dip equal films together.
 constexpr double alikeShare = 1.0 / 6;
 
-// The same film with so many cells along the body, and never finer than its own.
+// Returns the film with `cells` cells along the body, but never finer than before.
 FilmSettings coarseFilm(FilmSettings film, const TriangleMesh& mesh, double cells) {
     const double own =
         film.resolution == FilmResolution::Points ? film.width.value() / (film.columns - 1) : 0;
@@ -70,12 +69,12 @@ void PoseDips::dip(const std::vector<Immersion>& immersions,
     }
 }
 
-// Whether the films are this search's choice, in which they can be made alike.
+// Whether the search chooses the films, so that it can make them equal.
 bool PoseDips::choosesFilms() const {
     return !isJobs_ && isGraded(film_);
 }
 
-// What of the sheet is to have fine cells.
+// Returns the part of the film that needs fine cells.
 Eigen::AlignedBox2d PoseDips::fineCellsOf(const PosedBody& body) const {
     const Underside underside = undersideOf(body, process_);
     const Eigen::Vector2d further = Eigen::Vector2d::Constant(drawIn(underside));
@@ -84,7 +83,7 @@ Eigen::AlignedBox2d PoseDips::fineCellsOf(const PosedBody& body) const {
     return roundedOut(wanted, alikeShare * longestEdgeOf(subject_.model->mesh));
 }
 
-// The immersions' places, those of alike films one after the other.
+// Returns the immersions' indices, ordered so that equal films follow each other.
 std::vector<std::size_t> PoseDips::alikeTogether(const std::vector<Immersion>& immersions) const {
     std::vector<std::size_t> order(immersions.size());
     std::iota(order.begin(), order.end(), std::size_t(0));

@@ -1,4 +1,4 @@
-// Dips of many poses in batches. Private to this folder.
+// Simulates the dips of many poses in batches. Private to this folder.
 #pragma once
 
 #include "base/Progress.h"
@@ -12,13 +12,13 @@
 
 namespace dipwright {
 
-// How finely a pose is dipped; never finer than the job is.
+// The resolution of a dip; never finer than the job's.
 struct DipDetail {
     double cells;  // of the film, along the longest edge of the body's box
     int field;     // cells of the distance field along that edge
-    double travel; // cells that the contact line travels in one step, at least
+    double travel; // least travel of the contact line in one step, cells
 };
-// Enough to tell poses that are worth refining; to rank those; and as the job is.
+// For finding poses worth refining, for ranking these, and as in the job.
 inline constexpr DipDetail coarseDetail{20, 128, 0.5}, finerDetail{40, 128, 0.5},
     jobDetail{std::numeric_limits<double>::infinity(), std::numeric_limits<int>::max(), 0};
 
@@ -27,10 +27,11 @@ public:
     PoseDips(const SearchSubject& subject, const JudgedBody& body,
              const solver::SolverModule& module, const DipDetail& detail, const Progress& progress);
 
-    // Puts the dips in the places of their immersions in `judged`, which is as long and keeps what
-    // was done where an exception ends it; `batchDone` is told after each batch how many that are.
-    // Alike films are dipped together, whatever the order. A dip that fails to meet the film or
-    // becomes unstable has no samples. Throws Error where the solver fails, Cancelled.
+    // Dips the immersions and stores the results in `judged` at the same indices; both have the
+    // same length. After an exception the finished dips remain. Similar films are dipped together,
+    // so the order of the dips may differ. Calls `batchDone` after each batch with the number of
+    // finished dips. A dip that misses the film or becomes unstable has no samples. Throws Error if
+    // the solver fails, or Cancelled.
     void dip(const std::vector<Immersion>& immersions,
              std::vector<std::shared_ptr<const JudgedPose>>& judged,
              const std::function<void(std::size_t)>& batchDone) const;
@@ -48,7 +49,7 @@ private:
     const JudgedBody& body_;
     const solver::SolverModule& module_;
     const CancelToken cancelToken_;
-    const bool isJobs_; // the film is the job's
+    const bool isJobs_; // uses the job's film
     FilmSettings film_;
     ProcessSettings process_;
     std::shared_ptr<const DistanceField> field_;

@@ -27,16 +27,16 @@ struct Text {
 };
 
 constexpr std::size_t keptPoses = 24;
-constexpr std::size_t comparedPairs = 1000; // the best, of which the distinct ones are ranked
-constexpr double distinct = 5;              // degrees between poses of a ranking
-constexpr std::array<double, 3> tilts{10, 5, 2.5};       // degrees, a round of refinement each
-constexpr double turn = 5;                               // degrees about the vertical, in the last
-constexpr double shift = 0.05;                           // of the film's sides, in the last
+constexpr std::size_t comparedPairs = 1000; // best pairs, from which distinct ones are ranked
+constexpr double distinct = 5;              // least angle between ranked poses, degrees
+constexpr std::array<double, 3> tilts{10, 5, 2.5};       // degrees, for each round of refinement
+constexpr double turn = 5;                               // degrees about the vertical, last round
+constexpr double shift = 0.05;                           // of the film's sides, last round
 constexpr double fieldShare = 0.05, geometryShare = 0.1; // of the time
 
 using Judged = std::shared_ptr<const JudgedPose>;
 
-// Dips that are ranked together.
+// One dip or a pair, as one entry of the ranking.
 struct Entry {
     std::vector<Judged> dips;
     RankedPoses ranked;
@@ -54,7 +54,7 @@ bool isDistinct(const Immersion& one, const Immersion& other) {
 }
 
 bool isDistinct(const Entry& one, const Entry& other) {
-    // Pairs are alike where each dip of one is like a dip of the other.
+    // Pairs are similar if each dip of one is similar to a dip of the other.
     return std::any_of(one.dips.begin(), one.dips.end(), [&](const Judged& dip) {
         return std::all_of(other.dips.begin(), other.dips.end(), [&](const Judged& like) {
             return isDistinct(dip->immersion, like->immersion);
@@ -62,7 +62,7 @@ bool isDistinct(const Entry& one, const Entry& other) {
     });
 }
 
-// The poses to try next to one: tilted about the film's axes, and in the last round also turned
+// Returns poses near a given one: tilted about the film's axes, and in the last round also turned
 // and moved.
 std::vector<Immersion> neighbours(const Immersion& immersion, std::size_t round,
                                   const FilmSettings& film) {
@@ -94,7 +94,7 @@ std::vector<Immersion> neighbours(const Immersion& immersion, std::size_t round,
     return result;
 }
 
-// A triangle of the preview each, by its middle.
+// Returns the weight of each triangle of the preview, at its centre.
 std::vector<float> triangleWeights(const SearchSubject& subject, const CoveragePreview& preview,
                                    const SearchSettings& settings) {
     std::vector<SurfacePoint> middles;
@@ -105,7 +105,7 @@ std::vector<float> triangleWeights(const SearchSubject& subject, const CoverageP
                         surfaceColours(*subject.model, middles));
 }
 
-// What all parts of a search have in common.
+// Returns the key that all parts of a search share.
 QByteArray searchKey(const SearchSubject& subject, const SearchSettings& settings) {
     QByteArray text;
     QDataStream out(&text, QIODevice::WriteOnly);
@@ -125,7 +125,7 @@ public:
         : subject_(subject), settings_(settings), module_(module), progress_(progress),
           body_(subject, settings.aims.zoneWeights),
           coarse_(subject, body_, module, coarseDetail, progress.part(0, fieldShare)) {
-        progress_(fieldShare, Text::tr("Judging directions by the body's shape"));
+        progress_(fieldShare, Text::tr("Rating directions by the part's shape"));
         const CoveragePreview preview(subject.model->mesh);
         candidates_ = poseCandidates(preview, triangleWeights(subject, preview, settings),
                                      subject.film, subject.process, settings, progress);
@@ -139,7 +139,7 @@ public:
         result_.equator = body_.equator();
     }
 
-    // Every count-th of the first dips.
+    // Dips every count-th of the first poses.
     std::vector<Judged> part(int number, int count) {
         std::vector<Immersion> immersions;
         for (std::size_t at = std::size_t(number - 1); at < candidates_.chosen.size();
@@ -150,7 +150,7 @@ public:
         return dipped(coarse_, immersions);
     }
 
-    // Puts what other processes have dipped in the place of the first dips.
+    // Uses the dips of other processes as the first dips.
     void take(const std::vector<SearchShard>& parts, const QByteArray& key) {
         std::vector<const SearchShard*> ordered(parts.size(), nullptr);
         for (const SearchShard& part : parts) {
@@ -160,7 +160,7 @@ public:
                             Text::tr("part %1 of %2").arg(part.number).arg(part.count));
             }
             if (part.count != int(parts.size()) || ordered[std::size_t(part.number - 1)]) {
-                throw Error(Text::tr("Hand over each of the %1 parts once; there are %2")
+                throw Error(Text::tr("Give each of the %1 parts once; you gave %2")
                                 .arg(part.count)
                                 .arg(parts.size()),
                             Text::tr("part %1 of %2").arg(part.number).arg(part.count));
@@ -175,7 +175,7 @@ public:
                 part.poses[place]->immersion.rotation != wanted.rotation ||
                 (!part.poses[place]->samples.empty() &&
                  part.poses[place]->samples.size() != body_.places())) {
-                throw Error(Text::tr("This part does not hold the dips that are its share; make it "
+                throw Error(Text::tr("This part does not contain the dips that it should; make it "
                                      "again"),
                             Text::tr("part %1 of %2").arg(part.number).arg(part.count));
             }
@@ -245,7 +245,7 @@ private:
         }
     }
 
-    // The job's own poses and the first dips.
+    // Dips the job's own poses and the first candidates.
     void simulate() {
         taken_ = done_;
         begin_ = std::chrono::steady_clock::now();
@@ -255,12 +255,13 @@ private:
         }
         rankFirstDips();
         if (result_.ranking.empty()) {
-            throw Error(Text::tr("No pose paints anything; choose a larger film"), subject_.name);
+            throw Error(Text::tr("No pose paints any of the part; choose a larger film"),
+                        subject_.name);
         }
         isRefining_ = true;
     }
 
-    // Ranked whenever there are twice as many.
+    // Dips the first candidates; ranks them whenever their number has doubled.
     void dipFirst() {
         std::vector<Immersion> immersions;
         for (const std::size_t chosen : candidates_.chosen) {
@@ -283,7 +284,7 @@ private:
         best_.clear();
         objectives_.assign(poses_.size(), -1);
         std::vector<Judged> pool;
-        std::vector<std::size_t> places; // in poses_, of as many as are from there
+        std::vector<std::size_t> places; // indices in poses_ of the first entries of `pool`
         for (std::size_t place = 0; place < poses_.size(); ++place) {
             if (poses_[place]) {
                 pool.push_back(poses_[place]);
@@ -321,7 +322,7 @@ private:
         return all;
     }
 
-    // The best of all pairs, each in the order that is better.
+    // Returns the best of all pairs, each in its better order.
     std::vector<Entry> pairs(const std::vector<Judged>& pool,
                              const std::vector<std::size_t>& places) {
         struct Pair {
@@ -363,7 +364,7 @@ private:
         return entries;
     }
 
-    // Each of the best, one dip after the other, moves to the best pose next to it.
+    // Moves each dip of the best entries in turn to the best pose near it.
     void refine() {
         const std::size_t count = std::min(best_.size(), std::size_t(settings_.refined));
         unrefined_.assign(best_.begin(), best_.begin() + std::ptrdiff_t(count));
@@ -397,7 +398,7 @@ private:
         rank();
     }
 
-    // The best again, each dip once, with other film; and the job's own poses for comparison.
+    // Dips the best entries and the job's own poses again with another film, each dip once.
     std::vector<Entry> dippedAgain(const std::vector<Entry>& entries, const DipDetail& detail,
                                    bool isConfirmed) {
         std::vector<Immersion> immersions = subject_.immersions;
@@ -433,9 +434,9 @@ private:
         return ordered;
     }
 
-    // Coarse film tells which poses are worth a closer look; what it says of them is off by more
-    // than they differ (docs/pose-search.md). So only those that are looked at closer stay, and
-    // those that were refined are looked at as they were before, too.
+    // Coarse film finds promising poses, but its error exceeds their differences
+    // (docs/pose-search.md). So only poses with finer film stay in the ranking. Refined poses are
+    // compared with their unrefined ones.
     void rankWithFinerFilm() {
         std::vector<Entry> entries = first(settings_.finer);
         entries.insert(entries.end(), unrefined_.begin(), unrefined_.end());
@@ -452,7 +453,7 @@ private:
         }
     }
 
-    // The best first: those that are confirmed, and then those that are not.
+    // Returns the ranking: confirmed entries first, each group the best first.
     std::vector<Entry> ranked() const {
         std::vector<Entry> all = best_;
         std::stable_sort(all.begin(), all.end(), [](const Entry& one, const Entry& other) {
@@ -499,12 +500,12 @@ private:
         }
     }
 
-    // The job's own names, where there are as many.
+    // Uses the job's own names if the number of dips is the same.
     void nameImmersions(std::vector<Immersion>& immersions) const {
         for (std::size_t index = 0; index < immersions.size(); ++index) {
             immersions[index].name = subject_.immersions.size() == immersions.size()
                                          ? subject_.immersions[index].name
-                                         : Text::tr("Immersion %1").arg(index + 1);
+                                         : Text::tr("Dip %1").arg(index + 1);
         }
     }
 
@@ -517,13 +518,13 @@ private:
     PoseDips coarse_;
     PoseCandidates candidates_;
     std::vector<Judged> own_;        // the job's own poses
-    std::vector<Judged> poses_;      // of candidates_.chosen; null until it is dipped
-    std::vector<double> objectives_; // of each, the best it takes part in; −1: none
+    std::vector<Judged> poses_;      // of candidates_.chosen; null until dipped
+    std::vector<double> objectives_; // best objective with each pose; −1: none
     std::vector<Entry> best_;
-    std::vector<Entry> unrefined_; // what refinement began with
+    std::vector<Entry> unrefined_; // best_ before refinement
     std::optional<Entry> current_;
     SearchResult result_;
-    bool isRefining_ = false; // the first dips are all ranked
+    bool isRefining_ = false; // all first dips are ranked
     int done_ = 0, wanted_ = 0, taken_ = 0;
     std::chrono::steady_clock::time_point begin_;
 };
@@ -578,7 +579,7 @@ std::vector<MeasureDifference> differences(const RankedPoses& poses, const Ranke
 
 QString reasonText(const std::vector<MeasureDifference>& differences) {
     if (differences.empty()) {
-        return Text::tr("the same");
+        return Text::tr("no difference");
     }
     QStringList reasons;
     for (const MeasureDifference& difference : differences) {

@@ -1,5 +1,5 @@
-// A share of a search's dips, made by one process of several: every process dips its part, and one
-// of them ranks all parts as if it had dipped them itself.
+// Splits a search between several processes: each process dips one part, and one of them ranks all
+// parts as if it had dipped them itself.
 #pragma once
 
 #include "base/Progress.h"
@@ -12,19 +12,21 @@ namespace dipwright {
 
 struct JudgedPose;
 
+// One part of a search.
 struct SearchShard {
-    QByteArray key; // of the search: its subject and settings
+    QByteArray key; // identifies the search: its subject and settings
     int number = 1, count = 1;
-    std::vector<std::shared_ptr<const JudgedPose>> poses; // in the order in which they are dipped
+    std::vector<std::shared_ptr<const JudgedPose>> poses; // in the order of dipping
 };
 
-// Part `number`, 1 … count (at most 1000), of searchPoses(): every count-th of its first dips.
-// Throws as searchPoses() does; Cancelled leaves nothing.
+// Dips part `number` of searchPoses(), 1 … count (at most 1000): every count-th of its first dips.
+// Throws as searchPoses() does; after Cancelled there is no result.
 SearchShard searchShard(const SearchSubject& subject, const SearchSettings& settings,
                         const solver::SolverModule& module, int number, int count,
                         const Progress& progress);
 
-// As a file, and back: exactly the same. Throws Error naming `where` for what is no such file.
+// Write and read a part without loss. Reading throws Error naming `where` if the file is not a
+// part.
 QByteArray shardFile(const SearchShard& part);
 SearchShard shardFromFile(const QByteArray& file, const QString& where);
 

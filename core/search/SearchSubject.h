@@ -1,4 +1,4 @@
-// What poses are searched for.
+// The input of a pose search.
 #pragma once
 
 #include "model/TexturedMesh.h"
@@ -17,15 +17,16 @@ struct TexturedMesh;
 
 struct SearchSubject {
     QString name;
-    QByteArray identity; // the same for the same model, artwork, film, process, zones and solver;
-                         // ties parts together
-    std::shared_ptr<const TexturedMesh> model; // never null; as it is to look
-    bool isWhitePrinted = false;               // what is to be white needs film as well
+    // Equal for equal model, artwork, film, process, zones and solver. Identifies the parts of a
+    // search.
+    QByteArray identity;
+    std::shared_ptr<const TexturedMesh> model; // with its artwork; never null
+    bool isWhitePrinted = false;               // white places then need film as well
     FilmSettings film;
     ProcessSettings process;
     int fieldResolution = 128;
-    std::vector<ZoneMark> marks;        // zones that matter more
-    Millimetres registrationError{0.7}; // of two dips against each other, to be prepared for
+    std::vector<ZoneMark> marks;        // marked zones
+    Millimetres registrationError{0.7}; // expected between the two dips
     std::vector<Immersion> immersions;  // the job's own poses
 };
 

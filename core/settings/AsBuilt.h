@@ -1,4 +1,4 @@
-// How the parts of a job came out that were dipped so far, as in the project file's "as_built".
+// How the parts of a job that were dipped so far came out, as in the project file's "as_built".
 #pragma once
 
 #include "base/Units.h"
@@ -10,21 +10,22 @@
 namespace dipwright {
 
 struct BuiltPart {
-    QString date;        // ISO, of the photos
-    QString acceptedBy;  // who has said that its figures may count
-    QString photos;      // their files' SHA-256, hexadecimal, a space between
-    double residual = 0; // mm on the sheet that its places were off, rms
+    QString date;        // ISO date of the photos
+    QString acceptedBy;  // who accepted its measurements
+    QString photos;      // SHA-256 of the photos' files, hexadecimal, separated by spaces
+    double residual = 0; // rms error of the places, mm on the sheet
     bool operator==(const BuiltPart&) const = default;
 };
 
-// A place of a part's sheet, and where on the sheet the film was printed that is meant to lie where
-// it has come to lie.
+// A place on a part's sheet, and its offset to the place on the sheet that was meant to land where
+// this one landed.
 struct BuiltPlace {
-    int part = 1;                       // from 1, of AsBuilt::parts
-    int dip = 1;                        // from 1, of the project's immersions
-    std::array<Millimetres, 2> sheet{}; // as restPosition() (DippedFilm.h) over the swell
-    std::array<Millimetres, 3> model{}; // where it was meant to be: the same place in other parts
-    std::array<Millimetres, 2> off{};   // on the sheet, from `sheet`
+    int part = 1;                       // index in AsBuilt::parts, from 1
+    int dip = 1;                        // index in the project's immersions, from 1
+    std::array<Millimetres, 2> sheet{}; // as restPosition() (DippedFilm.h) divided by the swell
+    // intended place on the model, which matches places of other parts
+    std::array<Millimetres, 3> model{};
+    std::array<Millimetres, 2> off{}; // offset from `sheet` on the sheet
     bool operator==(const BuiltPlace&) const = default;
 };
 
@@ -32,8 +33,8 @@ inline constexpr std::size_t mostBuiltParts = 50;
 inline constexpr std::size_t mostBuiltPlaces = 5000;
 
 struct AsBuilt {
-    bool corrects = false; // whether the sheets are corrected by what repeats
-    double strength = 1;   // share of it
+    bool corrects = false; // whether the repeating part of the error corrects the sheets
+    double strength = 1;   // share of the correction that is applied
     std::vector<BuiltPart> parts;
     std::vector<BuiltPlace> places;
     bool operator==(const AsBuilt&) const = default;

@@ -1,26 +1,26 @@
-// What the user says of cradles.
+// The user's settings for cradles.
 #pragma once
 
 #include "base/Units.h"
 
 namespace dipwright {
 
-// The defaults suit a printer of melted plastic with a nozzle of 0.4 mm and a bed of 220 mm.
+// The defaults suit a 3D printer (melted plastic) with a 0.4 mm nozzle and a 220 mm bed.
 struct CradleSettings {
     Millimetres clearance{0.3};   // between cradle and body
-    Millimetres wall{3};          // of what holds the body, at its thinnest
-    Millimetres reach{15};        // from the body's top down; farther where it would tip
-    Millimetres paintDistance{4}; // from all that film reaches, and from earlier paint
-    bool onPaint = false;         // earlier paint may be touched, through padding
-    Millimetres padding{1.5};     // room left for it there
+    Millimetres wall{3};          // thinnest wall that holds the body
+    Millimetres reach{15};        // down from the body's top; more if it would tip
+    Millimetres paintDistance{4}; // to all surface that film reaches, and to earlier paint
+    bool onPaint = false;         // whether the cradle may touch earlier paint, through padding
+    Millimetres padding{1.5};     // room left for the padding
     Millimetres plateThickness{5};
-    Millimetres pinSpan{180};        // between two pins along an edge, at most
-    Millimetres standoff{10};        // of the plate from the water at the end of the dip
+    Millimetres pinSpan{180};        // largest distance between two pins along an edge
+    Millimetres standoff{10};        // from the plate to the water at the end of the dip
     Millimetres pinDiameter{6};      // of the datum pins
     Millimetres pinClearance{0.1};   // between pin and hole, all round
-    Millimetres bore{8};             // through plate and seat, to fix the body by; 0: none
-    Millimetres engravingDepth{0.8}; // 0: nothing is engraved
-    Millimetres cell{0.5};           // how fine the form is
+    Millimetres bore{8};             // hole through plate and seat to fix the body; 0: none
+    Millimetres engravingDepth{0.8}; // 0: no engraving
+    Millimetres cell{0.5};           // resolution of the shape
     bool operator==(const CradleSettings&) const = default;
 };
 

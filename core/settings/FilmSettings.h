@@ -1,4 +1,4 @@
-// What the user says of the film, as in the project file's "film".
+// The user's settings for the film, as in the project file's "film".
 #pragma once
 
 #include "base/Units.h"
@@ -11,7 +11,7 @@
 
 namespace dipwright {
 
-// Which sides of the film are held by barriers; left is −X, top is −Z (the top of the sheet).
+// The sides of the film that barriers hold. Left is −X, top is −Z (the top of the sheet).
 struct FilmEdges {
     bool leftPinned = false;
     bool rightPinned = false;
@@ -20,7 +20,7 @@ struct FilmEdges {
     bool operator==(const FilmEdges&) const = default;
 };
 
-// What a film does on the water and on the body: a part of a project's film and of a film profile.
+// How a film behaves on the water and on the body. Part of a project's film and of a film profile.
 // Its fields are declared in project/FilmFields.cpp.
 struct FilmBehaviour {
     FilmEdges edges;
@@ -29,38 +29,38 @@ struct FilmBehaviour {
     Seconds relaxationTime{
         std::numeric_limits<double>::infinity()}; // infinity: elastic, 0: viscous
     Millimetres contactDistance{0};
-    // What it does besides, production film only (docs/film-model.md, "Constants of ours"; for the
-    // overhang and the tear see ProcessSettings).
-    double growthRate = 0;         // of its length, 1/s: how fast it grows while it floats …
-    double growthLimit = 0;        // … and by how much in the end, a share of its length
-    Degrees gripFade{5};           // before the overhang: from there on it is held ever less
-    double gatheringStretch = 0.8; // mean stretch below which it gathers
+    // For the production film only (docs/film-model.md, "Constants of ours"; for the overhang and
+    // the tear see ProcessSettings).
+    double growthRate = 0;         // relative growth rate of its length while it floats, 1/s
+    double growthLimit = 0;        // total relative growth of its length after a long time
+    Degrees gripFade{5};           // range before the overhang in which the grip fades
+    double gatheringStretch = 0.8; // mean stretch below which film gathers
 
     bool operator==(const FilmBehaviour&) const = default;
     FilmBehaviour& behaviour() { return *this; }
     const FilmBehaviour& behaviour() const { return *this; }
 };
 
-inline constexpr int maximumFilmGrid = 4'000'000; // points that a film may have
+inline constexpr int maximumFilmGrid = 4'000'000; // most points of a film
 
-// How many points a film has.
+// How the number of a film's points is chosen.
 enum class FilmResolution : std::uint8_t {
     Points,    // columns × rows, evenly spaced
     Automatic, // as many as the body in its pose needs, graded (dip/FilmUnderBody.h)
     Cell,      // graded, with cells of a given size over the body
 };
 
-// The defaults of every film; the solver interface's own, some of which differ, count for no job,
-// as in ProcessSettings.
+// The defaults of every film. The solver interface has its own defaults; some differ and are never
+// used for a job, as in ProcessSettings.
 struct FilmSettings : FilmBehaviour {
     QString preset = QStringLiteral("A4");
     Millimetres width{210};  // the printed sheet along X
     Millimetres height{297}; // the printed sheet along Z
     FilmResolution resolution = FilmResolution::Points;
-    int columns = 120;     // FilmResolution::Points, and always of the paper's film
-    int rows = 170;        // as are these
-    Millimetres cell{1};   // FilmResolution::Cell: over the body, of the floating film
-    double refinement = 1; // so many times as many cells along both edges; not the user's
+    int columns = 120;     // for FilmResolution::Points, and always for the paper's film
+    int rows = 170;        // likewise
+    Millimetres cell{1};   // for FilmResolution::Cell: cell size of the floating film over the body
+    double refinement = 1; // multiplies the number of cells along both edges; not set by the user
     solver::Lattice lattice = solver::Lattice::Isotropic;
     solver::Support support = solver::Support::Water;
     bool operator==(const FilmSettings&) const = default;

@@ -1,5 +1,5 @@
-// How the body is held over the film in one dip, as in the project file's "immersions"; what that
-// makes of a body: dip/Pose.h.
+// How the body is held over the film in one dip, as in the project file's "immersions". dip/Pose.h
+// applies it to a body.
 #pragma once
 
 #include "base/Units.h"
@@ -12,7 +12,7 @@ namespace dipwright {
 struct Immersion {
     QString name = QStringLiteral("Immersion");
     std::array<Degrees, 3> rotation{};   // about X, Y, Z, applied in that order
-    std::array<Millimetres, 2> offset{}; // of the body on the waterline, x and z
+    std::array<Millimetres, 2> offset{}; // offset of the body on the waterline, x and z
     bool operator==(const Immersion&) const = default;
 };
 

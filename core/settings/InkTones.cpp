@@ -60,8 +60,8 @@ std::vector<InkTone> inkTones(const QString& text, const QString& where) {
             !isWithin(0, leastToneDensity, mostToneDensity) ||
             !isWithin(1, -mostInkExponent, mostInkExponent) ||
             !isWithin(2, -mostInkBend, mostInkBend) || !isWithin(3, 1, mostWedgeStretch)) {
-            throw Error(Text::tr("“%1” is no tone of an ink, which is its name, density, exponent, "
-                                 "bend and greatest stretch, such as cyan 0.3 0.48 0.1 2.9")
+            throw Error(Text::tr("“%1” is not an ink tone; write ink, density, exponent, bend and "
+                                 "greatest stretch, such as cyan 0.3 0.48 0.1 2.9")
                             .arg(part.trimmed().left(60)),
                         where);
         }
@@ -77,25 +77,25 @@ void checkInkLaw(const InkLaw& law, const QString& where) {
         const InkTone& low = law.tones[next - 1];
         const InkTone& high = law.tones[next];
         if (low.ink > high.ink) {
-            throw Error(
-                Text::tr("The tones must stand by ink: cyan, magenta, yellow, black, white"),
-                where);
+            throw Error(Text::tr("Sort the tones by ink: cyan, magenta, yellow, black, white"),
+                        where);
         }
         if (low.ink < high.ink) {
             continue;
         }
         if (!(low.density < high.density)) {
-            throw Error(Text::tr("The tones of an ink must stand from light to dense"), where);
+            throw Error(Text::tr("Sort the tones of an ink by increasing density"), where);
         }
         for (const double share : {0.25, 0.5, 0.75, 1.0}) {
             const double stretch = std::pow(std::max(low.mostStretch, high.mostStretch), share);
             if (!(low.density * thinned(low, stretch) < high.density * thinned(high, stretch))) {
-                throw Error(Text::tr("Of the patches of density %1 and %2 the denser one would "
-                                     "show less where film is stretched to %3; read both again")
-                                .arg(low.density)
-                                .arg(high.density)
-                                .arg(stretch, 0, 'f', 2),
-                            where);
+                throw Error(
+                    Text::tr("On film with an area stretch of %3, the patch of density %2 would "
+                             "look lighter than the patch of density %1; measure both again")
+                        .arg(low.density)
+                        .arg(high.density)
+                        .arg(stretch, 0, 'f', 2),
+                    where);
             }
         }
     }

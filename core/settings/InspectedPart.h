@@ -1,4 +1,4 @@
-// Photos of a dipped part and the places that the user has found in them, as in the project file's
+// Photos of a dipped part and the places that the user identified in them, as in the project file's
 // "inspection".
 #pragma once
 
@@ -13,8 +13,8 @@
 namespace dipwright {
 
 struct InspectedPhoto {
-    QString file;   // which the project does not contain
-    QString sha256; // of the file, hex; empty: it was never read
+    QString file;   // path; the project does not contain the file
+    QString sha256; // of the file, hexadecimal; empty: it was never read
     bool operator==(const InspectedPhoto&) const = default;
 };
 
@@ -31,8 +31,8 @@ inline constexpr std::size_t mostClickedPairs = 1000;
 struct InspectedPart {
     std::vector<InspectedPhoto> photos;
     std::vector<ClickedPair> pairs;
-    bool chessboard = false;  // dipped into the job's chessboard, not its texture
-    bool keepsCamera = false; // the pairs are of the body itself
+    bool chessboard = false;  // dipped with the job's chessboard instead of its texture
+    bool keepsCamera = false; // the pairs are features of the body itself and fix the camera
     bool operator==(const InspectedPart&) const = default;
 };
 

@@ -1,7 +1,7 @@
-// What is known of one printer, one film or one tank, measured once and used by every job.
+// Profiles of printers, films and tanks: measured once and used by every job.
 //
-// A profile is a value. A project keeps a copy of those it was made with, by name and content, so
-// that an old job prints the same when the profile has since changed.
+// A profile is a value. A project keeps a copy of its profiles, with name and content, so that an
+// old job prints the same after a profile has changed.
 #pragma once
 
 #include "base/Units.h"
@@ -19,51 +19,52 @@ namespace dipwright {
 
 struct PrinterProfile {
     QString name;
-    QString queue;     // the system's name of the printer, or empty
+    QString queue;     // the system's name for the printer, or empty
     double scaleX = 1; // printed length over true length, measured across the page …
-    double scaleY = 1; // … and along it; a sheet is drawn smaller by these
-    // The page's left, top, right and bottom that the printer cannot reach.
+    double scaleY = 1; // … and along it; sheets are divided by these factors
+    // Unprintable margins of the page: left, top, right, bottom.
     std::array<Millimetres, 4> margins{};
-    QByteArray iccProfile; // the ICC file itself; empty: the printer is sent sRGB
+    QByteArray iccProfile; // contents of the ICC file; empty: the printer gets sRGB
     RenderingIntent intent = RenderingIntent::RelativeColorimetric;
-    bool blackPoint = true; // compensated: the darkest dark stays distinct
-    double inkLimit = 2;    // highest optical density, a channel
+    bool blackPoint = true; // black point compensation: the darkest tones stay distinct
+    double inkLimit = 2;    // highest optical density per channel
     DotsPerInch resolution{300};
-    // Of the four inks of a CMYK profile together, full ink of one being 1; none: what it gives.
+    // Total area coverage limit of the four inks of a CMYK profile, where full ink of one is 1;
+    // none: as the profile gives it.
     std::optional<double> totalInk;
     bool operator==(const PrinterProfile&) const = default;
 };
 
-// Which edge of the sheet goes into the printer first: the film swells more along the web.
+// Which edge of the sheet enters the printer first. The film swells more along the web.
 enum class FeedDirection { ShortEdgeFirst, LongEdgeFirst };
 
-// Where a film's figures come from that photos of it on the water gave (core/inspection).
+// A film's measurement by photos on the water (core/inspection).
 struct FilmMeasurement {
-    QString date;                           // ISO, of the photos; empty: nothing was measured
+    QString date;                           // ISO date of the photos; empty: not measured
     std::optional<double> waterTemperature; // °C
-    QString photos;                         // their files' SHA-256, hexadecimal, a space between
-    double residual = 0;                    // mm on the film, rms
-    // What they gave, and how far the swell may be off at 95 %.
+    QString photos;      // SHA-256 of the photos' files, hexadecimal, separated by spaces
+    double residual = 0; // mm on the film, rms
+    // The measured swell and its error (95 %).
     double swellX = 0, swellY = 0;
     double swellOffX = 0, swellOffY = 0;
-    std::optional<double> growthRate, growthLimit; // none: the photos did not tell
-    std::optional<double> relaxationTime;          // s; photos of a dipped part tell it
+    std::optional<double> growthRate, growthLimit; // none: the photos did not determine them
+    std::optional<double> relaxationTime;          // s; measured by photos of a dipped part
     bool operator==(const FilmMeasurement&) const = default;
 };
 
 struct FilmProfile : FilmBehaviour {
     QString name;
     Millimetres width{210}, height{297};
-    // None: as the project has them.
+    // None: the project's values are used.
     std::optional<Degrees> overhang;
     std::optional<double> tearStretch;
-    InkLaw ink; // how ink thins on it; tones were measured by a step wedge
+    InkLaw ink; // how ink thins on it; tones come from a step wedge
     FeedDirection feed = FeedDirection::ShortEdgeFirst;
-    Seconds soakTime{60};      // on the water before the activator
+    Seconds soakTime{60};      // on the water, before the activator
     Seconds activatorTime{10}; // from the activator to the dip
-    // None: not known.
+    // None: unknown.
     std::optional<Seconds> flashTime;  // from the dip to the rinse
-    std::optional<Seconds> dryingTime; // before the body is touched, or dipped again
+    std::optional<Seconds> dryingTime; // before the body may be touched or dipped again
     QString lot;
     QString expiry; // ISO date, or empty
     FilmMeasurement measured;
@@ -72,11 +73,11 @@ struct FilmProfile : FilmBehaviour {
 
 struct TankProfile {
     QString name;
-    Millimetres width{400}, length{600}; // of the water, along X and Z
-    Millimetres waterLevel{0};           // under the tank's rim
+    Millimetres width{400}, length{600}; // of the water surface, along X and Z
+    Millimetres waterLevel{0};           // below the tank's rim
     FilmEdges barriers;                  // sides of the film that barriers hold
-    // Between the tank's marks along X and Z, for whoever lays the sheet; nothing is computed from
-    // it. 0: none.
+    // Distances between the tank's marks along X and Z, for the person who lays the film. Nothing
+    // is computed from them. 0: no marks.
     std::array<Millimetres, 2> markDistance{};
     bool operator==(const TankProfile&) const = default;
 };

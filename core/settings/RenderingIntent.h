@@ -1,4 +1,4 @@
-// How colours that the printer cannot make are dealt with (ICC.1, rendering intents).
+// How out-of-gamut colours are handled (ICC.1, rendering intents).
 #pragma once
 
 namespace dipwright {

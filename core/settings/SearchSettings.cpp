@@ -26,7 +26,7 @@ Measure measureOf(const QString& key) {
         }
         keys.append(measureKey(measure));
     }
-    throw Error(Text::tr("There is no measure of this name; choose one of %1")
+    throw Error(Text::tr("There is no measure with this name; choose one of %1")
                     .arg(keys.join(QStringLiteral(", "))),
                 key);
 }
@@ -57,15 +57,15 @@ QString measureName(Measure measure) {
     case Measure::Stretch:
         return Text::tr("Largest stretch");
     case Measure::Certain:
-        return Text::tr("Certain");
+        return Text::tr("Film without faults");
     case Measure::Wrinkled:
-        return Text::tr("Wrinkled");
+        return Text::tr("Wrinkled film");
     case Measure::Torn:
-        return Text::tr("Torn");
+        return Text::tr("Torn film");
     case Measure::TrappedAir:
         return Text::tr("Trapped air");
     case Measure::Join:
-        return Text::tr("Join");
+        return Text::tr("Seam length");
     case Measure::Narrow:
         return Text::tr("Narrow overlap");
     case Measure::FilmUsed:
@@ -136,7 +136,7 @@ void requireValid(const SearchSettings& settings) {
         zones += weight;
     }
     if (!(sum > 0) || !(zones > 0)) {
-        throw Error(Text::tr("All weights are 0; give one of them more"),
+        throw Error(Text::tr("All weights are 0; set at least one weight above 0"),
                     QStringLiteral("weights"));
     }
 }

@@ -1,4 +1,4 @@
-// What the user weighs when poses are searched, and how much is tried (docs/pose-search.md).
+// The user's settings for the pose search: what counts and how much is tried (docs/pose-search.md).
 #pragma once
 
 #include "settings/ToleranceSettings.h"
@@ -10,18 +10,18 @@
 
 namespace dipwright {
 
-// What a pose, or a pair of them, is judged by. Shares are 0 … 1.
+// The measures by which a pose, or a pair of poses, is judged. Shares are 0 … 1.
 enum class Measure : std::uint8_t {
-    Quality,    // printQuality() over the body, by the weight of its zones; 0 where none is painted
-    Coverage,   // share of the surface that is painted
-    Stretch,    // λ1 that all but a hundredth of what is painted keeps below
-    Certain,    // share of what is painted that lies on film without marks (dip/FilmMarks.h)
-    Wrinkled,   // share of what is painted where the film is pushed together (gatheredBelow)
-    Torn,       // share of what is painted that lies on film that tore
-    TrappedAir, // share of the surface that film cannot reach because air is caught there
-    Join,       // mm of the line between two dips' shares; 0 of one dip
-    Narrow,     // share of it where both dips reach less than the films need to fade; likewise
-    FilmUsed,   // share of the sheet within the box round what paints; of two dips the mean
+    Quality,    // printQuality() over the body, weighted by zone; 0 where nothing is painted
+    Coverage,   // painted share of the surface
+    Stretch,    // 99th percentile of λ1 on the painted area
+    Certain,    // share of the painted area on film without marks (dip/FilmMarks.h)
+    Wrinkled,   // share of the painted area where film is pushed together (gatheredBelow)
+    Torn,       // share of the painted area on torn film
+    TrappedAir, // share of the surface that trapped air keeps from the film
+    Join,       // length of the seam between two dips, mm; 0 for one dip
+    Narrow,   // share of the seam whose overlap is too narrow for both films to fade; 0 for one dip
+    FilmUsed, // share of the sheet inside the box around its painting part; the mean of two dips
 };
 inline constexpr std::size_t measureCount = 10;
 const std::array<Measure, measureCount>& allMeasures();
@@ -34,54 +34,54 @@ struct PerMeasure {
     bool operator==(const PerMeasure&) const = default;
 };
 using PoseMeasures = PerMeasure<double>;
-// Larger stretches are not told apart from it.
+// Larger stretches are not distinguished from this one.
 inline constexpr double largestStretch = 15.99;
 
-QString measureKey(Measure measure);  // "quality", "trapped_air": on the command line
-QString measureName(Measure measure); // for the user: "Quality", "Trapped air"
-// "93.1 %", "1.84", "≥ 16", "212 mm"
+QString measureKey(Measure measure);  // "quality", "trapped_air": name on the command line
+QString measureName(Measure measure); // name for the user: "Quality", "Trapped air"
+// Value with its unit: "93.1 %", "1.84", "≥ 16", "212 mm".
 QString measureText(Measure measure, double value);
 bool isMoreBetter(Measure measure);
-bool isOfTwoDips(Measure measure); // counts for pairs only
-double mostLimit(Measure measure); // that one may be given, from 0 on
+bool isOfTwoDips(Measure measure); // applies to pairs only
+double mostLimit(Measure measure); // largest limit that can be set, from 0
 QString zoneKey(std::size_t zone); // "zone_a"
 
-// What the settings may be, ends included.
+// Allowed values of a setting, ends included.
 struct SettingRange {
     int least, most;
 };
 inline constexpr SettingRange directionsRange{6, 20'000}, simulatedRange{6, 2000},
     refinedRange{0, 50}, finerRange{1, 100}, confirmedRange{0, 20}, seedRange{0, 1'000'000};
-inline constexpr double mostWeight = 100, mostZoneWeight = 1000; // from 0 on
+inline constexpr double mostWeight = 100, mostZoneWeight = 1000; // both from 0
 
-// What is wanted of a pose; a project keeps it (project/Project.h).
+// The goals for a pose, which a project stores (project/Project.h).
 struct PoseAims {
-    // Up to mostWeight each, not all of them 0 (docs/pose-search.md, "The objective").
+    // 0 to mostWeight each, not all 0 (docs/pose-search.md, "The objective").
     PerMeasure<double> weights{{1, 0.5, 0.1, 0.5, 0.1, 0.5, 0.5, 0.1, 0.2, 0.05}};
-    std::array<double, zoneCount> zoneWeights{4, 2,
-                                              1}; // of a place's quality, up to mostZoneWeight
-    // The least that is wanted of a measure of which more is better, the most of any other. What
-    // does not keep them comes after all that does.
+    // Weights of a place's quality, 0 to mostZoneWeight.
+    std::array<double, zoneCount> zoneWeights{4, 2, 1};
+    // The lower limit of a measure of which more is better, else the upper limit. Poses that break
+    // a limit rank after all others.
     PerMeasure<std::optional<double>> limits;
     bool operator==(const PoseAims&) const = default;
 };
 
 struct SearchSettings {
     int immersions = 1;    // 1 or 2
-    int directions = 2000; // judged by their geometry
-    int simulated = 96;    // of those, each by one coarse dip
-    int refined = 6;       // of the best, in angle, turn and offset
-    int finer = 12;        // of the best, with finer film, which ranks them
-    int confirmed = 3;     // of the best, with the film and the field of the job
-    int seed = 1;          // of the directions
+    int directions = 2000; // judged by geometry alone
+    int simulated = 96;    // of these, simulated by one coarse dip each
+    int refined = 6;       // of the best, refined in angle, turn and offset
+    int finer = 12;        // of the best, simulated with finer film, which ranks them
+    int confirmed = 3;     // of the best, simulated with the film and field of the job
+    int seed = 1;          // for the directions
     PoseAims aims;
     bool operator==(const SearchSettings&) const = default;
 };
 
 // Throws Error that names the setting and its limits.
 void requireValid(const SearchSettings& settings);
-// Sets the weight or the limit of a measure, or the weight of zone A, B or C, by key; without a
-// value no limit. Throws Error where there is no such key or the value is out of range.
+// Set the weight or the limit of a measure, or the weight of zone A, B or C, by key. No value
+// removes the limit. Throw Error if the key is unknown or the value out of range.
 void setWeight(PoseAims& aims, const QString& key, double value);
 void setLimit(PoseAims& aims, const QString& key, std::optional<double> value);
 

@@ -1,4 +1,4 @@
-// What the user says of how two dips share a body, as in the project file's "share".
+// The user's settings for how two dips share a body, as in the project file's "share".
 #pragma once
 
 #include "base/Units.h"
@@ -9,32 +9,32 @@
 
 namespace dipwright {
 
-// What the user has painted on the body to say where the join may run.
+// Marks that the user paints on the body to say where the seam may run.
 enum class ShareMarkKind : std::uint8_t {
-    First,  // painted by the first dip
-    Second, // by the second
-    Avoid,  // no join here, if there is another way
-    Allow,  // a join does no harm here
+    First,  // dip 1 paints this
+    Second, // dip 2 paints this
+    Avoid,  // no seam here if there is another way
+    Allow,  // a seam does no harm here
 };
 
-// A round spot on the body, or the face that it lies on.
+// A round spot on the body, or the whole face at a place.
 struct ShareMark {
     ShareMarkKind kind = ShareMarkKind::Avoid;
     std::array<Millimetres, 3> place{}; // the point of the model nearest to this; model coordinates
-    Millimetres radius{5};              // along the surface; 0: the face round the place
+    Millimetres radius{5};              // along the surface; 0: the whole face
     bool operator==(const ShareMark&) const = default;
 };
 
 inline constexpr std::size_t mostShareMarks = 1000;
 
 struct ShareSettings {
-    // Whether each dip paints its share only. If not, each paints all that it reaches, and what
-    // both reach is painted twice.
+    // Whether each dip paints only its share. If not, each paints everything that it reaches, and
+    // the common area is painted twice.
     bool enabled = true;
-    Millimetres overlap{1.5};           // the band along the join where both fade, at least
-    Millimetres registrationError{0.7}; // of the second dip against the first, to be prepared for
-    double stretchLimit = 3;            // length stretch past which the other dip is to paint
-    std::vector<ShareMark> marks;       // later ones count over earlier ones
+    Millimetres overlap{1.5}; // least width of the overlap along the seam, where both fade
+    Millimetres registrationError{0.7}; // of dip 2 relative to dip 1, to allow for
+    double stretchLimit = 3;            // length stretch above which the other dip should paint
+    std::vector<ShareMark> marks;       // later marks override earlier ones
     bool operator==(const ShareSettings&) const = default;
 };
 

@@ -1,4 +1,4 @@
-// What the user says of the page, as in the project file's "sheet".
+// The user's settings for the sheet and its page, as in the project file's "sheet".
 #pragma once
 
 #include "base/Units.h"
@@ -7,16 +7,16 @@
 
 namespace dipwright {
 
-// Where a line to cut along is drawn: round all ink, or along the film's edge.
+// Where the cut contour is drawn: around all ink, or along the film's edge.
 enum class CutLine { None, Ink, Film };
 
-// A plate of white: printed last it touches the body, and lies under the colour of the part.
-// Printed first it lies on the outside, over the colour.
+// The white plate. Printed last, it touches the body and lies under the part's colour. Printed
+// first, it lies outside, over the colour.
 enum class WhiteLayer { None, Last, First };
 
 struct SheetSettings {
     QString paper = QStringLiteral("film"); // film (the page is the film), A4, A3, Letter, custom
-    bool landscape = false; // turns A4, A3 and Letter; film and custom pages are as they are given
+    bool landscape = false; // rotates A4, A3 and Letter; film and custom pages stay as given
     Millimetres customWidth{210};
     Millimetres customHeight{297};
     DotsPerInch resolution{300};
@@ -24,16 +24,17 @@ struct SheetSettings {
     bool marks = true;
     bool ruler = true;
     bool jobLine = true;
-    // In a PDF in CMYK, as a spot ink of this name; its distance from the ink.
+    // In a CMYK PDF: the cut contour as a spot ink of this name, and its distance from the ink.
     CutLine cutLine = CutLine::None;
     Millimetres cutDistance{3};
     QString cutName = QStringLiteral("CutContour");
-    // How far beyond the line round the ink all plates go on, in CMYK: colours as at the painted
-    // film's edge, as far as the film goes.
+    // How far all plates continue beyond the cut contour around the ink, in CMYK. The colours are
+    // those at the edge of the painted film. The film's edge limits it.
     Millimetres cutBleed{0};
     WhiteLayer white = WhiteLayer::None;
-    double whiteDensity = 1;     // wanted on the body, share of full tint
-    Millimetres whiteChoke{0.2}; // so much smaller than the colour all round, on the film
+    double whiteDensity = 1; // wanted on the body, as a share of full tint
+    // choke: how far white is smaller than the colour all round, on the film
+    Millimetres whiteChoke{0.2};
     QString whiteName = QStringLiteral("White");
     bool operator==(const SheetSettings&) const = default;
 };

@@ -20,24 +20,26 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::BodyShare)
 };
 
-// Constants of ours (docs/film-model.md, "Two dips, one body").
-constexpr double fineTriangles = 40'000;   // about so many, if the body has fewer
-constexpr double joinWeight = 20;          // mm² of body at cost 1 that a mm of join is worth
-constexpr float nearReachEdge = 5;         // the cost of a mm² where the dip's film ends …
-constexpr float edgeMargin = 0.75f;        // … to nothing so many bands from there
-constexpr double smoothing = 3;            // mm, and no less than two fine triangles
-constexpr double reckonedStretches = 0.75; // share of the film along the join
-constexpr double worthASwap = 1.1;         // times as much drawn out
-constexpr float farthest = 1e4f;           // bands
-constexpr double leastUnpainted = 1;       // mm² of a place that is listed
+// Chosen constants (docs/film-model.md, "Two dips, one body").
+constexpr double fineTriangles = 40'000; // target number, if the body has fewer
+// A mm of seam costs as much as this many mm² of body at cost 1.
+constexpr double joinWeight = 20;
+constexpr float reachEdgeCost = 5;       // cost of a mm² at the end of a dip's film
+constexpr float reachEdgeWidth = 0.75f;  // in overlap widths: distance from there to cost 0
+constexpr double smoothing = 3;          // mm; at least two fine triangles
+constexpr double stretchQuantile = 0.75; // quantile of the stretches along the seam
+constexpr double leastSwapRatio = 1.1;   // ratio of the stretches
+constexpr float farthest = 1e4f;         // in overlap widths
+constexpr double leastListedArea = 1;    // mm²; smaller places are not listed
 
 using Films = std::array<std::shared_ptr<const LaidFilm>, 2>;
 using Suitabilities = std::array<Suitability, 2>;
 
-// What a dip reaches, position by position.
+// What a dip reaches, per position.
 struct Reach {
-    std::vector<float> depth; // bands from its end; 0 past it, infinite where it reaches all
-    std::vector<std::uint8_t> touches; // 1 where it reaches a triangle round the position
+    // In overlap widths from the end of its film; 0 past it, infinite if it reaches everything.
+    std::vector<float> depth;
+    std::vector<std::uint8_t> touches; // 1 if it reaches a triangle at the position
 };
 using Reaches = std::array<Reach, 2>;
 
@@ -59,7 +61,7 @@ float meanOf(const std::vector<float>& values, const std::array<std::uint32_t, 3
     return (values[corners[0]] + values[corners[1]] + values[corners[2]]) / 3;
 }
 
-// What each fine triangle costs the first and the second dip.
+// Returns the cost of each fine triangle for the first and the second dip.
 std::vector<std::array<double, 2>> costsOf(const TriangleMesh& mesh, const Suitabilities& dips,
                                            const Reaches& reaches) {
     std::vector<std::array<double, 2>> costs(mesh.triangles.size());
@@ -67,7 +69,7 @@ std::vector<std::array<double, 2>> costsOf(const TriangleMesh& mesh, const Suita
         const double area = triangleArea(mesh, triangle);
         for (std::size_t dip = 0; dip < 2; ++dip) {
             const float depth = meanOf(reaches[dip].depth, mesh.triangles[triangle]);
-            const float edge = nearReachEdge * std::max(0.0f, 1 - depth / edgeMargin);
+            const float edge = reachEdgeCost * std::max(0.0f, 1 - depth / reachEdgeWidth);
             costs[triangle][dip] = area * double(dips[dip].cost[triangle] + edge);
         }
     }
@@ -98,8 +100,8 @@ std::vector<std::uint32_t> trianglesOf(const std::vector<LinePiece>& line) {
     return triangles;
 }
 
-// How far film is drawn out that lies in any of these triangles, but for the most drawn out of it:
-// so many times as far off as on the water it lies on the body.
+// Returns the stretch of the film in these triangles, without the most stretched quarter. A
+// displacement on the water is multiplied by it on the body.
 double stretchOf(const std::vector<std::uint32_t>& triangles, const std::vector<float>& stretch,
                  double stretchLimit) {
     std::vector<float> stretches;
@@ -110,13 +112,13 @@ double stretchOf(const std::vector<std::uint32_t>& triangles, const std::vector<
         return 1;
     }
     const auto least =
-        stretches.begin() + std::ptrdiff_t(double(stretches.size() - 1) * reckonedStretches);
+        stretches.begin() + std::ptrdiff_t(double(stretches.size() - 1) * stretchQuantile);
     std::nth_element(stretches.begin(), least, stretches.end());
     return std::clamp(double(*least), 1.0, stretchLimit);
 }
 
-// The fade where there is less room than a band between the ends of both: ½ where the first dip is
-// to give all the colour, −½ where the second is.
+// Returns the fade where the two films reach over each other by less than the overlap. It is ½
+// where the first dip gives all the colour and −½ where the second does.
 float between(const Reaches& reaches, std::size_t position) {
     const float first = reaches[0].depth[position];
     const float second = reaches[1].depth[position];
@@ -125,8 +127,8 @@ float between(const Reaches& reaches, std::size_t position) {
                : float(reaches[0].touches[position] - reaches[1].touches[position]) / 2;
 }
 
-// Moves the join so that the band lies where both dips reach: where one does not, the other gives
-// all the colour.
+// Moves the seam so that the overlap lies where both dips reach. Elsewhere the dip that reaches
+// gives all the colour.
 void keepInReach(std::vector<float>& fade, const Reaches& reaches) {
     for (std::size_t position = 0; position < fade.size(); ++position) {
         const float least = 0.5f - reaches[1].depth[position];
@@ -185,8 +187,8 @@ OverlapWidth overlapAlong(const std::vector<LinePiece>& line, const TriangleMesh
     return {at(0.05), at(0.5), at(0.95)};
 }
 
-// The pieces of a line that lie where both dips paint: elsewhere nothing is joined.
-std::vector<LinePiece> joining(std::vector<LinePiece> line, const Suitabilities& dips) {
+// Keeps the pieces of a line where both dips paint; elsewhere there is no seam.
+std::vector<LinePiece> seamPieces(std::vector<LinePiece> line, const Suitabilities& dips) {
     std::erase_if(line, [&](const LinePiece& piece) {
         return dips[0].reached[piece.triangle] == 0 || dips[1].reached[piece.triangle] == 0;
     });
@@ -214,7 +216,7 @@ std::vector<UnpaintedPlace> unpaintedPlaces(const BodyShare& share) {
             area += triangleArea(mesh, triangle);
             mean += float(triangleArea(mesh, triangle)) * middle(triangle);
         }
-        if (area < leastUnpainted) {
+        if (area < leastListedArea) {
             continue;
         }
         mean /= float(area);
@@ -229,7 +231,7 @@ std::vector<UnpaintedPlace> unpaintedPlaces(const BodyShare& share) {
     return places;
 }
 
-// Above 0 on the side of the body that the first dip lets down first.
+// Returns a field that is positive on the side of the body that faces down in the first dip.
 std::vector<float> equatorField(const TriangleMesh& mesh, const Films& films) {
     const auto down = [](const LaidFilm& laid) {
         return Eigen::Vector3f(
@@ -249,20 +251,22 @@ std::vector<float> equatorField(const TriangleMesh& mesh, const Films& films) {
 
 std::optional<std::size_t> betterLast(const BodyShare& share) {
     const auto [first, second] = share.joinStretch;
-    return second > worthASwap * first   ? std::optional<std::size_t>(0)
-           : first > worthASwap * second ? std::optional<std::size_t>(1)
-                                         : std::nullopt;
+    return second > leastSwapRatio * first   ? std::optional<std::size_t>(0)
+           : first > leastSwapRatio * second ? std::optional<std::size_t>(1)
+                                             : std::nullopt;
 }
 
 BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSettings& settings,
                     const InkSettings& ink, const Progress& progress) {
-    const auto tell = [&](double done) { progress(done, Text::tr("Sharing out the body")); };
-    tell(0);
+    const auto reportProgress = [&](double done) {
+        progress(done, Text::tr("Splitting the part between the dips"));
+    };
+    reportProgress(0);
     const float edge = edgeForTriangles(model.mesh, fineTriangles);
     const auto body = std::make_shared<const RefinedMesh>(model.mesh, edge);
     const TriangleMesh& mesh = body->mesh();
     const JoinPlaces places = joinPlaces(*body, model, SurfaceQuery(model.mesh));
-    tell(0.3);
+    reportProgress(0.3);
     Suitabilities dips;
     for (std::size_t dip = 0; dip < 2; ++dip) {
         dips[dip] = suitability(*body, *films[dip], places.colours, settings.stretchLimit, ink);
@@ -270,10 +274,10 @@ BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSe
     const FadeBand band(*body, *films[1], places.colours, settings);
     const Reaches reaches{reachOf(mesh, dips[0].reached, band.measure()),
                           reachOf(mesh, dips[1].reached, band.measure())};
-    tell(0.6);
+    reportProgress(0.6);
     const std::vector<std::uint8_t> labels =
         cutBody(*body, costsOf(mesh, dips, reaches), places.weights, settings);
-    tell(0.8);
+    reportProgress(0.8);
     BodyShare share;
     share.narrowest = band.narrowest();
     const double width = std::max(smoothing, 2 * double(edge));
@@ -282,7 +286,7 @@ BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSe
     keepInReach(share.fade.values, reaches);
     findPainters(share, dips);
     share.narrow = band.tooNarrow(share.fade.values, share.painters);
-    const std::vector<LinePiece> line = joining(zeroLine(mesh, share.fade.values), dips);
+    const std::vector<LinePiece> line = seamPieces(zeroLine(mesh, share.fade.values), dips);
     for (std::size_t dip = 0; dip < 2; ++dip) {
         share.joinStretch[dip] =
             stretchOf(trianglesOf(line), dips[dip].stretch, settings.stretchLimit);
@@ -292,12 +296,12 @@ BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSe
     std::vector<float> equator =
         signedDistance(mesh, equatorField(mesh, films), farthest, band.measure());
     keepInReach(equator, reaches);
-    share.equator = joinCost(joining(zeroLine(mesh, equator), dips), places.weights);
+    share.equator = joinCost(seamPieces(zeroLine(mesh, equator), dips), places.weights);
     for (const LinePiece& piece : line) {
         share.join.push_back(piece.ends);
     }
     share.unpainted = unpaintedPlaces(share);
-    tell(1);
+    reportProgress(1);
     return share;
 }
 

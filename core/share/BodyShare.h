@@ -1,5 +1,5 @@
-// The body shared out between two dips: which of them paints which place, and the join between
-// (docs/film-model.md, "Two dips, one body").
+// Splits a body between two dips: which dip paints which place, and where the seam between them
+// runs (docs/film-model.md, "Two dips, one body").
 #pragma once
 
 #include "base/Progress.h"
@@ -12,30 +12,31 @@
 
 namespace dipwright {
 
-// Who paints how much of the body, mm².
+// The areas that each dip paints, mm².
 struct ShareAreas {
-    double first = 0, second = 0; // by one dip alone
-    double both = 0;              // in the band along the join
-    double none = 0;              // by neither: no film reaches it
+    double first = 0, second = 0; // painted by one dip alone
+    double both = 0;              // painted by both, in the overlap along the seam
+    double none = 0;              // painted by neither, as no film reaches it
     double total() const { return first + second + both + none; }
     bool operator==(const ShareAreas&) const = default;
 };
 
 enum class Painter : std::uint8_t { None, First, Second, Both };
 
-// The width of the band where both dips fade, mm, along the join.
+// Width of the overlap along the seam, mm.
 struct OverlapWidth {
-    double least = 0, middle = 0, most = 0; // of 5, 50 and 95 % of the join at most
+    double least = 0, middle = 0, most = 0; // 5th, 50th and 95th percentile along the seam
 };
 
-// A piece of the body that neither dip reaches.
+// A connected piece of the body that neither dip reaches.
 struct UnpaintedPlace {
-    double area = 0;                                 // mm²
-    Eigen::Vector3f place = Eigen::Vector3f::Zero(); // in the middle of it, model coordinates, mm
+    double area = 0; // mm²
+    // On it, near its middle; model coordinates, mm.
+    Eigen::Vector3f place = Eigen::Vector3f::Zero();
 };
 
-// How much a line on the body will be seen: the integral along it of the contrast of the texture
-// times the visibility of the place, each from a tenth to about 1.
+// How visible a line on the body is: the integral along it of the texture's contrast times the
+// visibility of the place. Both range from 0.1 to about 1.
 struct JoinCost {
     double length = 0; // mm
     double cost = 0;   // mm
@@ -43,35 +44,36 @@ struct JoinCost {
 
 // Immutable; any thread may read.
 struct BodyShare {
-    SurfaceField fade;                                // as PaintShare has it
-    float narrowest = 0;                              // likewise
-    std::vector<Painter> painters;                    // a fine triangle each
-    std::vector<std::array<Eigen::Vector3f, 2>> join; // the line, in pieces; model coordinates, mm
+    SurfaceField fade;                                // as in PaintShare
+    float narrowest = 0;                              // as in PaintShare
+    std::vector<Painter> painters;                    // per fine triangle
+    std::vector<std::array<Eigen::Vector3f, 2>> join; // the seam, in pieces; model coordinates, mm
     OverlapWidth overlap;
-    // The share of the overlap that is too narrow: there the second film shows by more than a tenth
-    // of full reflectance if it lies as far off as it may.
+    // Share of the overlap that is too narrow for the registration error. A second film displaced
+    // by that error shows there by more than 0.1 of full reflectance.
     double narrow = 0;
     ShareAreas areas;
-    // How far each dip's film is drawn out along the join, but for the quarter of it that is drawn
-    // out most: what lies off on the water is so many times as far off on the body.
+    // Stretch of each dip's film along the seam: its third quartile. A displacement of the film on
+    // the water is multiplied by it on the body.
     std::array<double, 2> joinStretch{1, 1};
-    JoinCost cost;    // of the join …
-    JoinCost equator; // … and of the plane halfway between the two poses, moved as far as it takes
-                      // that all is painted that a dip reaches
-    std::vector<UnpaintedPlace> unpainted; // the largest first
+    JoinCost cost; // of the seam
+    // For comparison: cost of the plane halfway between the two poses, moved so that everything
+    // that a dip reaches is painted.
+    JoinCost equator;
+    std::vector<UnpaintedPlace> unpainted; // largest first
 
-    // What dip `number`, 0 or 1, is to paint.
+    // Returns the share that dip `number` (0 or 1) paints.
     PaintShare of(std::size_t number) const { return {fade, number == 0, narrowest}; }
 };
 
-// `films`: the two dips of `model`. Deterministic, all cores; throws Cancelled.
+// `films` are the two dips of `model`. Uses all cores; deterministic. Throws Cancelled.
 BodyShare shareBody(const TexturedMesh& model,
                     const std::array<std::shared_ptr<const LaidFilm>, 2>& films,
                     const ShareSettings& settings, const InkSettings& ink,
                     const Progress& progress);
 
-// The dip, 0 or 1, that is better made last, for it is the last film that lies off: the one whose
-// film is drawn out less along the join, if that makes a difference.
+// Returns which dip (0 or 1) should come last: the one whose film is stretched less along the seam,
+// because only the last film is misregistered. Returns nothing if they hardly differ.
 std::optional<std::size_t> betterLast(const BodyShare& share);
 
 } // namespace dipwright

@@ -10,13 +10,13 @@
 namespace dipwright {
 namespace {
 
-// Constants of ours (docs/film-model.md, "Two dips, one body").
-constexpr double visibleStep = 0.1; // of reflectance
+// Chosen constants (docs/film-model.md, "Two dips, one body").
+constexpr double visibleStep = 0.1; // reflectance
 constexpr double darkest = 0.01;    // reflectance of printed black
 constexpr double leastBand = 0.1;   // mm
-constexpr float gathered = 2;       // times as long as the body under it: film that jumps there
-constexpr float reserve = 1.15f;    // for film beside a place that is drawn out less than there
-constexpr double slack = 0.05;      // of a fade that is as long as it takes
+constexpr float gapRatio = 2; // film longer than the body under it by this factor has a gap there
+constexpr float widthReserve = 1.15f;   // factor, because neighbouring film may be stretched less
+constexpr double widthTolerance = 0.05; // tolerance for a fade of exactly the needed width
 
 using Corners = std::array<Eigen::Vector3f, 3>;
 
@@ -25,8 +25,8 @@ std::array<float, 3> lengthsOf(const Corners& corners) {
             (corners[0] - corners[2]).norm()};
 }
 
-// Where the film that lies on a fine triangle was when it was flat; none where it does not reach
-// all of it, or not in one piece.
+// Returns where the film on a fine triangle was when it was flat. Returns nothing if the film does
+// not cover the whole triangle in one piece.
 std::optional<Corners> onFlatFilm(const RefinedMesh& body, std::uint32_t triangle,
                                   const LaidFilm& laid) {
     Corners flat;
@@ -41,14 +41,14 @@ std::optional<Corners> onFlatFilm(const RefinedMesh& body, std::uint32_t triangl
     const std::array<float, 3> there = lengthsOf(cornersOf(body.mesh(), triangle));
     const std::array<float, 3> lengths = lengthsOf(flat);
     for (std::size_t edge = 0; edge < 3; ++edge) {
-        if (lengths[edge] > gathered * there[edge]) {
+        if (lengths[edge] > gapRatio * there[edge]) {
             return std::nullopt;
         }
     }
     return flat;
 }
 
-// The largest of the values of a triangle and those round it.
+// Returns, per triangle, the largest value of the triangle and its neighbours.
 std::vector<float> largestAround(const TriangleMesh& mesh, const std::vector<float>& values) {
     std::vector<float> most(mesh.positions.size(), 0);
     for (std::size_t triangle = 0; triangle < values.size(); ++triangle) {
@@ -63,7 +63,7 @@ std::vector<float> largestAround(const TriangleMesh& mesh, const std::vector<flo
     return around;
 }
 
-// The edges from the first corner to the others, in the triangle's plane.
+// Returns the edges from the first corner to the two others, in the triangle's plane.
 Eigen::Matrix2f edgesInPlane(const Corners& corners) {
     const Eigen::Vector3f first = corners[1] - corners[0];
     const Eigen::Vector3f second = corners[2] - corners[0];
@@ -74,8 +74,8 @@ Eigen::Matrix2f edgesInPlane(const Corners& corners) {
     return edges;
 }
 
-// A triangle in widths of a band that is `band` mm of what it is measured in, and in no direction
-// less than `least` mm on the body.
+// Returns a triangle scaled to overlap widths. The overlap is `band` mm wide in the units of
+// `measured`, and at least `least` mm wide on the body in every direction.
 Corners inBands(const Corners& measured, const Corners& onBody, float band, float least) {
     const Eigen::Matrix2f body = edgesInPlane(onBody);
     if (!(body.determinant() > 0)) {
@@ -93,10 +93,10 @@ Corners inBands(const Corners& measured, const Corners& onBody, float band, floa
 } // namespace
 
 double neededOverlap(const LinearColour& colour, double error, double least) {
-    double share = 1; // of the band that the error may be
+    double share = 1; // of the overlap width that the error may reach
     for (const float channel : colour) {
         const double light = std::clamp(double(channel), darkest, 0.999);
-        // Density left out: light^(1 − x) − light. Too much of it: light − light^(1 + x).
+        // Ink missing: light^(1 − x) − light. Too much ink: light − light^(1 + x).
         if (light + visibleStep < 1) {
             share = std::min(share, 1 - std::log(light + visibleStep) / std::log(light));
         }
@@ -120,7 +120,7 @@ FadeBand::FadeBand(const RefinedMesh& body, const LaidFilm& second,
     parallelFor(std::size_t(0), measure_.size(), [&](std::size_t triangle) {
         const Corners corners = cornersOf(body.mesh(), triangle);
         measure_[triangle] = inBands(flat_[triangle].value_or(corners), corners,
-                                     reserve * around[triangle], narrowest_);
+                                     widthReserve * around[triangle], narrowest_);
     });
 }
 
@@ -136,7 +136,7 @@ double FadeBand::tooNarrow(const std::vector<float>& fade,
         const Corners corners = flat_[triangle].value_or(cornersOf(body_.mesh(), triangle));
         const double steep = double(steepness(corners, {fade[a], fade[b], fade[c]}));
         both += area;
-        narrow += steep * double(needed_[triangle]) > 1 + slack ? area : 0;
+        narrow += steep * double(needed_[triangle]) > 1 + widthTolerance ? area : 0;
     }
     return both > 0 ? narrow / both : 0;
 }

@@ -1,5 +1,5 @@
-// How wide the band has to be in which two films fade into each other so that it does not show when
-// the second of them lies off (docs/film-model.md, "Two dips, one body").
+// Computes how wide the overlap of two fading films must be to hide a misregistration of the second
+// film (docs/film-model.md, "Two dips, one body").
 #pragma once
 
 #include "dip/LaidFilm.h"
@@ -9,33 +9,35 @@
 
 namespace dipwright {
 
-// The width of the band, mm of flat film, in which two fading films show no edge of more than a
-// tenth of full reflectance though one lies `error` mm off, where the body is to show this
-// reflectance; no less than `least`.
+// Returns the overlap width in mm of flat film, at least `least`. With this width, a film that lies
+// `error` mm off shows no step of more than 0.1 of full reflectance. `colour` is the reflectance
+// that the body is to show.
 double neededOverlap(const LinearColour& colour, double error, double least);
 
-// The band on a body, place by place. What lies off on the water is off on the flat film by as
-// much, so there the band is measured.
+// The overlap width at each place of a body. A displacement on the water is equally large on the
+// flat film, so the width is measured there.
 class FadeBand {
 public:
-    // `colours`: what each fine triangle is to show. All of them outlive this. All cores.
+    // `colours` are the colours that the fine triangles are to show. `body` must outlive this
+    // object. Uses all cores.
     FadeBand(const RefinedMesh& body, const LaidFilm& second,
              const std::vector<LinearColour>& colours, const ShareSettings& settings);
 
-    // The fine triangles as they lie on the second film where it is flat, or on the body where it
-    // does not reach, in widths of the band that is needed there.
+    // Returns the fine triangles as they lie on the flat second film; on the body where that film
+    // does not reach. The unit is the overlap width that is needed there.
     const UnfoldedTriangles& measure() const { return measure_; }
-    // mm on the body that a band has at least.
+    // Smallest overlap width on the body, mm.
     float narrowest() const { return narrowest_; }
-    // The share of what both paint in which a fade, a number of bands a position, is so steep that
-    // the second film shows.
+    // Returns the share of the area that both dips paint in which the fade is so steep that the
+    // second film shows. `fade` is per position, in overlap widths.
     double tooNarrow(const std::vector<float>& fade, const std::vector<Painter>& painters) const;
 
 private:
     const RefinedMesh& body_;
     float narrowest_;
-    std::vector<std::optional<std::array<Eigen::Vector3f, 3>>> flat_; // corners, mm of flat film
-    std::vector<float> needed_; // mm of flat film, by each triangle's own colour
+    // Corners on the flat film, mm.
+    std::vector<std::optional<std::array<Eigen::Vector3f, 3>>> flat_;
+    std::vector<float> needed_; // mm of flat film, for each triangle's own colour
     UnfoldedTriangles measure_;
 };
 

@@ -10,21 +10,23 @@
 namespace dipwright {
 namespace {
 
-// Constants of ours (docs/film-model.md, "Two dips, one body").
-constexpr float leastContrast = 0.1f;   // of a plain place, so that a short join is better
+// Chosen constants (docs/film-model.md, "Two dips, one body").
+constexpr float leastContrast = 0.1f;   // of a plain place, so that a short seam is better
 constexpr float leastVisibility = 0.1f; // of a place that no light reaches
-constexpr float fullContrast = 0.3f;    // difference of sRGB values, of 1, that is as bad as any
-constexpr float creaseAngle = 30;       // degrees, from which on an edge of the body is a crease
+// Difference of sRGB values (0 … 1) that counts as full contrast.
+constexpr float fullContrast = 0.3f;
+constexpr float creaseAngle = 30; // degrees; a sharper edge of the body is a crease
 constexpr float creaseWeight = 0.5f;
-constexpr int lines = 24; // of sight from a place
+constexpr int lines = 24; // lines of sight from each place
 
-// Black to white is 1.
+// sRGB values; black to white is 0 … 1.
 Eigen::Array3f encoded(const LinearColour& colour) {
     return colour.unaryExpr([](float linear) { return float(srgbFromLinear(double(linear))); });
 }
 
-// The places of a fine triangle at which its texture is looked at: its middle and near its corners.
-std::vector<SurfacePoint> looks(const RefinedMesh& body) {
+// Returns the sample places of each fine triangle for its texture: the middle and one near each
+// corner.
+std::vector<SurfacePoint> samplePlaces(const RefinedMesh& body) {
     const std::size_t triangles = body.mesh().triangles.size();
     std::vector<SurfacePoint> places(4 * triangles);
     for (std::uint32_t triangle = 0; triangle < triangles; ++triangle) {
@@ -38,25 +40,25 @@ std::vector<SurfacePoint> looks(const RefinedMesh& body) {
     return places;
 }
 
-// How much the colours in a triangle and of its neighbours differ, 0 … 1.
-std::vector<float> contrasts(const std::vector<LinearColour>& looked,
+// Returns how much the colours in a triangle and its neighbours differ, 0 … 1.
+std::vector<float> contrasts(const std::vector<LinearColour>& sampled,
                              const std::vector<std::uint32_t>& opposite) {
     const std::size_t triangles = opposite.size() / 3;
     std::vector<float> contrast(triangles);
     parallelFor(std::size_t(0), triangles, [&](std::size_t triangle) {
-        Eigen::Array3f least = encoded(looked[4 * triangle]);
+        Eigen::Array3f least = encoded(sampled[4 * triangle]);
         Eigen::Array3f most = least;
         const auto add = [&](const LinearColour& colour) {
             const Eigen::Array3f value = encoded(colour);
             least = least.min(value);
             most = most.max(value);
         };
-        for (std::size_t look = 1; look < 4; ++look) {
-            add(looked[4 * triangle + look]);
+        for (std::size_t sample = 1; sample < 4; ++sample) {
+            add(sampled[4 * triangle + sample]);
         }
         for (std::size_t edge = 0; edge < 3; ++edge) {
             if (const std::uint32_t other = opposite[3 * triangle + edge]; other != noEdge) {
-                add(looked[4 * std::size_t(other / 3)]);
+                add(sampled[4 * std::size_t(other / 3)]);
             }
         }
         contrast[triangle] = std::min(1.0f, (most - least).maxCoeff() / fullContrast);
@@ -64,7 +66,7 @@ std::vector<float> contrasts(const std::vector<LinearColour>& looked,
     return contrast;
 }
 
-// Directions over a plane facing +Z, more of them upright than flat, as light falls on paper.
+// Directions over a plane facing +Z, cosine-weighted like diffuse light on paper.
 std::array<Eigen::Vector3f, lines> linesOfSight() {
     std::array<Eigen::Vector3f, lines> directions;
     for (int k = 0; k < lines; ++k) {
@@ -76,7 +78,7 @@ std::array<Eigen::Vector3f, lines> linesOfSight() {
     return directions;
 }
 
-// The share of the lines of sight from each position that leave the body.
+// Returns, per position, the share of lines of sight that do not hit the body.
 std::vector<float> openness(const TriangleMesh& mesh, const SurfaceQuery& query) {
     const std::array<Eigen::Vector3f, lines> directions = linesOfSight();
     const std::vector<Eigen::Vector3f> normals = vertexNormals(mesh);
@@ -100,14 +102,14 @@ std::vector<float> openness(const TriangleMesh& mesh, const SurfaceQuery& query)
 JoinPlaces joinPlaces(const RefinedMesh& body, const TexturedMesh& model,
                       const SurfaceQuery& query) {
     const TriangleMesh& mesh = body.mesh();
-    const std::vector<LinearColour> looked = surfaceColours(model, looks(body));
-    const std::vector<float> contrast = contrasts(looked, oppositeEdges(mesh));
+    const std::vector<LinearColour> sampled = surfaceColours(model, samplePlaces(body));
+    const std::vector<float> contrast = contrasts(sampled, oppositeEdges(mesh));
     const std::vector<float> open = openness(mesh, query);
     JoinPlaces places;
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
         const auto& [a, b, c] = mesh.triangles[triangle];
-        const LinearColour* look = &looked[4 * triangle];
-        places.colours.push_back((look[0] + look[1] + look[2] + look[3]) / 4);
+        const LinearColour* sample = &sampled[4 * triangle];
+        places.colours.push_back((sample[0] + sample[1] + sample[2] + sample[3]) / 4);
         const float visibility = (open[a] + open[b] + open[c]) / 3;
         places.weights.push_back((leastContrast + contrast[triangle]) *
                                  (leastVisibility + visibility));

@@ -1,4 +1,4 @@
-// Where a join between two dips would be seen least.
+// Rates where a seam between two dips would be visible.
 #pragma once
 
 #include "geometry/RefinedMesh.h"
@@ -11,20 +11,21 @@
 namespace dipwright {
 
 struct JoinPlaces {
-    std::vector<LinearColour> colours; // a fine triangle each: the mean of what it is to show
-    // A fine triangle each: how much a mm of join would be seen there, contrast × visibility.
+    std::vector<LinearColour> colours; // per fine triangle: mean colour that it is to show
+    // Per fine triangle: visibility of a mm of seam there (contrast × visibility of the place).
     std::vector<float> weights;
 };
 
-// `model` is the coarse mesh's, `query` of it. All cores.
+// `model` has the coarse mesh of `body`; `query` must be of that mesh. Uses all cores.
 JoinPlaces joinPlaces(const RefinedMesh& body, const TexturedMesh& model,
                       const SurfaceQuery& query);
 
-// The edges between fine triangles with what a join along each would cost, mm: its length times the
-// weight there, less along a crease.
+// Returns the edges between fine triangles with the cost of a seam along each, mm. The cost is the
+// length times the weight there; it is lower along a crease.
 std::vector<CutEdge> joinEdges(const RefinedMesh& body, const std::vector<float>& weights);
 
-// The line where `field`, a number a position, is 0, in pieces from the triangles that it crosses.
+// zeroLine() returns the line where `field` is 0, one piece per triangle that it crosses. `field`
+// is per position.
 struct LinePiece {
     std::uint32_t triangle = 0;
     std::array<Eigen::Vector3f, 2> ends;

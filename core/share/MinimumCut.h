@@ -1,4 +1,4 @@
-// Two labels for many items, chosen so that a cost is as small as it can be.
+// Assigns one of two labels to each item so that the total cost is minimal.
 #pragma once
 
 #include <array>
@@ -9,12 +9,12 @@ namespace dipwright {
 
 struct CutEdge {
     std::uint32_t from = 0, to = 0; // items
-    double cost = 0;                // ≥ 0, where they have different labels
+    double cost = 0;                // ≥ 0; applies if the two labels differ
 };
 
-// The labels, 0 or 1 an item, with the least sum of `costs` (an item each: what label 0 and label 1
-// cost, ≥ 0) and of the edges between different labels: a minimum cut (Greig, Porteous & Seheult
-// 1989). Of equal sums always the same one.
+// Returns the label of each item, 0 or 1, that minimises the sum of all costs. `costs` holds per
+// item the cost of label 0 and of label 1, ≥ 0. An edge counts if its items have different labels.
+// This is a minimum cut (Greig, Porteous & Seheult 1989). Deterministic, also among equal sums.
 std::vector<std::uint8_t> minimumCut(const std::vector<std::array<double, 2>>& costs,
                                      const std::vector<CutEdge>& edges);
 

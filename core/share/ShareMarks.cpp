@@ -6,10 +6,10 @@
 namespace dipwright {
 namespace {
 
-// Constants of ours (docs/film-model.md, "Two dips, one body").
-constexpr double told = 1e5;     // the cost of a mm² that the user has given to the other dip
-constexpr float avoided = 20;    // times as visible
-constexpr float allowed = 0.05f; // times as visible
+// Chosen constants (docs/film-model.md, "Two dips, one body").
+constexpr double assignedCost = 1e5; // cost of a mm² that the user assigned to the other dip
+constexpr float avoidFactor = 20;    // factor on the visibility
+constexpr float allowFactor = 0.05f; // factor on the visibility
 
 SurfacePoint placeOf(const ShareMark& mark, const SurfaceQuery& query) {
     return query
@@ -18,7 +18,7 @@ SurfacePoint placeOf(const ShareMark& mark, const SurfaceQuery& query) {
         .point;
 }
 
-// The edges between triangles of a set and others.
+// Returns the edges between triangles of a set and other triangles.
 std::vector<std::array<Eigen::Vector3f, 2>> borderOf(const TriangleMesh& mesh,
                                                      const std::vector<std::uint32_t>& set) {
     std::vector<std::uint8_t> isIn(mesh.triangles.size());
@@ -65,8 +65,8 @@ void obeyMarks(const TriangleMesh& mesh, const std::vector<ShareMark>& marks,
         return;
     }
     const SurfaceQuery query(mesh);
-    const std::vector<std::array<double, 2>> free = costs;
-    const std::vector<float> plain = weights;
+    const std::vector<std::array<double, 2>> unmarkedCosts = costs;
+    const std::vector<float> unmarkedWeights = weights;
     for (const ShareMark& mark : marks) {
         const SurfacePoint middle = placeOf(mark, query);
         const auto radius = float(mark.radius.value());
@@ -75,16 +75,18 @@ void obeyMarks(const TriangleMesh& mesh, const std::vector<ShareMark>& marks,
             const double area = triangleArea(mesh, triangle);
             switch (mark.kind) {
             case ShareMarkKind::First:
-                costs[triangle] = {free[triangle][0], free[triangle][1] + told * area};
+                costs[triangle] = {unmarkedCosts[triangle][0],
+                                   unmarkedCosts[triangle][1] + assignedCost * area};
                 break;
             case ShareMarkKind::Second:
-                costs[triangle] = {free[triangle][0] + told * area, free[triangle][1]};
+                costs[triangle] = {unmarkedCosts[triangle][0] + assignedCost * area,
+                                   unmarkedCosts[triangle][1]};
                 break;
             case ShareMarkKind::Avoid:
-                weights[triangle] = avoided * plain[triangle];
+                weights[triangle] = avoidFactor * unmarkedWeights[triangle];
                 break;
             case ShareMarkKind::Allow:
-                weights[triangle] = allowed * plain[triangle];
+                weights[triangle] = allowFactor * unmarkedWeights[triangle];
                 break;
             }
         }

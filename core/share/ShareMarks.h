@@ -1,4 +1,4 @@
-// What the user's marks on the body mean for the cut.
+// Applies the user's marks on the body to the costs of the cut.
 #pragma once
 
 #include "geometry/SurfaceQuery.h"
@@ -6,12 +6,12 @@
 
 namespace dipwright {
 
-// Changes what triangles cost each dip (`costs`) and how much a join is seen there (`weights`), a
-// triangle each, where `marks` on the mesh say so.
+// Changes the cost of triangles for each dip (`costs`) and the visibility of a seam (`weights`) as
+// `marks` say. Both arrays are per triangle of `mesh`.
 void obeyMarks(const TriangleMesh& mesh, const std::vector<ShareMark>& marks,
                std::vector<std::array<double, 2>>& costs, std::vector<float>& weights);
 
-// The line round what a mark on the mesh marks, in pieces; `query` is of the mesh.
+// Returns the outline of the area that a mark covers, in pieces. `query` must be of `mesh`.
 std::vector<std::array<Eigen::Vector3f, 2>>
 markOutline(const TriangleMesh& mesh, const SurfaceQuery& query, const ShareMark& mark);
 

@@ -9,10 +9,10 @@
 namespace dipwright {
 namespace {
 
-constexpr double solved = 1e-6; // residual over right-hand side; the line moves by less than 1 µm
+constexpr double solved = 1e-6; // residual over right-hand side; moves the line by less than 1 µm
 constexpr int mostIterations = 500;
 
-// Of the angle between two sides of a triangle.
+// Cotangent of the angle between two sides of a triangle.
 double cotangent(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
     const double area = double(a.cross(b).norm());
     return area > 0 ? double(a.dot(b)) / area : 0;
@@ -40,8 +40,8 @@ std::vector<float> smoothBorder(const TriangleMesh& mesh, const std::vector<std:
     Eigen::VectorXd areas = Eigen::VectorXd::Zero(size);
     Eigen::VectorXd labelled = Eigen::VectorXd::Zero(size);
     std::vector<Eigen::Triplet<double>> entries;
-    // Implicit heat flow for the time t = width²/4: (M + t·L) u = M·label, with lumped areas M and
-    // the cotangents L, those of obtuse angles left out so that nothing overshoots.
+    // Implicit heat flow for the time t = width²/4: (M + t·L) u = M·label. M are the lumped areas,
+    // L the cotangent weights. Weights of obtuse angles are set to 0 so that nothing overshoots.
     const double time = width * width / 4;
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
         const auto& corners = mesh.triangles[triangle];
@@ -62,7 +62,7 @@ std::vector<float> smoothBorder(const TriangleMesh& mesh, const std::vector<std:
         }
     }
     for (Eigen::Index position = 0; position < size; ++position) {
-        // A position of no triangle has no area and any value.
+        // A position without triangles has no area; any value will do.
         entries.emplace_back(position, position, std::max(areas[position], 1e-12));
     }
     Eigen::SparseMatrix<double> matrix(size, size);

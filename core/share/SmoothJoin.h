@@ -1,4 +1,4 @@
-// From a cut along the edges of triangles to a smooth line.
+// Turns a cut along triangle edges into a smooth line.
 #pragma once
 
 #include "geometry/SurfaceDistance.h"
@@ -6,21 +6,22 @@
 
 namespace dipwright {
 
-// The border between triangles with label 0 and 1, smoothed as heat would blur it over `width` mm:
-// a number a position, above 0 on the side of label 0 and 0 on the line. A patch of either label
-// that is narrower than that goes.
+// Smooths the border between triangles with label 0 and 1 by heat diffusion over `width` mm.
+// Returns a value per position: positive on the side of label 0, zero on the line. Patches narrower
+// than `width` disappear.
 std::vector<float> smoothBorder(const TriangleMesh& mesh, const std::vector<std::uint8_t>& labels,
                                 double width);
 
-// How far each position is from where `field` is 0, along the surface, with the field's sign; past
-// `limit` the limit. The limit everywhere where it is nowhere 0. `measured` as surfaceDistance has
-// it.
+// Returns the distance of each position from the zero line of `field` along the surface, with the
+// sign of `field`. Distances are clamped to `limit`, which is also the result if there is no zero
+// line. `measured` is as in surfaceDistance().
 std::vector<float> signedDistance(const TriangleMesh& mesh, const std::vector<float>& field,
                                   float limit, const UnfoldedTriangles& measured = {});
 
-// The gradient's length, a mm, of what is linear in a triangle and has these values at its corners.
+// Returns the length of the gradient of a function that is linear in a triangle and has these
+// corner values, per mm.
 float steepness(const std::array<Eigen::Vector3f, 3>& corners, const std::array<float, 3>& values);
-// Of a field, a number a position.
+// The same in one triangle of a mesh; `field` is per position.
 float steepness(const TriangleMesh& mesh, std::size_t triangle, const std::vector<float>& field);
 
 } // namespace dipwright

@@ -9,13 +9,13 @@
 namespace dipwright {
 namespace {
 
-// Constants of ours (docs/film-model.md, "Two dips, one body"), each the cost of a mm².
+// Chosen costs of a mm² (docs/film-model.md, "Two dips, one body").
 constexpr float notReached = 20;
 constexpr float pastStretchLimit = 10;
 constexpr float marked = 2;
 constexpr float tooPale = 1;
-constexpr float doubledArea = 0.5f; // and as much for every further doubling
-constexpr float upwards = 1;        // facing straight up; half of it where the body is steep
+constexpr float doubledArea = 0.5f; // and as much again for every further doubling
+constexpr float upwards = 1;        // facing straight up; half of it on upright faces
 
 float costThere(const LaidFilm& laid, const FilmPlace& place, const LinearColour& colour,
                 double stretchLimit, const InkCompensation& ink) {

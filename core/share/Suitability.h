@@ -1,4 +1,4 @@
-// How well one dip can paint each place of the body.
+// Rates how well one dip can paint each place of the body.
 #pragma once
 
 #include "dip/LaidFilm.h"
@@ -8,16 +8,16 @@
 
 namespace dipwright {
 
-// A fine triangle each.
+// All arrays are per fine triangle.
 struct Suitability {
-    std::vector<std::uint8_t> reached; // 1 where the dip paints its middle
-    std::vector<float> stretch;        // the larger one of its film there; 1 where it is not
-    std::vector<float> cost;           // of painting it with this dip, for each mm²; 0: perfectly
+    std::vector<std::uint8_t> reached; // 1 if the dip paints its middle
+    std::vector<float> stretch; // larger principal stretch of the film there; 1 where there is none
+    std::vector<float> cost;    // of painting it with this dip, per mm²; 0 is ideal
 };
 
-// By whether the dip paints the place, whether the film there tore, was let go of or found no rest,
-// how far it is stretched, whether its ink suffices, and how steeply the body meets the water.
-// `colours`: what each fine triangle is to show. All cores.
+// The cost depends on whether the dip paints the place and whether the film there is marked. It
+// also depends on the stretch of that film, on its ink, and on how steeply the body meets the
+// water. `colours` are the colours that the fine triangles are to show. Uses all cores.
 Suitability suitability(const RefinedMesh& body, const LaidFilm& laid,
                         const std::vector<LinearColour>& colours, double stretchLimit,
                         const InkSettings& ink);

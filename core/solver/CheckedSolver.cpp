@@ -19,17 +19,17 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(CheckedSolver)
 };
 
-constexpr int mostIdleCalls = 10'000; // of advance(), without a step
-// Of one dip: more than a day's work of the fastest solver for the smallest film.
+constexpr int mostIdleCalls = 10'000; // calls of advance() without a step
+// Steps of one dip: more than the fastest solver does in a day with the smallest film.
 constexpr std::int64_t mostSteps = 1'000'000'000;
-// After so many, the body has to have come down by so many mm in each, on the whole: a tenth of
-// what the slowest one does in the shortest step that a project may have.
+// After this many steps the body must on average have moved down by this many mm per step. That is
+// a tenth of the slowest dip in the shortest step that a project may have.
 constexpr std::int64_t stepsToJudge = 1'000'000;
 constexpr double leastWay = 1e-8;
-// Without coming down at all a film may take as many steps as the dip has time steps, and these.
+// Without any descent a film may take as many steps as the dip has time steps, plus these.
 constexpr std::int64_t stepsAtRest = 1000;
-constexpr std::int64_t mostIterationsOfAStep = 1'000'000; // of a linear solver
-constexpr double travelTolerance = 1e-6;                  // a share of the travel, for rounding
+constexpr std::int64_t mostIterationsOfAStep = 1'000'000; // of the linear solver
+constexpr double travelTolerance = 1e-6;                  // share of the travel, for rounding
 constexpr std::uint8_t allMarks = std::uint8_t(solver::PointMark::Torn) |
                                   std::uint8_t(solver::PointMark::LetGo) |
                                   std::uint8_t(solver::PointMark::Unbalanced);
@@ -48,7 +48,7 @@ void require(bool isGood, const QString& fault) {
     fail(Text::tr("it threw an unknown exception"));
 }
 
-// Turns what the module throws into a std::runtime_error with words that may be shown.
+// Turns the module's exceptions into std::runtime_error with a message that can be shown.
 template <typename Call>
 auto guarded(const Call& call) {
     try {
@@ -56,7 +56,7 @@ auto guarded(const Call& call) {
     } catch (const Cancelled&) {
         throw;
     } catch (const Error&) {
-        throw; // the program's own
+        throw; // not the module's
     } catch (const std::exception& failure) {
         const QString said = moduleText(QString::fromUtf8(failure.what()));
         said.isEmpty() ? failUnknown() : fail(said);
@@ -70,13 +70,13 @@ void requireStates(std::span<const solver::PointState> states) {
                         [](solver::PointState state) {
                             return std::uint8_t(state) <= std::uint8_t(solver::PointState::Trapped);
                         }),
-            Text::tr("it gave points a state that there is none of"));
+            Text::tr("it gave points an invalid state"));
 }
 
 void requireMarks(std::span<const std::uint8_t> marks) {
     require(std::all_of(marks.begin(), marks.end(),
                         [](std::uint8_t mark) { return (mark & ~allMarks) == 0; }),
-            Text::tr("it gave points a mark that there is none of"));
+            Text::tr("it gave points an invalid mark"));
 }
 
 bool areFinite(std::span<const float> positions) {
@@ -89,23 +89,23 @@ bool isNumberOfSteps(std::int64_t steps) {
 }
 
 bool isWithin(double travel, double descent) {
-    return descent >= 0 && descent <= travel * (1 + travelTolerance); // not a number is neither
+    return descent >= 0 && descent <= travel * (1 + travelTolerance); // false for NaN
 }
 
-// Of a dip with so many steps.
+// Checks the account of a dip with `steps` steps.
 void requireEquilibrium(const solver::EquilibriumAccount& account, std::int64_t steps) {
     const bool isGood =
         account.stepsWithout >= 0 && account.stepsWithout <= steps &&
         account.linearIterations >= 0 &&
         account.linearIterations <= std::max<std::int64_t>(steps, 1) * mostIterationsOfAStep &&
         std::isfinite(account.worstForceLeft) && account.worstForceLeft >= 0;
-    require(isGood, Text::tr("it told figures of its equilibrium that cannot be"));
+    require(isGood, Text::tr("it reported impossible convergence values"));
 }
 
 void requireForward(const solver::DipState& now, const solver::DipState& before, double travel) {
     require(isWithin(travel, now.descent) && now.descent >= before.descent &&
                 isNumberOfSteps(now.steps) && now.steps >= before.steps,
-            Text::tr("it told steps or a descent that cannot be"));
+            Text::tr("it reported an impossible number of steps or descent"));
     requireEquilibrium(now.equilibrium, now.steps);
 }
 
@@ -120,7 +120,7 @@ std::int64_t mostStepsAtRest(const solver::DipSetup& setup) {
 }
 
 void requireEnd(bool comesForward) {
-    require(comesForward, Text::tr("it does not come forward"));
+    require(comesForward, Text::tr("it makes no progress"));
 }
 
 class CheckedFilm : public StoppableFilm {
@@ -171,12 +171,12 @@ private:
     std::unique_ptr<solver::FilmSolver> film_;
     solver::DipState state_;
     int idleCalls_ = 0;
-    std::int64_t stepsDown_ = 0; // when it came down last
+    std::int64_t stepsDown_ = 0; // step of the last descent
     std::int64_t mostAtRest_ = mostSteps;
-    double travel_ = std::numeric_limits<double>::max(); // before it has begun
+    double travel_ = std::numeric_limits<double>::max(); // until begin()
 };
 
-// Asks whoever may stop a batch, and remembers the answer.
+// Forwards the question whether a batch is cancelled, and remembers the answer.
 struct Stop {
     solver::CancelFunction isCancelled;
     void* context;
@@ -214,7 +214,7 @@ public:
                   void* context) const override {
         Stop stop{isCancelled, context};
         const bool isDone = guarded([&] { return module_.runBatch(items, &Stop::ask, &stop); });
-        require(isDone || stop.said, Text::tr("it stopped by itself"));
+        require(isDone || stop.said, Text::tr("it stopped without being cancelled"));
         if (isDone) {
             std::for_each(items.begin(), items.end(), requireItem);
         }
@@ -231,12 +231,13 @@ private:
     static void requireItem(solver::BatchItem& item) {
         const std::size_t points = item.setup.film.pointCount();
         if (item.marks.empty()) {
-            item.marks.assign(points, 0); // as readMarks, which need not be there
+            item.marks.assign(points, 0); // as for readMarks(), which a module may lack
         }
         require(item.positions.size() == 3 * points && item.states.size() == points &&
                     item.marks.size() == points,
-                Text::tr("it left films of a batch empty"));
-        require(isNumberOfSteps(item.steps), Text::tr("it told steps or a descent that cannot be"));
+                Text::tr("it returned no result for some films of a batch"));
+        require(isNumberOfSteps(item.steps),
+                Text::tr("it reported an impossible number of steps or descent"));
         requireEquilibrium(item.equilibrium, item.steps);
         requireStates(item.states);
         requireMarks(item.marks);
@@ -249,7 +250,7 @@ private:
 } // namespace
 
 void requireFilm(const solver::FilmSolver* film) {
-    require(film != nullptr, Text::tr("it gave no film"));
+    require(film != nullptr, Text::tr("it created no film"));
 }
 
 std::unique_ptr<solver::SolverModule> checkedSolver(const solver::SolverModule& module) {

@@ -1,4 +1,5 @@
-// A solver whose answers are judged before anything relies on them: modules are other people's.
+// A solver whose answers are checked before anything relies on them, because modules are
+// third-party code.
 #pragma once
 
 #include <dipwright/FilmSolver.h>
@@ -8,25 +9,26 @@
 
 namespace dipwright {
 
-// A film that can be left while it is computing.
+// A film whose running computation can be abandoned.
 class StoppableFilm : public solver::FilmSolver {
 public:
-    // From now on a call that goes on while `isCancelled` says so may end with Cancelled; it is
-    // asked some times a second. Films of the program's own process end when the call does.
+    // From now on a running call may end with Cancelled when `isCancelled` returns true, which is
+    // asked several times a second. Films in the program's own process end only when the call does.
     virtual void stopOn(std::function<bool()> isCancelled) = 0;
 };
 
-// The same module, but that it throws std::runtime_error with a sentence where the module gives no
-// film, does not come forward, goes back, or gives a state, mark or number that cannot be, and
-// where the films of a batch are not there, or it was stopped by nobody. Whatever the module throws
-// comes as std::runtime_error, with as much of its words as may stand within a sentence
-// (ModuleText.h), as do those for its device; a ceiling that cannot be counts as not measured. Its
-// films are StoppableFilms. Where points lie is judged by whoever knows how far they may go
-// (dip/Dip.h, isStable); films for display in which a point lies nowhere are not shown. Keeps a
-// reference to the module.
+// Returns the same module with checked answers.
+// It throws std::runtime_error with a message if the module returns no film, makes no progress, or
+// goes back. It throws too if the module returns an invalid state, mark or number, if films of a
+// batch are missing, or if the batch stopped without being cancelled.
+// Exceptions of the module become std::runtime_error with its message. That message and the
+// device's name are shortened as ModuleText.h says. An invalid ceiling counts as not measured. The
+// films are StoppableFilms.
+// Positions are checked by callers who know how far points may go (dip/Dip.h, isStable). Films for
+// display with a non-finite position are not shown. Keeps a reference to the module.
 std::unique_ptr<solver::SolverModule> checkedSolver(const solver::SolverModule& module);
 
-// Throws std::runtime_error with a sentence for null.
+// Throws std::runtime_error with a message if `film` is null.
 void requireFilm(const solver::FilmSolver* film);
 
 } // namespace dipwright

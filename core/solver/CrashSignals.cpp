@@ -21,7 +21,7 @@ constexpr std::array crashSignals{SIGSEGV, SIGILL, SIGFPE, SIGABRT};
 constexpr std::array crashSignals{SIGSEGV, SIGILL, SIGFPE, SIGABRT, SIGBUS};
 #endif
 
-// A signal handler has no other way to reach where it is to write.
+// A global, because a signal handler has no other way to find the file.
 std::atomic<int> crashFile = -1;
 
 extern "C" void onCrash(int number) {
@@ -39,7 +39,7 @@ extern "C" void onCrash(int number) {
 
 #ifndef _WIN32
 
-// A stack that has run over has no room for a handler.
+// After a stack overflow the stack has no room for a handler.
 std::array<char, 65536> handlerStack;
 
 void install(int number) {
@@ -70,7 +70,7 @@ void useOwnStack() {}
 
 bool isCrash([[maybe_unused]] int signal) {
 #ifdef _WIN32
-    return true; // no signals between processes there
+    return true; // no signals between processes on Windows
 #else
     return std::find(crashSignals.begin(), crashSignals.end(), signal) != crashSignals.end();
 #endif

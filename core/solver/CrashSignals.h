@@ -1,15 +1,14 @@
-// What a crash is, and how a process that crashes gets a word out: the system's part.
+// Crash detection: what counts as a crash, and how a crashing process reports it. System-dependent.
 #pragma once
 
 namespace dipwright {
 
-// From now on a crash of this process (a wrong address, an illegal instruction, an abort) writes a
-// byte to the open file `handle` before the process ends of it as ever; −1: no more. One file at a
-// time.
+// From now on a crash of this process (invalid address, illegal instruction, abort) writes a byte
+// to the open file `handle`. Then the process ends as usual. −1 stops this. One file at a time.
 void tellCrashesTo(int handle);
 
-// Whether a process that has ended of this signal crashed: it may as well have been killed, by the
-// system for want of memory, at a limit of time, or by the user.
+// Whether a process that this signal ended has crashed. Otherwise it was killed: by the system for
+// lack of memory, by a time limit, or by the user.
 bool isCrash(int signal);
 
 } // namespace dipwright

@@ -24,7 +24,7 @@ QString writableByOthers(const QString&) {
 
 namespace {
 
-constexpr std::size_t longestEntry = 1 << 16; // bytes, of a user or a group with its members
+constexpr std::size_t longestEntry = 1 << 16; // bytes of a user or group entry, members included
 
 bool hasOthers(const group& entry, const char* user) {
     for (char** member = entry.gr_mem; *member != nullptr; ++member) {
@@ -35,9 +35,9 @@ bool hasOthers(const group& entry, const char* user) {
     return false;
 }
 
-// Whether the group is the one that the system has made for this user alone: his first, of his
-// name, without other members. Many systems give all their users one and the same first group. What
-// cannot be looked up is not.
+// Whether the group is private to this user: the primary group, with the user's name and no other
+// members. On many systems all users share one primary group, which is not private. Neither is a
+// group that cannot be looked up.
 bool isPrivateGroup(gid_t groupId, uid_t userId) {
     std::vector<char> userText(longestEntry), groupText(longestEntry);
     passwd owner{}, *foundOwner = nullptr;

@@ -1,15 +1,16 @@
-// Who may change a file: the system's part.
+// Finds out who may change a file. System-dependent.
 #pragma once
 
 #include <QString>
 
 namespace dipwright {
 
-// The file, or the folder above it, that others than this user and the system's administrator can
-// write to, or could put another in the place of; empty where there is none. A folder in which each
-// may remove only what is his own (such as that for temporary files) counts as safe for what lies
-// in it. A group that may write counts as others unless it is the private one of this user or of
-// root: its first, of its name, without other members. Nothing is known of it on Windows.
+// Returns the file, or a folder above it, that other users can write to or replace; empty if there
+// is none. This user and the system's administrator do not count. A folder in which users may
+// remove only their own files (such as the one for temporary files) counts as safe. A group with
+// write permission counts as other users, unless it is the private group of this user or of root. A
+// private group is the primary group, with the user's name and no other members. Always empty on
+// Windows.
 QString writableByOthers(const QString& path);
 
 } // namespace dipwright

@@ -28,12 +28,12 @@ QString moduleKey(const QString& modulePath) {
     return QString::fromLatin1(hash);
 }
 
-// As many bytes as crashes.
+// The file has one byte for each crash.
 QString crashesPath(const QString& modulePath) {
     return markerFolder().filePath(moduleKey(modulePath) + QStringLiteral(".crashes"));
 }
 
-// Of this process and dead ones.
+// Marker files of this process and of dead processes.
 QStringList loadingPaths(const QString& modulePath) {
     const QDir folder = markerFolder();
     QStringList paths;
@@ -44,7 +44,7 @@ QStringList loadingPaths(const QString& modulePath) {
     return paths;
 }
 
-// Takes away the markers of dead processes; how many of them crashed.
+// Removes the markers of dead processes and returns how many of them crashed.
 int takeCrashed(const QString& modulePath) {
     int crashed = 0;
     for (const QString& path : loadingPaths(modulePath)) {

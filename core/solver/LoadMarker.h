@@ -1,5 +1,4 @@
-// What is remembered of modules that brought a program down, so that one which does so again and
-// again is left out instead.
+// Remembers modules that crashed a program, so that a module that crashes repeatedly is disabled.
 #pragma once
 
 #include "disk/LockedFile.h"
@@ -8,19 +7,18 @@
 
 namespace dipwright {
 
-// Crashes count; being killed does not: by the system for want of memory, by a limit of time, by
-// the user. A module is known by its very file, place, size and time: one that was replaced starts
-// anew.
-inline constexpr int crashesAllowed = 1; // one more, and the module is left out
+// Crashes count. A kill by the system for lack of memory, by a time limit or by the user does not.
+// A module is identified by its file's path, size and time, so that a replaced module starts
+// afresh.
+inline constexpr int crashesAllowed = 1; // one more disables the module
 
 int crashesOf(const QString& modulePath);
 void rememberCrash(const QString& modulePath);
 void forgetCrashes(const QString& modulePath);
 
-// While an object lives, this process is loading the module. If it dies in that time of a fault of
-// its own (a signal such as that of a wrong address), this is told in a file, and crashesOf counts
-// it from the next start on. One object at a time. Nothing is told where the user's folder for
-// program data cannot be written.
+// While an object lives, this process is loading the module. If it crashes in that time (a signal
+// such as SIGSEGV), a file records it and crashesOf() counts it from the next start. One object at
+// a time. Nothing is recorded if the user's folder for program data cannot be written.
 class LoadMarker {
 public:
     explicit LoadMarker(const QString& modulePath);

@@ -27,15 +27,14 @@ QString sentenceOf(LoadFault fault, const QString& detail) {
     case LoadFault::FailedUnknown:
         return Text::tr("Its module failed at start with an unknown exception");
     case LoadFault::DoesNotFit:
-        return Text::tr("Its module does not fit this program's solver interface %1, "
-                        "whatever its description says; build it anew")
+        return Text::tr("Its module does not match this program's solver interface %1, although "
+                        "its description file says so; build it again")
             .arg(solver::interfaceVersion);
     case LoadFault::Unavailable:
         break;
     }
-    return detail.isEmpty()
-               ? Text::tr("It cannot run here and does not say why; ask whoever made it")
-               : detail;
+    return detail.isEmpty() ? Text::tr("It cannot run here and does not say why; ask its author")
+                            : detail;
 }
 
 DipwrightSolverEntry* resolvedEntry(const QString& modulePath) {
@@ -52,7 +51,7 @@ DipwrightSolverEntry* resolvedEntry(const QString& modulePath) {
     return entry; // the library stays loaded until the program ends
 }
 
-// Runs the module's own code and turns whatever it throws into a refusal.
+// Runs the module's own code and turns its exceptions into refusals.
 template <typename Call>
 auto guarded(const Call& call) {
     try {

@@ -1,4 +1,4 @@
-// Loading a solver's module into this process.
+// Loads a solver's module into this process.
 #pragma once
 
 #include <dipwright/FilmSolver.h>
@@ -10,7 +10,7 @@
 
 namespace dipwright {
 
-// Why a plugin cannot be used, as a sentence; caught where the list is made.
+// The reason why a plugin cannot be used, as a sentence. Caught where the list of solvers is made.
 class Refusal : public std::exception {
 public:
     explicit Refusal(QString reason) : reason_(std::move(reason)), bytes_(reason_.toUtf8()) {}
@@ -24,18 +24,19 @@ private:
 
 // What can be wrong with a module.
 enum class LoadFault : std::uint8_t {
-    NotLoadable, // by the system; the detail says why
+    NotLoadable, // the system cannot load it; the detail says why
     NoEntryPoint,
-    FailedAtStart, // the detail is what it threw
+    FailedAtStart, // the detail is the message of its exception
     FailedUnknown,
-    DoesNotFit, // this program's interface
+    DoesNotFit, // built for another interface than this program's
     Unavailable // the detail is its own sentence
 };
 
-// As a value, so that a process without the user's language can hand it to one that has it.
+// A refusal by fault and detail, so that a process without the user's language can pass it to one
+// that translates it.
 class LoadFailure : public Refusal {
 public:
-    // As much of the detail is kept as may stand within a sentence (ModuleText.h).
+    // The detail is shortened as ModuleText.h says.
     explicit LoadFailure(LoadFault fault, const QString& detail = {});
     LoadFault fault() const { return fault_; }
     const QString& detail() const { return detail_; }
@@ -47,7 +48,7 @@ private:
 
 struct LoadedModule {
     const solver::SolverModule* module = nullptr; // lives as long as the process
-    QString device;                               // in words; empty where it tells none
+    QString device; // description for the user; empty if it gives none
 };
 
 // Loads the module and asks whether it can run here. Throws LoadFailure.

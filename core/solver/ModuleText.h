@@ -1,11 +1,12 @@
-// What a plugin says in words: a stranger's, of any length and with anything in it.
+// Makes text from a plugin safe to show. It is third-party text of any length and content.
 #pragma once
 
 #include "base/OneLine.h"
 
 namespace dipwright {
 
-// As much of it as may stand within a sentence, in one line; empty where there is nothing to read.
+// Returns the text in one line, shortened to fit into a sentence; empty if there is nothing to
+// read.
 inline QString moduleText(const QString& said) {
     constexpr int mostLetters = 500;
     return oneLine(said).simplified().left(mostLetters);

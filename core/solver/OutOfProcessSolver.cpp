@@ -25,19 +25,19 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(OutOfProcessSolver)
 };
 
-struct UnknownException {}; // the module's; CheckedSolver.h has the sentence for it
+struct UnknownException {}; // thrown by the module; CheckedSolver.cpp has the message for it
 
 using IsCancelled = std::function<bool()>;
-constexpr int pause = 20; // ms between two looks at whether it is cancelled
-// The most that an answer may hold: its sentence or figures, and for each point three coordinates,
-// a state and a mark, rounded up for what is said once a film.
+constexpr int pause = 20; // ms between two checks for cancellation
+// Limits for an answer: text and figures, and for each point three coordinates, a state and a mark,
+// rounded up.
 constexpr std::uint64_t bytesOfAnAnswer = 1 << 20, bytesOfAPoint = 16;
 
 [[noreturn]] void fail(const QString& sentence) {
     throw std::runtime_error(sentence.toStdString());
 }
 
-// What the module has thrown.
+// Throws the module's own message.
 [[noreturn]] void failWith(const std::string& said) {
     const QString sentence = moduleText(QString::fromStdString(said));
     if (sentence.isEmpty()) {
@@ -46,20 +46,20 @@ constexpr std::uint64_t bytesOfAnAnswer = 1 << 20, bytesOfAPoint = 16;
     fail(sentence);
 }
 
-// One process, asked one thing after the other. All that the module starts in it ends with it.
+// One process, which answers one request after the other. Everything that the module starts in it
+// ends with it.
 class SolverProcess {
 public:
     explicit SolverProcess(const QString& modulePath) : modulePath_(modulePath) {
         silence(process_);
         leadGroup(process_);
-        // In whichever thread asks it at that time.
+        // Called directly, in the thread that uses the process at that time.
         QObject::connect(
             &process_, &QProcess::finished, &process_, [this] { endStarted(); },
             Qt::DirectConnection);
         process_.start(shippedProgram(QStringLiteral("dipwright-solver")), {modulePath});
         if (!process_.waitForStarted()) {
-            fail(Text::tr("it cannot be given a process of its own: %1")
-                     .arg(process_.errorString()));
+            fail(Text::tr("its process cannot be started: %1").arg(process_.errorString()));
         }
         leader_ = process_.processId();
     }
@@ -70,11 +70,11 @@ public:
     SolverProcess(const SolverProcess&) = delete;
     SolverProcess& operator=(const SolverProcess&) = delete;
 
-    // Answers are of so many points from now on.
+    // From now on answers contain `points` points.
     void expect(std::size_t points) { mostBytes_ = bytesOfAnAnswer + points * bytesOfAPoint; }
 
-    // Throws Cancelled, or std::runtime_error with what the module says or what became of it, as
-    // where it takes longer than `seconds` without a sign of life.
+    // Throws Cancelled, or std::runtime_error. Its message is the module's, or says what happened
+    // to the process, such as a timeout after `seconds` without a sign of life.
     MessageReader ask(const MessageWriter& request, const IsCancelled& isCancelled,
                       int seconds = secondsOfACall()) {
         const auto length = std::uint64_t(request.bytes().size());
@@ -114,8 +114,7 @@ private:
             if (sinceLife.look() > std::chrono::seconds(seconds)) {
                 end();
                 rememberCrash(modulePath_);
-                fail(
-                    Text::tr("it was at one step for more than %1 s and was stopped").arg(seconds));
+                fail(Text::tr("it did not respond for %1 s and was stopped").arg(seconds));
             }
             process_.waitForReadyRead(pause);
             received_ += process_.readAllStandardOutput();
@@ -125,7 +124,7 @@ private:
             }
         }
     }
-    // Of the next frame, as the process says; nothing where it has not said it yet.
+    // Length of the next frame; nothing if it has not arrived yet.
     std::optional<std::uint64_t> frameLength() const {
         std::uint64_t length = 0;
         if (received_.size() < qsizetype(sizeof length)) {
@@ -138,11 +137,11 @@ private:
         const auto length = frameLength();
         return length && std::uint64_t(received_.size()) - sizeof *length >= *length;
     }
-    // Else what it sends would be kept until there is no memory left.
+    // Otherwise an endless answer would fill the memory.
     void refuseEndless() {
         if (frameLength().value_or(0) > mostBytes_) {
             end();
-            fail(Text::tr("it answered with more than there can be and was stopped"));
+            fail(Text::tr("its answer was impossibly long, so it was stopped"));
         }
     }
     QByteArray takeFrame() {
@@ -153,7 +152,7 @@ private:
     }
     [[noreturn]] void tellEnd() const {
         if (process_.exitStatus() == QProcess::CrashExit && !isCrash(process_.exitCode())) {
-            fail(Text::tr("its process was killed, perhaps for want of memory"));
+            fail(Text::tr("its process was killed, perhaps for lack of memory"));
         }
         rememberCrash(modulePath_);
         fail(process_.exitStatus() == QProcess::CrashExit
@@ -165,7 +164,8 @@ private:
         process_.kill();
         process_.waitForFinished(1000);
     }
-    // Once: when the process is known to have ended, its number is free for another.
+    // Ends the group once: after the process's end is known, its number may belong to another
+    // process.
     void endStarted() { endGroup(std::exchange(leader_, 0)); }
 
     QString modulePath_;

@@ -1,4 +1,4 @@
-// A solver's module in a process of its own, so that it can crash or hang and be left.
+// Runs a solver's module in a separate process, so that it can crash or hang without harm.
 #pragma once
 
 #include "base/Progress.h"
@@ -10,13 +10,13 @@
 
 namespace dipwright {
 
-// Loads the module in a process of its own, the program dipwright-solver, and asks it whether it
-// can run here. Throws Refusal (LoadModule.h), also where it crashes or takes too long; Cancelled.
+// Loads the module in a separate process, the program dipwright-solver, and asks it whether it can
+// run here. Throws Refusal (LoadModule.h), also if it crashes or takes too long, and Cancelled.
 //
-// Every film and every batch of the module has a process of its own, which goes with it, as does
-// all that the module has started there (ProcessGroup.h). Where it crashes or takes too long, or is
-// killed, std::runtime_error is thrown with a sentence; the first two are remembered
-// (LoadMarker.h). Its films are StoppableFilms. Error where that program is not there.
+// Each film and each batch of the module has its own process. The process ends with it, as does
+// everything that the module started there (ProcessGroup.h). If the process crashes, takes too long
+// or is killed, std::runtime_error is thrown with a message. Crashes and timeouts are remembered
+// (LoadMarker.h). The films are StoppableFilms. Throws Error if dipwright-solver is missing.
 std::unique_ptr<solver::SolverModule> outOfProcessSolver(const QString& modulePath,
                                                          const CancelToken& cancelToken);
 

@@ -27,7 +27,7 @@ void leadGroup(QProcess& process) {
 }
 
 void endGroup(qint64 leader) {
-    if (leader > 1) { // else these would be this process's own group, or all there are
+    if (leader > 1) { // 0 and 1 would mean this process's own group, or all processes
         ::kill(-pid_t(leader), SIGKILL);
     }
 }

@@ -1,5 +1,5 @@
-// A process and all that it starts, to be ended together: the system's part. On Windows, which has
-// no such groups, a process is its own and no other's.
+// Ends a process together with everything that it started. System-dependent: Windows has no such
+// groups, so there only the process itself is ended.
 #pragma once
 
 #include <QtGlobal>
@@ -8,15 +8,15 @@ class QProcess;
 
 namespace dipwright {
 
-// Before `process` is started: it is to lead a group of its own, in which all are that it starts,
-// but for those that leave it. An interrupt from the keyboard does not come to it any more.
+// Call before `process` is started. It then leads its own group, which contains everything that it
+// starts, except processes that leave the group. Keyboard interrupts no longer reach it.
 void leadGroup(QProcess& process);
 
-// Kills all that are left in the group of `leader`, and `leader` itself; 0: none. To be called no
-// later than when the leader's end is known: afterwards its number may come to be another's.
+// Kills all processes left in the group of `leader`, and `leader` itself; 0: none. Call it at the
+// latest when the leader's end is known: afterwards its number may belong to another process.
 void endGroup(qint64 leader);
 
-// Ends this process and, where it leads a group, all in that.
+// Ends this process and, if it leads a group, everything in that group.
 [[noreturn]] void endOwnGroup();
 
 } // namespace dipwright

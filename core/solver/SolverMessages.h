@@ -1,5 +1,5 @@
-// What the program and a solver in a process of its own say to each other: both are of one build
-// and on one machine, so values go over as they lie in memory.
+// Messages between the program and a solver in a separate process. Both are from one build and on
+// one machine, so values are sent as they lie in memory.
 #pragma once
 
 #include <dipwright/FilmSolver.h>
@@ -15,22 +15,22 @@
 namespace dipwright {
 
 enum class SolverRequest : std::uint8_t {
-    Describe,  // -> the device
+    Describe,  // -> device
     Begin,     // setup ->
     Advance,   // most steps -> state
     Read,      // -> positions, states
     ReadMarks, // -> marks
-    Peek,      // state -> whether there, positions, states, state
-    RunBatch,  // setups -> whether done, the rest of each item
-    Ceiling,   // -> whether there, ceiling
+    Peek,      // state -> whether available, positions, states, state
+    RunBatch,  // setups -> whether done, results of each item
+    Ceiling,   // -> whether available, ceiling
 };
 
 enum class SolverAnswer : std::uint8_t {
-    Done,         // and what was asked for
+    Done,         // followed by the answer
     Working,      // a sign of life within a batch
     Refused,      // fault and detail of a LoadFailure
-    Threw,        // the module's own sentence
-    ThrewUnknown, // no std::exception
+    Threw,        // the module's own message
+    ThrewUnknown, // not a std::exception
     GaveNoFilm,
 };
 
@@ -58,8 +58,8 @@ private:
     QByteArray bytes_;
 };
 
-// Throws std::runtime_error where there is less than is asked for: the other side may be a module
-// that writes where it should not.
+// Throws std::runtime_error if the message is shorter than what is read: the module in the other
+// process may have corrupted its memory.
 class MessageReader {
 public:
     explicit MessageReader(QByteArray bytes) : bytes_(std::move(bytes)) {}
@@ -76,11 +76,11 @@ public:
         copy(values.data(), values.size() * sizeof(Value));
         return values;
     }
-    // As many as there is room for.
+    // Fills `values`; throws if the message has another number of them.
     template <typename Value>
     void takeInto(std::span<Value> values) {
         if (count(sizeof(Value)) != values.size()) {
-            throw std::runtime_error("another number of points than asked for");
+            throw std::runtime_error("its message contains the wrong number of points");
         }
         copy(values.data(), values.size_bytes());
     }
@@ -93,13 +93,13 @@ private:
     std::size_t count(std::size_t size) {
         const auto count = take<std::uint64_t>();
         if (count > std::uint64_t(bytes_.size() - place_) / size) {
-            throw std::runtime_error("a message that is cut off");
+            throw std::runtime_error("its message is incomplete");
         }
         return std::size_t(count);
     }
     void copy(void* to, std::size_t size) {
         if (std::size_t(bytes_.size() - place_) < size) {
-            throw std::runtime_error("a message that is cut off");
+            throw std::runtime_error("its message is incomplete");
         }
         if (size > 0) {
             std::memcpy(to, bytes_.constData() + place_, size);
@@ -132,7 +132,7 @@ inline void put(MessageWriter& writer, const solver::DipSetup& setup) {
     writer.putAll(setup.pinned);
 }
 
-// A setup and the samples that its field is a view of.
+// A setup together with the samples that its field refers to.
 struct OwnedSetup {
     solver::DipSetup setup;
     std::vector<float> samples;
@@ -152,7 +152,8 @@ inline OwnedSetup takeSetup(MessageReader& reader) {
     field.origin = reader.take<std::array<double, 3>>();
     field.spacing = reader.take<double>();
     owned.samples = reader.takeAll<float>();
-    field.distance = owned.samples.empty() ? nullptr : owned.samples.data(); // moves along
+    // stays valid when `owned` is moved
+    field.distance = owned.samples.empty() ? nullptr : owned.samples.data();
     owned.setup.motion = reader.take<solver::BodyMotion>();
     owned.setup.settings = reader.take<solver::Settings>();
     owned.setup.pinned = reader.takeAll<std::uint8_t>();

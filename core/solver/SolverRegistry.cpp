@@ -37,12 +37,12 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(SolverRegistry)
 };
 
-// A plugin and how far it has come.
+// A plugin and its state of loading.
 struct Plugin {
     SolverInfo info;
-    bool isShipped = false;                       // with the program: loaded into it
-    std::unique_ptr<solver::SolverModule> inner;  // watched, or contained
-    std::unique_ptr<solver::SolverModule> module; // the same, checked
+    bool isShipped = false;                       // comes with the program and is loaded into it
+    std::unique_ptr<solver::SolverModule> inner;  // watched, or in its own process
+    std::unique_ptr<solver::SolverModule> module; // `inner` with checked answers
     bool isLoaded = false;                        // or refused for good
 };
 
@@ -61,7 +61,7 @@ QJsonObject readJson(const QString& path) {
     }
     const QByteArray bytes = file.read(maximumMetadataBytes + 1);
     if (bytes.size() > maximumMetadataBytes) {
-        throw Refusal(Text::tr("Its description is too large to be one"));
+        throw Refusal(Text::tr("Its description file is too large"));
     }
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(bytes, &error);
@@ -71,7 +71,7 @@ QJsonObject readJson(const QString& path) {
     return document.object();
 }
 
-// "auto" compares them; a plugin that says nothing has 0.
+// "auto" compares priorities; a plugin without one has 0.
 int priorityOf(const QJsonValue& value) {
     const int priority = value.toInt(value.isUndefined() ? 0 : std::numeric_limits<int>::max());
     if (std::abs(std::int64_t(priority)) > mostPriority) {
@@ -85,24 +85,23 @@ int priorityOf(const QJsonValue& value) {
 void requireInterfaceVersion(const QJsonObject& metadata) {
     const int version = metadata[QLatin1String("interface")].toInt(-1);
     if (version != solver::interfaceVersion) {
-        throw Refusal(
-            Text::tr("It was built for solver interface %1, and this program has %2; get it for "
-                     "this version of the program, or build it anew")
-                .arg(version)
-                .arg(solver::interfaceVersion));
+        throw Refusal(Text::tr("It was built for solver interface %1, but this program has %2; get "
+                               "the plugin for this version of the program, or build it again")
+                          .arg(version)
+                          .arg(solver::interfaceVersion));
     }
 }
 
-// Fills in what the description says, as far as it is valid.
+// Fills in the metadata as far as it is valid.
 void readMetadata(SolverInfo& info) {
     const QJsonObject metadata = readJson(info.metadataPath);
     if (metadata[QLatin1String("format")].toString() != QLatin1String("dipwright-solver")) {
-        throw Refusal(Text::tr("Its description is not one of a solver"));
+        throw Refusal(Text::tr("Its description file does not describe a solver"));
     }
     static const QRegularExpression validId(QStringLiteral("^[a-z0-9][a-z0-9-]{0,63}$"));
     const QString id = requiredText(metadata, "id");
     if (!validId.match(id).hasMatch() || id == QLatin1String("auto")) {
-        throw Refusal(Text::tr("Its id may hold only small letters, digits and hyphens"));
+        throw Refusal(Text::tr("Its id may contain only lower-case letters, digits and hyphens"));
     }
     info.id = id;
     info.name = requiredText(metadata, "name");
@@ -115,7 +114,7 @@ void readMetadata(SolverInfo& info) {
     if (QFileInfo(module).fileName() != module) {
         throw Refusal(Text::tr("Its module has to be a file beside its description"));
     }
-    // Where a link leads to is what is judged, remembered and loaded, whatever becomes of the link.
+    // The link's target is checked, remembered and loaded, even if the link changes later.
     const QFileInfo file(QFileInfo(info.metadataPath).dir().filePath(module));
     info.modulePath = file.canonicalFilePath();
     if (!file.isFile() || info.modulePath.isEmpty()) {
@@ -133,14 +132,14 @@ void refuseCrashed(const QString& modulePath) {
     }
 }
 
-// Where somebody else can put a module, or a link to one, it is for them to say what would run.
+// If somebody else can put a module or a link there, that person decides what code would run.
 void refuseOthersFolder(const SolverInfo& info) {
     const QString folder = QFileInfo(info.metadataPath).path();
     for (const QString& path : {folder, info.metadataPath, info.modulePath}) {
         if (const QString open = writableByOthers(path); !open.isEmpty()) {
-            throw Refusal(Text::tr("Others can write to %1; take that right from them, or move "
-                                   "the plugin")
-                              .arg(open));
+            throw Refusal(
+                Text::tr("Other users can write to %1; remove that permission, or move the plugin")
+                    .arg(open));
         }
     }
 }
@@ -153,8 +152,9 @@ void loadShipped(Plugin& plugin) {
 }
 
 void loadContained(Plugin& plugin, const CancelToken& cancelToken) {
-    // Whoever could put another module into the program's own folders could put another program
-    // there; and an archive that root unpacks leaves them to whoever packed it.
+    // Anyone who could replace a module in the program's own folders could also replace the
+    // program. And in an archive that root unpacks, these folders belong to the person who packed
+    // it.
     if (!plugin.isShipped) {
         refuseOthersFolder(plugin.info);
     }
@@ -198,12 +198,12 @@ QStringList canonical(const QStringList& folders) {
     for (const QString& folder : folders) {
         places << QFileInfo(folder).canonicalFilePath();
     }
-    places.removeAll(QString()); // that are not there
+    places.removeAll(QString()); // folders that do not exist
     places.removeDuplicates();
     return places;
 }
 
-// The first of an id has it; a later one is given another, by which it can be chosen.
+// The first plugin with an id keeps it; later ones get another id by which they can be chosen.
 QString freeId(const QString& id, const std::vector<Plugin>& plugins) {
     const auto isTaken = [&](const QString& wanted) {
         return std::any_of(plugins.begin(), plugins.end(),
@@ -236,9 +236,9 @@ std::vector<Plugin> foundPlugins(const QStringList& folders, const QStringList& 
 } // namespace
 
 struct SolverRegistry::Data {
-    std::mutex mutex; // modules are loaded when first asked for, by whichever thread asks
+    std::mutex mutex; // modules are loaded at the first request, by any thread
     std::vector<Plugin> plugins;
-    std::vector<SolverInfo> described; // does not change
+    std::vector<SolverInfo> described; // never changes
 
     Plugin& plugin(const QString& id, const CancelToken& cancelToken);
     Plugin& best(const CancelToken& cancelToken);
@@ -246,12 +246,12 @@ struct SolverRegistry::Data {
     std::vector<Plugin*> byPriority();
 };
 
-// The loaded plugin of `id`; throws Error when it cannot be used.
+// Returns the loaded plugin of `id`. Throws Error if it cannot be used.
 Plugin& SolverRegistry::Data::plugin(const QString& id, const CancelToken& cancelToken) {
     return id == QLatin1String("auto") ? best(cancelToken) : named(id, cancelToken);
 }
 
-// The highest first; of the same priority as they stand.
+// The highest priority first; equal priorities keep their order.
 std::vector<Plugin*> SolverRegistry::Data::byPriority() {
     std::vector<Plugin*> sorted;
     for (Plugin& plugin : plugins) {
@@ -263,7 +263,8 @@ std::vector<Plugin*> SolverRegistry::Data::byPriority() {
     return sorted;
 }
 
-// Stops at the first that can run: each of the others could take long to be loaded, or hang.
+// Stops at the first plugin that can run, because each of the others may take long to load, or
+// hang.
 Plugin& SolverRegistry::Data::best(const CancelToken& cancelToken) {
     QStringList reasons;
     for (Plugin* plugin : byPriority()) {

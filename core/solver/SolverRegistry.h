@@ -1,10 +1,10 @@
-// Finding, judging and loading solver plugins.
+// Finds, checks and loads solver plugins.
 //
 // A plugin is a loadable module with a metadata file of the same base name beside it:
 //   pbd-cpu.json   {"format":"dipwright-solver","interface":2,"id":"pbd-cpu","name":…,"version":…,
 //                   "device":"cpu|gpu","vendor":…,"module":"pbd-cpu.so","priority":10}
-// The metadata is read before any of the module's code runs; a module is loaded when first asked
-// for.
+// The metadata is read before any of the module's code runs. A module is loaded when it is first
+// requested.
 #pragma once
 
 #include "base/Progress.h"
@@ -22,46 +22,46 @@ namespace dipwright {
 
 struct SolverInfo {
     QString id, name, version, vendor;
-    QString deviceKind; // "cpu" or "gpu", as the description says
-    QString device;     // in words once the module is loaded, until then the kind
+    QString deviceKind; // "cpu" or "gpu", from the metadata
+    QString device;     // description for the user once the module is loaded, until then deviceKind
     QString modulePath, metadataPath;
-    int priority = 0; // −1000 … 1000: "auto" takes the available one with the highest
+    int priority = 0; // −1000 … 1000: "auto" chooses the available plugin with the highest
     bool available = false;
-    QString reason; // a sentence, where not available
+    QString reason; // a sentence, if not available
 };
 
 class SolverRegistry {
 public:
-    // The folders searched, in this order: those that come with the program,
-    // DIPWRIGHT_PLUGIN_PATH, the user's plugin folder. Of two plugins with one id the first has it,
-    // the other is found by the id with -2 behind.
+    // The folders to search, in this order: the program's own, DIPWRIGHT_PLUGIN_PATH, the user's
+    // plugin folder. If two plugins have the same id, the second gets "-2" appended.
     static QStringList standardFolders();
 
-    // Modules in the folders `shipped` are loaded into this process and watched (WatchedSolver.h);
-    // each of the others, and of these any that has crashed or hung before, runs in one of its own
-    // (OutOfProcessSolver.h). The others are refused where others than the user can write to them.
+    // Modules in the folders `shipped` are loaded into this process and watched (WatchedSolver.h).
+    // All other modules, and shipped ones that crashed or hung before, run in their own process
+    // (OutOfProcessSolver.h). Modules that are not shipped are refused if other users can write to
+    // them.
     explicit SolverRegistry(const QStringList& folders = standardFolders(),
                             const QStringList& shipped = shippedPluginFolders());
     ~SolverRegistry();
     SolverRegistry(const SolverRegistry&) = delete;
     SolverRegistry& operator=(const SolverRegistry&) = delete;
 
-    // A module that takes long to be loaded in a process of its own can be left by the switch: then
-    // Cancelled is thrown, and it is loaded anew when it is next asked for.
+    // Loading a module in its own process can be cancelled by the token: Cancelled is thrown, and
+    // the module is loaded again at the next request.
 
-    // All plugins found, sorted by id, as their descriptions have them: none is loaded for it, so
-    // that those that may run are not told as available yet.
+    // All plugins found, sorted by id, from their metadata. No module is loaded, so none is marked
+    // as available yet.
     const std::vector<SolverInfo>& described() const;
-    // The same, each loaded far enough to know whether it can run here.
+    // All plugins found, each loaded far enough to know whether it can run here.
     std::vector<SolverInfo> solvers(const CancelToken& cancelToken = {}) const;
-    // The module of `id`, or of the best available one for "auto", checked (CheckedSolver.h); those
-    // that would not be taken either way are not loaded for it. Throws Error with the reason. Lives
-    // as long as the registry.
+    // Returns the module of `id`, or of the best available plugin for "auto", with checked answers
+    // (CheckedSolver.h). Loads no other modules than needed. Throws Error with the reason. The
+    // module lives as long as the registry.
     const solver::SolverModule& module(const QString& id,
                                        const CancelToken& cancelToken = {}) const;
-    // Of the same solver as module(id).
+    // Information about the solver that module(id) returns.
     SolverInfo info(const QString& id, const CancelToken& cancelToken = {}) const;
-    // The plugin `id` whether or not it can run here; nothing where none is found.
+    // Returns the plugin `id`, whether or not it can run here; nothing if there is none.
     std::optional<SolverInfo> found(const QString& id, const CancelToken& cancelToken = {}) const;
 
 private:

@@ -18,7 +18,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr auto signOfLife = std::chrono::milliseconds(200);
 
-// Requests, read beside the work: when the other side is gone, nothing is left to work for.
+// Reads requests in parallel with the work. When the client is gone, there is nothing left to work
+// for.
 class Requests {
 public:
     explicit Requests(std::FILE* file) {
@@ -49,8 +50,8 @@ private:
         }
     }
 
-    // Where the other side is gone, nobody else will end what the module has started. Where the
-    // module has closed the file, the other side will, and is to see that this was no kill.
+    // If the client is gone, nobody else will end what the module has started. If the module closed
+    // the file, the client will do that and must see that this process was not killed.
     [[noreturn]] static void leave(std::FILE* file) {
         if (std::feof(file) != 0) {
             endOwnGroup();
@@ -63,7 +64,7 @@ private:
     std::deque<QByteArray> waiting_;
 };
 
-// Says what the module says: whoever asked judges it, in the user's language.
+// Passes on what the module says. The client checks it and translates it into the user's language.
 class Server {
 public:
     Server(const QString& modulePath, std::FILE* answers)
@@ -172,7 +173,7 @@ private:
         lastSign_ = Clock::now();
         const auto isCancelled = [](void* self) {
             static_cast<Server*>(self)->showLife();
-            return false; // who cancels ends this process
+            return false; // the client cancels by ending this process
         };
         writer.put(std::uint8_t(module().runBatch(items, isCancelled, this)));
         for (const solver::BatchItem& item : items) {
@@ -183,7 +184,7 @@ private:
             writer.put(item.equilibrium);
         }
     }
-    // May be called by several threads of the module.
+    // Several threads of the module may call this.
     void showLife() {
         const std::lock_guard lock(mutex_);
         if (Clock::now() - lastSign_ >= signOfLife) {

@@ -1,4 +1,4 @@
-// The far end of a solver in a process of its own (OutOfProcessSolver.h).
+// The server side of a solver in a separate process (OutOfProcessSolver.h).
 #pragma once
 
 #include <QString>
@@ -6,9 +6,9 @@
 
 namespace dipwright {
 
-// Loads the module and does what is asked of it, until there is nobody to ask: then the process
-// ends, whatever the module is at. Messages are those of SolverMessages.h, each after its length in
-// bytes (8 bytes).
+// Loads the module and answers requests until the client is gone; then the process ends, whatever
+// the module is doing. Messages are those of SolverMessages.h, each preceded by its length in bytes
+// (8 bytes).
 [[noreturn]] void serveSolver(const QString& modulePath, std::FILE* requests, std::FILE* answers);
 
 } // namespace dipwright

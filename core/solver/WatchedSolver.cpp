@@ -14,7 +14,7 @@
 namespace dipwright {
 namespace {
 
-// The calls of one film, or one batch.
+// Watches the calls of one film or one batch.
 class CallWatch {
 public:
     explicit CallWatch(const QString& modulePath)
@@ -52,7 +52,7 @@ private:
         while (!isOver_) {
             if (call_ && call_->look() > limit_) {
                 rememberCrash(modulePath_);
-                return; // once a film
+                return; // recorded once for each film
             }
             changed_.wait_for(lock, std::chrono::milliseconds(500));
         }
@@ -62,9 +62,9 @@ private:
     std::chrono::seconds limit_;
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::optional<SuspendAwareTimer> call_; // that the module is at
+    std::optional<SuspendAwareTimer> call_; // the current call of the module
     bool isOver_ = false;
-    std::thread watcher_; // the last: it uses all others
+    std::thread watcher_; // the last member, because it uses all others
 };
 
 class WatchedFilm : public solver::FilmSolver {
@@ -94,7 +94,7 @@ private:
     mutable CallWatch watch_;
 };
 
-// Whoever may stop a batch, and the watch to which the question is a sign of life.
+// The question whether a batch is cancelled, and the watch to which it is a sign of life.
 struct Questions {
     CallWatch& watch;
     solver::CancelFunction isCancelled;

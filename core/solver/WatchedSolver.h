@@ -1,4 +1,4 @@
-// A module in this process that is watched while it is called.
+// A module in this process whose calls are watched for hangs.
 #pragma once
 
 #include <dipwright/FilmSolver.h>
@@ -8,21 +8,21 @@
 
 namespace dipwright {
 
-// How long a module may be at one call, be it a step or what comes before the first, and between
-// two signs of life of a batch (it asks whether it is cancelled): seconds. DIPWRIGHT_SOLVER_SECONDS
-// sets another than `longestCall`, 1 … 86,400.
+// Timeout in seconds for one call of a module: a step, or the work before the first step. For a
+// batch it is the timeout between two signs of life (its questions whether it is cancelled).
+// DIPWRIGHT_SOLVER_SECONDS replaces `longestCall`, 1 … 86,400.
 inline constexpr int longestCall = 120;
 int secondsOfACall();
-// How long one in a process of its own may take to be loaded and to say whether it can run here: no
-// film is waited for then, but a GPU's driver that starts may take several seconds. The variable
-// sets this, too.
+// Timeout in seconds until a module in its own process is loaded and says whether it can run here.
+// No film is computed then, but a GPU's driver may need several seconds to start. The variable sets
+// this, too.
 inline constexpr int longestDescription = 20;
 int secondsOfADescription();
 
-// The same module. A call in this process cannot be ended from outside, only the process can. But
-// one that takes longer than secondsOfACall() is remembered as a crash is (LoadMarker.h), at once
-// and by a thread of its own, so that the next start gives the module a process of its own. Keeps a
-// reference to the module.
+// Returns the same module with watched calls. A call in this process cannot be ended from outside;
+// only the process can. A call that takes longer than secondsOfACall() is recorded like a crash
+// (LoadMarker.h), at once and by a separate thread. The next start then runs the module in its own
+// process. Keeps a reference to the module.
 std::unique_ptr<solver::SolverModule> watchedSolver(const solver::SolverModule& module,
                                                     const QString& modulePath);
 

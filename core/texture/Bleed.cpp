@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::int16_t none = std::numeric_limits<std::int16_t>::max();
 
-// For every pixel how many rows down (or up, below 0) the nearest printed pixel of its column is,
-// or `none` beyond `radius`.
+// Holds, for each pixel, how many rows below it the nearest printed pixel of its column is.
+// Negative numbers are above it; `none` means farther than `radius`.
 class ColumnDistances {
 public:
     ColumnDistances(const QImage& image, int radius)
@@ -67,7 +67,8 @@ void continueRow(Pixel* pixels, std::ptrdiff_t stride, int width, const std::int
                  double radius) {
     const int reach = int(radius);
     const double limit = radius * radius;
-    // The column of the last candidate seen from the left; beyond `reach` from it nothing is near.
+    // The column of the rightmost candidate found. If it is more than `reach` to the left, no
+    // candidate is near.
     int lastCandidate = -2 * reach - 2;
     int scanned = 0;
     for (int column = 0; column < width; ++column) {
@@ -100,7 +101,8 @@ void continueRow(Pixel* pixels, std::ptrdiff_t stride, int width, const std::int
     }
 }
 
-// The first and the last printed pixel of a row; the first is past the last where none is printed.
+// Returns the first and last printed pixel of a row. Without printed pixels the first is past the
+// last.
 std::pair<int, int> printedPart(const PixelCode& code, const uchar* pixels, int width) {
     int first = 0;
     while (first < width && code.alpha(pixels + first * code.bytes()) == 0) {
@@ -113,7 +115,7 @@ std::pair<int, int> printedPart(const PixelCode& code, const uchar* pixels, int 
     return {first, last};
 }
 
-// The box round all printed pixels and what is within `margin` pixels of them.
+// Returns the box of all printed pixels, enlarged by `margin` pixels.
 QRect reachedBox(const QImage& image, int margin) {
     const PixelCode code(image);
     std::vector<std::pair<int, int>> parts(std::size_t(image.height()));
@@ -132,7 +134,7 @@ QRect reachedBox(const QImage& image, int margin) {
                : printed.adjusted(-margin, -margin, margin, margin).intersected(image.rect());
 }
 
-// The pixels of a part of an image as an image of its own. Not to outlive it.
+// Returns an image that shares the pixels of a part of `image`. It must not outlive `image`.
 QImage partOf(QImage& image, const QRect& box) {
     const qsizetype left = PixelCode(image).bytes() * qsizetype(box.x());
     return {image.bits() + box.y() * image.bytesPerLine() + left, box.width(), box.height(),

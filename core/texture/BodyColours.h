@@ -1,34 +1,35 @@
-// The colours of a body's materials and textures, ready to be read in linear light.
+// Provides the colours of a body's materials and textures in linear light.
 #pragma once
 
 #include "texture/TextureSampler.h"
 
 namespace dipwright {
 
-// A texture with what keeps its charts apart.
+// A texture and the map that keeps its charts apart.
 struct BodyTexture {
     TextureSampler sampler;
     std::unique_ptr<ChartMap> charts; // null: nothing to keep apart
 };
 
-// Keeps a reference to the appearance. Reading is const, any thread.
+// Keeps a reference to the appearance. Const members may be used from several threads.
 class BodyColours {
 public:
     explicit BodyColours(const SurfaceAppearance& appearance);
 
     const SurfaceAppearance& appearance() const { return appearance_; }
-    // Whether colours are shares of wide colour's primaries, of all where one texture is wide.
+    // Tells whether colours are in wide colour's primaries: all are if one texture is wide.
     bool isWide() const { return wide_; }
 
-    // Null where a body triangle has a plain colour: without texture or texture coordinates.
+    // Returns null where a body triangle has a plain colour: it has no texture or no texture
+    // coordinates.
     const BodyTexture* texture(std::uint32_t bodyTriangle) const;
     const LinearColour& plain(std::uint32_t bodyTriangle) const;
 
 private:
     const SurfaceAppearance& appearance_;
     bool wide_;
-    std::vector<BodyTexture> textures_; // as the appearance's
-    std::vector<LinearColour> plain_;   // a material each
+    std::vector<BodyTexture> textures_; // in the appearance's order
+    std::vector<LinearColour> plain_;   // one per material
 };
 
 } // namespace dipwright

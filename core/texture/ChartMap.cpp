@@ -10,7 +10,7 @@ namespace dipwright {
 
 namespace {
 
-constexpr int bandRows = 64; // rows of texels that are filled together
+constexpr int bandRows = 64; // rows of texels that one thread fills
 constexpr double wholeTexture = 0.999;
 
 std::vector<std::uint32_t> trianglesWith(const SurfaceAppearance& appearance, int texture) {
@@ -37,7 +37,7 @@ bool isOneChartOnAll(const SurfaceAppearance& appearance,
     return area > wholeTexture;
 }
 
-// The part of the line y = `row` that is in a triangle, from left to right.
+// Returns the interval of the line y = `row` inside a triangle, from left to right.
 std::pair<double, double> crossing(const std::array<Eigen::Vector2d, 3>& corners, double row) {
     constexpr double far = std::numeric_limits<double>::infinity();
     std::pair<double, double> part{far, -far};

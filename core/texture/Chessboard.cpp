@@ -8,16 +8,16 @@ namespace dipwright {
 
 namespace {
 
-// The length in odd squares from the middle, where an even one begins, to `place`; negative before.
+// Returns the length that lies in odd squares between the middle, where an even square begins, and
+// `place`; negative before the middle.
 double oddLength(double place, double square) {
     const double pair = 2 * square;
     const double pairs = std::floor(place / pair);
     return pairs * square + std::max(0.0, place - pairs * pair - square);
 }
 
-// For each of `pixels` along a film of `length` mm: how much of it, 0 … 1, is in odd squares.
-// Pixels that a border runs through are shared, so that the squares measure what they should
-// however coarse the pixels are.
+// Returns, for each of `pixels` along a film of `length` mm, the share in odd squares, 0 … 1.
+// Pixels on a border are divided, so that the squares have their exact size at any resolution.
 std::vector<double> oddShares(int pixels, double length, double square) {
     std::vector<double> odd;
     odd.reserve(std::size_t(pixels));

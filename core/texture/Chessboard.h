@@ -1,4 +1,4 @@
-// The film picture of the paper's accuracy experiment.
+// Makes the film image of the paper's accuracy experiment.
 #pragma once
 
 #include <dipwright/FilmSolver.h>
@@ -7,11 +7,11 @@
 
 namespace dipwright {
 
-// Edge of the squares on the printed sheet, mm (the paper's experiment).
+// Edge length of the squares on the sheet, mm (the paper's experiment).
 inline constexpr double chessSquare = 17;
 
-// Chess squares of `square` mm, black and white, four of them meeting in the film's middle. Opaque
-// Format_RGBA8888; pixels that a border runs through are grey by their shares.
+// Returns black and white squares of `square` mm, four of which meet in the film's middle. Opaque
+// Format_RGBA8888. Pixels on a border are grey in proportion to their two parts.
 QImage chessboard(const solver::FilmGrid& grid, double square, QSize pixels);
 
 } // namespace dipwright

@@ -7,13 +7,13 @@ namespace dipwright {
 
 namespace {
 
-// Densities closer than this are alike to the eye.
+// The eye does not see smaller differences of density.
 constexpr float visibleDensity = 0.05f;
 constexpr float log2Of10 = 3.3219281f;
-constexpr float leastStretch = 0.05f; // film folded flat; keeps the powers finite
+constexpr float leastStretch = 0.05f; // for film folded flat; keeps the powers finite
 constexpr float leastLight = 1e-12f;  // keeps the logarithms finite
 
-// Of the density of light, −∞ for white.
+// Returns the logarithm of a light's density; −∞ for white.
 float logDensity(float light) {
     return std::log(-std::log2(std::clamp(light, leastLight, 1.0f)) / log2Of10);
 }

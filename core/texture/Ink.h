@@ -1,5 +1,5 @@
-// How much ink to print so that the right colour shows on the stretched film (docs/film-model.md,
-// "Ink").
+// Computes how much ink to print so that the right colour shows on the stretched film
+// (docs/film-model.md, "Ink").
 #pragma once
 
 #include "settings/InkSettings.h"
@@ -8,31 +8,32 @@
 
 namespace dipwright {
 
-// Ink over a white body: density D = −log10 of a channel's linear light.
+// Models ink over a white body: density D = −log10 of a channel's linear light.
 class InkCompensation {
 public:
     explicit InkCompensation(const InkSettings& settings);
 
     struct Ink {
-        LinearColour colour;     // to print
-        bool fallsShort = false; // the body will be visibly paler than asked for
+        LinearColour colour;     // colour to print
+        bool fallsShort = false; // the body becomes visibly paler than wanted
     };
-    // The colour of a share of another's density, 0 … 1. Colour past the density limit fades as if
-    // it were at the limit, or it could not fade at all.
+    // Returns the colour that has the share `share`, 0 … 1, of a colour's density. A colour beyond
+    // the ink limit fades from the limit; otherwise it would not fade at all.
     LinearColour faded(const LinearColour& colour, float share) const;
-    // What to print so that `wanted` shows where the film's area has grown by `areaStretch`.
+    // Returns what to print so that `wanted` shows where the film's area has grown by
+    // `areaStretch`.
     Ink print(const LinearColour& wanted, float areaStretch) const;
-    // What `printed` looks like on film that has grown by `areaStretch`.
+    // Returns how `printed` looks on film whose area has grown by `areaStretch`.
     LinearColour shown(const LinearColour& printed, float areaStretch) const;
 
-    // The tint of white, 0 … 1, to print so that `wanted` shows, as far as full tint goes.
+    // Returns the tint of white, 0 … 1, to print so that `wanted` shows; at most full tint.
     float printWhite(float wanted, float areaStretch) const;
-    // What `printed` shows, 0 … 1.
+    // Returns the tint, 0 … 1, that `printed` shows.
     float shownWhite(float printed, float areaStretch) const;
 
 private:
     bool compensate_;
-    float darkest_; // the linear light of the density limit
+    float darkest_; // linear light at the ink limit
     std::array<Thinning, lightInks> thinning_;
     Thinning white_;
 };

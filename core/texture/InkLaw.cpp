@@ -17,8 +17,8 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::InkLaw)
 };
 
-constexpr double leastWedgeStretch = 1.02; // below that a reading's own error is all that it tells
-// Two stretches of a patch tell how n changes with J where they are so far apart.
+constexpr double leastWedgeStretch = 1.02; // smaller stretches are lost in the reading's error
+// Least ratio of two stretches of a patch that shows how n changes with J.
 constexpr double apartForBend = 1.15;
 
 void checkReading(const WedgeReading& reading, const QString& where) {
@@ -27,22 +27,23 @@ void checkReading(const WedgeReading& reading, const QString& where) {
         return density >= leastToneDensity && density <= most;
     };
     if (!isDensity(reading.nominal) || !isDensity(reading.flat) || !isDensity(reading.shown)) {
-        throw Error(Text::tr("A density is from %1 to %2; zero the densitometer on a place without "
-                             "ink, and leave that patch out")
+        throw Error(Text::tr("A density must be from %1 to %2; zero the densitometer on film "
+                             "without ink, or leave the patch out")
                         .arg(leastToneDensity)
                         .arg(most),
                     where);
     }
     if (!(reading.stretch >= leastWedgeStretch && reading.stretch <= mostWedgeStretch)) {
-        throw Error(Text::tr("The film's area must have grown by %1 to %2 times to be a reading")
+        throw Error(Text::tr("The stretched area must be %1 to %2 times the unstretched area; "
+                             "leave this reading out")
                         .arg(leastWedgeStretch)
                         .arg(mostWedgeStretch),
                     where);
     }
 }
 
-// Least squares of −ln(shown/flat) = exponent·ln J + bend·(ln J)², the bend where the stretches
-// tell it.
+// Fits −ln(shown/flat) = exponent·ln J + bend·(ln J)² by least squares; the bend only if the
+// stretches differ enough.
 InkTone fittedTone(const std::vector<WedgeReading>& patch, const QString& where) {
     double s2 = 0, s3 = 0, s4 = 0, t1 = 0, t2 = 0;
     double least = mostWedgeStretch, most = 1;
@@ -64,8 +65,8 @@ InkTone fittedTone(const std::vector<WedgeReading>& patch, const QString& where)
         tone.bend = (s2 * t2 - s3 * t1) / determinant;
     }
     if (std::abs(tone.exponent) > mostInkExponent || std::abs(tone.bend) > mostInkBend) {
-        throw Error(Text::tr("The patch of density %1 thins as no ink does; see that its densities "
-                             "and stretches stand in the right rows")
+        throw Error(Text::tr("The patch of density %1 thins as no ink can; check that its "
+                             "densities and stretches are in the right rows")
                         .arg(tone.density),
                     where);
     }
@@ -81,7 +82,7 @@ FittedInk fitInk(std::span<const WedgeReading> readings, const QString& where) {
         patches[{reading.ink, reading.nominal}].push_back(reading);
     }
     if (patches.empty() || int(patches.size()) > mostInkTones) {
-        throw Error(Text::tr("A wedge has from 1 to %1 patches that were read on stretched film")
+        throw Error(Text::tr("A wedge needs 1 to %1 patches with readings on stretched film")
                         .arg(mostInkTones),
                     where);
     }

@@ -1,9 +1,9 @@
-// How ink thins on film that stretches (docs/film-model.md, "Ink").
+// Fits how ink thins on stretched film (docs/film-model.md, "Ink").
 //
-// An even layer, as of a dye, keeps Beer–Lambert: where the film's area has grown by J the printed
-// density P shows as P/J. Dots that stretch with the film cover as much of it as before and show
-// more; how much more hangs on how dense they are. So the law is P·J^−n, with an n for each ink,
-// and where a step wedge was read, for each of its tones.
+// An even layer, such as a dye, follows Beer–Lambert: where the film's area has grown by J, the
+// printed density P shows as P/J. Dots that stretch with the film cover the same share of it as
+// before, and show a higher density. How much higher depends on their density. So the law is
+// P·J^−n, with one n per ink, or one n per tone if a step wedge was read.
 #pragma once
 
 #include "settings/InkSettings.h"
@@ -13,11 +13,11 @@
 
 namespace dipwright {
 
-// A patch of a step wedge, read before the film was stretched and after.
+// One patch of a step wedge, read before and after the film was stretched.
 struct WedgeReading {
     FilmInk ink = FilmInk::Cyan;
     double nominal = 0; // density that the page asked for
-    double flat = 0;    // density that unstretched film shows
+    double flat = 0;    // density shown by unstretched film
     double stretch = 1; // J, above 1
     double shown = 0;   // density
 };
@@ -25,10 +25,10 @@ struct WedgeReading {
 struct FittedInk {
     InkLaw law;
     int patches = 0;
-    double worst = 0; // of density: the farthest that a reading is from the law
+    double worst = 0; // largest difference in density between a reading and the law
 };
-// A tone for each patch by least squares over its stretches; inks that were not read keep the
-// exponent 1. Throws Error, with `where`, on readings that no ink gives, and on too few.
+// Fits one tone per patch by least squares over its stretches. Inks without readings keep the
+// exponent 1. Throws Error, with `where`, if readings are too few or impossible for ink.
 FittedInk fitInk(std::span<const WedgeReading> readings, const QString& where);
 
 } // namespace dipwright

@@ -10,8 +10,7 @@ namespace dipwright {
 
 namespace {
 
-// Fine enough that the steps near black, where the curve is steepest, stay under a fifth of a
-// value.
+// Fine enough that a step near black, where the curve is steepest, stays under a fifth of a value.
 constexpr int encodingSteps = 1 << 14;
 
 std::array<float, 256> makeLinearTable() {
@@ -38,7 +37,7 @@ std::vector<float> makeWideTable() {
     return table;
 }
 
-// The linear light of every sixteen-bit value.
+// Returns the linear light of every sixteen-bit value.
 const std::vector<float>& wideTable() {
     static const std::vector<float> table = makeWideTable();
     return table;

@@ -1,4 +1,4 @@
-// How much of the body's colour one of two films gives each place.
+// Tells how much of the body's colour one of two films gives each place.
 #pragma once
 
 #include "geometry/RefinedMesh.h"
@@ -9,22 +9,23 @@
 
 namespace dipwright {
 
-// One film's side of a join between two. In a band along the join the densities of both fade
-// linearly into each other, D·w and D·(1 − w), so that together they are D, whatever the colour;
-// past it one film gives all and the other nothing. Any thread may read.
+// One film's share of a body that two films paint. In the overlap along the seam, the densities of
+// both films fade linearly into each other. They are D·w and D·(1 − w), so that their sum is D for
+// any colour. Outside the overlap one film gives all and the other nothing. Any thread may read.
 struct PaintShare {
-    // How far a place is from the join, in widths of the band there, which may be wider in one
-    // place than in another; above 0 on the first film's side.
+    // Distance of a place from the seam, in widths of the overlap there, which may vary along the
+    // seam. Positive on the first film's side.
     SurfaceField fade;
-    bool isFirst = true; // whose share this is
-    float narrowest = 0; // mm: the band where it may be as narrow as that, above 0
+    bool isFirst = true; // whether this is the first film's share
+    float narrowest = 0; // mm: the overlap's least width, above 0
 
-    // w, of the density at a place of the body: 0 nothing … 1 all of it.
+    // Returns w, the share of the density at a place of the body: 0 nothing … 1 all of it.
     float at(const SurfacePoint& point) const {
         const float inside = isFirst ? fade.at(point) : -fade.at(point);
         return std::clamp(0.5f + inside, 0.0f, 1.0f);
     }
-    // The share of all places within `reach` mm of one, where it is the same: 0 or 1.
+    // Returns the common share, 0 or 1, of all places within `reach` mm of `point`; none if it may
+    // vary.
     std::optional<float> allWithin(float reach, const SurfacePoint& point) const {
         const float inside = isFirst ? fade.at(point) : -fade.at(point);
         if (std::abs(inside) < 0.5f + reach / narrowest) {

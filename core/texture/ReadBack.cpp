@@ -13,10 +13,10 @@ namespace dipwright {
 namespace {
 
 constexpr double wantedSamples = 20000;
-constexpr double mostSamples = 400000; // of the whole body, where little of it is painted
+constexpr double mostSamples = 400000; // on the whole body, if little of it is painted
 constexpr int borderCells = 2;
 
-// For each cell of the film, by row and column: whether it and all cells within `borderCells` are
+// Tells for each film cell, by row and column, whether it and all cells within `borderCells` are
 // painted.
 std::vector<std::uint8_t> cellsWellInside(const solver::FilmGrid& grid,
                                           const FilmContact& contact) {
@@ -56,15 +56,16 @@ double paintedArea(const LaidFilm& laid) {
     return area;
 }
 
-// How far from `wanted` on the body, in mm, that belongs what the film shows there.
+// Returns the distance on the body, in mm, from `wanted` to the place where the colour that the
+// film shows there belongs.
 float errorAt(const TriangleMesh& body, const std::vector<std::uint32_t>& chart,
               const ReverseMap& map, const SurfacePoint& wanted, const FilmWeights& place) {
     const Eigen::Vector3f at = position(body, wanted);
     const SurfacePoint carried = map.surface(place);
     const TexturePlace shown = map.texture(place);
     float error = std::numeric_limits<float>::infinity();
-    // Read off both triangles near by: in one that has next to no area on the texture, distances on
-    // the body cannot be told from it.
+    // Try both nearby triangles: if one has almost no area on the texture, it gives no distance on
+    // the body.
     for (const std::uint32_t triangle : {carried.triangle, shown.bodyTriangle}) {
         const auto belongs = map.showing(shown.coordinate, triangle);
         if (belongs && chart[triangle] == chart[shown.bodyTriangle]) {

@@ -10,10 +10,11 @@ namespace dipwright {
 
 namespace {
 
-// Halvings after which a place is carried by itself: at most a sixty-fourth of a film cell is left.
+// After this many halvings, places are carried one by one. At most 1/64 of a film cell is then
+// left.
 constexpr int deepest = 6;
-// Halvings of a seam's triangle before it may be taken for linear, so that a narrow tongue of
-// another chart does not slip through between the places that are tried.
+// A triangle on a texture seam is halved this often before it may count as linear. Otherwise a
+// narrow tongue of another chart could lie between the tested places.
 constexpr int seamDepth = 2;
 constexpr double seamSamplesPerCell = 4;
 
@@ -31,7 +32,7 @@ bool isSeamEdge(const TriangleMesh& mesh, const SurfaceAppearance& appearance, s
     if (appearance.chart[here] != appearance.chart[there]) {
         return true;
     }
-    // A chart may also meet itself, as where a cylinder's sleeve is closed.
+    // A chart may also meet itself, for example where a cylinder's side is closed.
     const auto matches = [&](std::uint32_t corner) {
         const std::uint32_t position = mesh.triangles[here][corner];
         const Eigen::Vector2f& coordinate = appearance.textureCoordinates[here][corner];
@@ -115,9 +116,9 @@ SurfacePoint ReverseMap::surface(const FilmWeights& place) const {
     const Eigen::Vector3f& c = contact_.places[corners[2]];
     const Eigen::Vector3f flat = place.weights[0] * a + place.weights[1] * b + place.weights[2] * c;
     const float reach = (b - a).norm() + (c - a).norm(); // the corners are on the body
-    // Of film that is pressed to a point `reach` is nothing, and rounding keeps it beside the body.
+    // If film is pressed to a point, `reach` is 0, and rounding can keep it off the body.
     const ClosestPoint closest = query_.closestNear(flat, reach);
-    // Where the body is thin, its far side may be nearer; the film lies on the side that it faces.
+    // Where the body is thin, its far side may be nearer. The film lies on the side that it faces.
     const Eigen::Vector3f intoBody = (b - a).cross(c - a);
     if (triangleNormal(mesh_, closest.point.triangle).dot(intoBody) < 0) {
         return closest.point;

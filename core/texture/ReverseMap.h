@@ -1,5 +1,5 @@
-// Which place on the body each place of the painted film comes to lie on, and so which place of the
-// body's texture it has to show.
+// Maps each place of the painted film to its place on the body, and so to the place of the texture
+// that it must show.
 #pragma once
 
 #include "dip/LaidFilm.h"
@@ -7,35 +7,36 @@
 
 namespace dipwright {
 
-// A place of the flat film by the weights of the corners of one film triangle.
+// A place on the flat film, as weights of one film triangle's corners.
 struct FilmWeights {
     std::uint32_t triangle = 0;
     Eigen::Vector3f weights = Eigen::Vector3f::Zero();
 };
 
-// A place of the texture and the body triangle that says with which chart and material to read it.
+// A place on the texture, and the body triangle that determines its chart and material.
 struct TexturePlace {
     Eigen::Vector2f coordinate = Eigen::Vector2f::Zero(); // NaN: the material has no texture
     std::uint32_t bodyTriangle = 0;
 };
 
-// A piece of a film triangle: three of its places and where they lie on the body.
+// A piece of a film triangle: three places on the film and their places on the body.
 struct FilmPiece {
     std::uint32_t triangle = 0;
     std::array<Eigen::Vector3f, 3> corners; // weights of the film triangle's corners
     std::array<SurfacePoint, 3> surface;
-    int depth = 0; // times it was halved
+    int depth = 0; // number of halvings
 
-    // Of a place in the piece, by the weights of the piece's corners: which of the four pieces that
-    // halving makes it is in (every place is in exactly one), and its weights there.
+    // Halving makes four pieces. For a place given by weights of the piece's corners, child()
+    // returns the piece that contains it (every place is in exactly one), and childWeights() its
+    // weights there.
     static std::size_t child(const Eigen::Vector3f& weights);
     static Eigen::Vector3f childWeights(const Eigen::Vector3f& weights, std::size_t child);
 };
 
-// A piece whose texture coordinates are linear all over it, on one chart.
+// A piece on one chart whose texture coordinates are linear.
 struct LinearPiece {
     std::array<Eigen::Vector2f, 3> coordinates;
-    std::uint32_t bodyTriangle = 0; // one under the piece
+    std::uint32_t bodyTriangle = 0; // a triangle under the piece
 
     Eigen::Vector2f coordinate(const Eigen::Vector3f& weights) const {
         return weights[0] * coordinates[0] + weights[1] * coordinates[1] +
@@ -43,45 +44,46 @@ struct LinearPiece {
     }
 };
 
-// A film place is carried linearly to the flat triangle between the points of contact and from
-// there to the nearest place of the body. Pieces whose coordinates are linear within `tolerance` mm
-// on the body are read directly; others are halved at the middles of their edges until they are,
-// which resolves the seams between charts (the paper's Figure 5). Keeps references to the film and
-// the appearance. Reading is const, any thread.
+// Projects a film place linearly to the flat triangle between the points of contact, and from there
+// to the nearest place on the body. A piece whose coordinates are linear within `tolerance` mm on
+// the body is read directly. Other pieces are halved at the middles of their edges, which resolves
+// the texture seams between charts (the paper's Figure 5). Keeps references to the film and the
+// appearance. Const members may be used from several threads.
 class ReverseMap {
 public:
     static constexpr float tolerance = 0.03f; // mm on the body
 
-    // `appearance`: of the triangles of the body that the film is laid on.
+    // `appearance` describes the triangles of the body on which the film is laid.
     ReverseMap(const LaidFilm& laid, const SurfaceAppearance& appearance);
 
-    // Whether a border between charts runs through a painted triangle, by the body's topology.
+    // Tells whether a texture seam runs through a painted triangle, by the body's topology.
     bool isSeam(std::uint32_t triangle) const { return seam_[triangle] != 0; }
     std::size_t seamCount() const;
 
     SurfacePoint surface(const FilmWeights& place) const;
     TexturePlace texture(const SurfacePoint& point) const;
-    // The texture's place, as the sheet's pixels get it.
+    // Returns the texture's place that the sheet's pixels show.
     TexturePlace texture(const FilmWeights& place) const;
 
-    // Where the body would show a texture coordinate if its surface went on flat, and its texture
-    // evenly, as in one of its triangles; none where all of that triangle shows one place or line.
+    // Returns where the body would show a texture coordinate if one of its triangles continued flat
+    // and with an even texture. None if the whole triangle shows a single place or line of the
+    // texture.
     std::optional<Eigen::Vector3f> showing(const Eigen::Vector2f& coordinate,
                                            std::uint32_t bodyTriangle) const;
 
-    // How a step on the body, in mm, moves the place on the texture; zero where it has none.
-    // `steps` are the columns.
+    // Returns how steps on the body, in mm, move the place on the texture; zero if the triangle has
+    // none. `steps` are the columns.
     Eigen::Matrix2f textureSteps(std::uint32_t bodyTriangle,
                                  const Eigen::Matrix<float, 3, 2>& steps) const;
-    // The points of contact of a film triangle's corners, as columns.
+    // Returns the points of contact of a film triangle's corners, as columns.
     Eigen::Matrix3f contactPoints(std::uint32_t filmTriangle) const;
 
     FilmPiece whole(std::uint32_t triangle) const;
-    // The four pieces between the corners and the middles of the edges: one at each corner, then
-    // the one in the middle, which is upside down.
+    // Returns the four pieces between the corners and the middles of the edges: one at each corner,
+    // then the middle one, which is upside down.
     std::array<FilmPiece, 4> halved(const FilmPiece& piece,
                                     const std::array<SurfacePoint, 3>& middles) const;
-    // Where the middles of the edges lie: edge k runs from corner k to the next.
+    // Returns the middles of the edges on the body; edge k runs from corner k to the next.
     std::array<SurfacePoint, 3> middles(const FilmPiece& piece) const;
     std::optional<LinearPiece> linear(const FilmPiece& piece,
                                       const std::array<SurfacePoint, 3>& middles) const;
@@ -95,7 +97,7 @@ private:
     const TriangleMesh& mesh_; // the body's
     const SurfaceQuery& query_;
     const std::vector<FilmTriangle>& triangles_;
-    std::vector<std::uint8_t> seam_; // a film triangle each
+    std::vector<std::uint8_t> seam_; // one per film triangle
 };
 
 } // namespace dipwright

@@ -24,24 +24,24 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::ReverseTexture)
 };
 
-// A film pixel that is to be painted, and its place in the film piece in hand.
+// A film pixel to paint, and its place in the current film piece.
 struct Pixel {
     int column = 0;
     int row = 0;
-    Eigen::Vector3f weights; // of the piece's corners
-    float share = 1;         // of the density that this film gives
+    Eigen::Vector3f weights; // weights of the piece's corners
+    float share = 1;         // share of the density that this film gives
 };
 
-// The way along the body between two corners of a film triangle is no longer than this many times
-// the straight one.
+// The path along the body between two corners of a film triangle is at most this many times as long
+// as the straight line.
 constexpr float alongTheBody = 2;
 
-// Which film cell each pixel column (or row) of the image is in, and how far along it.
+// Maps pixel columns (or rows) of the image to film cells.
 struct CellPlaces {
-    std::vector<float> share;    // a pixel each: 0 … 1 along its cell
-    std::vector<int> firstPixel; // a cell each, and one more: the first pixel of the next
+    std::vector<float> share;    // per pixel: place in its cell, 0 … 1
+    std::vector<int> firstPixel; // per cell: its first pixel; one more entry marks the end
 
-    // `cellAt`: columnAt() or rowAt() of the film's grid.
+    // `cellAt` is columnAt() or rowAt() of the film's grid.
     CellPlaces(const solver::FilmGrid& grid, int pixels, int cells,
                double (*cellAt)(const solver::FilmGrid&, double)) {
         share.reserve(std::size_t(pixels));
@@ -55,11 +55,11 @@ struct CellPlaces {
     }
 };
 
-// What is told of each pixel beside its colour: the tint of white and how far the film stretches.
-// A picture, so that it is continued past the edge as colours are.
+// Holds, for each pixel, the tint of white and the film's stretch. It is a picture, so that it is
+// continued past the edge like colours.
 class AsidePicture {
 public:
-    // Of an image; none is made where neither is asked for.
+    // Makes no picture if neither is wanted.
     AsidePicture(QSize pixels, bool isWanted) {
         if (isWanted) {
             picture_ = QImage(pixels, QImage::Format_RGBA8888);
@@ -79,7 +79,7 @@ public:
         place[3] = 255;
     }
 
-    // The tints, where the film image has colour.
+    // Returns the tints where the film image has colour.
     QImage white(const QImage& image) const {
         const PixelCode code(image);
         QImage tint(picture_.size(), QImage::Format_Grayscale8);
@@ -114,7 +114,7 @@ enum class Shown { Colours, Plate };
 
 class FilmPainter {
 public:
-    // `wanted`: may be null.
+    // `wanted` may be null.
     FilmPainter(const LaidFilm& laid, const ReverseMap& map, const BodyColours& colours,
                 Shown shown, const ReverseTextureOptions& options, QImage& image, QImage& wanted,
                 const AsidePicture& aside)
@@ -128,10 +128,10 @@ public:
           growsPlate_(options.ink.compensate),
           wantedBits_(wanted.isNull() ? nullptr : wanted.bits()), aside_(aside) {}
 
-    // What painting one row of cells has come to.
+    // The result of painting one row of cells.
     struct PaintedRow {
-        double shortfall = 0;             // mm² of body that end up visibly too pale
-        std::vector<unsigned char*> left; // pixels on the body that this film leaves to the other
+        double shortfall = 0;             // mm² of body that become visibly too pale
+        std::vector<unsigned char*> left; // pixels that this film leaves to the other film
     };
     PaintedRow paintCells(int row) const {
         PaintedRow painted;
@@ -154,11 +154,11 @@ public:
     }
 
 private:
-    // The pixels whose centres are in one of a cell's two triangles; a centre on the cut between
-    // them, or between two cells, belongs to one side only.
+    // Collects the pixels whose centres are in one of a cell's two triangles. A centre on the
+    // diagonal, or between two cells, belongs to one side only.
     void collect(int cellColumn, int cellRow, bool second, std::vector<Pixel>& pixels) const {
         pixels.clear();
-        const bool falling = (cellColumn + cellRow) % 2 == 0; // the cut, from the upper left corner
+        const bool falling = (cellColumn + cellRow) % 2 == 0; // diagonal from the upper left
         const auto c = std::size_t(cellColumn);
         const auto r = std::size_t(cellRow);
         for (int row = rows_.firstPixel[r]; row < rows_.firstPixel[r + 1]; ++row) {
@@ -173,7 +173,7 @@ private:
             }
         }
     }
-    // By the corners' order in filmTriangles().
+    // Returns weights in the order of corners in filmTriangles().
     static Eigen::Vector3f weights(bool falling, bool second, float right, float down) {
         if (falling) {
             return second ? Eigen::Vector3f(1 - right, down, right - down)
@@ -183,7 +183,7 @@ private:
                       : Eigen::Vector3f(1 - right - down, down, right);
     }
 
-    // Says what share of the colour each pixel has; those that have none are taken out.
+    // Sets each pixel's share of the colour and removes pixels without a share.
     void takeShare(std::uint32_t triangle, std::vector<Pixel>& pixels,
                    std::vector<unsigned char*>& left) const {
         if (!share_ || pixels.empty()) {
@@ -198,7 +198,7 @@ private:
         }
         std::erase_if(pixels, [](const Pixel& pixel) { return !(pixel.share > 0); });
     }
-    // Of a whole film triangle, where that is clear from its first corner.
+    // Returns the share of a whole film triangle if its first corner determines it.
     std::optional<float> shareOfAll(std::uint32_t triangle) const {
         const SurfacePoint& corner = laid_.contact().surface[laid_.triangles()[triangle][0]];
         if (!corner.isValid()) {
@@ -262,7 +262,7 @@ private:
             return texture->sampler.sample(linear.coordinate(weights), footprint);
         });
     }
-    // Prints every pixel in the colour that `wanted` says for its weights in the piece.
+    // Prints every pixel in the colour that `wanted` returns for its weights in the piece.
     template <typename Colour>
     double printAll(const FilmPiece& piece, std::span<const Pixel> pixels,
                     const Colour& wanted) const {
@@ -281,7 +281,7 @@ private:
             linear.coordinates[2] - linear.coordinates[0];
         return onTexture * onFilm.inverse();
     }
-    // Of a piece's corner, on the flat film, in pixels from its middle.
+    // Returns the place of a piece's corner on the flat film, in pixels from its middle.
     Eigen::Vector2f pixelPlace(const FilmPiece& piece, std::size_t corner) const {
         const FilmTriangle& points = laid_.triangles()[piece.triangle];
         Eigen::Vector2f place = Eigen::Vector2f::Zero();
@@ -292,8 +292,8 @@ private:
         return place;
     }
 
-    // A pixel by itself, on a seam or where the texture bends: the mean of four places in it, each
-    // carried onto the body.
+    // Paints a single pixel on a texture seam or where the texture bends: the mean of four places
+    // in it, each carried to the body.
     double paintAlone(const FilmPiece& piece, const Pixel& pixel) const {
         LinearColour sum = LinearColour::Zero();
         const Eigen::Vector3f centre = filmWeights(piece, pixel.weights);
@@ -328,7 +328,8 @@ private:
         return weights[0] * piece.corners[0] + weights[1] * piece.corners[1] +
                weights[2] * piece.corners[2];
     }
-    // How the weights of a film triangle's corners change from pixel to pixel, rightwards and down.
+    // Returns how the weights of a film triangle's corners change from pixel to pixel, to the right
+    // and downwards.
     Eigen::Matrix<float, 3, 2> weightSteps(std::uint32_t triangle) const {
         const FilmPiece piece = map_.whole(triangle);
         const Eigen::Vector2f a = pixelPlace(piece, 0);
@@ -379,13 +380,13 @@ private:
     PixelCode code_;
     unsigned char* bits_;
     std::ptrdiff_t stride_;
-    float white_;               // on the body, 0 … 1
-    bool isPlate_, growsPlate_; // printed more where the film stretches
+    float white_;               // tint on the body, 0 … 1
+    bool isPlate_, growsPlate_; // whether plates are printed denser where the film stretches
     unsigned char* wantedBits_; // a picture like the image; null: none
     const AsidePicture& aside_;
 };
 
-// Blank where the film image is.
+// Blanks the pixels of `picture` that are blank in the film image.
 void blankAs(const QImage& image, QImage& picture) {
     const PixelCode code(image);
     for (int y = 0; y < image.height(); ++y) {
@@ -399,7 +400,7 @@ void blankAs(const QImage& image, QImage& picture) {
     }
 }
 
-// The tints, Grayscale8, of a plate's image.
+// Returns the tints of a plate's image, Grayscale8.
 QImage tintsOf(const QImage& plate) {
     const PixelCode code(plate);
     QImage tints(plate.size(), QImage::Format_Grayscale8);
@@ -413,14 +414,13 @@ QImage tintsOf(const QImage& plate) {
     return tints;
 }
 
-// Nothing printed yet.
+// Makes a blank image.
 QImage blankImage(QSize pixels, bool isWide) {
     QImage image(pixels, isWide ? QImage::Format_RGBA64 : QImage::Format_RGBA8888);
     if (image.isNull()) {
-        throw Error(
-            Text::tr("The film's image is too large for this computer's memory; choose a lower "
-                     "resolution"),
-            QStringLiteral("%1 × %2").arg(pixels.width()).arg(pixels.height()));
+        throw Error(Text::tr("The film image is too large for this computer's memory; choose a "
+                             "lower resolution"),
+                    QStringLiteral("%1 × %2").arg(pixels.width()).arg(pixels.height()));
     }
     if (isWide) {
         image.setColorSpace(wideSpace());
@@ -447,7 +447,7 @@ void blankPixels(const std::vector<FilmPainter::PaintedRow>& painted, std::ptrdi
     }
 }
 
-// All but the spot inks.
+// Reverses everything except the spot inks.
 ReverseTexture reversed(const LaidFilm& laid, const SurfaceAppearance& appearance, Shown shown,
                         const ReverseTextureOptions& options, const Progress& progress) {
     progress(0, Text::tr("Reversing the texture"));

@@ -1,7 +1,7 @@
-// From the body's texture back to the image to print.
+// Computes the film image to print from the body's texture.
 //
-// Film images are pictures of the flat film, ink side up: pixel columns run along +X, pixel rows
-// along +Z; the picture's full width is the film's width (docs/film-model.md, "Which way up the
+// Film images are pictures of the flat film, ink side up. Pixel columns run along +X, pixel rows
+// along +Z. The picture's full width is the film's width (docs/film-model.md, "Which way up the
 // sheet is").
 #pragma once
 
@@ -17,40 +17,40 @@
 
 namespace dipwright {
 
-// What the body is to show in a spot ink: grey of 1 − its tint in linear light.
+// Makes the tints that the body should show in a spot ink: grey of 1 − tint in linear light.
 using SpotAppearance = std::function<SurfaceAppearance()>;
 
 struct ReverseTextureOptions {
-    QSize pixels;     // of the whole film
-    double bleed = 2; // mm that the colour is continued past the painted area
+    QSize pixels;     // size of the whole film's image
+    double bleed = 2; // mm by which the colour is continued past the painted area
     InkSettings ink;
-    std::optional<PaintShare> share = {}; // none: it gives all the colour wherever it reaches
-    double white = 0; // tint that a white layer is to have on the body, 0 … 1; 0: no layer
-    bool keepsWanted = false; // what colour is to show, and how far the film stretches there
-    // Made when their turn comes, one at a time: each is as large as the body's texture.
+    std::optional<PaintShare> share = {}; // none: the film gives the full colour everywhere
+    double white = 0;         // tint of the white layer on the body, 0 … 1; 0: no layer
+    bool keepsWanted = false; // whether to return `wanted` and `stretch`
+    // Each is made only when it is processed, because it is as large as the body's texture.
     std::vector<SpotAppearance> spots = {};
 };
 
 struct ReverseTexture {
-    QImage image; // alpha 0 where nothing is printed; wide where a texture is, else
-                  // RGBA8888 in sRGB
-    std::size_t seamTriangles = 0; // film triangles that crossed from chart to chart
-    double shortfallArea = 0; // mm² of body whose density cannot be reached within the ink limit
-    // The tint of white to print wherever there is colour, more where the film stretches, as far as
-    // full tint goes; of the image's size, Grayscale8. Null where none is wanted.
+    QImage image; // alpha 0 where nothing is printed; wide if a texture is, else RGBA8888 in sRGB
+    std::size_t seamTriangles = 0; // film triangles that cross a border between charts
+    double shortfallArea = 0;      // mm² of body whose density the ink limit prevents
+    // The tint of white to print under all colour: more where the film stretches, at most full
+    // tint. Image size, Grayscale8. Null if no white is wanted.
     QImage white;
-    // What the image is to show on the body, as it would be printed on film that is not stretched,
-    // and how far it is: Grayscale16, codes of StretchPlane.h. Null where they are not kept.
+    // The colours that the body should show, not compensated, and the film's stretch as
+    // Grayscale16, in codes of StretchPlane.h. Null if they are not kept.
     QImage wanted, stretch;
-    // The tints of the spot inks, in the options' order; of the image's size, Grayscale8. Tint
-    // thins as an even layer, and shares of it are shares of tint.
+    // The tints of the spot inks, in the options' order. Image size, Grayscale8. Tint thins like an
+    // even layer, and a share of a place is a share of its tint.
     std::vector<QImage> spots;
 };
 
-// The image to print so that the dip puts `appearance` where it belongs on the body: every pixel in
-// a painted film triangle shows its place of the texture, filtered over what the pixel covers
-// there. Where its share is nothing the film is left blank, and no colour is continued there. All
-// cores, deterministic, throws Cancelled; Error for an image that does not fit into memory.
+// Computes the image to print so that the dip puts `appearance` in its place on the body. Every
+// pixel in a painted film triangle shows its place of the texture, filtered over the area that the
+// pixel covers there. Where this film's share is 0, the film stays blank, and no colour is
+// continued there.
+// Uses all cores. Deterministic. Throws Cancelled, or Error if the image does not fit into memory.
 ReverseTexture reverseTexture(const LaidFilm& laid, const SurfaceAppearance& appearance,
                               const ReverseTextureOptions& options, const Progress& progress);
 

@@ -1,4 +1,4 @@
-// How far the film's area grows, a value for each pixel of its image.
+// Stores how far the film's area grows, one value per pixel of its image.
 #pragma once
 
 #include <QImage>
@@ -6,19 +6,19 @@
 
 namespace dipwright {
 
-// From what film that is folded flat has to more than any film bears.
+// From film that is folded flat to more than any film bears.
 inline constexpr float leastAreaStretch = 0.05f, mostAreaStretch = 20;
 
-// A step is a ten-thousandth of J.
+// One step of the code is about a ten-thousandth of J.
 std::uint16_t stretchCode(float areaStretch);
 float areaStretchOf(std::uint16_t code);
 
-// The plane of a film that is nowhere stretched: Grayscale16, a code a pixel.
+// Returns the plane of unstretched film: Grayscale16, one code per pixel.
 QImage unstretched(QSize pixels);
 
-// The plane as a picture whose colours and cover can be moved as an image's are (wide, a code in
-// every channel), and back: film that none came to is not stretched. With a film image (RGBA) only
-// what that paints is covered.
+// Convert the plane to a picture and back, so that it can be moved like an image (wide, the code in
+// every channel). On the way back, pixels that nothing covers are unstretched. If a film image
+// (RGBA) is given, only its painted pixels are opaque.
 QImage pictureOfStretch(const QImage& plane, const QImage& film = {});
 QImage stretchOfPicture(const QImage& picture);
 

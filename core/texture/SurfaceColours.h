@@ -1,4 +1,4 @@
-// What a body is to look like, place by place.
+// Returns the colours that a body should show, place by place.
 #pragma once
 
 #include "model/TexturedMesh.h"
@@ -8,23 +8,23 @@
 
 namespace dipwright {
 
-// The colour of the texture, or the plain one, at each of these places of the body, in linear
-// light; of a fine pattern a single texel. All cores.
+// Returns the colour of the texture, or the plain colour, at each of these places of the body, in
+// linear light. Reads a single texel even in a fine pattern. Uses all cores.
 std::vector<LinearColour> surfaceColours(const SurfaceAppearance& appearance,
                                          const std::vector<SurfacePoint>& places);
 
 class BodyColours;
 
-// The same, filtered, for many places. Keeps a reference to the appearance. Reading is const, any
-// thread.
+// Returns filtered colours for many places. Keeps a reference to the appearance. Const members may
+// be used from several threads.
 class SurfaceColours {
 public:
     explicit SurfaceColours(const SurfaceAppearance& appearance);
     ~SurfaceColours();
 
-    // The mean over a small piece of the surface: `steps` say how far it goes to the right and
-    // down, as weights of the triangle's corners. As shares of wide colour's primaries where any of
-    // the appearance's textures is wide.
+    // Returns the mean over a small piece of the surface. `steps` are its extents to the right and
+    // downwards, as weights of the triangle's corners. The colour is in wide colour's primaries if
+    // any of the appearance's textures is wide.
     LinearColour at(const SurfacePoint& place, const Eigen::Matrix<float, 3, 2>& steps) const;
 
 private:

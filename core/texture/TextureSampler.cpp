@@ -27,7 +27,7 @@ LightTexel lightTexel(const LinearColour& light) {
     return texel;
 }
 
-// Of a wide picture, on white.
+// Returns the texels of a wide picture on white.
 std::vector<LightTexel> lightTexels(const QImage& wide) {
     const PixelCode code(wide);
     const auto columns = std::size_t(wide.width());
@@ -55,8 +55,8 @@ bool isOpaque(const QImage& image) {
     return true;
 }
 
-// Without see-through texels, and its rows one after another without gaps. A wide picture is read
-// from its first level.
+// Returns the picture on white, with rows that follow each other without gaps. Wide pictures are
+// returned as they are, because their first level is read instead.
 QImage onWhite(const QImage& image) {
     const bool gapless = image.bytesPerLine() == 4 * qsizetype(image.width());
     if (isWide(image) || (isOpaque(image) && gapless)) {
@@ -77,10 +77,10 @@ QImage onWhite(const QImage& image) {
     return opaque;
 }
 
-// One pixel of a row or column half as long as the one before: what it covers of that one.
+// The pixels of a row or column that one pixel of the halved row or column covers.
 struct Cover {
     int first = 0;
-    int count = 0; // two, or three of an odd length
+    int count = 0; // two, or three if the length is odd
     std::array<float, 3> weights{};
 };
 std::vector<Cover> halvingCovers(int length) {
@@ -255,14 +255,14 @@ LinearColour TextureSampler::sampleWithin(const Eigen::Vector2f& coordinate,
             }
         }
     }
-    // A chart without a texel of its own here is thinner than a texel.
+    // If the chart has no texel of its own here, it is thinner than a texel.
     return weights > 0 ? LinearColour(sum / weights) : bilinear(levels_[0], coordinate);
 }
 
 bool TextureSampler::isWithin(const std::array<Eigen::Vector2f, 3>& corners,
                               const TextureSteps& steps, const ChartMap& charts,
                               std::uint32_t chart) const {
-    // Half the pixel, and the texels of the smaller level round its end.
+    // Half the pixel, plus the smaller level's texels round its end.
     const float margin = 2 + 2.5f * longestStep(steps);
     Eigen::AlignedBox2f box;
     for (const Eigen::Vector2f& corner : corners) {

@@ -1,4 +1,4 @@
-// Filtered look-ups in a body's texture, in linear light.
+// Reads filtered colours from a body's texture, in linear light.
 #pragma once
 
 #include "texture/ChartMap.h"
@@ -9,37 +9,37 @@
 
 namespace dipwright {
 
-// How far one step to the right and one step down on the film go on the texture, as the columns of
-// a matrix, in texture coordinates.
+// Steps on the texture for one step to the right and one step down on the film, as the columns of a
+// matrix, in texture coordinates.
 using TextureSteps = Eigen::Matrix2f;
 
-// What a pixel of the film covers on the texture: `taps` round spots along a line, each as wide as
-// a texel of `level`.
+// The area of the texture that a film pixel covers: `taps` round spots along a line, each as wide
+// as a texel of `level`.
 struct TextureFootprint {
     int taps = 1;
     Eigen::Vector2f step = Eigen::Vector2f::Zero(); // between taps, texture coordinates
     float level = 0;
 };
 
-// A picture with its smaller versions (a mip pyramid filtered by area in linear light). Texture
-// coordinates are OBJ's, see SurfaceAppearance. See-through texels let the white body show. Reading
-// is const and may go on on many threads.
+// A picture and its smaller versions (a mip pyramid filtered by area in linear light). Texture
+// coordinates are OBJ's, see SurfaceAppearance. Transparent texels show the white body. Const
+// members may be used from several threads.
 class TextureSampler {
 public:
-    // `image` has Format_RGBA8888 or is wide; its colours are read as shares of its own primaries.
-    // `repeats`: coordinates outside [0, 1] wrap; else they are
-    // clamped.
+    // `image` has Format_RGBA8888 or is wide; its colours are read in its own primaries. If
+    // `repeats`, coordinates outside [0, 1] wrap; otherwise they are clamped.
     TextureSampler(const QImage& image, bool repeats);
 
-    // For pixels that are minified: at most eight taps along the longer axis (anisotropic), between
-    // two levels (trilinear). Magnified pixels get the bilinear texel.
+    // Returns the footprint of a pixel. Minified pixels get at most eight taps along the longer
+    // axis (anisotropic), between two levels (trilinear). Magnified pixels get the bilinear texel.
     TextureFootprint footprint(const TextureSteps& steps) const;
     LinearColour sample(const Eigen::Vector2f& coordinate, const TextureFootprint& footprint) const;
-    // For pixels near the border of their chart: the mean over the pixel of the texels of the first
-    // level that belong to `chart`.
+    // Returns the colour of a pixel near its chart's border: the mean over the pixel of the first
+    // level's texels that belong to `chart`.
     LinearColour sampleWithin(const Eigen::Vector2f& coordinate, const TextureSteps& steps,
                               const ChartMap& charts, std::uint32_t chart) const;
-    // Whether all that sample() may read for places in the triangle `corners` belongs to `chart`.
+    // Tells whether every texel that sample() may read for places in the triangle `corners` belongs
+    // to `chart`.
     bool isWithin(const std::array<Eigen::Vector2f, 3>& corners, const TextureSteps& steps,
                   const ChartMap& charts, std::uint32_t chart) const;
 
@@ -62,7 +62,7 @@ private:
     LinearColour bilinear(const Level& level, const Eigen::Vector2f& coordinate) const;
     LinearColour trilinear(const Eigen::Vector2f& coordinate, float level) const;
 
-    QImage image_; // never detached, so that encoded_ stays
+    QImage image_; // never detached, so that encoded_ stays valid
     const unsigned char* encoded_;
     const std::array<float, 256>& linear_;
     bool repeats_;

@@ -19,7 +19,7 @@ float Thinning::ofLayer(float areaStretch) const {
     return exponent_ == 1 ? areaStretch : std::pow(areaStretch, exponent_);
 }
 
-// The logarithm of the density that a tone shows; `grown`: of J.
+// Returns the logarithm of the density that a tone shows. `grown` is the logarithm of J.
 float Thinning::shownAt(const Tone& tone, float grown) const {
     const float bent = tone.bend * std::clamp(grown, 0.0f, tone.mostGrown);
     return tone.density - (tone.exponent + bent) * grown;

@@ -15,7 +15,7 @@ struct Text {
 };
 
 const QByteArray columns = "ink,nominal,flat,across,down,shown";
-constexpr double ruler = 100; // mm, of the page's rulers before the film is stretched
+constexpr double ruler = 100; // mm, length of the page's rulers before the film is stretched
 constexpr int mostReadings = 10'000;
 
 std::vector<FilmInk> inksOf(const QString& word) {
@@ -32,7 +32,7 @@ std::vector<WedgeReading> readWedge(const QByteArray& table, const QString& wher
     const QStringList lines = QString::fromUtf8(table).split(u'\n');
     if (lines.size() > mostReadings || lines.front().trimmed() != QLatin1String(columns)) {
         throw Error(
-            Text::tr("The table of a wedge begins with the line %1 and has at most %2 lines")
+            Text::tr("The table of a wedge must begin with the line %1 and have at most %2 lines")
                 .arg(QLatin1String(columns))
                 .arg(mostReadings),
             where);
@@ -40,15 +40,15 @@ std::vector<WedgeReading> readWedge(const QByteArray& table, const QString& wher
     std::vector<WedgeReading> readings;
     for (int line = 1; line < lines.size(); ++line) {
         const QStringList words = lines[line].trimmed().split(u',');
-        // A reading that was not made is left out.
+        // Lines without a reading are skipped.
         if (words.size() == 1 || words.back().trimmed().isEmpty()) {
             continue;
         }
         const std::vector<FilmInk> inks = inksOf(words.front().trimmed());
         const auto values = finiteNumbers(words.mid(1));
         if (words.size() != 6 || inks.empty() || !values) {
-            throw Error(Text::tr("Line %1 of the wedge is not an ink (cyan, magenta, yellow, "
-                                 "black, white or grey) and five numbers, joined by commas")
+            throw Error(Text::tr("Line %1 of the wedge must contain an ink (cyan, magenta, yellow, "
+                                 "black, white or grey) and five numbers, separated by commas")
                             .arg(line + 1),
                         where);
         }

@@ -1,4 +1,4 @@
-// A step wedge's readings as a table (docs/files-and-commands.md, "Profiles").
+// Reads and writes a step wedge's readings as a table (docs/files-and-commands.md, "Profiles").
 #pragma once
 
 #include "texture/InkLaw.h"
@@ -7,19 +7,18 @@
 
 namespace dipwright {
 
-// The tones that a wedge page has, as densities.
+// The tones of a wedge page, as densities.
 inline constexpr std::array wedgeTones{0.05, 0.1,  0.2, 0.3,  0.45, 0.6,  0.75,
                                        0.9,  1.05, 1.2, 1.35, 1.5,  1.75, 2.0};
 inline constexpr qint64 mostWedgeBytes = 1 << 20;
 
-// A line for each reading after one with the columns' names: ink,nominal,flat,across,down,shown.
-// `ink` is cyan, magenta, yellow, black, white, or grey for the first three at once; the three in
-// the middle are the density that the page asked for, the one that unstretched film shows, and the
-// lengths in mm that the page's two rulers have on the stretched film; the last is the density
-// shown there. Throws Error naming the line.
+// Reads a table with the heading ink,nominal,flat,across,down,shown and one line per reading. `ink`
+// is cyan, magenta, yellow, black, white, or grey for the first three at once. `nominal` is the
+// density that the page asked for, `flat` the density of unstretched film. `across` and `down` are
+// the lengths in mm of the page's two rulers on the stretched film; `shown` is the density there.
+// Throws Error that names the line.
 std::vector<WedgeReading> readWedge(const QByteArray& table, const QString& where);
-// Such a table for cyan, magenta and yellow, with black where `black`, with the readings still to
-// be filled in.
+// Returns such a table without readings for cyan, magenta and yellow, and for black if `black`.
 QByteArray blankWedge(int stretches, bool black = false);
 
 } // namespace dipwright

@@ -18,7 +18,7 @@ struct Text {
 };
 
 constexpr qint64 longestTemplate = 1 << 20; // bytes
-// The slowest move that Marlin does not speed up (MINIMUM_PLANNER_SPEED); GRBL's limit is lower.
+// Marlin speeds up slower moves (MINIMUM_PLANNER_SPEED); GRBL's limit is lower.
 constexpr MillimetresPerSecond holdSpeed{0.05};
 
 QString plain(double number) {
@@ -26,7 +26,8 @@ QString plain(double number) {
     return text == QLatin1String("-0.000") ? QStringLiteral("0.000") : text;
 }
 
-// A name as part of a comment: one line without what a controller might take for the comment's end.
+// Makes a name safe inside a comment: one line, without characters that a controller could take for
+// the end of the comment.
 QString oneLine(const QString& name) {
     QString result;
     for (const QChar letter : name.simplified()) {
@@ -90,10 +91,10 @@ QByteArray filledTemplate(const DipMotion& motion, const QString& text, const QS
         const QRegularExpressionMatch match = found.next();
         const auto value = values.find(match.captured(1));
         if (value == values.end()) {
-            throw Error(Text::tr("The template of the motion names {%1}, which there is not; use "
-                                 "one of %2")
-                            .arg(match.captured(1), values.keys().join(QStringLiteral(", "))),
-                        where);
+            throw Error(
+                Text::tr("The motion template contains the unknown name {%1}; use one of %2")
+                    .arg(match.captured(1), values.keys().join(QStringLiteral(", "))),
+                where);
         }
         filled += text.mid(done, match.capturedStart() - done) + *value;
         done = match.capturedEnd();

@@ -1,4 +1,5 @@
-// The way of a dip for whoever, or whatever, moves the body.
+// The motion of one dip as points, as CSV and as a filled-in template, for a person or a machine
+// that moves the body.
 #pragma once
 
 #include "base/Units.h"
@@ -10,45 +11,49 @@
 
 namespace dipwright {
 
-// Heights are of the body's lowest point over the water, mm; negative is under it.
+// Heights are those of the body's lowest point, in mm above the water; negative heights are below
+// it.
 struct DipMotion {
-    QString project, immersion, job; // names
-    Millimetres park{50};            // where it waits, over the film
-    Millimetres start{0.5};          // where the dip begins
-    Millimetres depth{0};            // how far under water it ends
-    MillimetresPerSecond speed{5};   // of the dip, and out
+    QString project, immersion, job; // names and number for the operator
+    Millimetres park{50};            // height at which the body waits over the film
+    Millimetres start{0.5};          // height at which the dip begins
+    Millimetres depth{0};            // how far below the water the dip ends
+    MillimetresPerSecond speed{5};   // speed of the dip and of lifting out
     MillimetresPerSecond approach{20};
-    Seconds hold{5}; // under water
+    Seconds hold{5}; // time that the body stays under water
 
     Seconds dipTime() const { return Seconds((start + depth).value() / speed.value()); }
 };
 
-// A place of the way: straight lines at even speed join them.
+// One point of the motion. The body moves in straight lines at constant speed from point to point.
 struct MotionPoint {
-    Seconds time; // from when it leaves where it waits
+    Seconds time; // since the body left its waiting height
     Millimetres height;
-    MillimetresPerSecond speed; // of the line that ends here, 0 where it waits
+    MillimetresPerSecond speed; // speed on the line that ends at this point; 0 while the body waits
 };
 std::vector<MotionPoint> motionPoints(const DipMotion& motion);
 
-// time_s, height_mm, speed_mm_s: a line a point, with a heading. Decimal points, LF.
+// Returns a CSV table: the heading time_s,height_mm,speed_mm_s and one line per point, with decimal
+// points and LF line ends.
 QByteArray motionCsv(const DipMotion& motion);
 
-// A template with its {names} filled in: project, immersion, job, park_mm, start_mm, depth_mm,
-// speed_mm_s, speed_mm_min, approach_mm_min, dip_s, hold_s, hold_ms; hold_depth_mm and hold_mm_min:
-// the hold as a slow move a little deeper and back, for controllers that are not of one mind about
-// the unit of a dwell. Names lose their line ends and control characters, so that none of them can
-// become a command. Throws Error for a name that there is not; `where` is what the user knows the
-// template by.
+// Fills in the {names} of a template: project, immersion, job, park_mm, start_mm, depth_mm,
+// speed_mm_s, speed_mm_min, approach_mm_min, dip_s, hold_s, hold_ms, hold_depth_mm and hold_mm_min.
+// The last two describe the hold as a slow move a little deeper and back, because controllers
+// disagree about the unit of a dwell.
+// The values of project, immersion and job lose line ends and control characters, so that no name
+// can become a command. Throws Error for an unknown name; `where` tells the user which template is
+// meant.
 QByteArray filledTemplate(const DipMotion& motion, const QString& text, const QString& where);
 
 struct MotionTemplate {
     QString text, where;
 };
-// Of a file of up to 1 MiB. Throws Error where it cannot be read.
+// Reads a template file of at most 1 MiB. Throws Error if it cannot be read.
 MotionTemplate motionTemplate(const QString& path);
-// The user's own, motion.gcode in the folder for the program's data; without it the one that comes
-// with the program: G-code for one linear axis. Throws Error where the user's cannot be read.
+// Reads the user's own template, motion.gcode in the program's data folder. If there is none,
+// returns the template that comes with the program: G-code for one linear axis. Throws Error if the
+// user's file cannot be read.
 MotionTemplate motionTemplate();
 
 } // namespace dipwright

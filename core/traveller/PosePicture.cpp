@@ -9,8 +9,8 @@
 namespace dipwright {
 namespace {
 
-constexpr int samplesAcross = 2; // of a pixel, both ways
-constexpr double room = 1.06;    // of the picture, over what is in it
+constexpr int samplesAcross = 2; // per pixel and axis
+constexpr double room = 1.06;    // picture size divided by body size
 const Eigen::Array3f bareBody(0.78F, 0.78F, 0.76F), cradleColour(0.93F, 0.80F, 0.55F);
 
 class Drawing {
@@ -71,19 +71,19 @@ private:
         if (!body.point.isValid()) {
             return Eigen::Array3f::Ones();
         }
-        return lit(worn(body.point), triangleNormal(view_.body.mesh, body.point.triangle));
+        return lit(filmColour(body.point), triangleNormal(view_.body.mesh, body.point.triangle));
     }
 
     static Eigen::Array3f channels(const QColor& colour) {
         return {colour.redF(), colour.greenF(), colour.blueF()};
     }
-    // `u`, `v`: 0 … 1, from the upper left.
+    // `u` and `v` run from 0 to 1, from the upper left corner.
     static QColor pixelOf(const QImage& image, double u, double v) {
         return image.pixelColor(std::clamp(int(u * image.width()), 0, image.width() - 1),
                                 std::clamp(int(v * image.height()), 0, image.height() - 1));
     }
 
-    Eigen::Array3f worn(const SurfacePoint& point) const {
+    Eigen::Array3f filmColour(const SurfacePoint& point) const {
         for (auto film = view_.films.rbegin(); film != view_.films.rend(); ++film) {
             if (const auto place = film->laid->place(point)) {
                 const solver::FilmGrid& grid = film->laid->film().grid;
@@ -103,7 +103,7 @@ private:
         return bareBody;
     }
 
-    // By a lamp over the left shoulder.
+    // Lights the surface by a lamp over the viewer's left shoulder.
     Eigen::Array3f lit(const Eigen::Array3f& colour, const Eigen::Vector3f& normal) const {
         const Eigen::Vector3f lamp = (back_ - 0.5F * right_ + 0.6F * up_).normalized();
         return colour * (0.55F + 0.45F * std::max(0.0F, normal.dot(lamp)));

@@ -1,4 +1,4 @@
-// A body as it hangs over the water, drawn without perspective.
+// Draws a body as it hangs over the water, in parallel projection.
 #pragma once
 
 #include "dip/LaidFilm.h"
@@ -8,24 +8,24 @@
 
 namespace dipwright {
 
-// The sides of a pose, seen level: from the film's lower edge (looking along −Z), and from its
-// right one (along −X); and from below, turned over sideways, the film's upper edge up.
+// Directions from which a pose is seen. Front: level, from the film's lower edge (looking along
+// −Z). Right: level, from the film's right edge (looking along −X). Below: from below, with the
+// film's upper edge up and its right edge on the left.
 enum class PoseSide { Front, Right, Below };
 
 struct PoseView {
     const PosedBody& body;
-    const TriangleMesh* cradle = nullptr; // in the same frame; null or empty: none
-    std::vector<FilmAppearance> films;    // what it wears, the later ones over the earlier
+    const TriangleMesh* cradle = nullptr; // in the body's frame; null or empty: no cradle
+    std::vector<FilmAppearance> films;    // films on the body; later ones lie over earlier ones
 };
 
 struct PosePicture {
-    QImage image;      // white where nothing is
-    double scale = 1;  // pixels a mm
-    double bottom = 0; // of the picture's lower edge, pose frame, mm
+    QImage image;      // white background
+    double scale = 1;  // pixels per mm
+    double bottom = 0; // y of the picture's lower edge, pose frame, mm
 };
 
-// Without perspective, all of body and cradle. By rays on all cores; deterministic; throws
-// Cancelled.
+// Draws the whole body and cradle by casting rays on all cores. Deterministic. Throws Cancelled.
 PosePicture posePicture(const PoseView& view, PoseSide side, QSize size, const Progress& progress);
 
 } // namespace dipwright

@@ -22,9 +22,9 @@ struct Text {
 
 const QSizeF page(210, 297);
 constexpr double margin = 12;
-constexpr double column = 93 - 2; // of two beside each other
+constexpr double column = 93 - 2; // of each of two columns
 constexpr double secondColumn = margin + column + 4;
-constexpr double wordHeight = 2.9, headHeight = 3.8; // of the type
+constexpr double wordHeight = 2.9, headHeight = 3.8; // type heights
 const QColor water(40, 110, 200), paper(120, 120, 120), pinColour(190, 30, 30);
 
 QString plain(double number, int decimals = 1) {
@@ -44,7 +44,7 @@ QString plain(double number, int decimals = 1) {
 
 QString secondsText(const std::optional<Seconds>& time) {
     return time ? Text::tr("%1 s").arg(plain(time->value()))
-                : Text::tr("as the film maker says (no time given)");
+                : Text::tr("see the film maker's instructions (no time given)");
 }
 
 std::optional<Seconds> ofFilm(const Traveller& traveller, Seconds FilmProfile::*time) {
@@ -58,7 +58,7 @@ std::optional<Seconds> ofFilm(const Traveller& traveller,
     return film ? (*film).*time : std::nullopt;
 }
 
-// The head of a page, and the job as a QR code; returns the y under it.
+// Paints the head of a page with the job number as a QR code. Returns the y below it.
 double paintHead(QPainter& painter, const Traveller& traveller, std::size_t number) {
     const PageInk ink(painter);
     const TravellerDip& dip = traveller.dips[number];
@@ -70,7 +70,7 @@ double paintHead(QPainter& painter, const Traveller& traveller, std::size_t numb
                             .arg(traveller.dips.size())
                             .arg(dip.immersion.name));
     y = ink.text({margin, y + 1, width, 0}, headHeight,
-                 Text::tr("Traveller of %1, %2").arg(traveller.project, traveller.date));
+                 Text::tr("Traveller for %1, %2").arg(traveller.project, traveller.date));
     QStringList order;
     for (std::size_t i = 0; i < traveller.dips.size(); ++i) {
         order << Text::tr("%1. %2, sheet %3")
@@ -78,7 +78,7 @@ double paintHead(QPainter& painter, const Traveller& traveller, std::size_t numb
                      .arg(traveller.dips[i].immersion.name, traveller.dips[i].job);
     }
     y = ink.text({margin, y + 1, width, 0}, wordHeight,
-                 Text::tr("Order: %1").arg(order.join(QStringLiteral(" → "))));
+                 Text::tr("Order of the dips: %1").arg(order.join(QStringLiteral(" → "))));
     const QRectF place(page.width() - margin - code, margin - 4, code, code);
     paintQrCode(painter, place, travellerJob(traveller));
     const double under = ink.text({place.x() - 10, place.bottom() - 1, code + 10, 0}, wordHeight,
@@ -91,7 +91,7 @@ double paintHead(QPainter& painter, const Traveller& traveller, std::size_t numb
     return std::max(y, under) + 2;
 }
 
-// A view of the pose with the water before and after.
+// Paints one view of the pose, with the water level before and after the dip.
 void paintPose(QPainter& painter, const QRectF& place, const QString& title,
                const PosePicture& picture, const TravellerDip& dip) {
     const PageInk ink(painter);
@@ -116,21 +116,20 @@ void paintPose(QPainter& painter, const QRectF& place, const QString& title,
 QString poseText(const TravellerDip& dip) {
     const auto& angles = dip.immersion.rotation;
     const auto& offset = dip.immersion.offset;
-    return Text::tr("Turned about X %1°, then Y %2°, then Z %3°. Its middle %4 mm to the right of "
-                    "the film's middle and %5 mm towards the film's lower edge. Solid blue: the "
-                    "water when the dip begins; dashed: when it ends.")
+    return Text::tr("Rotation about fixed axes: X %1°, then Y %2°, then Z %3°. Centre of the part: "
+                    "x = %4 mm (to the right), z = %5 mm (towards the lower edge) from the film's "
+                    "centre. Blue line: water when the dip begins (solid) and ends (dashed).")
         .arg(plain(angles[0].value()), plain(angles[1].value()), plain(angles[2].value()),
              plain(offset[0].value()), plain(offset[1].value()));
 }
 
 QString cradleText(const TravellerDip& dip) {
     if (!dip.cradle) {
-        return Text::tr("No cradle was made for this job; hold the body as drawn.");
+        return Text::tr("No cradle was made for this job. Hold the part as drawn.");
     }
-    QStringList words{
-        Text::tr("Cradle %1: its plate shows the same number and job; its arrow points "
-                 "to the film's upper edge.")
-            .arg(dip.job)};
+    QStringList words{Text::tr("Cradle marked with this dip's number and job %1. Its arrow points "
+                               "to the film's upper edge.")
+                          .arg(dip.job)};
     return (words + *dip.cradle).join(QStringLiteral(" "));
 }
 
@@ -146,7 +145,8 @@ double paintPoses(QPainter& painter, const TravellerDip& dip, double top) {
     return ink.text({margin, y + 0.8, width, 0}, wordHeight, cradleText(dip)) + 2;
 }
 
-// The film on the water from above: edges, marks, pins, and the body over it.
+// Paints the film on the water from above: its edges, marks and pins, and the part's outline over
+// it.
 void paintFilm(QPainter& painter, const QRectF& place, const Traveller& traveller,
                const TravellerDip& dip) {
     const PageInk ink(painter);
@@ -201,26 +201,24 @@ QString filmText(const Traveller& traveller) {
         return QStringLiteral("%1; %2").arg(plain(pin.x()), plain(pin.y()));
     };
     const auto& pins = traveller.pins.pins;
-    QString text =
-        Text::tr(
-            "From above, ink side up. Crosses: the sheet's marks as they float; red: the datum "
-            "pins, at %1 / %2 / %3 mm from the film's middle (to the right; down); dashed: the "
-            "body.")
-            .arg(pinText(pins[0]), pinText(pins[1]), pinText(pins[2]));
+    QString text = Text::tr("From above, ink side up. Crosses: marks of the floating film. Red "
+                            "circles: datum pins at x; z = %1 / %2 / %3 mm from the film's centre "
+                            "(z towards the lower edge). Dashed: the part.")
+                       .arg(pinText(pins[0]), pinText(pins[1]), pinText(pins[2]));
     const auto& tank = traveller.profiles.tank;
     const bool hasMarks = tank && tank->markDistance[0].value() > 0;
     text +=
-        u' ' + (hasMarks ? Text::tr("Dotted: the tank's marks, %1 × %2 mm apart; the film lies in "
-                                    "their middle.")
-                               .arg(plain(tank->markDistance[0].value()),
-                                    plain(tank->markDistance[1].value()))
-                         : Text::tr("The tank's marks are not given."));
+        u' ' +
+        (hasMarks
+             ? Text::tr("Dotted: the tank's marks, %1 × %2 mm apart. Centre the film between them.")
+                   .arg(plain(tank->markDistance[0].value()), plain(tank->markDistance[1].value()))
+             : Text::tr("The distance between the tank's marks is not given."));
     return text;
 }
 
 QString materialText(const Traveller& traveller) {
     const FilmSettings& film = traveller.film;
-    const QString size = Text::tr("Film %1 × %2 mm, swell %3 × %4.")
+    const QString size = Text::tr("Film: printed size %1 × %2 mm, swell %3 × %4.")
                              .arg(plain(film.width.value()), plain(film.height.value()),
                                   plain(film.swellX, 3), plain(film.swellY, 3));
     const auto& profile = traveller.profiles.film;
@@ -231,7 +229,7 @@ QString materialText(const Traveller& traveller) {
         return size + u' ' + Text::tr("No film profile is given.") + u' ' + origin;
     }
     return size + u' ' +
-           Text::tr("%1, lot %2, good until %3.")
+           Text::tr("%1 (lot: %2, use by: %3).")
                .arg(profile->name, profile->lot.isEmpty() ? Text::tr("not given") : profile->lot,
                     profile->expiry.isEmpty() ? Text::tr("not given") : profile->expiry) +
            u' ' + origin;
@@ -241,29 +239,30 @@ QStringList stepsOf(const Traveller& traveller, std::size_t number) {
     const TravellerDip& dip = traveller.dips[number];
     const DipMotion& motion = dip.motion;
     QStringList steps{
-        Text::tr("Lay sheet %1 on the water, ink side up; its upper edge lies where the arrow of "
-                 "the plate points.")
+        Text::tr("Lay sheet %1 on the water, ink side up. The arrow on the cradle's plate must "
+                 "point to the upper edge of the sheet.")
             .arg(dip.job),
         Text::tr("Soak the film: %1").arg(secondsText(ofFilm(traveller, &FilmProfile::soakTime))),
         Text::tr("Spray the activator, then wait: %1")
             .arg(secondsText(ofFilm(traveller, &FilmProfile::activatorTime))),
-        Text::tr("Dip from %1 mm above the water to %2 mm below it, at %3 mm/s: %4 s")
+        Text::tr("Dip the part: lower its lowest point from %1 mm above the water to %2 mm below "
+                 "it, at %3 mm/s: %4 s")
             .arg(plain(motion.start.value()), plain(motion.depth.value()),
                  plain(motion.speed.value(), 2), plain(motion.dipTime().value())),
-        Text::tr(
-            "Hold under water for %1 s, clear the film around the part, lift it out at %2 mm/s")
+        Text::tr("Hold the part under water for %1 s. Clear the remaining film from the water "
+                 "around it. Then lift the part out at %2 mm/s.")
             .arg(plain(motion.hold.value()), plain(motion.speed.value(), 2)),
-        Text::tr("Let it flash off before rinsing: %1")
+        Text::tr("Let the part flash off before rinsing: %1")
             .arg(secondsText(ofFilm(traveller, &FilmProfile::flashTime))),
-        Text::tr("Rinse and dry: %1")
+        Text::tr("Rinse the part, then let it dry: %1")
             .arg(secondsText(ofFilm(traveller, &FilmProfile::dryingTime)))};
     if (number + 1 < traveller.dips.size()) {
-        steps << Text::tr(
-                     "Compare the part with the picture before dip %1: colour in its place, no "
-                     "tear, no fold, dry where the next cradle holds it")
+        steps << Text::tr("Before dip %1, compare the part with the picture below: the colours are "
+                          "in place, nothing is torn or folded, and the part is dry where the next "
+                          "cradle holds it.")
                      .arg(number + 2);
     } else {
-        steps << Text::tr("Compare the part with the picture");
+        steps << Text::tr("Compare the part with the picture below.");
     }
     return steps;
 }
@@ -288,10 +287,11 @@ void paintAfter(QPainter& painter, const Traveller& traveller, std::size_t numbe
     constexpr double signature = 15;
     const double width = page.width() - 2 * margin;
     const double bottom = page.height() - margin - signature;
-    const double y = ink.text({margin, top, width, 0}, headHeight,
-                              Text::tr("After dip %1 the part should look like this: seen from "
-                                       "the film's lower edge, from its right edge, and from below")
-                                  .arg(number + 1));
+    const double y = ink.text(
+        {margin, top, width, 0}, headHeight,
+        Text::tr(
+            "After dip %1 the part should look like this (seen from lower edge, right edge, below)")
+            .arg(number + 1));
     ink.picture({margin, y + 1, width, bottom - y - 3}, traveller.dips[number].after);
     const QStringList words{Text::tr("Done by"), Text::tr("Date, time"), Text::tr("Checked by")};
     for (int i = 0; i < words.size(); ++i) {
@@ -333,7 +333,7 @@ QByteArray travellerPdf(const Traveller& traveller) {
                          }});
     }
     PdfSettings settings;
-    settings.title = Text::tr("Traveller of %1, %2").arg(traveller.project, traveller.date);
+    settings.title = Text::tr("Traveller for %1, %2").arg(traveller.project, traveller.date);
     return pdfDocument(pages, settings);
 }
 

@@ -1,6 +1,7 @@
-// What goes with a job to the tank: a page for each dip, to be printed and signed.
+// Makes the traveller: the printed pages, one per dip, that tell the person at the tank how to dip
+// the part.
 //
-// The words are in the program's language; numbers have its decimal sign.
+// The text is in the program's language; numbers use its decimal sign.
 #pragma once
 
 #include "cradle/DatumPins.h"
@@ -17,14 +18,14 @@ namespace dipwright {
 
 struct TravellerDip {
     Immersion immersion;
-    QString job;                       // as on its sheet's job line
-    PosePicture front, right;          // as it hangs over the film, with its cradle
-    double waterAtEnd = 0;             // mm of the pose frame: where the water stands in the end
-    std::optional<QStringList> cradle; // its notes; none: no cradle was asked for
-    QStringList verdict;               // what is to be done with the job, then why, in sentences
-    QImage sheet;                      // the film's picture, ink side up, small
-    BoundingBox body;                  // pose frame
-    QImage after;                      // how the body has to look after it
+    QString job;                       // job number, as on the sheet's job line
+    PosePicture front, right;          // the body over the film, with its cradle
+    double waterAtEnd = 0;             // y of the water when the dip ends, pose frame, mm
+    std::optional<QStringList> cradle; // the cradle's notes; none: no cradle was asked for
+    QStringList verdict;               // sentences: first the advice, then its reasons
+    QImage sheet;                      // reduced film image, ink side up
+    BoundingBox body;                  // bounding box, pose frame
+    QImage after;                      // how the body should look after this dip
     DipMotion motion;
 };
 
@@ -33,17 +34,18 @@ struct Traveller {
     FilmSettings film;
     ProjectProfiles profiles;
     DatumPins pins;
-    std::vector<TravellerDip> dips; // in their order
+    std::vector<TravellerDip> dips; // in the order of dipping
 };
 
-// The job of several sheets together, twelve hex digits: the one sheet's own, or of a SHA-256 over
-// those of several. `jobs`: those of the sheets, at least one.
+// Returns the job number of several sheets together, twelve hex digits: the sheet's own number for
+// one sheet, else part of a SHA-256 over all numbers. `jobs` holds the sheets' job numbers, at
+// least one.
 QString jobOfAll(const QStringList& jobs);
 
-// That of all its dips: what the QR code holds.
+// Returns the job number of all dips together; the QR code holds it.
 QString travellerJob(const Traveller& traveller);
 
-// A4 pages, one a dip. The same bytes for the same traveller in one language. Needs a
+// Writes A4 pages, one per dip. The same traveller gives the same bytes in one language. Needs a
 // QGuiApplication.
 QByteArray travellerPdf(const Traveller& traveller);
 

@@ -18,7 +18,7 @@ Meridian sphereMeridian(double radius, double polarAngle) {
 }
 
 Meridian spheroidMeridian(double across, double along, double parameter) {
-    // Arc length by the parameter t of (across·sin t, along·(1 − cos t)), Simpson's rule.
+    // Arc length for the parameter t of (across·sin t, along·(1 − cos t)), by Simpson's rule.
     constexpr int samples = 20000;
     const double last = pi / 2, width = last / samples;
     const auto speed = [across, along](double t) {
@@ -61,10 +61,10 @@ Meridian coneMeridian(double halfAngle, double contactRadius) {
 
 namespace {
 
-// The film on the contact line, and how it changes along the body's meridian.
+// The film on the contact line.
 struct LaidFilm {
     double radius = 0;  // R, mm
-    double logArea = 0; // ln J, of a viscous film with a free edge
+    double logArea = 0; // ln J, for a viscous film with a free edge
 };
 
 LaidFilm slope(const Meridian& profile, const FloatingFilm& film, double arc, double width,
@@ -95,8 +95,8 @@ ClosedForm::ClosedForm(const Meridian& profile, const FloatingFilm& film) {
     const std::size_t samples = std::size_t(std::ceil(profile.fullArc / 0.001)) + 1;
     step_ = profile.fullArc / double(samples - 1);
     const double h = step_;
-    // Near the pole the body is a cone of the slope da/ds (a plane for smooth bodies): the forms of
-    // a large film, or of one that cannot grow.
+    // Near the pole the body is a cone of slope da/ds (a plane for smooth bodies), and the forms of
+    // an infinite film apply.
     const double sine = profile.radius(h) / h;
     const double first = film.edge == FilmEdge::Held ? 1 : film.grown(0);
     const double R = film.law == FilmLaw::Viscous ? h * std::sqrt(sine) : h * (sine + 1) / 2;

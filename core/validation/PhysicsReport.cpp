@@ -20,14 +20,14 @@ QString error(const PhysicsResult& result, double value) {
                                 : QStringLiteral("%1 %").arg(value * 100, 0, 'f', 3);
 }
 
-// Seven colours that stay apart for colour-blind readers (after Okabe and Ito).
+// Seven colours that colour-blind readers can tell apart (after Okabe and Ito).
 QColor seriesColour(std::size_t index) {
     static const std::array<QRgb, 7> colours{0xff0072b2, 0xffd55e00, 0xff009e73, 0xffcc79a7,
                                              0xff56b4e9, 0xffe69f00, 0xff333333};
     return QColor::fromRgb(colours[index % colours.size()]);
 }
 
-// The plot of a film law: film radius over arc length, mm, both from 0 to `longest`.
+// The plot of one kind of film: film radius over arc length, mm, both from 0 to `longest`.
 struct Plot {
     QRectF frame; // with titles
     double longest = 10;
@@ -65,7 +65,7 @@ void drawAxes(QPainter& painter, const Plot& plot, const QString& title) {
     painter.restore();
 }
 
-// The closed form as a line, the simulated film as dots, and the key.
+// Draws the closed form as a line, the simulated film as dots, and the key.
 void drawSeries(QPainter& painter, const Plot& plot, const PhysicsResult& result,
                 std::size_t series) {
     std::vector<PhysicsResult::Sample> samples = result.samples;
@@ -92,7 +92,7 @@ void drawSeries(QPainter& painter, const Plot& plot, const PhysicsResult& result
                      QStringLiteral("%1: %2").arg(result.body, error(result, result.rms)));
 }
 
-// The plot of one film law: the finest resolution of every body.
+// Draws the plot of one kind of film at the finest resolution of every body.
 void drawLaw(QPainter& painter, const QRectF& frame, const std::vector<PhysicsResult>& results,
              const QString& film, int cells) {
     double longest = 1;

@@ -21,9 +21,9 @@ namespace dipwright {
 
 namespace {
 
-constexpr double contactRadius = 35; // mm, of every body where the comparison ends
+constexpr double contactRadius = 35; // mm, where the comparison ends on every body
 constexpr double ringRadius = 90;    // mm, where the film is held
-constexpr double freeWidth = 300;    // mm, of the square film that nothing holds
+constexpr double freeWidth = 300;    // mm, side of the square free film
 constexpr double gap = 0.5;          // mm between body and water before the dip
 constexpr int fieldResolution = 256;
 
@@ -45,7 +45,7 @@ Body makeBody(TriangleMesh mesh, int resolution, const Progress& progress) {
     return body;
 }
 
-// A film of square cells, and what the solver made of it.
+// A film of square cells and the solver's result.
 struct DipRun {
     solver::DipSetup setup;
     std::vector<float> positions; // world
@@ -59,7 +59,7 @@ struct DipRun {
         const std::size_t columns = std::size_t(film.columns);
         return {film.restX(int(point % columns)), film.restZ(int(point / columns))};
     }
-    // With the pole of the body at the origin.
+    // Returns the position relative to the body's pole.
     Eigen::Vector3d onBody(std::size_t point) const {
         return {double(positions[3 * point]),
                 double(positions[3 * point + 1]) - gap + progress.descent,
@@ -67,7 +67,7 @@ struct DipRun {
     }
 };
 
-// Which film a body dips into.
+// The kind of film that a body dips into.
 struct FilmKind {
     FilmLaw law = FilmLaw::Elastic;
     FilmEdge edge = FilmEdge::Held;
@@ -85,14 +85,14 @@ QString nameOf(const FilmKind& film) {
     return words.join(QStringLiteral(", "));
 }
 
-// By 9 % in the dip of the sphere: more than films do.
+// The film grows by 9 % in the dip of the sphere: more than real films do.
 void letGrow(solver::Settings& settings) {
     settings.growthRate = 0.02;
     settings.growthLimit = 0.2;
 }
 
 FloatingFilm floatingFilm(const FilmKind& film, const solver::DipSetup& setup) {
-    // The square's centre is as soft as that of a round film of its area.
+    // The centre of a square film is as soft as the centre of a round film of equal area.
     const double radius =
         film.edge == FilmEdge::Held ? ringRadius : setup.film.width / std::sqrt(pi);
     return {film.law, film.edge, radius,
@@ -104,7 +104,7 @@ FloatingFilm floatingFilm(const FilmKind& film, const solver::DipSetup& setup) {
 solver::DipSetup setupFor(const Body& body, double width, double depth, double spacing,
                           double travel, const FilmKind& film, const PhysicsOptions& options) {
     solver::DipSetup setup;
-    // An odd number of points: one under the pole.
+    // An odd number, so that one point lies under the pole.
     setup.film.columns = 2 * int(std::ceil(width / 2 / spacing)) + 1;
     setup.film.rows = 2 * int(std::ceil(depth / 2 / spacing)) + 1;
     setup.film.width = spacing * (setup.film.columns - 1);
@@ -127,7 +127,7 @@ solver::DipSetup setupFor(const Body& body, double width, double depth, double s
     return setup;
 }
 
-// Lines `spacing` apart under the body and ever farther apart beyond, as long as `width` together.
+// Returns lines over `width`: `spacing` apart under the body, and farther and farther apart beyond.
 std::vector<double> linesOf(double spacing, double width) {
     const int fine = int(std::ceil(1.6 * contactRadius / spacing));
     std::vector<double> places;
@@ -205,7 +205,7 @@ DipRun simulate(const solver::SolverModule& module, solver::DipSetup setup,
     return run;
 }
 
-// Collects errors into the figures of a result.
+// Accumulates errors for a result.
 class ErrorSum {
 public:
     void add(double error) {
@@ -214,7 +214,7 @@ public:
         squares_ += error * error;
         maximum_ = std::max(maximum_, std::abs(error));
     }
-    // Errors near the grid's axes and near its diagonals, for the difference of the two.
+    // Accumulates errors near the grid's axes and near its diagonals, for the anisotropy.
     void addDirection(const Eigen::Vector2d& place, double error) {
         const double angle = std::atan2(std::abs(place.y()), std::abs(place.x())) * 180 / pi;
         if (angle < 5 || angle > 85) {
@@ -227,7 +227,7 @@ public:
     }
     void writeTo(PhysicsResult& result) const {
         if (count_ == 0) {
-            throw Error(Text::tr("The film never touched the body; the solver cannot be used"),
+            throw Error(Text::tr("The film never touched the body; do not use this solver"),
                         result.body);
         }
         result.rms = std::sqrt(squares_ / count_);
@@ -246,21 +246,22 @@ private:
 struct Expected {
     double arc, filmRadius; // mm
 };
-// Of the film at a place of the body, the lowest at the origin; nothing where it is not compared.
+// Returns the expected film at a place relative to the body's lowest point; nothing where it is not
+// compared.
 using Comparison = std::function<std::optional<Expected>(const Eigen::Vector3d&)>;
 
 struct Revolution {
     QString name;
     TriangleMesh mesh;
     double fullDepth;
-    double firstCell; // comparison from so many cells off the axis
+    double firstCell; // the comparison begins this many cells off the axis
     bool isCone;
     bool isPlotted;
     std::function<Comparison(const FloatingFilm&)> comparison;
     std::vector<FilmKind> films;
 };
 
-// A body that touches with its pole first.
+// Returns a body whose pole touches first.
 Revolution solid(const QString& name, const Meridian& profile, TriangleMesh mesh, double firstCell,
                  bool isCone) {
     const auto comparison = [profile](const FloatingFilm& film) -> Comparison {
@@ -279,7 +280,7 @@ Revolution solid(const QString& name, const Meridian& profile, TriangleMesh mesh
             {{FilmLaw::Elastic}, {FilmLaw::Viscous}}};
 }
 
-// The contact line of a lying torus' inside closes in on the film within.
+// Returns the inside of a lying torus: its contact line closes round the film within.
 Revolution insideOfTorus() {
     constexpr double circle = contactRadius, tube = 15; // mm, radii
     const auto expected = [](const Eigen::Vector3d& place) -> std::optional<Expected> {
@@ -300,7 +301,7 @@ Revolution insideOfTorus() {
             {{FilmLaw::Elastic}, {FilmLaw::Viscous}}};
 }
 
-// Held film that grows is pushed together, and lies as if it did not.
+// Held film that grows is compressed; it lies as if it did not grow.
 void addGrowingFilms(Revolution& revolution) {
     for (const FilmEdge edge : {FilmEdge::Free, FilmEdge::Held}) {
         for (const FilmLaw law : {FilmLaw::Elastic, FilmLaw::Viscous}) {
@@ -383,7 +384,7 @@ PhysicsResult compare(const solver::SolverModule& module, const Revolution& revo
     return result;
 }
 
-// A flat face parallel to the water: the identity on the face.
+// Compares a flat face parallel to the water, on which the film must not move.
 PhysicsResult compareFlatFace(const solver::SolverModule& module, const PhysicsOptions& options,
                               const Progress& progress) {
     PhysicsResult result;
@@ -409,8 +410,8 @@ PhysicsResult compareFlatFace(const solver::SolverModule& module, const PhysicsO
     return result;
 }
 
-// A long cylinder along Z and a film with free edges: the film rolls on without stretch, where it
-// does not grow.
+// Compares a long cylinder along Z in a film with free edges. Film that does not grow rolls on
+// without stretch.
 PhysicsResult compareCylinder(const solver::SolverModule& module, const FilmKind& film,
                               const PhysicsOptions& options, const Progress& progress) {
     PhysicsResult result;
@@ -419,7 +420,7 @@ PhysicsResult compareCylinder(const solver::SolverModule& module, const FilmKind
     result.inMillimetres = true;
     result.allowed = 0.1;
     const double radius = film.grows ? 20 : 30, angle = radians(Degrees(80));
-    // A growing film long enough that it cannot grow along the cylinder in the middle.
+    // A growing film is long enough that its middle cannot grow along the cylinder.
     const double width = film.grows ? 64 : 150, length = film.grows ? 250 : 100;
     const Body body = makeBody(cylinderMesh(radius, film.grows ? 300 : 140, 720), fieldResolution,
                                progress.part(0, 0.2));
@@ -443,7 +444,7 @@ PhysicsResult compareCylinder(const solver::SolverModule& module, const FilmKind
     return result;
 }
 
-// A film that no body has touched yet: it grows about its middle, or lies as it lay where all its
+// Compares a film that no body has touched. It grows about its centre, or does not move if all its
 // sides are held.
 PhysicsResult compareFloating(const solver::SolverModule& module, const FilmKind& film,
                               const PhysicsOptions& options, const Progress& progress) {
@@ -475,7 +476,8 @@ PhysicsResult compareFloating(const solver::SolverModule& module, const FilmKind
     return result;
 }
 
-// The same ellipsoid straight and turned by 45° about Y: the film turned back must lie the same.
+// Compares dips of an ellipsoid, straight and turned by 45° about Y. Turned back, both films must
+// be equal.
 PhysicsResult compareTurned(const solver::SolverModule& module, const PhysicsOptions& options,
                             const Progress& progress) {
     PhysicsResult result;
@@ -533,7 +535,7 @@ std::vector<PhysicsResult> validatePhysics(const solver::SolverModule& module,
                                            const Progress& progress) {
     std::vector<PhysicsResult> results;
     const std::vector<Revolution> bodies = bodiesOfRevolution();
-    // Work grows with the cube of the resolution.
+    // The work grows with the cube of the resolution.
     double total = 0, done = 0;
     for (const Revolution& revolution : bodies) {
         for (const int cells : options.resolutions) {

@@ -1,4 +1,4 @@
-// The module pbd-cpu: a thin shell round the films of solvers on the CPU.
+// The module pbd-cpu: provides the films in solvers on the CPU.
 
 #include "measuring/cpu/CpuCeiling.h"
 #include "measuring/cpu/CpuName.h"
@@ -25,7 +25,7 @@ std::unique_ptr<solver::FilmSolver> makeFilm(const solver::Settings& settings) {
     return cpu::makePaperFilm();
 }
 
-// Becomes the film that the settings of a dip ask for.
+// Creates the film that the dip's settings require.
 class CpuFilm : public solver::FilmSolver {
 public:
     void begin(const solver::DipSetup& setup) override {
@@ -48,7 +48,7 @@ private:
     std::unique_ptr<solver::FilmSolver> film_;
 };
 
-// Asks the host from one thread at a time, and remembers a yes.
+// Asks the host for cancellation from one thread at a time, and remembers a yes.
 class Cancellation {
 public:
     Cancellation(solver::CancelFunction cancelled, void* context)

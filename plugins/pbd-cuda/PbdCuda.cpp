@@ -1,4 +1,4 @@
-// The module pbd-cuda: a thin shell round the films of solvers on a GPU.
+// The module pbd-cuda: provides the films in solvers on a GPU.
 
 #include "common/cuda/AlikeDevices.h"
 #include "common/cuda/Snapshot.h"
@@ -69,13 +69,13 @@ private:
     }
     const cuda::Device& device_;
     std::unique_ptr<cuda::Dips> dips_;
-    std::optional<cuda::Snapshot> snapshot_; // once the film is to be shown
+    std::optional<cuda::Snapshot> snapshot_; // made when the film is first displayed
 };
 
 using Group = std::span<solver::BatchItem>;
 
-// The end of the items from `first` on that are alike.
-std::size_t alikeFrom(std::span<const solver::BatchItem> items, std::size_t first) {
+// Returns the end of the alike items that begin at `first`.
+std::size_t endOfAlikeItems(std::span<const solver::BatchItem> items, std::size_t first) {
     std::size_t last = first + 1;
     while (last < items.size() && cuda::areAlike(items[first].setup, items[last].setup)) {
         ++last;
@@ -83,11 +83,12 @@ std::size_t alikeFrom(std::span<const solver::BatchItem> items, std::size_t firs
     return last;
 }
 
-// What runs together, each on one device: alike items, as evenly on all devices as they go.
+// Groups alike items so that each group runs on one device. Distributes them evenly over the
+// devices.
 std::vector<Group> groupsOf(Group items, const std::vector<cuda::Device>& devices) {
     std::vector<Group> groups;
     for (std::size_t first = 0; first < items.size();) {
-        const std::size_t last = alikeFrom(items, first);
+        const std::size_t last = endOfAlikeItems(items, first);
         const std::size_t held = dipsAtOnce(devices.front(), items[first].setup);
         const std::size_t each = (last - first + devices.size() - 1) / devices.size();
         for (; first < last; first += groups.back().size()) {
@@ -97,13 +98,13 @@ std::vector<Group> groupsOf(Group items, const std::vector<cuda::Device>& device
     return groups;
 }
 
-// Runs groups on all devices, each taking the next one as soon as it has nothing to do.
+// Runs groups on all devices. A device takes the next group as soon as it is free.
 class SharedBatch {
 public:
     SharedBatch(std::vector<Group> groups, solver::CancelFunction cancelled, void* context)
         : groups_(std::move(groups)), cancelled_(cancelled), context_(context) {}
 
-    // Whether all of it was run. Throws what a device did.
+    // Returns whether all groups were run. Rethrows the first exception of a device.
     bool runOn(const std::vector<cuda::Device>& devices) {
         std::vector<std::jthread> others;
         for (std::size_t device = 1; device < std::min(devices.size(), groups_.size()); ++device) {
@@ -158,7 +159,7 @@ private:
         }
     }
 
-    // The host is asked by one thread at a time.
+    // Lets only one thread at a time ask the host.
     bool isStopped() {
         const std::lock_guard lock(mutex_);
         isStopped_ = isStopped_ || (cancelled_ && cancelled_(context_));

@@ -1,4 +1,4 @@
-// The body's coordinates against the world's at one moment of the dip (FilmSolver.h, BodyMotion).
+// Converts between body and world coordinates at one moment of the dip (FilmSolver.h, BodyMotion).
 #pragma once
 
 #include "common/Vector3.h"
@@ -7,7 +7,7 @@
 
 namespace dipwright::numerics {
 
-// A rigid placing: a body point q is in the world at rotation·q + translation.
+// A rigid transformation: the body point q lies at rotation·q + translation in the world.
 template <typename Real>
 struct BodyFrame {
     Vector3<Real> rows[3]; // of the rotation
@@ -27,7 +27,7 @@ struct BodyFrame {
     }
 };
 
-// The frame when the body has come down by `descent` mm.
+// Returns the frame after the body has descended by `descent` mm.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE BodyFrame<Real> bodyFrame(const solver::BodyMotion& motion, double descent) {
     const auto& r = motion.rotation;

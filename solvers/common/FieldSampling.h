@@ -7,7 +7,7 @@
 
 namespace dipwright::numerics {
 
-// A FieldView in the precision of the solver. `distance` is not owned and may lie on a device.
+// A FieldView in the solver's precision. Does not own `distance`, which may lie on a device.
 template <typename Real>
 struct FieldGrid {
     const float* distance = nullptr;
@@ -32,12 +32,13 @@ template <typename Real>
 struct FieldSample {
     Real distance{};        // φ, mm, negative inside
     Vector3<Real> gradient; // ∇φ of the trilinear interpolant, not normalised
-    Real outside{};         // mm from the grid, 0 within it
+    Real outside{};         // distance to the grid in mm, 0 inside it
 };
 
 namespace detail {
 
-// One coordinate in cells, held within the grid: the cell, the place in it, and how far outside.
+// One coordinate in units of cells, clamped to the grid: the cell, the position in it, and the
+// distance outside.
 template <typename Real>
 struct CellPlace {
     int cell;
@@ -60,9 +61,9 @@ DIPWRIGHT_HOST_DEVICE Real mix(Real a, Real b, Real t) {
 
 } // namespace detail
 
-// φ and ∇φ at `position` (body coordinates). Outside the grid: the sample at the nearest place of
-// the grid, plus the distance to it. A position that is not a number gives a distance that is none
-// either.
+// Samples φ and ∇φ at `position` (body coordinates). Outside the grid, the result is the sample at
+// the nearest point of the grid plus the distance to that point. A NaN position gives a NaN
+// distance.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE FieldSample<Real> sampleField(const FieldGrid<Real>& field,
                                                     Vector3<Real> position) {
@@ -90,13 +91,13 @@ DIPWRIGHT_HOST_DEVICE FieldSample<Real> sampleField(const FieldGrid<Real>& field
     const Vector3<Real> gradient{mix(alongX0, alongX1, z.fraction),
                                  mix(c10 - c00, c11 - c01, z.fraction), c1 - c0};
     const Vector3<Real> beyond{x.outside, y.outside, z.outside};
-    const Real squared = dot(beyond, beyond); // nearly always 0, which needs no root
+    const Real squared = dot(beyond, beyond); // nearly always 0, so skip the root
     const Real outside = squared == Real(0) ? Real(0) : std::sqrt(squared) * field.spacing;
     return {mix(c0, c1, z.fraction) + outside, gradient * field.inverseSpacing, outside};
 }
 
-// ∇φ at `position`, by differences over a cell to either side: unlike that of the trilinear
-// interpolant, which jumps from cell to cell, it changes steadily along the surface.
+// Returns ∇φ at `position` from central differences over one cell on each side. Unlike the gradient
+// of the trilinear interpolant, it changes continuously from cell to cell.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE Vector3<Real> smoothGradient(const FieldGrid<Real>& field,
                                                    Vector3<Real> position) {
@@ -110,23 +111,24 @@ DIPWRIGHT_HOST_DEVICE Vector3<Real> smoothGradient(const FieldGrid<Real>& field,
             difference({Real(0), Real(0), reach})};
 }
 
-// How far the body is from the sampled place at the least, up to what interpolation loses; for a
-// body that lies within the field's grid.
+// Returns a lower bound of the distance to the body, except for the interpolation error. The body
+// must lie inside the field's grid.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE Real clearance(const FieldSample<Real>& sample) {
     const Real nearGrid = sample.distance - sample.outside - sample.outside;
     return nearGrid > sample.outside || sample.outside == Real(0) ? nearGrid : sample.outside;
 }
 
-// `position` moved along ∇φ to where φ is `level` (Newton's method; a few steps, as φ is nearly
-// linear over a cell). Where the gradient vanishes the position stays. `sample`: that at
-// `position`.
+// Moves `position` along ∇φ to the level set φ = `level` by Newton's method. A few steps are
+// enough, as φ is nearly linear over a cell. Does not move where the gradient vanishes. `sample` is
+// the sample at `position`.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE Vector3<Real> onLevel(const FieldGrid<Real>& field, Vector3<Real> position,
                                             FieldSample<Real> sample, Real level) {
     const int steps = 8;
     const Real closeEnough = Real(1e-4) * field.spacing;
-    const Real flattest = Real(0.25); // |∇φ|² is 1 but near ridges, where a step could go anywhere
+    const Real flattest =
+        Real(0.25); // |∇φ|² is 1 except near ridges, where a step could go anywhere
     for (int step = 0; step < steps; ++step) {
         const Real missing = level - sample.distance;
         if (std::abs(missing) <= closeEnough) {

@@ -1,14 +1,14 @@
-// Marks the shared formulae so that a CUDA compiler builds them for the device as well.
+// Marks functions that a CUDA compiler also builds for the device.
 #pragma once
 
-// What works anywhere.
+// For functions that run on the host and on the device.
 #if defined(__CUDACC__)
 #define DIPWRIGHT_HOST_DEVICE __host__ __device__
 #else
 #define DIPWRIGHT_HOST_DEVICE
 #endif
 
-// What is called by all threads that work on one film together: those of a team on a GPU, the one
+// For functions that all threads of one film call together: a team on a GPU, or the single thread
 // that steps the film on the CPU.
 #if defined(__CUDACC__)
 #define DIPWRIGHT_TEAM __device__

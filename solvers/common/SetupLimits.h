@@ -1,4 +1,4 @@
-// Which dips a film can be begun with.
+// Checks that a dip's setup is valid for a solver.
 #pragma once
 
 #include <dipwright/FilmSolver.h>
@@ -22,7 +22,7 @@ inline bool isPositive(double value) {
     return std::isfinite(value) && value > 0 && value < 1e6;
 }
 
-// Of the columns or the rows of a film.
+// Returns whether `places` are valid columns or rows of a film with this length.
 inline bool areLines(const std::vector<double>& places, int count, double length) {
     if (places.empty()) {
         return true;
@@ -36,19 +36,19 @@ inline bool areLines(const std::vector<double>& places, int count, double length
 
 } // namespace detail
 
-// Of a solver whose film is evenly spaced.
+// For solvers that need evenly spaced points.
 inline void requireEven(const solver::FilmGrid& film) {
-    detail::require(film.isEven(), "this film has to have evenly spaced points: give it a number "
-                                   "of points, not a size of its cells");
+    detail::require(film.isEven(), "this film needs evenly spaced points: set the number of points "
+                                   "instead of the size of the cells");
 }
 
-// Of a solver whose film does not grow.
+// For solvers without film growth.
 inline void requireNoGrowth(const solver::Settings& settings) {
     detail::require(settings.growthRate == 0 || settings.growthLimit == 0,
                     "this film cannot grow while it floats: set its growth to 0");
 }
 
-// Throws std::invalid_argument with a sentence unless the numbers of `setup` make a dip.
+// Throws std::invalid_argument with a sentence for the user if `setup` is not a valid dip.
 inline void requireValid(const solver::DipSetup& setup) {
     using detail::isPositive;
     using detail::require;
@@ -57,33 +57,33 @@ inline void requireValid(const solver::DipSetup& setup) {
     const solver::Settings& settings = setup.settings;
     require(film.columns >= 2 && film.rows >= 2 && film.columns <= 20000 && film.rows <= 20000,
             "the film needs 2 to 20,000 points along each edge");
-    require(isPositive(film.width) && isPositive(film.depth), "the film's size has to be positive");
+    require(isPositive(film.width) && isPositive(film.depth), "the film's size must be positive");
     require(detail::areLines(film.columnPlaces, film.columns, film.width) &&
                 detail::areLines(film.rowPlaces, film.rows, film.depth),
-            "the film's columns and rows have to be in order, from one edge to the other");
+            "the film's columns and rows must be in ascending order, from one edge to the other");
     require(field.distance && std::min({field.size[0], field.size[1], field.size[2]}) >= 2 &&
                 isPositive(field.spacing),
-            "the body's distance field is empty");
+            "the body's signed distance field is empty");
     require(isPositive(setup.motion.speed) && std::isfinite(setup.motion.travel) &&
                 setup.motion.travel >= 0,
-            "the body's speed and travel have to be positive");
+            "the body's speed must be positive, and its travel must not be negative");
     require(isPositive(settings.timeStep) && settings.iterations >= 1 &&
                 settings.iterations <= 1000,
-            "the time step has to be positive, with 1 to 1,000 iterations");
+            "the time step must be positive, with 1 to 1,000 iterations");
     require(isPositive(settings.contactTravel),
-            "the contact line's travel in one step has to be positive");
+            "the contact line's travel in one step must be positive");
     require(std::isfinite(settings.contactDistance) && settings.contactDistance >= 0,
-            "the contact distance cannot be negative");
+            "the contact distance must not be negative");
     require(isPositive(settings.gripFade) && settings.gripFade <= 1,
-            "the grip has to fade over more than 0 and up to 1 radian");
+            "the grip must fade over more than 0 and at most 1 radian");
     require(settings.gatheringStretch > 0.6 && settings.gatheringStretch <= 1,
-            "film gathers below a mean stretch between 0.6 and 1");
+            "the mean stretch below which film gathers must be between 0.6 and 1");
     require(std::isfinite(settings.growthRate) && settings.growthRate >= 0 &&
                 std::isfinite(settings.growthLimit) && settings.growthLimit >= 0,
-            "the film's growth cannot be negative");
-    require(settings.threads >= 0, "the number of threads cannot be negative");
+            "the film's growth must not be negative");
+    require(settings.threads >= 0, "the number of threads must not be negative");
     require(setup.pinned.empty() || setup.pinned.size() == film.pointCount(),
-            "the film's pinned points do not match its points");
+            "the number of pinned flags must match the film's points");
 }
 
 } // namespace dipwright::numerics

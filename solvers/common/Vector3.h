@@ -1,4 +1,4 @@
-// Three numbers, for formulae that are built for the host and for a GPU.
+// A vector of three numbers, for formulas that run on the host and on a GPU.
 #pragma once
 
 #include "common/HostDevice.h"

@@ -1,4 +1,4 @@
-// How long work takes at the least, to measure what a device can do at most.
+// Measures the shortest time of some work, to find the ceiling of a device.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace dipwright::numerics {
 
-// The seconds of the fastest of some attempts: nothing makes a ceiling higher.
+// Returns the seconds of the fastest of several attempts. Disturbances can only make work slower.
 template <typename Work>
 double leastSeconds(const Work& work) {
     constexpr int attempts = 4;

@@ -1,4 +1,4 @@
-// What the measuring programs share: arguments and clocks.
+// Arguments and clocks for the measuring programs.
 #pragma once
 
 #include "cli/bench/Statistics.h"
@@ -19,7 +19,7 @@ using cli::statistics;
 using cli::timed;
 
 struct Elapsed {
-    double seconds = 0;    // on the clock
+    double seconds = 0;    // wall time
     double processors = 0; // seconds of all processors together
 };
 
@@ -35,7 +35,7 @@ using Sizes = std::vector<std::pair<int, int>>;
 inline const Sizes tableOneFilms{{8, 12},    {40, 60},   {80, 120},  {120, 180},
                                  {160, 240}, {200, 300}, {240, 360}, {280, 420}};
 
-// What was given as NAME=VALUE, in any order, and all other words.
+// Splits the command line into NAME=VALUE arguments, in any order, and other words.
 class Arguments {
 public:
     Arguments(int argc, char** argv) {
@@ -57,11 +57,11 @@ public:
         return std::atoi(value(name, std::to_string(otherwise)).c_str());
     }
 
-    // Those that were not taken, in their order.
+    // Returns the words that were not taken, in their order.
     const std::vector<std::string>& words() const { return words_; }
-    // Takes a word; false where it is not among them.
+    // Removes a word and returns true; returns false if it is not among the words.
     bool take(const std::string& word) { return std::erase(words_, word) > 0; }
-    // Takes words such as 120x180.
+    // Removes words such as 120x180 and returns their sizes, or `otherwise` if there are none.
     Sizes takeSizes(Sizes otherwise) {
         Sizes sizes;
         std::erase_if(words_, [&](const std::string& word) {

@@ -1,12 +1,12 @@
-// The films on the GPU: steps per second of the paper's film, whole dips of the production film,
-// and how far they end from the CPU's.
+// Measures the films on the GPU: steps per second of the paper's film, seconds per dip of the
+// production film, and the distance of their final points from the CPU's.
 //
 //   cuda_film_bench paper|production [batch=N] [dips=N] [steps=N] [check] [elastic|viscous]
 //                   [sphere|cone|FIELD] [COLUMNSxROWS …]
 //
-// steps=N: only so many of a dip, for compute-sanitizer, under which a whole one takes hours.
+// steps=N: at most N steps per dip, for compute-sanitizer, under which a whole dip takes hours.
 //
-// FIELD: a file of "nx ny nz x y z spacing lowest height" in text, an end of line, and the samples
+// FIELD: a file with the text "nx ny nz x y z spacing lowest height", a line break, and the samples
 // as floats.
 
 #include "Bench.h"
@@ -25,7 +25,7 @@ using namespace dipwright::test;
 
 namespace {
 
-// A body, its lowest point and its height in its own coordinates.
+// A body with its lowest point (y) and its height, in mm, in its own coordinates.
 struct Body {
     SampledBody sampled;
     double lowest = 0, height = 0;
@@ -35,7 +35,7 @@ Body bodyOf(const std::string& name) {
     if (name == "sphere") {
         return {sphere(35, 128), -35, 70};
     }
-    if (name == "cone") { // of 45 degrees, its tip down
+    if (name == "cone") { // sides at 45°, tip down
         return {sampledBody(96, 128,
                             [](double x, double y, double z) {
                                 const double side = (std::hypot(x, z) - (y + 25)) * std::sqrt(0.5);
@@ -61,7 +61,7 @@ struct Options {
     bool isProduction = false;
     int batch = 1;
     int dips = 5;
-    int steps = std::numeric_limits<int>::max(); // of a dip, at most
+    int steps = std::numeric_limits<int>::max(); // most steps per dip
     bool checks = false;
     double relaxationTime = std::numeric_limits<double>::infinity();
     std::string body = "sphere";

@@ -1,8 +1,9 @@
-// How exactly a fit to photos of a dipped part finds what was hidden, as docs/inspection.md has it:
-// eggs of several heights, dipped with film of other cells than the fit's, 16 corners of the print
-// or all that are seen, and 24 places of the body in two photos, each a pixel off.
+// Measures how exactly a fit to photos of a dipped part finds known film and placement, for
+// docs/inspection.md. The parts are eggs of several heights, dipped with smaller cells than the
+// fit's. The fit sees 16 corners of the print or all visible ones, and 24 places of the body in two
+// photos, with 0 or 1 pixel of noise.
 //
-//     film_fit_bench [CELL]      cells of the fit, mm; those of the truth are three quarters of it
+//     film_fit_bench [CELL]      cell of the fit in mm; the true film's cell is 0.75 of it
 #include "../core/inspection/PhotographedPart.h"
 #include "TestFolders.h"
 #include "base/Error.h"

@@ -1,12 +1,12 @@
-// How the film does on models that people bring: the table of docs/film-model.md, "Models", a line
-// an immersion.
+// Measures the film on users' models. Prints the table of docs/film-model.md, "Models", one line
+// per dip.
 //
 //   models_bench [points=COLUMNSxROWS | automatic] [found] [solver=ID] [against=ID] JOB.dipw …
 //
-// found: in the job's own poses and in the two that a pose search finds. against: the same on
-// another solver, and how much of the sheets' pictures differs. Times are those of the dip itself,
-// over that of the first line's. Right is a verdict unless it has a sheet printed that moves, when
-// it is checked fully, by more than it says.
+// found: measures the job's own poses and the two that a pose search finds.
+// against: dips with another solver, too, and prints how many pixels of the sheets differ.
+// Times are those of the dip alone, in seconds and relative to the first line. A verdict is wrong
+// if it says "print", but the full check moves the sheet by more than the reported numerical error.
 
 #include "Bench.h"
 #include "base/Error.h"
@@ -26,7 +26,7 @@ namespace {
 
 struct Options {
     QStringList jobs;
-    int columns = 0, rows = 0; // 0: the job's own
+    int columns = 0, rows = 0; // 0: those of the job
     bool isAutomatic = false, areFound = false;
     QString solver, against; // ids
 };
@@ -73,7 +73,7 @@ Project inFoundPoses(Project job, const SolverRegistry& registry) {
     return job;
 }
 
-// The share of the printed pixels in which a channel differs by more than 8 of 255.
+// Returns the share of printed pixels in which a channel differs by more than 8 of 255.
 double differingPixels(const QImage& one, const QImage& other) {
     std::size_t printed = 0, differing = 0;
     for (int row = 0; row < one.height(); ++row) {
@@ -97,7 +97,7 @@ bool isRight(const ImmersionResult& said, const ImmersionCertainty& check) {
             check.halfSpacing.distance.percentile95 <= offBy);
 }
 
-double firstSeconds = 0; // of the first line
+double firstSeconds = 0; // dip time of the first line
 
 void print(const Project& job, const ImmersionResult& said, const ImmersionCertainty& check,
            const ImmersionResult* other) {
@@ -145,7 +145,7 @@ void judge(const Project& job, const Options& options, const SolverRegistry& reg
 } // namespace
 
 int main(int argc, char** argv) {
-    qputenv("QT_QPA_PLATFORM", "offscreen"); // maps are lettered
+    qputenv("QT_QPA_PLATFORM", "offscreen"); // maps contain text
     const QGuiApplication application(argc, argv);
     const Options options = parsed(argc, argv);
     const SolverRegistry registry;

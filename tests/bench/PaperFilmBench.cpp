@@ -1,4 +1,5 @@
-// Steps per second of the paper's film: whole dips of the 70 mm sphere, 128³ field, 5 iterations.
+// Measures steps per second of the paper's film in whole dips: 70 mm sphere, 128³ field, 5
+// iterations.
 //
 //   paper_film_bench [jacobi|gauss-seidel] [scalar] [threads=N] [dips=N] [COLUMNSxROWS …]
 
@@ -14,7 +15,7 @@ namespace {
 
 struct Rate {
     double perSecond = 0;
-    double perCoreSecond = 0; // of processor time: what a core would do that is not shared
+    double perCoreSecond = 0; // per second of processor time, as on a core of its own
 };
 
 Rate rate(solver::FilmSolver& film, const solver::DipSetup& setup) {

@@ -1,11 +1,13 @@
-// How well coarse dips rank poses:
+// Measures how well coarse dips rank poses:
 //   pose_ranking_bench [solver=ID] [poses=N] JOB.dipw…
-// N directions of each job's body, chosen as a search chooses them, are dipped with the job's own
-// film and with coarser ones. A line a detail: milliseconds a dip, how the objective differs from
-// that of the own film (mean, standard deviation), the rank correlation with it (Spearman), how
-// many of the five best are among the twelve that the coarse dips put first, and what of the
-// objective is lost by taking the coarse dips' best, their best of three, of six and of twelve.
-// Then the mean difference of each measure.
+// Dips N directions of each job's body, chosen like in a search, with the job's own film and with
+// coarser films. Prints one line per film:
+// - milliseconds per dip
+// - difference of the objective from the own film's: mean and standard deviation
+// - rank correlation with the own film (Spearman)
+// - how many of the own film's five best poses are among the coarse film's first twelve
+// - loss of objective if the best of the coarse film's first 1, 3, 6 or 12 poses is taken
+// - mean difference of each measure
 #include "Bench.h"
 #include "pipeline/JobSearch.h"
 #include "project/Project.h"
@@ -27,7 +29,7 @@ using namespace dipwright;
 namespace {
 
 struct Dips {
-    std::vector<PoseMeasures> measures; // a pose each
+    std::vector<PoseMeasures> measures; // one entry per pose
     std::vector<double> objectives;
     double seconds = 0;
 };

@@ -1,10 +1,10 @@
-// How long a pose search takes, and what it finds:
+// Measures how long a pose search takes and what it finds:
 //   pose_search_bench [solver=ID] [immersions=1|2] [directions=N] [candidates=N] [refined=N]
 //                     [finer=N] [confirmed=N] [weight.MEASURE=X] JOB.dipw…
-// A line a project: seconds on the clock and of all processors, dips, the objective of the best
-// poses and of the project's own, the share that is certain of what the best paint, the share of
-// their join that is too narrow, and the best.
-// And how many times a second coverage is previewed, on one thread.
+// Prints one line per project: wall seconds and processor seconds, number of dips, the objective of
+// the best poses and of the project's own, the accurate share of the best poses' painted area, the
+// share of their overlap that is too narrow, coverage previews per second on one thread, and the
+// best poses.
 #include "Bench.h"
 #include "model/TexturedMesh.h"
 #include "pipeline/JobSearch.h"

@@ -1,10 +1,10 @@
-// How long it takes to share a body out between two dips, and what comes of it:
+// Measures how long it takes to split a body between two dips, and the result:
 //   share_bench [points=CxR] JOB.dipw…
-// A line a project: the triangles that are shared out, seconds (the least of five), what is painted
-// of what either dip reaches, how much of it by both, the band's width, and the join's length and
-// cost against those of the plane halfway between the poses. And with the second film 0.7 mm off in
-// each of four directions: the share of the overlap whose reflectance changes by more than a tenth,
-// which means something of plain bodies only, and the largest change.
+// Prints one line per project: triangles, seconds (least of five), painted share of what either dip
+// reaches, share painted by both, width of the overlap, and the seam's length and cost relative to
+// the plane halfway between the poses. A second line: with the second film 0.7 mm off in four
+// directions, the share of the overlap whose reflectance changes by more than a tenth (meaningful
+// for plain bodies only), and the largest change.
 #include "Bench.h"
 #include "dip/Dip.h"
 #include "pipeline/Pipeline.h"
@@ -20,8 +20,8 @@ using namespace dipwright;
 namespace {
 
 struct Slipped {
-    double share = 0;   // of the overlap, that changes by more than a tenth
-    double largest = 0; // change of reflectance
+    double share = 0;   // share of the overlap that changes by more than a tenth
+    double largest = 0; // largest change of reflectance
 };
 
 Slipped slipped(const JobResult& result) {

@@ -1,9 +1,9 @@
-// The paper's accuracy experiment (its Table II) with computed photos:
+// Repeats the paper's accuracy experiment (its Table II) with computed photos:
 //   table_two_bench FOLDER [solver=ID]
-// A ball of 70 mm, a tetrahedron of 60 mm and the turtle, dipped into the chessboard in a tank
-// where film and placement are off by known amounts (made() below), photographed by rays
-// (PartPhoto.h) and measured as `inspect part --project` does. Writes a table, and the photos with
-// their residuals to FOLDER.
+// Dips a ball of 70 mm, a tetrahedron of 60 mm and the turtle through the chessboard, with known
+// errors of film and placement (made() below). Photographs them by ray casting (PartPhoto.h) and
+// measures them like `inspect part --project`. Prints a table, and writes the photos with their
+// residuals to FOLDER.
 #include "PartPhoto.h"
 #include "base/Units.h"
 #include "inspection/FindPrint.h"
@@ -31,11 +31,11 @@ struct Case {
     QString sample;
     std::size_t points; // the paper's N
     double paperShare;  // R over the diagonal, %
-    double square;      // mm: a tetrahedron of 60 mm has a handful of corners of 17 mm
-    double aside;       // how far the cameras are aside of straight below, one to each side
+    double square;      // mm; with 17 mm, the tetrahedron would show only a few corners
+    double aside;       // sideways offset of the cameras from straight below, one to each side
 };
 
-// What is off in the tank.
+// The known errors in the tank.
 constexpr double swellX = 1.015, swellY = 1.01;
 constexpr double asideX = 0.8, asideZ = -0.5; // mm
 constexpr double turnedBy = 1;                // degrees about the vertical
@@ -61,7 +61,7 @@ std::shared_ptr<const LaidFilm> dipped(const Project& project, const QString& so
     return runJob(project, registry, options, nullptr, {}).immersions[0].laid;
 }
 
-// From below, where the film came from, aside by a part.
+// Returns a camera that looks from below, where the film came from, and from one side.
 PhotoCamera cameraOf(const LaidFilm& laid, double aside) {
     const PosedBody& body = laid.body();
     const auto box = boundingBox(body.mesh);
@@ -78,7 +78,7 @@ PhotoCamera cameraOf(const LaidFilm& laid, double aside) {
     return camera;
 }
 
-// Places of the body itself, its tips and edges, as a hand finds them to a pixel and a half.
+// Adds 24 places of the body's surface, each clicked with an error of 1.5 pixels (σ).
 void clickOnBody(const TriangleMesh& mesh, const PhotoCamera& camera, int photo,
                  std::vector<PlacePair>& pairs) {
     const SurfaceQuery query(mesh);
@@ -100,13 +100,14 @@ void clickOnBody(const TriangleMesh& mesh, const PhotoCamera& camera, int photo,
     }
 }
 
-// As many of them as the paper took, far from each other.
+// Returns `count` places, as many as the paper took, far from each other.
 std::vector<PrintedPlace> spreadOut(const std::vector<PrintedPlace>& places, std::size_t count) {
     std::vector<PrintedPlace> chosen{places.front()};
     const auto away = [&](const PrintedPlace& place) {
         double nearest = 1e9;
         for (const PrintedPlace& other : chosen) {
-            const double photo = other.photo == place.photo ? 0 : 5; // mm: another view is new
+            const double photo =
+                other.photo == place.photo ? 0 : 5; // mm; places in another photo count as farther
             nearest = std::min(nearest, (other.model - place.model).norm() + photo);
         }
         return nearest;
@@ -119,7 +120,7 @@ std::vector<PrintedPlace> spreadOut(const std::vector<PrintedPlace>& places, std
     return chosen;
 }
 
-// The mean distance in the photo between where the film was to go and where it went.
+// Returns the mean distance, in pixels, between the intended and the true places of the film.
 double trueMean(const std::vector<PrintedPlace>& places, const std::vector<PrintedCorner>& truth,
                 const std::vector<PhotoCamera>& cameras) {
     double sum = 0;
@@ -151,7 +152,7 @@ void measure(const Case& one, const QString& folder, const QString& solver, QTex
     }
     Project project = loadProject(path);
     project.immersions.resize(1);
-    // As docs/inspection.md has its figures: A4 of 120 × 170 points, all of the body dipped.
+    // For docs/inspection.md: an A4 film of 120 × 170 points, and the whole body is dipped.
     project.film = {};
     project.process.depth.reset();
     if (one.sample == QLatin1String("tetrahedron")) {

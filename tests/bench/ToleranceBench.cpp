@@ -1,9 +1,9 @@
-// How long it takes to tell a job's tolerances, and what comes of it:
+// Measures how long it takes to compute a job's tolerances, and the result:
 //   tolerance_bench [solver=ID] [samples=N] [contributors=8] JOB.dipw…
-// A line an immersion: seconds on the clock and of all processors for the whole job's tolerances,
-// the 95th percentile that the contributions come to, and that of the dips with all off at once
-// against it. With `contributors=8`, the usual eight: the body's three turns and two places, the
-// film's swell, the water level and, on the same dips as the body's, the film's turn.
+// Prints one line per dip: wall seconds and processor seconds for the whole job's tolerances, the
+// 95th percentile from the sum of the contributions, and that of dips with all errors at once.
+// `contributors=8` takes the usual eight: the body's three turns and two offsets, the film's swell,
+// the water level, and the film's turn (from the same dips as the body's).
 #include "Bench.h"
 #include "pipeline/JobTolerances.h"
 #include "pipeline/Pipeline.h"

@@ -1,12 +1,12 @@
-// How long the window holds its breath: the longest times between two turns of its event loop while
-// a dip runs, when its results arrive, and how soon a cancelled dip stops.
+// Measures how long the window blocks: the longest times between two turns of its event loop while
+// a project opens, a dip runs and its results arrive, and how soon a cancelled dip stops.
 //
 //   window_heartbeat [--points=COLUMNSxROWS] [--size=WIDTHxHEIGHT] [--without-view] PROJECT.dipw
 //
-// The solvers are looked for in DIPWRIGHT_PLUGIN_PATH.
+// Finds the solvers in DIPWRIGHT_PLUGIN_PATH.
 //
-// "Most work" is the processor time of the longest turn: on a busy machine it tells more than the
-// clock. Without the view no pictures are drawn: what is left is not the fault of a slow OpenGL.
+// "Most work" is the largest processor time of one turn. On a busy machine it tells more than wall
+// time. Without the view, nothing is drawn, so a slow OpenGL does not count.
 
 #include "WindowDriver.h"
 
@@ -23,7 +23,7 @@ namespace {
 
 constexpr double longGap = 50; // ms
 
-// Processor time of this thread, where the system tells: what other programs take is not in it.
+// Returns the processor time of this thread in ms, without other programs' work; 0 if unknown.
 double threadMilliseconds() {
 #ifdef CLOCK_THREAD_CPUTIME_ID
     timespec time{};
@@ -70,7 +70,7 @@ private:
     QTimer timer_;
     QElapsedTimer clock_;
     std::vector<double> gaps_;
-    double workBefore_ = 0, mostWork_ = 0; // of this thread in one turn
+    double workBefore_ = 0, mostWork_ = 0; // ms of this thread, in one turn
 };
 
 void measureCancel(MainWindow& window, const WindowDriver& driver) {
@@ -136,7 +136,7 @@ int main(int argc, char* argv[]) {
     while (window.session().isRunning()) {
         QTest::qWait(5);
     }
-    QTest::qWait(500); // the results have arrived: that counts too
+    QTest::qWait(500); // includes the arrival of the results
     heart.print("dipping");
     if (!arrived) {
         std::fputs("The dip did not end\n", stderr);

@@ -1,14 +1,14 @@
-/* Preloaded into a program: kills it, or lets the operation fail, at the Nth operation on files
-   below one folder; and lets the Nth allocation fail, counted from when the program says so.
+/* Preloaded into a program. Kills the program, or makes the operation fail, at the Nth operation on
+   files below one folder. Can also make the Nth allocation fail, counted from failAllocation().
 
-   DIPWRIGHT_BREAK_BELOW   the folder; operations elsewhere pass and are not counted
-   DIPWRIGHT_BREAK_AT      N, from 1; 0 or none: nothing is broken
-   DIPWRIGHT_BREAK_HOW     kill, EIO, ENOSPC; or ESTALE: that and all that come after, as of a
-   folder on the network that is gone; looking at files fails as well then DIPWRIGHT_BREAK_LOG     a
-   file (elsewhere) that gets a line for every operation, for the count
+   DIPWRIGHT_BREAK_BELOW   The folder. Operations elsewhere are neither broken nor counted.
+   DIPWRIGHT_BREAK_AT      N, from 1. 0 or unset: nothing is broken.
+   DIPWRIGHT_BREAK_HOW     kill, EIO or ENOSPC break operation N. ESTALE breaks N and all later
+                           operations, and looking at files, like a network folder that is gone.
+   DIPWRIGHT_BREAK_LOG     A file outside the folder. Gets one line per counted operation.
 
-   All may change while the program runs. A write that is to be killed has put half of its bytes to
-   the disk before. */
+   All of them may change while the program runs. Before a kill at a write, half of the bytes are
+   written to the disk. */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <dlfcn.h>
@@ -84,7 +84,7 @@ static void log_line(int number, const char* what, const char* path) {
     close(file);
 }
 
-/* 0: goes on. Else the operation fails with this errno; −1: the program is to be killed. */
+/* Counts the operation. Returns 0: continue; −1: kill the program; else fail with this errno. */
 static int counts(const char* what, const char* path) {
     const int saved = errno;
     const int number = __atomic_add_fetch(&counted, 1, __ATOMIC_SEQ_CST);
@@ -298,14 +298,14 @@ extern void* __libc_malloc(size_t);
 extern void* __libc_calloc(size_t, size_t);
 extern void* __libc_realloc(void*, size_t);
 
-static long allocationsLeft = -1; /* −1: none is counted */
+static long allocationsLeft = -1; /* −1: allocations are not counted */
 
-/* From now on: the Nth fails. 0 counts only. */
+/* Makes the Nth allocation from now on fail. 0: only counts. */
 void failAllocation(long number) {
     __atomic_store_n(&allocationsLeft, number > 0 ? number : LONG_MAX, __ATOMIC_SEQ_CST);
 }
 
-/* Of those counted. Counts no more. */
+/* Returns the number of allocations since failAllocation() and stops counting. */
 long allocations(void) {
     return LONG_MAX - __atomic_exchange_n(&allocationsLeft, -1, __ATOMIC_SEQ_CST);
 }

@@ -1,10 +1,10 @@
-// The programs are killed at every file operation of what writes, each of these fails, and the
-// folder vanishes there, as one on the network does: what was there before or what was to be there
-// is there at the next start, whole, and nothing else.
+// Breaks the programs at every file operation of a write: the program is killed, the operation
+// fails, or the folder vanishes like a network folder. At the next start, either the old or the new
+// state must be there, complete, and nothing else.
 //
-// DIPWRIGHT_BREAK_EVERYWHERE=1 breaks at every operation, =3/16 at the third and every sixteenth
-// from it; without, at a few of each case, and at more of them in a whole run. The counts are told
-// (scripts/break).
+// DIPWRIGHT_BREAK_EVERYWHERE=1 breaks at every operation, =3/16 at the third and every 16th after
+// it. If unset, each case is broken at a few operations; a whole run takes more. The counts are
+// printed (scripts/break).
 
 #include "CliProcess.h"
 #include "TestFolders.h"
@@ -26,15 +26,15 @@ using namespace dipwright::test;
 
 namespace {
 
-constexpr int mostGrowth = 4 * 1024;       // kB, in a long day: what libraries keep for later
-const int pointsOfACase = sampleOf(4, 12); // unless everywhere
-constexpr int operationsOfAStart = 16;     // those that put right what was left, at least
+constexpr int mostGrowth = 4 * 1024;       // kB in many cycles; libraries cache memory
+const int pointsOfACase = sampleOf(4, 12); // breaks per case, unless isEverywhere()
+constexpr int operationsOfAStart = 16;     // least number of operations that repair at a start
 
 bool isEverywhere() {
     return qEnvironmentVariableIsSet("DIPWRIGHT_BREAK_EVERYWHERE");
 }
 
-// Of `count` operations those that are broken, from 1.
+// The operations to break: number `first`, counted from 1, and every `stride`th after it.
 struct Points {
     long first = 1;
     long stride = 1;
@@ -49,15 +49,14 @@ Points pointsOf(long count, int atMost) {
                             : Points();
 }
 
-// Where a program is broken, if anywhere.
+// Where and how a program is broken; at = 0: not at all.
 struct Break {
     int at = 0;
     QString how = {};
     QString log = {};
 };
 
-// A folder in which everything lies that a case reads and writes, and what a user has of program
-// data.
+// A folder with all files that a case reads and writes, and with the user's program data.
 class Place {
 public:
     QString path(const QString& name = {}) const { return root_.filePath(name); }
@@ -66,7 +65,7 @@ public:
         return {QStringLiteral("XDG_DATA_HOME=") + path(QStringLiteral("data")),
                 QStringLiteral("DIPWRIGHT_PROFILE_PATH=") + path(QStringLiteral("profiles")),
                 QStringLiteral("QT_QPA_PLATFORM=offscreen"),
-                QStringLiteral("MALLOC_ARENA_MAX=1"), // memory is counted (aLongDay…)
+                QStringLiteral("MALLOC_ARENA_MAX=1"), // for counting memory (program_manyCycles_…)
                 QStringLiteral("DIPWRIGHT_CACHE=") + cache_.path()};
     }
     Outcome run(const QString& program, const QStringList& arguments,
@@ -94,7 +93,7 @@ QByteArray contentsOf(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-// But for the times, which differ from run to run.
+// Returns the report without the times, which differ from run to run.
 QByteArray reportOf(const QString& path) {
     QJsonObject report = QJsonDocument::fromJson(contentsOf(path)).object();
     QJsonArray immersions;
@@ -108,7 +107,7 @@ QByteArray reportOf(const QString& path) {
     return QJsonDocument(report).toJson();
 }
 
-// Names and contents of all files below a folder, the hidden ones among them: those are debris.
+// Names and hashes of all files below a folder. Hidden files count: they are leftovers.
 using Snapshot = QMap<QString, QByteArray>;
 Snapshot snapshot(const QString& folder) {
     static const QRegularExpression uuid(
@@ -154,17 +153,17 @@ class BreakingTest : public QObject {
 
 private slots:
     void initTestCase();
-    void whatIsWrittenIsWholeWhateverDies_data();
-    void whatIsWrittenIsWholeWhateverDies();
-    void aProjectOutlivesAllocationsThatFail();
-    void aLongDayLeavesNothingBehind();
+    void writes_killedOrFailing_areWholeAtNextStart_data();
+    void writes_killedOrFailing_areWholeAtNextStart();
+    void projectFile_failingAllocations_loseNothing();
+    void program_manyCycles_leavesNothingBehind();
 
 private:
     void restore() const;
     QString kept(const QString& name) const { return kept_.filePath(name); }
 
     Place place_;
-    QTemporaryDir kept_; // how the place is before each break
+    QTemporaryDir kept_; // the state of place_ before each break
 };
 
 void BreakingTest::initTestCase() {
@@ -175,7 +174,7 @@ void BreakingTest::initTestCase() {
         }
         return outcome.exitCode == 0;
     };
-    // Small: a job is run again for every break.
+    // Small, because a job runs again for every break.
     QImage texture(16, 16, QImage::Format_RGB32);
     texture.fill(Qt::darkCyan);
     QVERIFY(texture.save(place_.path(QStringLiteral("a.png"))));
@@ -191,7 +190,7 @@ void BreakingTest::initTestCase() {
                             QStringLiteral("--set"), QStringLiteral("film.points=17x17"),
                             QStringLiteral("--set"), QStringLiteral("body.sdf_resolution=64"),
                             QStringLiteral("--set"), QStringLiteral("sheet.dpi=40")};
-    // The earlier results are of two immersions, and no file is as it will be.
+    // The earlier results have two dips, and every file differs from its new state.
     QVERIFY(made(project(QStringLiteral("old.dipw"),
                          small + QStringList{QStringLiteral("--immersion"),
                                              QStringLiteral("name=A,rotation=10;20;30"),
@@ -218,7 +217,7 @@ void BreakingTest::restore() const {
     copyFolder(kept({}), place_.path());
 }
 
-void BreakingTest::whatIsWrittenIsWholeWhateverDies_data() {
+void BreakingTest::writes_killedOrFailing_areWholeAtNextStart_data() {
     QTest::addColumn<QString>("program");
     QTest::addColumn<QString>("words");
     const QString cli = cliPath();
@@ -243,7 +242,7 @@ void BreakingTest::whatIsWrittenIsWholeWhateverDies_data() {
     row("export", document, "export @job.dipw @out");
 }
 
-void BreakingTest::whatIsWrittenIsWholeWhateverDies() {
+void BreakingTest::writes_killedOrFailing_areWholeAtNextStart() {
     QFETCH(QString, program);
     QFETCH(QString, words);
     QStringList arguments = words.split(QLatin1Char(' '));
@@ -254,7 +253,7 @@ void BreakingTest::whatIsWrittenIsWholeWhateverDies() {
         const QString job = place_.path(QStringLiteral("job.dipw"));
         place_.run(QStringLiteral(DIPWRIGHT_KEEP_DOCUMENT),
                    {QStringLiteral("recover"), place_.path(QStringLiteral("recovery"))});
-        place_.cli({QStringLiteral("solvers")}); // takes away the marks of loading them
+        place_.cli({QStringLiteral("solvers")}); // removes the marker files of loading solvers
         return place_.cli({QStringLiteral("info"), job}).exitCode == 0;
     };
     restore();
@@ -269,7 +268,7 @@ void BreakingTest::whatIsWrittenIsWholeWhateverDies() {
     const int operations = int(contentsOf(log).count('\n'));
     const std::vector<const char*> ways{"kill", "EIO", "ENOSPC", "ESTALE"};
     const Points points = pointsOf(operations, pointsOfACase);
-    // A few more: it may do others when something fails.
+    // A few more, because a failure may cause further operations.
     const int last = operations + (isEverywhere() ? 2 : 0);
     int breaks = 0;
     QStringList faults;
@@ -283,7 +282,7 @@ void BreakingTest::whatIsWrittenIsWholeWhateverDies() {
             const Outcome outcome =
                 place_.run(program, arguments, {at, QString::fromLatin1(how), {}});
             ++breaks;
-            if (way == 0) { // what puts it right is broken itself, at first
+            if (way == 0) { // break the recovery as well, once
                 place_.run(cliPath(),
                            {QStringLiteral("info"), place_.path(QStringLiteral("job.dipw"))},
                            {1 + breaks % operationsOfAStart, QStringLiteral("EIO"), {}});
@@ -314,7 +313,7 @@ void BreakingTest::whatIsWrittenIsWholeWhateverDies() {
     QVERIFY2(faults.isEmpty(), qPrintable(faults.mid(0, 60).join(QLatin1Char('\n'))));
 }
 
-void BreakingTest::aProjectOutlivesAllocationsThatFail() {
+void BreakingTest::projectFile_failingAllocations_loseNothing() {
     restore();
     const QString job = place_.path(QStringLiteral("job.dipw"));
     const QString document = QStringLiteral(DIPWRIGHT_KEEP_DOCUMENT);
@@ -334,7 +333,7 @@ void BreakingTest::aProjectOutlivesAllocationsThatFail() {
     QVERIFY2(outcome.out.contains(" lost 0"), outcome.out.constData());
 }
 
-void BreakingTest::aLongDayLeavesNothingBehind() {
+void BreakingTest::program_manyCycles_leavesNothingBehind() {
     restore();
     const int count = isEverywhere() ? 500 : 20;
     const QString job = place_.path(QStringLiteral("job.dipw"));

@@ -1,13 +1,15 @@
-// What the window does with a document's files, without a window, for BreakingTest to break it:
-//   save JOB            opens, changes and saves a project
-//   keep JOB FOLDER     opens and changes a project and keeps a copy of the unsaved work
-//   recover FOLDER      what the next start does with such copies
-//   export JOB DIR      runs the job and writes its results
-//   cycles JOB DIR N    opens, changes, saves, runs, keeps, exports and closes N times; tells what
-//   it
-//                       holds after a tenth of them and after all, a line each
-//   allocations JOB N…  opens and saves with the Nth allocation failing, for each in a life of its
-//                       own; tells what came of it
+// Does with a document's files what the window does, without a window, so that BreakingTest can
+// break it:
+//   save JOB               opens, changes and saves a project
+//   keep JOB FOLDER        opens and changes a project and keeps a recovery copy in FOLDER
+//   recover FOLDER         reads the recovery copies, as the next start does
+//   export JOB FOLDER      runs the job and writes its results
+//   cycles JOB FOLDER N    opens, changes, saves, exports and closes a project N times; prints the
+//                          resources held after a tenth of the cycles and after all, one line each
+//   count-allocations JOB  prints how many allocations opening and saving needs
+//   allocations JOB FIRST LAST STRIDE
+//                          opens and saves while one allocation fails, in a process for each
+//                          number from FIRST to LAST in steps of STRIDE; prints the outcomes
 
 #include "base/Error.h"
 #include "base/ProgramName.h"
@@ -75,9 +77,9 @@ int entriesBelow(const QString& folder) {
     return count;
 }
 
-// Tells what the process holds: memory in kB that was asked for and not given back, with
-// MALLOC_ARENA_MAX=1 all of it, whatever the allocator keeps for later; open files; and what lies
-// in the folder for temporary files.
+// Prints the resources of the process: allocated memory in kB (complete only with
+// MALLOC_ARENA_MAX=1; memory cached by the allocator is not counted), open files, and entries in
+// the folder for temporary files.
 void tellHoldings() {
     const struct mallinfo2 memory = mallinfo2();
     std::printf("%ld %d %d\n", long((memory.uordblks + memory.hblkhd) / 1024),
@@ -105,7 +107,7 @@ void cycles(const QString& job, const QString& folder, int count) {
     }
 }
 
-// The preloaded part's.
+// Call the functions of the preloaded library (BreakFiles.c).
 void failAllocation(long number) {
     const auto call = reinterpret_cast<void (*)(long)>(dlsym(RTLD_DEFAULT, "failAllocation"));
     call(number);
@@ -118,13 +120,14 @@ constexpr unsigned secondsOfALife = 60;
 
 enum Exit { Done = 0, Told = 1, OtherException = 2, Damaged = 3 };
 
-// In a process of its own; `work` with the allocation failing.
+// Runs `work` in its own process while the given allocation fails. Returns the exit code; −1:
+// crashed.
 template <typename Work>
 int lifeWith(long allocation, const Work& work) {
     std::fflush(stdout);
     const pid_t child = fork();
     if (child == 0) {
-        alarm(secondsOfALife); // TBB has been seen to wait for ever
+        alarm(secondsOfALife); // TBB sometimes waits for ever
         int code = Done;
         failAllocation(allocation);
         try {
@@ -153,7 +156,8 @@ QByteArray contentsOf(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-// Every `stride`th allocation of opening and of saving a copy; −1 for the count alone.
+// Opens and saves a copy while one allocation fails, for each number from `first` to `last` in
+// steps of `stride`. Prints how often each outcome occurred.
 void allocationsOf(const QString& job, long first, long last, long stride) {
     const QString copy = job + QStringLiteral(".copy");
     QFile::remove(copy);

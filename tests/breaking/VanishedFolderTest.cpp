@@ -1,6 +1,6 @@
-// The folder of a project is one of the network's and goes while the window has the project open:
-// the window says so in a sentence and goes on, the unsaved work is kept, and what is saved when
-// the folder is there again is all of it. Run with tests/breaking/BreakFiles.c preloaded.
+// A project's network folder vanishes while the window has the project open. The window must report
+// it, keep working, keep the unsaved work, and save all of it when the folder is back. Run with
+// tests/breaking/BreakFiles.c preloaded.
 #include "Patience.h"
 #include "TestFolders.h"
 #include "WindowDriver.h"
@@ -18,8 +18,8 @@ private slots:
     void initTestCase();
     void init();
     void cleanup();
-    void savingThereLosesNothing_data();
-    void savingThereLosesNothing();
+    void save_folderVanished_losesNothing_data();
+    void save_folderVanished_losesNothing();
 
 private:
     void vanish(bool isGone) const;
@@ -62,7 +62,7 @@ void VanishedFolderTest::cleanup() {
     workbench_.reset();
 }
 
-// As the system says it of such a folder; or there is none of that name any more.
+// Makes operations in the folder fail with ESTALE, or moves the folder away, as isStale says.
 void VanishedFolderTest::vanish(bool isGone) const {
     QFETCH(bool, isStale);
     const QString server = path(QStringLiteral("server")), away = path(QStringLiteral("away"));
@@ -75,17 +75,17 @@ void VanishedFolderTest::vanish(bool isGone) const {
     }
 }
 
-void VanishedFolderTest::savingThereLosesNothing_data() {
+void VanishedFolderTest::save_folderVanished_losesNothing_data() {
     QTest::addColumn<bool>("isStale");
     QTest::newRow("it cannot be reached") << true;
     QTest::newRow("it is not there") << false;
 }
 
-void VanishedFolderTest::savingThereLosesNothing() {
+void VanishedFolderTest::save_folderVanished_losesNothing() {
     const double before = savedSwell();
     change(1.25);
     vanish(true);
-    QVERIFY(!QFile(job_).open(QIODevice::ReadOnly)); // the preloaded part is there
+    QVERIFY(!QFile(job_).open(QIODevice::ReadOnly)); // the preloaded library works
     WindowDriver(*window_).trigger("save");
     QVERIFY(QTest::qWaitFor([&] { return failure() != nullptr; }, patience()));
     qInfo("%s", qPrintable(failure()->text()));
@@ -93,7 +93,7 @@ void VanishedFolderTest::savingThereLosesNothing() {
     failure()->close();
     QVERIFY(window_->document()->isModified());
 
-    // The work goes on, and a copy of it lies elsewhere.
+    // The work continues, and a recovery copy is kept elsewhere.
     change(1.125);
     const QDir recovery(path(QStringLiteral("recovery")));
     window_->documents().setAutosaveInterval(1);

@@ -1,6 +1,6 @@
-// What the targets of libFuzzer have learned (corpus/NAME, by scripts/fuzz --keep), given to them
-// by the ordinary build, as they are and damaged: whatever is read is refused by Error or accepted.
-// Files named fault-… are what a mended fault was found with.
+// Runs the fuzz targets over their corpus in the ordinary build, with whole and damaged files. A
+// target must accept a file or throw Error. `scripts/fuzz --keep` extends corpus/NAME. Files named
+// fault-… once triggered a bug that is fixed.
 #include "TestFolders.h"
 #include "WholeSample.h"
 #include <QDir>
@@ -23,7 +23,8 @@ const QDir corpus(sourceFolder("/tests/fuzz/corpus"));
 const std::map<QString, int (*)(const unsigned char*, std::size_t)> targets{DIPWRIGHT_FUZZED};
 #undef FUZZED
 
-// What assimp reads is damaged in processes of their own, by other tests: it crashes on some of it.
+// Formats that assimp reads. Other tests damage them in separate processes, because assimp may
+// crash.
 bool isAssimps(const QString& name) {
     return QStringList{"obj", "stl", "gltf", "glb", "dae", "fbx", "3ds"}.contains(name);
 }
@@ -33,7 +34,7 @@ QByteArray corpusFile(const QString& place) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-// A few bytes changed, a piece left out, or one repeated.
+// Returns the bytes with a few changed, a piece removed, or a piece repeated.
 QByteArray damaged(QByteArray bytes, std::mt19937& random) {
     const auto anywhere = [&] {
         return qsizetype(random() % std::size_t(std::max<qsizetype>(bytes.size(), 1)));
@@ -57,13 +58,13 @@ class CorpusTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void everyTargetHasACorpus() {
+    void fuzzTarget_corpus_isNotEmpty() {
         for (const auto& [name, target] : targets) {
             QVERIFY2(!QDir(corpus.filePath(name)).isEmpty(), qPrintable(name));
         }
     }
 
-    void allOfItIsReadOrRefused_data() {
+    void fuzzTarget_corpusFile_isReadOrRefused_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("file");
         for (const auto& [name, target] : targets) {
@@ -72,7 +73,7 @@ private slots:
             }
         }
     }
-    void allOfItIsReadOrRefused() {
+    void fuzzTarget_corpusFile_isReadOrRefused() {
         QFETCH(QString, name);
         QFETCH(QString, file);
         const QByteArray bytes = corpusFile(name + u'/' + file);
@@ -80,7 +81,7 @@ private slots:
         read(name, bytes);
     }
 
-    void damagedCopiesAreReadOrRefused_data() {
+    void fuzzTarget_damagedFiles_areReadOrRefused_data() {
         QTest::addColumn<QString>("name");
         for (const auto& [name, target] : targets) {
             if (!isAssimps(name)) {
@@ -88,7 +89,7 @@ private slots:
             }
         }
     }
-    void damagedCopiesAreReadOrRefused() {
+    void fuzzTarget_damagedFiles_areReadOrRefused() {
         QFETCH(QString, name);
         std::mt19937 random(1);
         for (const QString& file : QDir(corpus.filePath(name)).entryList(QDir::Files)) {

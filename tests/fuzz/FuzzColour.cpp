@@ -1,4 +1,4 @@
-// A printer's ICC profile.
+// Fuzzes the reader of a printer's ICC profile.
 #include "base/Error.h"
 #include "sheet/prepress/PrinterColour.h"
 

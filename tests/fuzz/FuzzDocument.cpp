@@ -1,4 +1,4 @@
-// project.json. What is accepted must come back when it is written.
+// Fuzzes the reader of project.json. An accepted project must survive writing and reading again.
 #include "base/Error.h"
 #include "project/Project.h"
 

@@ -1,5 +1,5 @@
-// A distance field in the cache, of 2 × 2 × 2 samples. What is accepted comes back when it is
-// written.
+// Fuzzes the reader of a cached distance field of 2 × 2 × 2 samples. An accepted field must be
+// written back to the same bytes.
 #include "geometry/FieldFile.h"
 
 #include <QBuffer>

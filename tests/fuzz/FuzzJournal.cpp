@@ -1,5 +1,5 @@
-// A journal in the hidden folder of results, believed at the next start. Whatever it says, it comes
-// to an end, and nothing beside the folder is touched.
+// Fuzzes the journal in the hidden folder of results, which the next start reads. Recovery must end
+// and must not touch anything outside the folder.
 #include "disk/FolderTransaction.h"
 
 #include <QDir>
@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     write(work.filePath(QStringLiteral("new/proof.png")), "new");
     write(work.filePath(QStringLiteral("new/immersion-1/sheet.png")), "new");
     write(work.filePath(QStringLiteral("old/report.json")), "old");
-    // The first byte says which of the two journals it is.
+    // The first byte selects one of the two journals.
     const bool isBack = size > 0 && data[0] == 'u';
     const std::size_t skipped = isBack ? 1 : 0;
     write(work.filePath(isBack ? QStringLiteral("undo.json") : QStringLiteral("journal.json")),

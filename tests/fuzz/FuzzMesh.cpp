@@ -1,4 +1,4 @@
-// The project's own model file, which is also what the reader's process hands back.
+// Fuzzes the project's own model format, in which the sandboxed reader also returns its result.
 #include "base/Error.h"
 #include "model/StoredModel.h"
 

@@ -1,4 +1,5 @@
-// A model of one format. What stands after a line of "====" is every file that it names.
+// Fuzzes the reader of one model format. The bytes after a line of "====" are the content of every
+// file that the model names.
 #include "base/Error.h"
 #include "import/sandboxed/UntrustedModel.h"
 

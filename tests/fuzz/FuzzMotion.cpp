@@ -1,4 +1,4 @@
-// A template for the motion's files.
+// Fuzzes the template for motion files.
 #include "base/Error.h"
 #include "traveller/Motion.h"
 

@@ -1,5 +1,5 @@
-// A note of unfinished work. What is accepted names work of ours by a whole path, and folders that
-// it lies in, and comes back when it is written.
+// Fuzzes the reader of a note of unfinished work. An accepted note names its work by an absolute
+// path, and folders that contain it. It must survive writing and reading again.
 #include "disk/UnfinishedNote.h"
 
 #include <QDir>

@@ -1,5 +1,5 @@
-// A table of pairs of places on two photos, and the camera that follows from them. What is accepted
-// has figures that are numbers.
+// Fuzzes the table of place pairs on two photos and the camera fit. The figures of an accepted
+// table must be finite.
 #include "base/Error.h"
 #include "inspection/PartViewFiles.h"
 

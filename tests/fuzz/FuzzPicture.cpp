@@ -1,4 +1,4 @@
-// A picture of any format that is read.
+// Fuzzes the readers of pictures, of all supported formats.
 #include "base/Error.h"
 #include "import/sandboxed/PhotoFacts.h"
 #include "import/sandboxed/PictureReader.h"

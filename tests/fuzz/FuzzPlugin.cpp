@@ -1,4 +1,4 @@
-// The description of a solver plugin, as it is read before anything of the plugin runs.
+// Fuzzes the description of a solver plugin, which is read before any code of the plugin runs.
 #include "solver/SolverRegistry.h"
 
 #include <QFile>

@@ -1,4 +1,4 @@
-// A record of the print history. What is accepted comes back when it is kept again.
+// Fuzzes the reader of a print history record. An accepted record must survive being kept again.
 #include "printing/PrintHistory.h"
 
 #include <QFile>

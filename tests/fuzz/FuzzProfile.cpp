@@ -1,4 +1,5 @@
-// A profile of any kind. What is accepted must come back when it is written.
+// Fuzzes the reader of profiles of all kinds. An accepted profile must survive writing and reading
+// again.
 #include "base/Error.h"
 #include "project/Profiles.h"
 

@@ -1,4 +1,4 @@
-// A project file: the archive, and its document and mesh. Pictures are another target's.
+// Fuzzes the reader of a project file: archive, document and mesh. FuzzPicture.cpp covers pictures.
 #include "base/Error.h"
 #include "model/StoredModel.h"
 #include "project/Project.h"

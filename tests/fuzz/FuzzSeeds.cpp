@@ -1,4 +1,4 @@
-// Writes what the targets of libFuzzer begin with into FOLDER/NAME: small whole files of each kind.
+// Writes the first inputs of the fuzz targets to FOLDER/NAME: small valid files of each kind.
 #include "ModelFiles.h"
 #include "SampleProject.h"
 
@@ -80,7 +80,7 @@ void writeProjects(const QDir& folder) {
     }
 }
 
-// Places on a screw line, seen from two sides by a camera that is 300 mm away.
+// Places on a helix, seen from two sides by a camera at a distance of 300 mm.
 void writePairs(const QDir& folder) {
     QByteArray table("photo,x_px,y_px,x_mm,y_mm,z_mm\n");
     for (int i = 0; i < 16; ++i) {
@@ -99,7 +99,7 @@ void writePairs(const QDir& folder) {
     write(folder, QStringLiteral("pairs"), table);
 }
 
-// Flat film of 8 × 6 points, those in the middle on the body; with and without what a dip may lack.
+// A flat film of 8 × 6 points whose middle points are adhered, without and with the optional data.
 void writeDips(const QDir& folder) {
     CachedDip dip;
     dip.film.grid = {8, 6, 14, 10};
@@ -118,7 +118,7 @@ void writeDips(const QDir& folder) {
     write(folder, QStringLiteral("dips"), cachedDip(dip), 2);
 }
 
-// What programs leave for the next start: journals, notes, records, fields.
+// Files that programs leave for the next start: journals, notes, records, fields.
 void writeRests(const QDir& folder) {
     const QByteArray journal = R"({"there":["proof.png","report.json"],)"
                                R"("written":["proof.png","immersion-1/sheet.png"]})";

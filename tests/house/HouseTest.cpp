@@ -1,4 +1,4 @@
-// The rules of the house: what no file may say. Who may include whom is in RoomsTest.cpp.
+// Checks what no file of the repository may contain. RoomsTest.cpp checks the includes.
 #include "SourceTree.h"
 
 #include <QProcess>
@@ -12,9 +12,9 @@ private Q_SLOTS:
     void filesNameNoRegistry();
     void filesNameNoMachinePath();
     void citedDocumentsExist();
-    void linksOfDocumentsLead();
+    void documentLinks_targets_exist();
     void documentsNamePathsThatExist();
-    void scriptsAreWhole();
+    void scripts_bashSyntax_isValid();
 };
 
 namespace {
@@ -50,7 +50,8 @@ QStringList filesThatSay(const QRegularExpression& phrase) {
 
 void HouseTest::filesNameNoRegistry() {
     QVERIFY(textFiles().size() > 300);
-    // Where packages come from is the system's affair. (In pieces, so as not to find itself.)
+    // Packages come from the system, never from a registry named here. The names are in pieces, so
+    // that the test does not find itself.
     const QStringList hosts{
         QStringLiteral("py") + "pi.org",     QStringLiteral("pythonhosted") + ".org",
         QStringLiteral("npm") + "js.",       QStringLiteral("crates") + ".io",
@@ -89,7 +90,7 @@ QStringList headingsOf(const QString& document) {
     return headings;
 }
 
-// What follows the # of a link to the heading.
+// Returns the anchor of a heading: the text after # in a link to it.
 QString anchorOf(const QString& heading) {
     static const QRegularExpression dropped(QStringLiteral(R"([^\w\- ])"),
                                             QRegularExpression::UseUnicodePropertiesOption);
@@ -104,8 +105,8 @@ bool hasAnchor(const QString& document, const QString& anchor) {
 
 } // namespace
 
-// A citation is written  docs/PAGE, "Heading"  and may go on in the next line of a comment. (Names
-// of files that a program reads stand in quotes.)
+// A citation is written  docs/PAGE, "Heading"  and may continue on the next line of a comment.
+// Names of files that a program reads stand in quotes and are not citations.
 void HouseTest::citedDocumentsExist() {
     static const QRegularExpression lineBreak(QStringLiteral(R"(\n\s*(//|#)?\s*)"));
     static const QRegularExpression citation(
@@ -113,7 +114,7 @@ void HouseTest::citedDocumentsExist() {
     QStringList broken;
     for (const QString& file : textFiles()) {
         const QString text = textOf(file).replace(lineBreak, QStringLiteral(" "));
-        if (text.contains(QChar(0xa7))) { // the sign for a section: ours have headings
+        if (text.contains(QChar(0xa7))) { // the section sign; cite headings instead
             broken << file + QStringLiteral(": a section without its heading");
         }
         for (const auto& match : citation.globalMatch(text)) {
@@ -128,7 +129,7 @@ void HouseTest::citedDocumentsExist() {
     expectNone(broken);
 }
 
-void HouseTest::linksOfDocumentsLead() {
+void HouseTest::documentLinks_targets_exist() {
     static const QRegularExpression link(QStringLiteral(R"(\]\(([^)#:\s]*)(?:#([^)\s]+))?\))"));
     QStringList broken;
     for (const QString& file : documents()) {
@@ -146,7 +147,7 @@ void HouseTest::linksOfDocumentsLead() {
     expectNone(broken);
 }
 
-// Words in capitals stand for names to be chosen.
+// CODE and KIND are placeholders in paths.
 void HouseTest::documentsNamePathsThatExist() {
     static const QRegularExpression path(
         QStringLiteral("`((?:app|core|parallel|solvers|plugins|resources|translations|docs|scripts|"
@@ -164,13 +165,13 @@ void HouseTest::documentsNamePathsThatExist() {
     expectNone(missing);
 }
 
-// A merge that cuts one off is seen on no machine that is set up already.
-void HouseTest::scriptsAreWhole() {
+// A setup script that a merge has cut off does not fail on machines that are set up already.
+void HouseTest::scripts_bashSyntax_isValid() {
     const QStringList scripts = filesIn(QStringLiteral("scripts"), {QStringLiteral("*")});
     QVERIFY(scripts.size() >= 8);
     const QString shellPath = QStandardPaths::findExecutable(QStringLiteral("bash"));
     if (shellPath.isEmpty()) {
-        return; // not a system that runs them
+        return; // this system cannot run them
     }
     for (const QString& script : scripts) {
         QProcess shell;

@@ -1,5 +1,5 @@
-// The rooms: each is reached through its target alone, links what it includes, and no arrow goes
-// up.
+// Checks the rooms (folders with a CMake target): others reach a room only through its target, a
+// room links what it includes, and no room links one above it.
 #include "SourceTree.h"
 
 #include <QJsonArray>
@@ -16,26 +16,26 @@ namespace {
 
 const QDir source = sourceTree();
 const QDir build(QStringLiteral(DIPWRIGHT_BUILD_FOLDER));
-// The one header that both sides of the interface see. It lies in a folder of its own in core.
+// The target of dipwright/FilmSolver.h, the only header that core and the solvers share.
 const QString solverInterface = QStringLiteral("dipwright_solver_interface");
 
 // One #include line of a source file.
 struct Include {
     QString file;   // relative to the source folder
-    QString target; // as it stands between the brackets or quotes
+    QString target; // the text between the brackets or quotes
     bool isQuoted = false;
     QString describe() const { return file + QStringLiteral(" includes ") + target; }
 };
 
-// A folder, or a few, with their target, as CMake knows them.
+// One or a few folders and their target, as CMake lists them.
 struct Room {
     QString target;
     QStringList folders;        // relative to the source folder
-    QStringList privateHeaders; // likewise
-    QStringList links;          // every target that it links itself
-    QStringList handedOn;       // those of them that its users see as well
-    QStringList includeFolders; // where its own sources and its users' look for headers
-    bool hasUsers = false;      // it is a library, not a program or a plugin
+    QStringList privateHeaders; // relative to the source folder
+    QStringList links;          // all targets that it links itself
+    QStringList handedOn;       // the targets that it links as PUBLIC or INTERFACE
+    QStringList includeFolders; // include folders of its sources and its users
+    bool hasUsers = false;      // true for a library, false for a program or plugin
     // "parallel", "core", "solvers", "plugins" or "app"
     QString storey() const { return folders.front().section(QLatin1Char('/'), 0, 0); }
 };
@@ -78,7 +78,7 @@ bool isVtkRendering(const Include& include) {
     return name.match(include.target).hasMatch();
 }
 
-// The header names of Qt Widgets, as installed, so that none is forgotten.
+// Returns the names of all headers of Qt Widgets, read from where it is installed.
 QSet<QString> widgetHeaders() {
     const QString folder = QStringLiteral(DIPWRIGHT_WIDGETS_HEADERS);
     const QStringList names =
@@ -103,7 +103,7 @@ QStringList relative(const QJsonValue& paths) {
     return found;
 }
 
-// In the order in which they are declared: what is below comes first.
+// Returns the rooms in the order of their declaration: lower rooms first.
 std::vector<Room> readRooms() {
     QFile file(build.filePath(QStringLiteral("rooms.json")));
     std::vector<Room> rooms;
@@ -133,7 +133,7 @@ const std::vector<Room>& allRooms() {
     return rooms;
 }
 
-// What the header FILE is called by those who include it.
+// Returns the name by which others include the header FILE.
 QString includedName(const QString& file) {
     static const QRegularExpression above(
         QStringLiteral("^(core/solver/interface|core|solvers|app)/"));
@@ -144,7 +144,7 @@ bool isHeader(const QString& file) {
     return file.endsWith(QLatin1String(".h")) || file.endsWith(QLatin1String(".cuh"));
 }
 
-// The sources of a room, not those in folders below it, which may be rooms themselves.
+// Returns the sources of a room, without its subfolders, which may be rooms themselves.
 QStringList sourcesOf(const Room& room) {
     QStringList files;
     for (const QString& folder : room.folders) {
@@ -157,7 +157,7 @@ QStringList sourcesOf(const Room& room) {
     return files;
 }
 
-// The target that owns a header, by the name by which it is included.
+// Maps the name by which a header is included to its target.
 const std::map<QString, QString>& owners() {
     static const std::map<QString, QString> found = [] {
         std::map<QString, QString> owner{
@@ -172,13 +172,14 @@ const std::map<QString, QString>& owners() {
     return found;
 }
 
-// The target whose header this is; empty where it is none of ours.
+// Returns the target that owns the header; empty for headers of other projects.
 QString ownerOf(const Include& include) {
     const auto found = owners().find(include.target);
     return found == owners().end() ? QString() : found->second;
 }
 
-// The targets of other rooms that a room includes: in the headers that its users see, or anywhere.
+// Returns the targets of other rooms that a room includes, in its public headers only or in all of
+// its sources.
 QStringList includedRooms(const Room& room, bool inPublicHeaders) {
     QStringList found;
     for (const QString& file : sourcesOf(room)) {
@@ -195,7 +196,7 @@ QStringList includedRooms(const Room& room, bool inPublicHeaders) {
     return found;
 }
 
-// The rooms among the targets that are linked.
+// Returns the TARGETS that are rooms or the solver interface.
 QStringList roomsAmong(const QStringList& targets) {
     QStringList found;
     for (const Room& room : allRooms()) {
@@ -206,7 +207,7 @@ QStringList roomsAmong(const QStringList& targets) {
     return targets.contains(solverInterface) ? found << solverInterface : found;
 }
 
-// Includes that break a rule, one an entry.
+// Returns one line per include that breaks a rule.
 template <typename Rule>
 QStringList offenders(const QString& folder, const Rule& isForbidden) {
     QStringList lines;
@@ -218,7 +219,7 @@ QStringList offenders(const QString& folder, const Rule& isForbidden) {
     return lines;
 }
 
-// What RULE has to say against a room, for every room, one an entry.
+// Applies RULE to every room and returns all complaints, one per entry.
 template <typename Rule>
 QStringList complaints(const Rule& rule) {
     QStringList lines;
@@ -228,7 +229,7 @@ QStringList complaints(const Rule& rule) {
     return lines;
 }
 
-// One line for each entry of LIST that is not in ALLOWED.
+// Returns one line for each entry of LIST that is not in ALLOWED.
 QStringList linesFor(const QString& beginning, const QStringList& list,
                      const QStringList& allowed) {
     QStringList lines;
@@ -267,18 +268,18 @@ class RoomsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void everyFolderIsOneRoom();
-    void roomsAreReachedThroughTheirTargets();
-    void noIncludeClimbsOutOfItsFolder();
+    void rooms_includeFolders_areTheirTargetsOnly();
+    void includes_parentFolder_isNotUsed();
     void roomsIncludeOnlyWhatTheyLink();
     void roomsLinkOnlyWhatTheyInclude();
-    void roomsHandOnWhatTheirHeadersInclude();
+    void rooms_includesOfPublicHeaders_areLinkedPublic();
     void roomsLinkOnlyWhatIsBelow();
-    void settingsAreALeaf();
-    void headersThatSayTheyArePrivateAre();
+    void settingsRoom_links_onlyBase();
+    void privateHeaders_declaration_matchesCMake();
     void solversAndPluginsIncludeNeitherQtNorVtk();
-    void widgetsStayWithThoseWhoLinkThem();
-    void vtkStaysInItsFolders();
-    void tbbStaysInItsFolder();
+    void qtWidgets_roomsThatDoNotLinkIt_doNotIncludeIt();
+    void vtk_otherFolders_doNotIncludeIt();
+    void tbb_otherFolders_doNotIncludeIt();
 };
 
 void RoomsTest::everyFolderIsOneRoom() {
@@ -301,7 +302,7 @@ void RoomsTest::everyFolderIsOneRoom() {
     QCOMPARE(roomFolders.join(QLatin1Char('\n')), folders.join(QLatin1Char('\n')));
 }
 
-void RoomsTest::roomsAreReachedThroughTheirTargets() {
+void RoomsTest::rooms_includeFolders_areTheirTargetsOnly() {
     expectNone(complaints([](const Room& room) {
         const QString forwards = build.filePath(QStringLiteral("rooms/") + room.target);
         return linesFor(room.target + QStringLiteral(" looks into"), room.includeFolders,
@@ -309,7 +310,7 @@ void RoomsTest::roomsAreReachedThroughTheirTargets() {
     }));
 }
 
-void RoomsTest::noIncludeClimbsOutOfItsFolder() {
+void RoomsTest::includes_parentFolder_isNotUsed() {
     for (const char* storey : {"parallel", "core", "solvers", "plugins", "app"}) {
         expectNone(offenders(QLatin1String(storey), [](const Include& include) {
             return include.target.contains(QLatin1String("..")) ||
@@ -332,8 +333,8 @@ void RoomsTest::roomsLinkOnlyWhatTheyInclude() {
     }));
 }
 
-// PUBLIC in CMake what a header includes, PRIVATE what only sources do.
-void RoomsTest::roomsHandOnWhatTheirHeadersInclude() {
+// In CMake, what a public header includes is PUBLIC, what only sources include is PRIVATE.
+void RoomsTest::rooms_includesOfPublicHeaders_areLinkedPublic() {
     expectNone(complaints([](const Room& room) -> QStringList {
         if (!room.hasUsers) {
             return {};
@@ -346,8 +347,8 @@ void RoomsTest::roomsHandOnWhatTheirHeadersInclude() {
     }));
 }
 
-// app → core → the solvers' interface ← solvers ← plugins, `parallel` below all of them, and within
-// each only what is declared earlier: core's order stands in core/CMakeLists.txt.
+// The layers are app → core → solver interface ← solvers ← plugins, with `parallel` below all of
+// them. Within a layer, a room links only rooms declared earlier (core: core/CMakeLists.txt).
 void RoomsTest::roomsLinkOnlyWhatIsBelow() {
     const std::map<QString, QStringList> storeys{{"parallel", {}},
                                                  {"core", {"core", "parallel"}},
@@ -369,8 +370,8 @@ void RoomsTest::roomsLinkOnlyWhatIsBelow() {
     }));
 }
 
-// A room that needs a setting gets no algorithm with it.
-void RoomsTest::settingsAreALeaf() {
+// A room that needs settings must not get algorithms with them.
+void RoomsTest::settingsRoom_links_onlyBase() {
     expectNone(complaints([](const Room& room) -> QStringList {
         if (room.target != QLatin1String("dipwright_settings")) {
             return {};
@@ -380,7 +381,7 @@ void RoomsTest::settingsAreALeaf() {
     }));
 }
 
-void RoomsTest::headersThatSayTheyArePrivateAre() {
+void RoomsTest::privateHeaders_declaration_matchesCMake() {
     expectNone(complaints([](const Room& room) {
         QStringList saying;
         for (const QString& file : sourcesOf(room)) {
@@ -401,7 +402,7 @@ void RoomsTest::solversAndPluginsIncludeNeitherQtNorVtk() {
     }
 }
 
-void RoomsTest::widgetsStayWithThoseWhoLinkThem() {
+void RoomsTest::qtWidgets_roomsThatDoNotLinkIt_doNotIncludeIt() {
     const QSet<QString> widgets = widgetHeaders();
     expectNone(complaints([&](const Room& room) {
         QStringList lines;
@@ -421,7 +422,7 @@ void RoomsTest::widgetsStayWithThoseWhoLinkThem() {
     }));
 }
 
-void RoomsTest::vtkStaysInItsFolders() {
+void RoomsTest::vtk_otherFolders_doNotIncludeIt() {
     const auto lives = [](const Include& include, const char* folder) {
         return include.file.startsWith(QLatin1String(folder));
     };
@@ -435,8 +436,8 @@ void RoomsTest::vtkStaysInItsFolders() {
     }));
 }
 
-// Elsewhere the thread sanitizer would not see what a loop's threads hand each other.
-void RoomsTest::tbbStaysInItsFolder() {
+// Elsewhere, the thread sanitizer would not see how the threads of a loop synchronize.
+void RoomsTest::tbb_otherFolders_doNotIncludeIt() {
     for (const char* folder : {"core", "solvers", "plugins", "app", "resources", "tests"}) {
         expectNone(offenders(QLatin1String(folder), [](const Include& include) {
             return include.target.startsWith(QLatin1String("tbb/")) ||

@@ -1,4 +1,4 @@
-// The samples: that they are what the README says, ready to dip, and to be printed.
+// Checks that the sample projects match the README, can be dipped and can be printed.
 #include "TestFolders.h"
 #include "base/Units.h"
 #include "geometry/SurfaceQuery.h"
@@ -32,7 +32,7 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-// How many pixel centres of a square picture lie in more than one triangle of the texture.
+// Counts the pixel centres of a square picture that lie in more than one triangle of the texture.
 int sharedPixels(const TexturedMesh& model, int side) {
     std::vector<std::uint32_t> owner(std::size_t(side) * std::size_t(side), 0);
     int shared = 0;
@@ -63,7 +63,7 @@ int sharedPixels(const TexturedMesh& model, int side) {
     return shared;
 }
 
-// What comes of a sample's own job, but for the sheet's resolution.
+// Returns the result of a sample's own job. Only the sheet's resolution is changed, to 72 dpi.
 const JobResult& resultOf(const QByteArray& name) {
     static const SolverRegistry registry{QStringList{pluginFolder()}};
     static std::map<QByteArray, JobResult> results;
@@ -77,7 +77,7 @@ const JobResult& resultOf(const QByteArray& name) {
     return results[name];
 }
 
-// How much two pictures of a sheet differ where they differ most, in grey levels over 3 × 3 mm.
+// Returns the largest difference of two pictures of a sheet, in grey levels averaged over 3 × 3 mm.
 int largestDifference(const QImage& a, const QImage& b, const FilmSettings& film) {
     const QSize coarse(int(film.width.value() / 3), int(film.height.value() / 3));
     const auto blurred = [&](const QImage& image) {
@@ -106,21 +106,21 @@ std::size_t chartCount(const TexturedMesh& model) {
 class SamplesTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void haveTheirSizes_data();
-    void haveTheirSizes();
-    void areCleanBodies_data() { haveTheirSizes_data(); }
-    void areCleanBodies();
-    void filmSuitsTheBody_data() { haveTheirSizes_data(); }
-    void filmSuitsTheBody();
-    void aFlippedSheetIsSeen_data() { haveTheirSizes_data(); }
-    void aFlippedSheetIsSeen();
-    void turtleIsDippedTwice();
-    void turtleHasNoPlaceTwiceInItsTexture();
+    void sample_sizeAndCharts_areAsExpected_data();
+    void sample_sizeAndCharts_areAsExpected();
+    void sample_mesh_isClosedAndTextured_data() { sample_sizeAndCharts_areAsExpected_data(); }
+    void sample_mesh_isClosedAndTextured();
+    void sample_ownFilm_verdictIsPrint_data() { sample_sizeAndCharts_areAsExpected_data(); }
+    void sample_ownFilm_verdictIsPrint();
+    void sample_flippedSheet_differsVisibly_data() { sample_sizeAndCharts_areAsExpected_data(); }
+    void sample_flippedSheet_differsVisibly();
+    void turtle_project_hasTwoDips();
+    void turtle_texture_hasNoOverlaps();
 };
 
-void SamplesTest::haveTheirSizes_data() {
+void SamplesTest::sample_sizeAndCharts_areAsExpected_data() {
     QTest::addColumn<QByteArray>("name");
-    QTest::addColumn<QList<double>>("size"); // mm; 0: whatever it comes to
+    QTest::addColumn<QList<double>>("size"); // mm; 0: not checked
     QTest::addColumn<int>("charts");
     QTest::newRow("sphere") << QByteArray("sphere") << QList<double>{70, 70, 70} << 1;
     QTest::newRow("tetrahedron") << QByteArray("tetrahedron") << QList<double>{60, 48.990, 51.962}
@@ -128,7 +128,7 @@ void SamplesTest::haveTheirSizes_data() {
     QTest::newRow("turtle") << QByteArray("turtle") << QList<double>{75, 0, 110} << 2;
 }
 
-void SamplesTest::haveTheirSizes() {
+void SamplesTest::sample_sizeAndCharts_areAsExpected() {
     QFETCH(QByteArray, name);
     QFETCH(QList<double>, size);
     QFETCH(int, charts);
@@ -136,12 +136,15 @@ void SamplesTest::haveTheirSizes() {
     const Eigen::Vector3f measured = boundingBox(project.model->mesh).sizes();
     for (int axis = 0; axis < 3; ++axis) {
         QVERIFY2(size[axis] == 0 || std::abs(measured[axis] - size[axis]) < 0.01,
-                 qPrintable(QStringLiteral("axis %1: %2 mm").arg(axis).arg(measured[axis])));
+                 qPrintable(QStringLiteral("size along axis %1 is %2 mm, expected %3 ± 0.01 mm")
+                                .arg(axis)
+                                .arg(measured[axis])
+                                .arg(size[axis])));
     }
     QCOMPARE(chartCount(*project.model), std::size_t(charts));
 }
 
-void SamplesTest::areCleanBodies() {
+void SamplesTest::sample_mesh_isClosedAndTextured() {
     QFETCH(QByteArray, name);
     const Project project = sample(name);
     const TexturedMesh& model = *project.model;
@@ -155,7 +158,7 @@ void SamplesTest::areCleanBodies() {
     QCOMPARE(model.textures.front().size(), QSize(2048, 2048));
 }
 
-void SamplesTest::filmSuitsTheBody() {
+void SamplesTest::sample_ownFilm_verdictIsPrint() {
     QFETCH(QByteArray, name);
     const JobResult& result = resultOf(name);
     QVERIFY(result.project.film.resolution == FilmResolution::Automatic);
@@ -167,7 +170,7 @@ void SamplesTest::filmSuitsTheBody() {
     QVERIFY2(adviceOf(result) == Advice::Print, qPrintable(told.join(QLatin1Char('\n'))));
 }
 
-void SamplesTest::aFlippedSheetIsSeen() {
+void SamplesTest::sample_flippedSheet_differsVisibly() {
     QFETCH(QByteArray, name);
     const JobResult& result = resultOf(name);
     for (const ImmersionResult& dip : result.immersions) {
@@ -175,19 +178,23 @@ void SamplesTest::aFlippedSheetIsSeen() {
         for (const QImage& flipped : {sheet.mirrored(true, false), sheet.mirrored(false, true),
                                       sheet.mirrored(true, true)}) {
             const int difference = largestDifference(sheet, flipped, result.project.film);
-            QVERIFY2(difference > 40, qPrintable(QString::number(difference)));
+            QVERIFY2(
+                difference > 40,
+                qPrintable(QStringLiteral(
+                               "the largest difference is %1 grey levels, expected more than 40")
+                               .arg(difference)));
         }
     }
 }
 
-void SamplesTest::turtleIsDippedTwice() {
+void SamplesTest::turtle_project_hasTwoDips() {
     const Project project = sample("turtle");
     QCOMPARE(project.immersions.size(), std::size_t(2));
     QCOMPARE(project.immersions[0].rotation[2], Degrees(0));
     QCOMPARE(project.immersions[1].rotation[2], Degrees(180));
 }
 
-void SamplesTest::turtleHasNoPlaceTwiceInItsTexture() {
+void SamplesTest::turtle_texture_hasNoOverlaps() {
     QCOMPARE(sharedPixels(*sample("turtle").model, 1024), 0);
 }
 

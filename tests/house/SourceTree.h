@@ -1,17 +1,17 @@
-// The repository's files, as the rules of the house read them.
+// Reads the repository's files for the tests of tests/house.
 #pragma once
 
 #include <QDir>
 #include <QStringList>
 
-// Where the repository lies.
+// The root folder of the repository.
 QDir sourceTree();
 
-// What a file says; empty where there is none. FILE is relative to the repository, as all here.
+// Returns the text of a file; empty if there is none. All paths are relative to the repository.
 QString textOf(const QString& file);
 
-// The files in a folder and below it whose names fit, in order.
+// Returns the files in and below a folder whose names match a pattern, sorted.
 QStringList filesIn(const QString& folder, const QStringList& patterns);
 
-// One a line: what breaks a rule. The test fails where there is any.
+// Fails the test and prints the offences, one per line, unless the list is empty.
 void expectNone(const QStringList& offences);

@@ -1,4 +1,4 @@
-# Fails where clang-format would lay out a source file otherwise than it stands.
+# Fails if clang-format would change a source file.
 file(GLOB_RECURSE sources
     ${SOURCE_FOLDER}/parallel/*.h ${SOURCE_FOLDER}/parallel/*.cpp
     ${SOURCE_FOLDER}/app/*.h ${SOURCE_FOLDER}/app/*.cpp

@@ -1,5 +1,5 @@
-// An installed tree runs from anywhere, prints, tells shells and `man` its commands, and a solver
-// is built against it by find_package(Dipwright).
+// Checks an installed tree: it runs from any folder, prints, has completions and manual pages, and
+// a solver builds against it with find_package(Dipwright).
 #include "PrivateCups.h"
 
 #include <QDirIterator>
@@ -14,23 +14,23 @@ class InstallTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase();
-    void holdsAllItsParts();
-    void saysNothingOfWhereItWasBuilt();
-    void findsItsSolvers();
-    void findsItsProfiles();
-    void findsItsSamples();
-    void dipsASample();
-    void printsASheet();
-    void needsNoFolderOfTheBuild();
-    void completesInBash_data();
-    void completesInBash();
-    void describesEveryCommand();
-    void isUnderstoodByOtherShells();
+    void install_tree_holdsAllFiles();
+    void install_textFiles_nameNoBuildFolder();
+    void installedCli_solvers_areFound();
+    void installedCli_profiles_areFound();
+    void installedProgram_samples_areFound();
+    void installedCli_run_dipsSample();
+    void installedCli_print_sheetArrives();
+    void installedBinaries_rpath_namesNoBuildFolder();
+    void bashCompletion_typedWords_offersMatches_data();
+    void bashCompletion_typedWords_offersMatches();
+    void manPage_everyCommand_isDescribed();
+    void completions_zshAndFish_areValid();
 #ifdef DIPWRIGHT_HAS_WORKBENCH
-    void startsTheWorkbench();
+    void installedWorkbench_version_isPrinted();
 #endif
-    void buildsAPlugin_data();
-    void buildsAPlugin();
+    void findPackage_examplePlugin_buildsAndDips_data();
+    void findPackage_examplePlugin_buildsAndDips();
 
 private:
     QString installed(const QString& path) const {
@@ -38,7 +38,7 @@ private:
     }
     QByteArray runInstalled(const QString& program, const QStringList& arguments,
                             const QString& pluginFolder = {}) const;
-    // The programs and modules of the tree.
+    // Returns the programs and modules of the tree.
     QStringList binaries() const;
     QJsonObject listedSolver(const QString& id, const QString& pluginFolder = {}) const;
 
@@ -48,7 +48,7 @@ private:
 
 namespace {
 
-// What a program says; where it fails, its errors instead.
+// Returns what a program prints; if it fails, its errors instead.
 QByteArray outputOf(const QString& program, const QStringList& arguments,
                     const QProcessEnvironment& environment) {
     QProcess process;
@@ -75,9 +75,9 @@ QByteArray contents(const QString& path) {
 
 } // namespace
 
-// Without the session's environment: nothing leads the program back to the build. A home of its own
-// keeps the user's plugins and profiles out. What sanitizers are told holds for it, too, and a
-// test's own print system.
+// Runs a program without the session's environment, so that nothing leads it back to the build. Its
+// own home keeps the user's plugins and profiles out. Options of sanitizers and the test's print
+// system are passed on.
 QByteArray InstallTest::runInstalled(const QString& program, const QStringList& arguments,
                                      const QString& pluginFolder) const {
     QProcessEnvironment environment;
@@ -104,7 +104,7 @@ QJsonObject InstallTest::listedSolver(const QString& id, const QString& pluginFo
     return {};
 }
 
-// Installed into one place and moved to another.
+// Installs into one folder and moves the tree to another.
 void InstallTest::initTestCase() {
     QVERIFY(folder_.isValid());
     const QString first = folder_.filePath("first");
@@ -116,7 +116,7 @@ void InstallTest::initTestCase() {
     QVERIFY(QDir().rename(first, tree_));
 }
 
-void InstallTest::holdsAllItsParts() {
+void InstallTest::install_tree_holdsAllFiles() {
     QStringList parts{INSTALLED_PLUGINS "/pbd-cpu.json",
                       INSTALLED_SAMPLES "/turtle.dipw",
                       INSTALLED_SAMPLES "/models/turtle.obj",
@@ -147,12 +147,12 @@ void InstallTest::holdsAllItsParts() {
     }
 }
 
-void InstallTest::saysNothingOfWhereItWasBuilt() {
+void InstallTest::install_textFiles_nameNoBuildFolder() {
     QDirIterator walk(tree_, QDir::Files, QDirIterator::Subdirectories);
     while (walk.hasNext()) {
         const QString file = walk.next();
         if (binaries().contains(file)) {
-            continue; // debuggers want to know where the sources are
+            continue; // debug information names the sources
         }
         const QByteArray text = contents(file);
         for (const QByteArray& place :
@@ -163,19 +163,19 @@ void InstallTest::saysNothingOfWhereItWasBuilt() {
     }
 }
 
-void InstallTest::findsItsSolvers() {
+void InstallTest::installedCli_solvers_areFound() {
     const QJsonObject solver = listedSolver(QStringLiteral("pbd-cpu"));
     QVERIFY(solver.value("available").toBool());
 }
 
-void InstallTest::findsItsProfiles() {
+void InstallTest::installedCli_profiles_areFound() {
     const QByteArray output = runInstalled("dipwright-cli", {"profile", "list"});
     for (const char* kind : {"printer", "film", "tank"}) {
         QVERIFY2(output.contains(kind), output.constData());
     }
 }
 
-void InstallTest::findsItsSamples() {
+void InstallTest::installedProgram_samples_areFound() {
     QVERIFY(QFile::copy(DIPWRIGHT_LIST_SAMPLES, installed(INSTALLED_BIN "/list_samples")));
     const QString found = QString::fromUtf8(runInstalled("list_samples", {}));
     QStringList expected;
@@ -185,7 +185,7 @@ void InstallTest::findsItsSamples() {
     QCOMPARE(found.split(QLatin1Char('\n'), Qt::SkipEmptyParts), expected);
 }
 
-void InstallTest::dipsASample() {
+void InstallTest::installedCli_run_dipsSample() {
     const QString out = folder_.filePath("sphere");
     const QByteArray output =
         runInstalled("dipwright-cli", {"run", installed(INSTALLED_SAMPLES "/sphere.dipw"), "--out",
@@ -196,8 +196,8 @@ void InstallTest::dipsASample() {
     QVERIFY(report.value("coverage_total").toDouble() > 0.3);
 }
 
-// On a printer of the test's own, as after `print` from a terminal.
-void InstallTest::printsASheet() {
+// Prints on the test's own printer, like `print` in a terminal.
+void InstallTest::installedCli_print_sheetArrives() {
     dipwright::PrivateCups cups;
     QVERIFY2(cups.problem().isEmpty(), qPrintable(cups.problem()));
     QVERIFY(cups.add(dipwright::TestPrinter{"office"}));
@@ -223,9 +223,9 @@ QStringList InstallTest::binaries() const {
     return found;
 }
 
-// Libraries are the system's, not some of the build; a module for a GPU asks for no
-// driver, so that it can be listed, and say what it lacks, where there is none.
-void InstallTest::needsNoFolderOfTheBuild() {
+// Programs use the system's libraries, not the build's. A GPU module must not link the driver, so
+// that it can be listed, with the reason why it cannot run, where there is none.
+void InstallTest::installedBinaries_rpath_namesNoBuildFolder() {
     const QRegularExpression path(QStringLiteral("\\((?:RPATH|RUNPATH)\\).*\\[(.*)\\]"));
     for (const QString& binary : binaries()) {
         const QString dynamic =
@@ -238,7 +238,7 @@ void InstallTest::needsNoFolderOfTheBuild() {
     }
 }
 
-void InstallTest::completesInBash_data() {
+void InstallTest::bashCompletion_typedWords_offersMatches_data() {
     QTest::addColumn<QStringList>("typed");
     QTest::addColumn<QStringList>("offered");
     QTest::newRow("a command") << QStringList{"ru"} << QStringList{"run"};
@@ -253,12 +253,12 @@ void InstallTest::completesInBash_data() {
         << QStringList{"chessboard", "job.dipw", "readme.txt", "results"};
     QTest::newRow("one of two words")
         << QStringList{"optimize", "--immersions", ""} << QStringList{"1", "2"};
-    QTest::newRow("what a profile can be asked")
+    QTest::newRow("a subcommand of profile")
         << QStringList{"profile", "s"} << QStringList{"set", "show"};
     QTest::newRow("a number") << QStringList{"run", "--threads", ""} << QStringList{};
 }
 
-void InstallTest::completesInBash() {
+void InstallTest::bashCompletion_typedWords_offersMatches() {
     QFETCH(QStringList, typed);
     QFETCH(QStringList, offered);
     const QTemporaryDir folder;
@@ -280,7 +280,7 @@ void InstallTest::completesInBash() {
     QCOMPARE(found, offered);
 }
 
-void InstallTest::describesEveryCommand() {
+void InstallTest::manPage_everyCommand_isDescribed() {
     const QByteArray page = contents(installed(INSTALLED_DATA "/man/man1/dipwright-cli.1"));
     const QString help = QString::fromUtf8(runInstalled("dipwright-cli", {"--help"}));
     const QString list = help.section(QStringLiteral("Commands:\n"), 1).section("\n\n", 0, 0);
@@ -295,8 +295,8 @@ void InstallTest::describesEveryCommand() {
         "Dipwright " + runInstalled("dipwright-cli", {"--version"}).trimmed().split(' ').last()));
 }
 
-// Where these shells are.
-void InstallTest::isUnderstoodByOtherShells() {
+// Skips shells that are not installed.
+void InstallTest::completions_zshAndFish_areValid() {
     for (const auto& [shell, script] :
          {std::pair{"zsh", "/zsh/vendor-completions/_dipwright-cli"},
           std::pair{"fish", "/fish/vendor_completions.d/dipwright-cli.fish"}}) {
@@ -311,13 +311,13 @@ void InstallTest::isUnderstoodByOtherShells() {
 }
 
 #ifdef DIPWRIGHT_HAS_WORKBENCH
-void InstallTest::startsTheWorkbench() {
+void InstallTest::installedWorkbench_version_isPrinted() {
     const QByteArray output = runInstalled("dipwright", {"-platform", "offscreen", "--version"});
     QVERIFY2(output.startsWith("dipwright "), output.constData());
 }
 #endif
 
-void InstallTest::buildsAPlugin_data() {
+void InstallTest::findPackage_examplePlugin_buildsAndDips_data() {
     QTest::addColumn<QString>("example");
     QTest::addColumn<QString>("dipwright");
     QTest::newRow("against the installed tree")
@@ -327,8 +327,8 @@ void InstallTest::buildsAPlugin_data() {
         << QStringLiteral(DIPWRIGHT_BUILD_FOLDER);
 }
 
-// The example of the README, as a stranger would build it: it is found, and it dips.
-void InstallTest::buildsAPlugin() {
+// Builds the example plugin of the README outside the tree, finds it and dips with it.
+void InstallTest::findPackage_examplePlugin_buildsAndDips() {
     QFETCH(QString, example);
     QFETCH(QString, dipwright);
     const QTemporaryDir plugin;
@@ -350,7 +350,7 @@ void InstallTest::buildsAPlugin() {
     QVERIFY2(!report.isEmpty(), output.constData());
     QCOMPARE(report.value("solver").toObject().value("id").toString(),
              QStringLiteral("plumb-film"));
-    // Straight down, film reaches the lower half, and is continued a little beyond.
+    // Film that falls straight down paints the lower half and a little more.
     const double coverage = report.value("coverage_total").toDouble();
     QVERIFY2(coverage > 0.3 && coverage < 0.6, output.constData());
 }

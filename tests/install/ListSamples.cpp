@@ -1,4 +1,4 @@
-// Says which samples a program finds that lies where this one lies.
+// Prints the samples that a program in this program's folder finds, one per line.
 #include "project/Samples.h"
 
 #include <QCoreApplication>

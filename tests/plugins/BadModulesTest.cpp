@@ -179,7 +179,7 @@ void BadModulesTest::reasonsAreInTheUsersLanguage_data() {
     QTest::addColumn<QString>("reasonPart");
     QTest::newRow("entry") << "+Its module failed at start: not today";
     QTest::newRow("entry-unknown") << "+Its module failed at start with an unknown";
-    QTest::newRow("old") << "+Its module does not fit";
+    QTest::newRow("old") << "+Its module does not match";
     QTest::newRow("name") << "+Its module has no entry point";
     QTest::newRow("load") << "+it crashed";
 }
@@ -267,7 +267,7 @@ void BadModulesTest::aHangWhileLoadingCanBeLeft() {
     qputenv("DIPWRIGHT_SOLVER_SECONDS", "1");
     // That was the user, and says nothing of the module.
     const std::optional<SolverInfo> next = registry.found(QStringLiteral("hang"));
-    QVERIFY2(next->reason.contains(QLatin1String("at one step for more than 1 s")),
+    QVERIFY2(next->reason.contains(QLatin1String("did not respond for 1 s")),
              qPrintable(next->reason));
 }
 
@@ -278,26 +278,26 @@ void BadModulesTest::failuresInADipReachTheUser_data() {
     QTest::newRow("advance") << "out of water";
     QTest::newRow("advance-unknown") << "unknown exception";
     QTest::newRow("read") << "out of ink";
-    QTest::newRow("create-nothing") << "gave no film";
+    QTest::newRow("create-nothing") << "created no film";
     QTest::newRow("create-unknown") << "unknown exception";
     QTest::newRow("advance-crash") << "it crashed";
     QTest::newRow("advance-exit") << "ended its process";
-    QTest::newRow("advance-hang") << "at one step for more than 1 s";
-    QTest::newRow("advance-giant") << "more than there can be";
-    QTest::newRow("advance-idle") << "does not come forward";
-    QTest::newRow("advance-nonsense") << "that cannot be";
-    QTest::newRow("advance-steps") << "steps or a descent that cannot be";
-    QTest::newRow("advance-deep") << "steps or a descent that cannot be";
-    QTest::newRow("advance-crawl") << "does not come forward";
-    QTest::newRow("advance-still") << "does not come forward";
-    QTest::newRow("advance-equilibrium") << "figures of its equilibrium that cannot be";
-    QTest::newRow("advance-force") << "figures of its equilibrium that cannot be";
+    QTest::newRow("advance-hang") << "did not respond for 1 s";
+    QTest::newRow("advance-giant") << "answer was impossibly long";
+    QTest::newRow("advance-idle") << "makes no progress";
+    QTest::newRow("advance-nonsense") << "impossible";
+    QTest::newRow("advance-steps") << "impossible number of steps or descent";
+    QTest::newRow("advance-deep") << "impossible number of steps or descent";
+    QTest::newRow("advance-crawl") << "makes no progress";
+    QTest::newRow("advance-still") << "makes no progress";
+    QTest::newRow("advance-equilibrium") << "impossible convergence values";
+    QTest::newRow("advance-force") << "impossible convergence values";
     QTest::newRow("advance-empty") << "unknown exception";
     QTest::newRow("long") << "It said far too much: xxx";
     QTest::newRow("read-crash") << "it crashed";
-    QTest::newRow("read-states") << "a state that there is none of";
+    QTest::newRow("read-states") << "an invalid state";
     QTest::newRow("read-positions") << "unstable";
-    QTest::newRow("read-marks") << "a mark that there is none of";
+    QTest::newRow("read-marks") << "an invalid mark";
 }
 
 void BadModulesTest::failuresInADipReachTheUser() {
@@ -322,13 +322,13 @@ void BadModulesTest::aHangCanBeLeft() {
 
 void BadModulesTest::failuresInABatchReachTheUser_data() {
     QTest::addColumn<QString>("reasonPart");
-    QTest::newRow("good") << "left films of a batch empty";
+    QTest::newRow("good") << "no result for some films of a batch";
     QTest::newRow("batch-unknown") << "unknown exception";
     QTest::newRow("batch-crash") << "it crashed";
-    QTest::newRow("batch-stops") << "stopped by itself";
-    QTest::newRow("batch-hang") << "at one step for more than 1 s";
-    QTest::newRow("batch-steps") << "steps or a descent that cannot be";
-    QTest::newRow("batch-equilibrium") << "figures of its equilibrium that cannot be";
+    QTest::newRow("batch-stops") << "stopped without being cancelled";
+    QTest::newRow("batch-hang") << "did not respond for 1 s";
+    QTest::newRow("batch-steps") << "impossible number of steps or descent";
+    QTest::newRow("batch-equilibrium") << "impossible convergence values";
 }
 
 void BadModulesTest::failuresInABatchReachTheUser() {
@@ -424,7 +424,7 @@ void BadModulesTest::aModuleThatCrashesTwiceIsLeftOut_data() {
     QTest::newRow("when it is asked") << "abort"
                                       << "it crashed";
     QTest::newRow("or hangs") << "hang"
-                              << "it was at one step";
+                              << "it did not respond";
 }
 
 void BadModulesTest::aModuleThatCrashesTwiceIsLeftOut() {
@@ -463,7 +463,7 @@ void BadModulesTest::aShippedModuleThatHungIsContained() {
     const Listing next =
         listedByProgram(folder, {QStringLiteral("shipped"), QStringLiteral("dip")});
     QVERIFY(!next.crashed);
-    QVERIFY2(next.output.contains(QLatin1String("at one step for more than 1 s")),
+    QVERIFY2(next.output.contains(QLatin1String("did not respond for 1 s")),
              qPrintable(next.output));
 }
 
@@ -513,7 +513,7 @@ void BadModulesTest::aModuleThatOthersCanWriteIsNotLoaded() {
     QVERIFY(listedByProgram(folder).output.contains(QLatin1String("good available")));
     openToOthers(folder);
     const Listing listing = listedByProgram(folder);
-    QVERIFY2(listing.output.contains(QLatin1String("Others can write to ") + folder.path()),
+    QVERIFY2(listing.output.contains(QLatin1String("Other users can write to ") + folder.path()),
              qPrintable(listing.output));
 }
 
@@ -525,7 +525,7 @@ void BadModulesTest::linksThatOthersCanTurnAreNotFollowed() {
     linkAll(open, safe);
     openToOthers(open);
     const Listing listing = listedByProgram(open);
-    QVERIFY2(listing.output.contains(QLatin1String("Others can write to ") + open.path()),
+    QVERIFY2(listing.output.contains(QLatin1String("Other users can write to ") + open.path()),
              qPrintable(listing.output));
 #endif
 }

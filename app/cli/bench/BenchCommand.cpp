@@ -22,7 +22,8 @@ const QStringList usualParts{QStringLiteral("steps"), QStringLiteral("dips")};
 
 constexpr int tableOneRows = 8;
 
-// The parts asked for; a plot needs those that it shows. Throws UsageError for one that is unknown.
+// Returns the parts of --parts. A plot needs the parts that it shows. Throws UsageError for an
+// unknown part.
 QStringList chosenParts(const QCommandLineParser& parser) {
     QStringList parts = usualParts;
     if (parser.isSet(partsOption)) {
@@ -35,7 +36,7 @@ QStringList chosenParts(const QCommandLineParser& parser) {
     }
     for (const QString& part : parts) {
         if (!allParts.contains(part)) {
-            throw UsageError(QStringLiteral("There is no part %1 to measure; choose among %2, all")
+            throw UsageError(QStringLiteral("There is no part %1; choose from %2, all")
                                  .arg(part, allParts.join(QStringLiteral(", "))),
                              QStringLiteral("--parts"));
         }
@@ -43,13 +44,14 @@ QStringList chosenParts(const QCommandLineParser& parser) {
     const bool isPlotted =
         parts.contains(QLatin1String("steps")) || parts.contains(QLatin1String("sweep"));
     if (parts.isEmpty() || (parser.isSet(plotOption) && !isPlotted)) {
-        throw UsageError(QStringLiteral("A plot shows the parts steps and sweep; name one of them"),
-                         QStringLiteral("--parts"));
+        throw UsageError(
+            QStringLiteral("A plot shows the parts steps and sweep; choose at least one of them"),
+            QStringLiteral("--parts"));
     }
     return parts;
 }
 
-// The progress of one part after the other, each taken for as long as any other.
+// Splits the progress evenly between the parts.
 class PartProgress {
 public:
     PartProgress(const Progress& whole, const QStringList& parts) : whole_(whole), parts_(parts) {}
@@ -117,31 +119,35 @@ class BenchCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("bench"); }
     QString summary() const override {
-        return QStringLiteral("Measures the solver on the paper's Table I and on whole dips, and, "
-                              "if asked, all that a job does.");
+        return QStringLiteral("Measures the solver on the paper's Table I and on whole dips; "
+                              "optionally also all other parts of a job.");
     }
 
     void declare(CommandSyntax& syntax) const override {
         syntax.addOption({jsonOption, QStringLiteral("Prints JSON.")});
         syntax.addOption({solverOption, QStringLiteral("The solver plugin."), QStringLiteral("ID"),
                           QStringLiteral("auto")});
-        syntax.addOption({rowsOption, QStringLiteral("Only the first N rows of Table I, 1 to 8."),
+        syntax.addOption({rowsOption,
+                          QStringLiteral("Measures only the first N rows of Table I, 1 to 8."),
                           QStringLiteral("N"), QString::number(tableOneRows)});
-        syntax.addOption({runsOption, QStringLiteral("Runs of each row; the median counts."),
+        syntax.addOption({runsOption,
+                          QStringLiteral("The number of runs for each row; the median counts."),
                           QStringLiteral("N"), QStringLiteral("3")});
         syntax.addOption(
             {partsOption,
-             QStringLiteral("What to measure, joined by commas: steps (Table I), dips (of 20,400 "
-                            "points), large-dips (of 110,880), sweep (Figure 7), field (building "
-                            "it), texture (with the sheet), parts (what a job does beside "
-                            "the dip), run (the whole job), or all; steps and dips without this "
-                            "option."),
+             QStringLiteral(
+                 "The parts to measure, joined by commas: steps (Table I), dips (20,400 points), "
+                 "large-dips (110,880 points), sweep (Figure 7), field (building the distance "
+                 "field), texture (with the sheet), parts (the steps of a job other than the dip), "
+                 "run (the whole job), or all. Without it: steps,dips."),
              QStringLiteral("LIST")});
-        syntax.addOption({quickOption, QStringLiteral("Only the coarsest fields and sheets.")});
-        syntax.addOption({plotOption,
-                          QStringLiteral("Draws the paper's Figures 6 and 7 with the rates of "
-                                         "steps and sweep."),
-                          QStringLiteral("FILE.png|FILE.svg")});
+        syntax.addOption(
+            {quickOption, QStringLiteral("Measures only the coarsest fields and sheets.")});
+        syntax.addOption(
+            {plotOption,
+             QStringLiteral(
+                 "Draws the paper's Figures 6 and 7 with the measured rates of steps and sweep."),
+             QStringLiteral("FILE.png|FILE.svg")});
         declareThreads(syntax);
     }
 
@@ -155,7 +161,7 @@ public:
         const SolverRegistry registry;
         const Progress progress = console.progress();
         const QString id = registry.info(parser.value(solverOption), progress.cancelToken).id;
-        // First, as it wakes the device, too.
+        // Measures the ceiling first, because this also wakes the device.
         const std::optional<solver::Ceiling> ceiling = ceilingOf(registry.module(id), id);
         BenchReport report =
             measured({registry, id, runs}, parts, rows, parser.isSet(quickOption), progress);

@@ -1,4 +1,5 @@
-// The paper's Figures 6 and 7 with our figures: steps per second by constraints, and by the field.
+// Draws the paper's Figures 6 and 7 with measured rates: steps per second by constraints and by
+// field resolution.
 
 #include "base/Png.h"
 #include "cli/bench/BenchReport.h"
@@ -18,18 +19,18 @@ namespace {
 
 constexpr QSize plotSize(1400, 640);
 
-// Colours that stay apart for colour-blind readers (after Okabe and Ito).
+// Colours that colour-blind readers can distinguish (after Okabe and Ito).
 const std::array<QColor, 3> seriesColours{QColor(0, 114, 178), QColor(213, 94, 0),
                                           QColor(0, 158, 115)};
 const QColor paperColour(70, 70, 70);
 
-// From numbers to places along one side of a plot, evenly or by their logarithms.
+// Maps numbers to positions along one side of a plot, linearly or logarithmically.
 struct Scale {
     bool isLogarithmic = true;
     double first = 1, last = 10; // the numbers at the ends
     std::vector<double> ticks;
 
-    // Where between `begin` and `end` a number is.
+    // Returns the position of `value` between `begin` and `end`.
     double place(double value, double begin, double end) const {
         return begin + (end - begin) * (along(value) - along(first)) / (along(last) - along(first));
     }
@@ -42,7 +43,7 @@ double powerOfTenBelow(double value) {
     return std::pow(10, std::floor(std::log10(value)));
 }
 
-// Out to whole powers of ten.
+// Returns a scale that is extended to whole powers of ten.
 Scale logarithmicScale(double low, double high) {
     Scale scale{true, powerOfTenBelow(low), 10 * powerOfTenBelow(high), {}};
     const int decades = int(std::lround(std::log10(scale.last / scale.first)));
@@ -52,7 +53,7 @@ Scale logarithmicScale(double low, double high) {
     return scale;
 }
 
-// From 0, in 4 to 10 steps of 1, 2 or 5 times a power of ten.
+// Returns a scale from 0 with 4 to 10 steps of 1, 2 or 5 times a power of ten.
 Scale linearScale(double high) {
     double step = powerOfTenBelow(high);
     for (const double part : {0.2, 0.5, 1.0}) {
@@ -90,7 +91,7 @@ QString tickLabel(double value) {
     return QLocale(QLocale::English).toString(value, 'f', 0);
 }
 
-// The least and the greatest of all marks.
+// Returns the smallest and the largest value of all marks.
 std::pair<double, double> heights(const std::vector<Series>& all) {
     double low = std::numeric_limits<double>::infinity(), high = 0;
     for (const Series& series : all) {
@@ -180,7 +181,8 @@ private:
         painter_.drawEllipse(at, 4, 4);
     }
 
-    // In the lower left, where neither figure has curves: rates fall to the right, or not at all.
+    // Draws the legend in the lower left, which both figures leave free: rates fall to the right or
+    // stay level.
     void drawKeys() {
         double y = plot_.bottom() - 22 * double(panel_.series.size());
         for (const Series& series : panel_.series) {

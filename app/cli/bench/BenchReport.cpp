@@ -5,7 +5,7 @@
 namespace dipwright::cli {
 namespace {
 
-// The share of the ceiling's operations that a row reaches; null where there is no ceiling.
+// Returns the row's share of the ceiling's operations per second; null without a ceiling.
 QJsonValue ceilingShare(const StepRow& row, const std::optional<solver::Ceiling>& ceiling) {
     return ceiling ? QJsonValue(row.flopsPerSecond() / ceiling->flopsPerSecond) : QJsonValue();
 }
@@ -121,8 +121,8 @@ void print(const BenchReport& report, QTextStream& out) {
                .arg(report.solver.name, report.solver.version, report.device)
                .arg(report.runs);
     if (report.ceiling) {
-        out << QStringLiteral("Ceiling of the device, of the threads used on a processor: %1 "
-                              "Gflop/s, %2 GB/s\n")
+        out << QStringLiteral(
+                   "Ceiling of the device (on a CPU: of the threads used): %1 Gflop/s, %2 GB/s\n")
                    .arg(inBillions(report.ceiling->flopsPerSecond, 0),
                         inBillions(report.ceiling->bytesPerSecond, 1));
     }
@@ -133,7 +133,7 @@ void print(const BenchReport& report, QTextStream& out) {
     printSeconds(QStringLiteral("Whole dips of the sphere"), report.dips, out);
     printSeconds(QStringLiteral("Building the distance field of a sphere"), report.fields, out);
     printSeconds(QStringLiteral("The turtle's sheet"), report.sheets, out);
-    printSeconds(QStringLiteral("What a run does beside the dip"), report.runParts, out);
+    printSeconds(QStringLiteral("The steps of a run other than the dip"), report.runParts, out);
     printSeconds(QStringLiteral("The whole job"), report.wholeRuns, out);
 }
 

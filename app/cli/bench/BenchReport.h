@@ -1,4 +1,4 @@
-// What the bench measured, as JSON, as text and as the paper's Figures 6 and 7.
+// Prints the measurements of `bench` as JSON, as text and as the paper's Figures 6 and 7.
 #pragma once
 
 #include "cli/bench/Measurements.h"
@@ -12,14 +12,14 @@ struct BenchReport {
     SolverInfo solver;
     QString device;
     int runs = 1;
-    std::optional<solver::Ceiling> ceiling; // where the solver can measure its device
+    std::optional<solver::Ceiling> ceiling; // empty if the solver cannot measure its device
     std::vector<StepRow> tableOne, fieldSweep;
     std::vector<TimedRow> dips, fields, sheets, runParts, wholeRuns;
 };
 
 QJsonObject toJson(const BenchReport& report);
 void print(const BenchReport& report, QTextStream& out);
-// Draws into FILE.png or FILE.svg. Throws Error when it cannot be written.
+// Draws into FILE.png or FILE.svg. Throws Error if the file cannot be written.
 void drawPlot(const BenchReport& report, const QString& path);
 
 } // namespace dipwright::cli

@@ -16,11 +16,11 @@
 namespace dipwright::cli {
 namespace {
 
-// A sphere of 50,000 triangles, near enough.
+// A sphere of about 50,000 triangles.
 constexpr int fieldSphereRings = 159;
 constexpr int fieldSphereSegments = 158;
 
-// What computing the sheet again takes, once the dip is there.
+// Computes the sheet again from a finished dip.
 class DippedTurtle {
 public:
     DippedTurtle(const BenchSolver& solver, std::size_t immersions, const Progress& progress)
@@ -59,7 +59,7 @@ TimedRow sheetRow(const QString& what, int dpi, const Statistics& seconds) {
             seconds};
 }
 
-// For as long as it lives, distance fields are kept in an empty folder, and so built anew.
+// While it exists, distance fields are cached in an empty folder and therefore built again.
 class EmptyFieldCache {
 public:
     EmptyFieldCache() : before_(qgetenv(variable)) {
@@ -176,7 +176,7 @@ std::vector<TimedRow> measureRun(const BenchSolver& solver, const Progress& prog
         const EmptyFieldCache cache;
         const QTemporaryDir folder;
         if (!folder.isValid()) {
-            throw Error(QStringLiteral("There is no room for temporary files; free some"),
+            throw Error(QStringLiteral("There is no space for temporary files; free some"),
                         folder.path());
         }
         const Progress part = progress.part(done, done + 1.0 / solver.runs);
@@ -185,7 +185,7 @@ std::vector<TimedRow> measureRun(const BenchSolver& solver, const Progress& prog
         done += 1.0 / solver.runs;
     });
     const int immersions = int(turtle.immersions.size());
-    return {{QStringLiteral("the turtle's %1 immersions, from project to files").arg(immersions),
+    return {{QStringLiteral("the turtle's %1 dips, from project to files").arg(immersions),
              {{"project", turtle.name}, {"immersions", immersions}},
              seconds}};
 }

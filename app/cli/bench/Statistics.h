@@ -1,4 +1,4 @@
-// What repeated measurements come to.
+// Computes median, minimum and maximum of repeated measurements.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@ struct Statistics {
     double median = 0, minimum = 0, maximum = 0;
 };
 
-// Of at least one value.
+// Requires at least one value.
 inline Statistics statistics(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const std::size_t middle = values.size() / 2;
@@ -27,7 +27,7 @@ double secondsOf(const Work& work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// The seconds that `work` takes, done `runs` times.
+// Runs `work` `runs` times and returns the statistics of its seconds.
 template <typename Work>
 Statistics timed(int runs, const Work& work) {
     std::vector<double> seconds;

@@ -17,7 +17,7 @@
 namespace dipwright::cli {
 namespace {
 
-// A film of Table I in "Real-Time 3D Position-Based Dynamics Simulation for Hydrographic Printing".
+// A row of Table I in "Real-Time 3D Position-Based Dynamics Simulation for Hydrographic Printing".
 struct TableRow {
     int columns, rows;
     std::optional<double> paper; // steps/s on a GeForce 940MX, where the paper states it
@@ -38,9 +38,9 @@ constexpr int sphereSegments = 160; // 25,922 positions with these rings
 constexpr double tetrahedronEdge = 80;
 constexpr int tableFieldSamples = 128;
 
-// Operations of one solve of one constraint with its part of moving the points: 4 for the
-// difference, 5 for its square, 2 for the root and the quotient, 2 for the excess, 3 for the pull,
-// 6 to add it up at both ends and 3 of a point's 6, which has two constraints of its own.
+// Floating point operations for solving one constraint and its share of moving the points:
+// difference 4, square 5, root and quotient 2, excess 2, pull 3, adding the pull at both ends 6,
+// and moving 3. Moving a point takes 6, shared by two constraints.
 constexpr double flopsPerSolve = 25;
 
 std::shared_ptr<const TexturedMesh> plainModel(const TriangleMesh& mesh) {
@@ -69,7 +69,7 @@ BenchBodies::Body made(const QString& name) {
     return {turtle.model, turtle.immersions.front()};
 }
 
-// Whole dips of one body with one field, one a run.
+// Simulates the whole dip of one body `runs` times with the same field.
 std::vector<DippedFilm> dips(const BenchSolver& solver, const BenchBodies::Body& body,
                              const DistanceField& field, const Project& project,
                              const Progress& progress) {
@@ -128,14 +128,15 @@ QString BenchBodies::turtleFile() {
             return path;
         }
     }
-    throw Error(QStringLiteral("The sample projects are missing; install them beside the program, "
-                               "or measure steps, dips and fields only"),
+    throw Error(QStringLiteral("The sample projects are missing. Install them beside the program, "
+                               "or measure only steps, dips and field"),
                 QStringLiteral("turtle.dipw"));
 }
 
 Project BenchBodies::turtle() {
     Project project = loadProject(turtleFile());
-    project.film = {}; // A4 of 120 × 170 points, so that figures can be compared over the years
+    project.film =
+        {}; // fixed at A4 with 120 × 170 points, so that results of different years can be compared
     return project;
 }
 

@@ -4,7 +4,7 @@
 namespace dipwright::cli {
 namespace {
 
-// A call of the script's helper: words to choose from, and which files.
+// Returns a call of the script's helper with the words and the kind of files to offer.
 QString offer(const ValueChoices& choices) {
     const QLatin1String files(choices.files      ? "files"
                               : choices.projects ? "projects"

@@ -1,4 +1,4 @@
-// What shells complete after dipwright-cli: a script for each.
+// Writes completion scripts for bash, zsh and fish.
 #pragma once
 
 #include "cli/Command.h"

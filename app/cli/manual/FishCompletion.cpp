@@ -10,7 +10,7 @@ QString quoted(QString text) {
            QLatin1Char('\'');
 }
 
-// -F lets fish offer files beside what is named, -f nothing else.
+// In fish, -F also offers files, and -f offers only the given words.
 QString offer(const ValueChoices& choices) {
     QStringList offered = choices.words;
     if (choices.projects) {

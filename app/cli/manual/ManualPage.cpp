@@ -5,7 +5,7 @@
 namespace dipwright::cli {
 namespace {
 
-// A backslash, a hyphen that has to stay one, and a line that must not be taken for a request.
+// Escapes backslashes and hyphens, and a leading character that roff would read as a request.
 QString roff(QString text) {
     text.replace(QLatin1Char('\\'), QLatin1String("\\e"));
     text.replace(QLatin1Char('-'), QLatin1String("\\-"));
@@ -39,7 +39,7 @@ QString optionEntry(const QCommandLineOption& option) {
     return entry(head, option.description());
 }
 
-// Of a command what is its own: the options that all have stand once, at the end.
+// Describes what the command itself declares. Options of all commands are listed once, at the end.
 QString commandSection(const Command& command) {
     CommandSyntax syntax;
     command.declare(syntax);
@@ -82,8 +82,8 @@ QString manualPage(const std::vector<std::unique_ptr<Command>>& commands, const 
             ".I COMMAND\n"
             "[options] ...\n"
             ".SH DESCRIPTION\n"
-            "Computes from a textured model the sheet that has to be printed on a film, so that\n"
-            "the film, laid on water and dipped through, puts the texture where it belongs.\n"
+            "Computes the sheet to print on a water transfer film from a textured model. The film\n"
+            "floats on water; when the part is dipped through it, the texture lands in its place.\n"
             ".SH COMMANDS\n")
             .arg(roff(version));
     for (const auto& command : commands) {
@@ -96,11 +96,11 @@ QString manualPage(const std::vector<std::unique_ptr<Command>>& commands, const 
             entry(QStringLiteral("2"), QStringLiteral("Wrong usage."));
     text += QStringLiteral(".SH ENVIRONMENT\n") +
             entry(bold(QStringLiteral("DIPWRIGHT_PLUGIN_PATH")),
-                  QStringLiteral("Folders with further solver plugins, joined as in PATH.")) +
+                  QStringLiteral("Folders with additional solver plugins, separated as in PATH.")) +
             entry(bold(QStringLiteral("DIPWRIGHT_PROFILE_PATH")),
                   QStringLiteral("The folder of the user's profiles.")) +
             entry(bold(QStringLiteral("DIPWRIGHT_CACHE")),
-                  QStringLiteral("The folder in which distance fields are kept."));
+                  QStringLiteral("The folder that caches distance fields."));
     text += QStringLiteral(".SH SEE ALSO\n.BR dipwright (1)\n");
     return text;
 }

@@ -1,4 +1,4 @@
-// The manual page dipwright-cli(1), in the man macros of roff.
+// Writes the manual page dipwright-cli(1) with roff's man macros.
 #pragma once
 
 #include "cli/Command.h"

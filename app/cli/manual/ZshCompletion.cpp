@@ -4,7 +4,7 @@
 namespace dipwright::cli {
 namespace {
 
-// Within '…' of zsh, where also a colon and brackets have a meaning in what _arguments is told.
+// Escapes text for single quotes in zsh, and colons and brackets for _arguments.
 QString quoted(QString text) {
     for (const char special : {'\\', ':', '[', ']'}) {
         text.replace(QLatin1Char(special), QLatin1Char('\\') + QString(QLatin1Char(special)));
@@ -12,8 +12,8 @@ QString quoted(QString text) {
     return text.replace(QLatin1Char('\''), QLatin1String("'\\''"));
 }
 
-// A colon ends an action, so those within one are escaped; a space before it has it called as it
-// stands.
+// Returns an action of _arguments. Colons inside it are escaped, because a colon ends an action. A
+// leading space makes zsh call the action unchanged.
 QString action(const ValueChoices& choices) {
     const QString words = QStringLiteral("(%1)").arg(choices.words.join(QLatin1Char(' ')));
     const QLatin1String files(choices.files      ? "_files"

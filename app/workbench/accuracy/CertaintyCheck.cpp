@@ -11,7 +11,7 @@ CertaintyCheck::CertaintyCheck(JobRunner& jobs, const SolverRegistry& registry, 
 void CertaintyCheck::start(const Document& document) {
     const Project project = document.project();
     last_ = startJob(
-        jobs_, messages_, tr("Checking the certainty"), tr("Check Certainty"),
+        jobs_, messages_, tr("Checking the numerical error"), tr("Check numerical error"),
         [project, &registry = registry_](const Progress& progress) {
             return sheetCertainty(project, registry, progress);
         },

@@ -1,4 +1,5 @@
-// How certain a document's sheets are, computed on its project as it is when asked, run or not.
+// Computes the numerical error of a document's sheets in the background, for the project as it is
+// when start() is called.
 #pragma once
 
 #include "pipeline/SheetCertainty.h"
@@ -17,11 +18,11 @@ public:
     CertaintyCheck(JobRunner& jobs, const SolverRegistry& registry, Messages& messages,
                    QObject* parent = nullptr);
 
-    void start(const Document& document);
-    void cancel(); // a dip that is wanted meanwhile does not wait for it
+    void start(const Document& document); // works without a result, too
+    void cancel();                        // so that a dip need not wait for it
 
 signals:
-    // `outdated`: the project has been changed since.
+    // `outdated`: the project has changed since the start.
     void done(const std::vector<dipwright::ImmersionCertainty>& certainty, bool outdated);
 
 private:

@@ -16,7 +16,7 @@ namespace dipwright {
 
 namespace {
 
-constexpr double mapPixelsPerMillimetre = 8; // the map has no size of its own
+constexpr double mapPixelsPerMillimetre = 8; // sets the map's size on the screen
 
 QString shownDistance(double millimetres, LengthUnit unit) {
     return shownLength(millimetres, unit, 1);
@@ -33,19 +33,19 @@ QStringList figures(const SheetChange& change, LengthUnit unit) {
 }
 
 QTableWidget* table(const ImmersionCertainty& certainty, LengthUnit unit) {
-    const QStringList columns{CertaintyDialog::tr("Mean"), CertaintyDialog::tr("95 %"),
-                              CertaintyDialog::tr("Maximum"), CertaintyDialog::tr("Painted twice"),
-                              CertaintyDialog::tr("Painted once")};
+    const QStringList columns{
+        CertaintyDialog::tr("Mean"), CertaintyDialog::tr("95 %"), CertaintyDialog::tr("Maximum"),
+        CertaintyDialog::tr("Painted in both"), CertaintyDialog::tr("Painted in one")};
     auto* table = new QTableWidget(2, int(columns.size()));
     table->setObjectName(QStringLiteral("figures"));
     table->setAccessibleName(CertaintyDialog::tr("How far the sheet moves"));
     table->setHorizontalHeaderLabels(columns);
     table->horizontalHeaderItem(3)->setToolTip(
-        CertaintyDialog::tr("The part of the body that is painted by both dips"));
-    table->horizontalHeaderItem(4)->setToolTip(
-        CertaintyDialog::tr("The part of the body that is painted by one of the dips only"));
-    table->setVerticalHeaderLabels({CertaintyDialog::tr("With steps half as long"),
-                                    CertaintyDialog::tr("With film cells half as wide")});
+        CertaintyDialog::tr("Share of the part's surface that is painted in both computations"));
+    table->horizontalHeaderItem(4)->setToolTip(CertaintyDialog::tr(
+        "Share of the part's surface that is painted in only one of the two computations"));
+    table->setVerticalHeaderLabels({CertaintyDialog::tr("With half the step"),
+                                    CertaintyDialog::tr("With half the cell width")});
     int row = 0;
     for (const SheetChange* change : {&certainty.halfStep, &certainty.halfSpacing}) {
         const QStringList texts = figures(*change, unit);
@@ -76,7 +76,7 @@ QLabel* sentence(const QString& text) {
 QWidget* page(const ImmersionCertainty& certainty, LengthUnit unit) {
     QLabel* verdict = sentence(certaintyVerdict(certainty, unit));
     verdict->setObjectName(QStringLiteral("verdict"));
-    auto* picture = new PicturePanel(CertaintyDialog::tr("Certainty of the sheet"), {});
+    auto* picture = new PicturePanel(CertaintyDialog::tr("Numerical error of the sheet"), {});
     const QImage map = mapOf(certainty, unit);
     picture->setPicture(map, QSizeF(map.size()) / mapPixelsPerMillimetre);
     auto* page = new QWidget;
@@ -92,18 +92,19 @@ QWidget* page(const ImmersionCertainty& certainty, LengthUnit unit) {
 QString certaintyVerdict(const ImmersionCertainty& certainty, LengthUnit unit) {
     const QString& name = certainty.immersion.name;
     if (certainty.halfSpacing.painted == 0) {
-        return CertaintyDialog::tr("%1: nothing is painted that could be compared.").arg(name);
+        return CertaintyDialog::tr("%1: the dip paints nothing, so there is nothing to compare.")
+            .arg(name);
     }
     const QString distance = shownDistance(std::max(certainty.halfStep.distance.percentile95,
                                                     certainty.halfSpacing.distance.percentile95),
                                            unit);
     return isCertain(certainty)
-               ? CertaintyDialog::tr("%1: this sheet is certain. 95 % of it moves by %2 or less "
-                                     "when it is computed more finely.")
+               ? CertaintyDialog::tr("%1: this sheet is accurate enough. 95 % of it is within %2 "
+                                     "(numerical error).")
                      .arg(name, distance)
-               : CertaintyDialog::tr("%1: this sheet is not certain. 95 % of it moves by up to %2 "
-                                     "when it is computed more finely; give the film smaller cells "
-                                     "or more points, turn the body, or dip it in two immersions.")
+               : CertaintyDialog::tr("%1: this sheet is not accurate enough. 95 % of it is only "
+                                     "within %2 (numerical error). Use smaller film cells or more "
+                                     "points, turn the part, or dip it twice.")
                      .arg(name, distance);
 }
 
@@ -111,20 +112,20 @@ CertaintyDialog::CertaintyDialog(const std::vector<ImmersionCertainty>& certaint
                                  LengthUnit unit, QWidget* parent)
     : QDialog(parent) {
     setObjectName(QStringLiteral("certaintyDialog"));
-    setWindowTitle(tr("Certainty of the Sheets"));
+    setWindowTitle(tr("Numerical error of the sheets"));
     auto* tabs = new QTabWidget;
     tabs->setDocumentMode(true);
     for (const ImmersionCertainty& one : certainty) {
         tabs->addTab(page(one, unit), one.immersion.name);
     }
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-    QPushButton* save = buttons->addButton(tr("&Save Maps…"), QDialogButtonBox::ActionRole);
+    QPushButton* save = buttons->addButton(tr("&Save maps…"), QDialogButtonBox::ActionRole);
     connect(save, &QPushButton::clicked, this, &CertaintyDialog::askFolder);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);
     if (outdated) {
-        layout->addWidget(sentence(tr("These are the figures of the project as it was before the "
-                                      "last changes.")));
+        layout->addWidget(
+            sentence(tr("The project has changed since these figures were computed.")));
     }
     layout->addWidget(tabs, 1);
     layout->addWidget(buttons);
@@ -132,7 +133,7 @@ CertaintyDialog::CertaintyDialog(const std::vector<ImmersionCertainty>& certaint
 }
 
 void CertaintyDialog::askFolder() {
-    const QString folder = QFileDialog::getExistingDirectory(this, tr("Save Maps to a Folder"));
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Save maps to a folder"));
     if (!folder.isEmpty()) {
         emit saveAsked(folder);
     }

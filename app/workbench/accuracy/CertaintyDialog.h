@@ -1,5 +1,4 @@
-// How certain a project's sheets are, and where they are not: the figures and the map of each
-// immersion.
+// The dialog that shows the numerical error of a project's sheets: figures and a map for each dip.
 #pragma once
 
 #include "pipeline/SheetCertainty.h"
@@ -9,19 +8,19 @@
 
 namespace dipwright {
 
-// Whether the sheet is certain, in a sentence.
+// Returns a sentence that says whether the sheet is accurate enough.
 QString certaintyVerdict(const ImmersionCertainty& certainty, LengthUnit unit);
 
 class CertaintyDialog : public QDialog {
     Q_OBJECT
 
 public:
-    // `outdated`: the project has been changed since.
+    // `outdated`: the project has changed since the figures were computed.
     CertaintyDialog(const std::vector<ImmersionCertainty>& certainty, bool outdated,
                     LengthUnit unit, QWidget* parent = nullptr);
 
 signals:
-    void saveAsked(const QString& folder); // all maps
+    void saveAsked(const QString& folder); // asks to save all maps there
 
 private:
     void askFolder();

@@ -22,13 +22,14 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(CertaintyPanel)
 };
 
-constexpr double mapPixelsPerMillimetre = 5; // the map has no size of its own
+constexpr double mapPixelsPerMillimetre = 5; // sets the map's size on the screen
 constexpr int mapEdge = 1600;                // pixels
 constexpr int shownPlaces = 5;
-const QString fieldScheme = QStringLiteral("field:"); // of a link to a field of the project
-constexpr double mostText = 0.65;                     // of the height; longer ones are scrolled
+const QString fieldScheme = QStringLiteral("field:"); // marks a link to a field of the project
+constexpr double mostText = 0.65; // share of the panel's height; longer text scrolls
 
-QString colourOf(Advice advice) { // of the band beside the words; read on light and dark
+// The colour of the band beside the text. Readable on light and dark.
+QString colourOf(Advice advice) {
     switch (advice) {
     case Advice::Print:
         return QStringLiteral("#2e8b57");
@@ -42,7 +43,7 @@ QString colourOf(Advice advice) { // of the band beside the words; read on light
     return QStringLiteral("#808080");
 }
 
-// No line ends between a number and its unit.
+// Keeps each number and its unit on one line.
 QString paragraph(QString text) {
     static const QRegularExpression betweenNumberAndUnit(QStringLiteral("(?<=\\d) (?=[%mi])"));
     text.replace(betweenNumberAndUnit, QString(QChar::Nbsp));
@@ -57,7 +58,7 @@ QString placeHtml(const UncertainPlace& place, std::size_t number, LengthUnit un
         .arg(QString::number(number), words.toHtmlEscaped());
 }
 
-// The sentence, with a link to the limit that it is judged by.
+// The sentence, with a link to the limit behind it.
 QString reasonHtml(const JobReason& reason, const JobResult& result, LengthUnit unit) {
     JobReason shown = reason;
     if (result.immersions.size() == 1) {
@@ -87,7 +88,7 @@ QString html(const JobResult& result, const ImmersionResult& dip, LengthUnit uni
     }
     const Verdict& verdict = dip.verdict;
     if (verdict.advice > Advice::Print && !verdict.places.empty()) {
-        words += paragraph(Text::tr("Places of %1:").arg(dip.immersion.name));
+        words += paragraph(Text::tr("Places to check in %1:").arg(dip.immersion.name));
         words += QStringLiteral("<ol style='margin:2px 0'>");
         for (std::size_t n = 0; n < std::min<std::size_t>(verdict.places.size(), shownPlaces);
              ++n) {
@@ -103,8 +104,8 @@ QString html(const JobResult& result, const ImmersionResult& dip, LengthUnit uni
 
 CertaintyPanel::CertaintyPanel(QWidget* parent)
     : QWidget(parent), text_(new QTextBrowser),
-      map_(new PicturePanel(tr("Certainty of the sheet"),
-                            tr("Run the dip to see how far the sheet may be off."))) {
+      map_(new PicturePanel(tr("Numerical error of the sheet"),
+                            tr("Run the dip to see the numerical error of the sheet."))) {
     text_->setFrameShape(QFrame::NoFrame);
     text_->setObjectName(QStringLiteral("verdict"));
     text_->setAccessibleName(tr("Verdict"));
@@ -142,8 +143,8 @@ void CertaintyPanel::resizeEvent(QResizeEvent* event) {
     fitText();
 }
 
-// As tall as its words are at this width: measured on a copy, as the words themselves are broken
-// where a scroll bar leaves off.
+// Makes the text field as tall as its text. Measures a copy, because a scroll bar changes the line
+// breaks of the original.
 void CertaintyPanel::fitText() {
     const QMargins around = layout()->contentsMargins();
     const std::unique_ptr<QTextDocument> measured(text_->document()->clone());

@@ -1,5 +1,5 @@
-// Whether the job of the last run is to be printed, why, where to look first, and a map of how far
-// a sheet may be off.
+// The panel that shows the verdict on the last run: reasons, places to check, and a map of the
+// sheet's numerical error.
 #pragma once
 
 #include "workbench/dip/DipJob.h"
@@ -20,15 +20,15 @@ class CertaintyPanel : public QWidget {
 public:
     explicit CertaintyPanel(QWidget* parent = nullptr);
 
-    // Of an immersion that has an outcome, or of none.
+    // Shows the result of dip number `immersion`. Shows nothing if it has none.
     void setOutcome(const DipOutcome& outcome, std::size_t immersion, LengthUnit unit);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
 
 signals:
-    void placeChosen(Eigen::Vector2f rest); // on the floating film
-    void fieldChosen(const QString& path);  // of the project: a limit
+    void placeChosen(Eigen::Vector2f rest); // on the floating film, mm
+    void fieldChosen(const QString& path);  // the project's field that holds a limit
 
 private:
     void choosePlace(const QUrl& link);

@@ -7,7 +7,7 @@
 namespace dipwright {
 namespace {
 
-constexpr double dipped = 0.1; // of the time
+constexpr double dipped = 0.1; // share of the progress after the dips
 
 } // namespace
 
@@ -17,7 +17,7 @@ ToleranceCheck::ToleranceCheck(JobRunner& jobs, const SolverRegistry& registry, 
 
 void ToleranceCheck::start(const Document& document) {
     last_ = startJob(
-        jobs_, messages_, tr("Telling the tolerances"), tr("Tolerances"),
+        jobs_, messages_, tr("Computing the tolerances"), tr("Tolerances"),
         [project = document.project(), earlier = document.result(),
          &registry = registry_](const Progress& progress) {
             JobOptions options;

@@ -1,5 +1,5 @@
-// How far the colours of a document's job may land off their places, computed on its project as it
-// is when asked, run or not.
+// Computes the tolerances of a document's job in the background, for the project as it is when
+// start() is called.
 #pragma once
 
 #include "workbench/document/Document.h"
@@ -8,9 +8,8 @@
 
 namespace dipwright {
 
-// What was computed, of which job.
 struct ToleranceResult {
-    std::shared_ptr<const JobResult> job; // its dips and sheets only
+    std::shared_ptr<const JobResult> job; // dips and sheets only
     std::shared_ptr<const JobTolerances> tolerances;
 };
 
@@ -21,9 +20,9 @@ public:
     ToleranceCheck(JobRunner& jobs, const SolverRegistry& registry, Messages& messages,
                    QObject* parent = nullptr);
 
-    // Dips first what of the document's result is out of date.
+    // First runs the dips that are out of date or have no result.
     void start(const Document& document);
-    void cancel(); // a dip that is wanted meanwhile does not wait for it
+    void cancel(); // so that a dip need not wait for it
 
 signals:
     void done(const dipwright::ToleranceResult& told);

@@ -48,7 +48,7 @@ void ToleranceController::take(const ToleranceResult& result) {
     showTolerances();
     auto* dialog = new ToleranceDialog(*result.job, *result.tolerances, !isTrue(), unit_, &window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->show(); // beside what the user does by now
+    dialog->show(); // not modal: the user may be busy elsewhere
 }
 
 void ToleranceController::showTolerances() {

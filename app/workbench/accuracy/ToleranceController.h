@@ -1,5 +1,5 @@
-// The tolerances of a window's document: computed when they are asked for, and announced to those
-// who show them as long as they hold for the project.
+// Computes the tolerances of a window's document on request, and announces them while they fit the
+// project.
 #pragma once
 
 #include "workbench/accuracy/ToleranceCheck.h"
@@ -20,23 +20,23 @@ public:
     ToleranceController(const WindowActions& actions, const DipSession& session,
                         ToleranceCheck& check, Messages& messages, QWidget& window);
 
-    // To be called when the session has another document.
+    // Call this when the session has another document.
     void showDocument();
     void setLengthUnit(LengthUnit unit);
-    // Zones are shown to whoever marks them.
+    // Shows the zones if `brush` marks zones.
     void setBrush(const MarkBrush& brush);
 
 signals:
-    // Gives the tolerances of the current project and one sentence for each zone. Null, without
-    // sentences, where they are not known.
+    // Gives the tolerances of the current project and one sentence for each zone. Null and empty if
+    // they are unknown.
     void changed(const std::shared_ptr<const dipwright::JobTolerances>& tolerances,
                  const QStringList& verdicts);
 
 private:
     void take(const ToleranceResult& result);
     void showTolerances();
-    QStringList verdicts() const; // a sentence a zone
-    bool isTrue() const;          // of the project as it is
+    QStringList verdicts() const; // one sentence for each zone
+    bool isTrue() const;          // whether the result fits the current project
 
     const WindowActions& actions_;
     const DipSession& session_;

@@ -16,8 +16,8 @@ namespace dipwright {
 namespace {
 
 constexpr int mapEdge = 1200;                // pixels
-constexpr double mapPixelsPerMillimetre = 6; // the map has no size of its own
-constexpr int mostRows = 8;                  // that are seen at once
+constexpr double mapPixelsPerMillimetre = 6; // sets the map's size on the screen
+constexpr int mostRows = 8;                  // visible without scrolling
 
 QString offBy(double millimetres, LengthUnit unit) {
     return QStringLiteral("±") + shownLength(millimetres, unit);
@@ -34,7 +34,7 @@ QLabel* sentences(const QStringList& lines) {
     return label;
 }
 
-// Lengths with an angle's sign, or a share, are the same in all units.
+// Only millimetres are converted to `unit`. Angles and shares are the same in all units.
 QString toleranceText(const Contribution& contribution, LengthUnit unit) {
     const QString sign = contributorUnit(contribution.contributor);
     return sign == QLatin1String("mm")
@@ -53,21 +53,25 @@ QStringList cells(const Contribution& contribution, LengthUnit unit) {
 }
 
 QTableWidget* table(const DipTolerances& tolerances, LengthUnit unit) {
-    const QStringList columns{ToleranceDialog::tr("Off by"),  ToleranceDialog::tr("Part"),
-                              ToleranceDialog::tr("Half"),    ToleranceDialog::tr("95 %"),
-                              ToleranceDialog::tr("Maximum"), ToleranceDialog::tr("Border")};
+    const QStringList columns{ToleranceDialog::tr("Tolerance"), ToleranceDialog::tr("Contribution"),
+                              ToleranceDialog::tr("Median"),    ToleranceDialog::tr("95 %"),
+                              ToleranceDialog::tr("Maximum"),   ToleranceDialog::tr("Area")};
     const std::vector<Contribution>& contributions = tolerances.contributions;
     auto* table = new QTableWidget(int(contributions.size()), int(columns.size()));
     table->setObjectName(QStringLiteral("contributions"));
-    table->setAccessibleName(ToleranceDialog::tr("What each contributor does"));
+    table->setAccessibleName(ToleranceDialog::tr("Effect of each contributor"));
     table->setHorizontalHeaderLabels(columns);
     const QStringList help{
-        ToleranceDialog::tr("The tolerance, to either side"),
-        ToleranceDialog::tr("Its part in how far colours land off their places"),
-        ToleranceDialog::tr("How far off, by itself, half of what is painted is at most"),
-        ToleranceDialog::tr("How far off, by itself, 95 % of what is painted is at most"),
-        ToleranceDialog::tr("How far off, by itself, the worst place is"),
-        ToleranceDialog::tr("How much less, or more, of the body is painted at the border")};
+        ToleranceDialog::tr("How far this quantity may be off, to either side"),
+        ToleranceDialog::tr(
+            "How much this contributor adds to the total displacement of the image"),
+        ToleranceDialog::tr(
+            "Half of the painted area is within this distance, with this contributor alone"),
+        ToleranceDialog::tr(
+            "95 % of the painted area is within this distance, with this contributor alone"),
+        ToleranceDialog::tr("Displacement of the worst place, with this contributor alone"),
+        ToleranceDialog::tr(
+            "Area that is painted less (−) or more (+) along the edge of the paint")};
     for (int column = 0; column < columns.size(); ++column) {
         table->horizontalHeaderItem(column)->setToolTip(help[column]);
     }
@@ -94,16 +98,15 @@ QTableWidget* table(const DipTolerances& tolerances, LengthUnit unit) {
 
 QStringList dipSentences(const DipTolerances& tolerances, LengthUnit unit) {
     const auto length = [unit](double millimetres) { return shownLength(millimetres, unit); };
-    QStringList lines{
-        ToleranceDialog::tr("All together: 95 % of what is painted lands within %1 of its place, "
-                            "half of it within %2.")
-            .arg(offBy(tolerances.spread.percentile95, unit),
-                 offBy(tolerances.spread.median, unit))};
+    QStringList lines{ToleranceDialog::tr("All contributors together: 95 % of the painted area is "
+                                          "within %1 of its place, half of it within %2.")
+                          .arg(offBy(tolerances.spread.percentile95, unit),
+                               offBy(tolerances.spread.median, unit))};
     if (tolerances.sampled) {
         lines.append(sampledText(*tolerances.sampled, length));
     }
     for (const WorstPlace& worst : tolerances.worst) {
-        lines.append(ToleranceDialog::tr("%1 at %2 of the model, most by: %3")
+        lines.append(ToleranceDialog::tr("%1 at %2 of the model; largest contributor: %3")
                          .arg(offBy(worst.spread, unit), shownPlace(worst.place, unit),
                               contributorText(worst.contributor)));
     }
@@ -136,8 +139,8 @@ ToleranceDialog::ToleranceDialog(const JobResult& job, const JobTolerances& tole
     setWindowTitle(tr("Tolerances"));
     auto* layout = new QVBoxLayout(this);
     if (outdated) {
-        layout->addWidget(sentences({tr("These are the figures of the project as it was before "
-                                        "the last changes.")}));
+        layout->addWidget(
+            sentences({tr("The project has changed since these figures were computed.")}));
     }
     QStringList verdicts;
     for (const ZoneVerdict& zone : tolerances.zones) {

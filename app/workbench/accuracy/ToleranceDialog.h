@@ -1,5 +1,5 @@
-// How far the colours of a job may land off their places, by what, and whether its zones keep their
-// limits.
+// The dialog that shows a job's tolerances: the effect of each contributor, and whether the zones
+// keep their limits.
 #pragma once
 
 #include "pipeline/JobResult.h"
@@ -13,7 +13,7 @@ class ToleranceDialog : public QDialog {
     Q_OBJECT
 
 public:
-    // `outdated`: the project has been changed since.
+    // `outdated`: the project has changed since the tolerances were computed.
     ToleranceDialog(const JobResult& job, const JobTolerances& tolerances, bool outdated,
                     LengthUnit unit, QWidget* parent = nullptr);
 };

@@ -15,20 +15,20 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(ZoneAppearance)
 };
 
-// Told apart by readers with any colour vision (Okabe & Ito).
+// Distinguishable with any colour vision (Okabe & Ito).
 const std::array<QColor, zoneCount> hues{QColor(0x00, 0x72, 0xb2), QColor(0x00, 0x9e, 0x73),
                                          QColor(0x7a, 0x86, 0x92)};
 const QColor past(0xd5, 0x5e, 0x00);
 
-constexpr double even = 0.55; // of the colour, where nothing is known
-constexpr double steps = 4;   // that can be told apart
+constexpr double even = 0.55; // strength of the colour without tolerances
+constexpr double steps = 4;   // shades that the eye can distinguish
 
 QColor mixed(const QColor& colour, double share) {
     const auto part = [share](int value) { return int(std::lround(255 + share * (value - 255))); };
     return {part(colour.red()), part(colour.green()), part(colour.blue())};
 }
 
-// mm; unpaintedPlace where no dip paints.
+// Returns mm, or unpaintedPlace if no dip paints the piece.
 float spreadAt(const JobTolerances& tolerances, std::size_t piece) {
     float worst = unpaintedPlace;
     for (const DipTolerances& dip : tolerances.dips) {
@@ -68,8 +68,9 @@ BodyAppearance zoneAppearance(std::shared_ptr<const TexturedMesh> body, const Zo
         }
     }
     if (tolerances) {
-        appearance.legend.push_back({mixed(hues[0], 0.15), Text::tr("Pale: far within the limit")});
-        appearance.legend.push_back({past, Text::tr("Past the limit")});
+        appearance.legend.push_back(
+            {mixed(hues[0], 0.15), Text::tr("Pale: well within the limit")});
+        appearance.legend.push_back({past, Text::tr("Above the limit")});
         appearance.legend.push_back({painterColour(Painter::None), Text::tr("Not painted")});
     }
     return appearance;

@@ -10,17 +10,17 @@ ZoneFields::ZoneFields(LengthUnit unit, QWidget* parent)
     for (const auto& [zone, name] : {std::pair(Zone::A, "A"), {Zone::B, "B"}, {Zone::C, "C"}}) {
         kind().addItem(tr("Marks zone %1").arg(QLatin1String(name)), int(zone));
     }
-    kind().setToolTip(tr("What a click or a drag on the body in the view marks. Zone A is to be "
-                         "painted most exactly; what is not marked is zone C."));
+    kind().setToolTip(tr("What a click or drag on the part in the view marks. Zone A must be "
+                         "painted most precisely. The surface without a mark is zone C."));
     extent_->setObjectName(QStringLiteral("zoneBrushExtent"));
-    extent_->setAccessibleName(tr("How far"));
-    extent_->addItem(tr("A spot"), int(ZoneExtent::Spot));
-    extent_->addItem(tr("The whole face"), int(ZoneExtent::Face));
-    extent_->addItem(tr("All of the material"), int(ZoneExtent::Material));
-    extent_->setToolTip(tr("How far round the click the mark reaches: a radius along the surface, "
-                           "the face up to its edges, or all that has the same material in the "
-                           "model."));
-    form().insertRow(radiusRow, tr("How far"), extent_);
+    extent_->setAccessibleName(tr("Extent"));
+    extent_->addItem(tr("Spot"), int(ZoneExtent::Spot));
+    extent_->addItem(tr("Whole face"), int(ZoneExtent::Face));
+    extent_->addItem(tr("Whole material"), int(ZoneExtent::Material));
+    extent_->setToolTip(
+        tr("How far the mark extends around the click: a radius along the surface, the face up to "
+           "its edges, or everything with the same material in the model."));
+    form().insertRow(radiusRow, tr("Extent"), extent_);
     connect(extent_, &QComboBox::currentIndexChanged, this, [this] {
         setRadiusEnabled(extent_->currentData().toInt() == int(ZoneExtent::Spot));
         emit changed();

@@ -1,4 +1,4 @@
-// Which zone the next click on the body marks.
+// The fields that set which zone the next click on the body marks.
 #pragma once
 
 #include "workbench/widgets/MarkFields.h"

@@ -1,12 +1,12 @@
-// A step by which a menu or a key turns or moves the body.
+// The step by which a menu item or a key turns or moves the body.
 #pragma once
 
 #include <QMetaType>
 
 namespace dipwright {
 
-// In an action's data: an axis of the world, and which way, as +1 or −1 step of the view's handles;
-// of moves 0 as way is to the film's middle. X and Z are along the film.
+// Stored in an action's data. `axis`: 0, 1, 2 for X, Y, Z of the world frame; X and Z lie along the
+// film. `way`: +1 or −1 step of the view's handles; 0 moves the body to the film's centre.
 struct BodyStep {
     int axis = 0, way = 0;
 };

@@ -22,8 +22,8 @@ QKeySequence key(const char* text) {
 } // namespace
 
 struct WindowActions::Entry {
-    QAction* WindowActions::*action; // null: kept elsewhere
-    const char* name;                // in the preferences, too
+    QAction* WindowActions::*action; // null: in an action group
+    const char* name;                // also the key in the preferences
     const char* icon;                // empty: none
     QString text, help;
     QKeySequence keys = {};
@@ -64,38 +64,40 @@ QAction* WindowActions::add(const Entry& entry) {
 std::vector<WindowActions::Entry> WindowActions::fileEntries() {
     using A = WindowActions;
     return {
-        {&A::newWindow, "newWindow", "", tr("New &Window"), tr("Open another window"),
+        {&A::newWindow, "newWindow", "", tr("New &window"), tr("Open another window"),
          key("Ctrl+Shift+N")},
-        {&A::newProject, "new", "document-new", tr("&New Project…"),
-         tr("Make a project of a textured model"), QKeySequence::New},
+        {&A::newProject, "new", "document-new", tr("&New project…"),
+         tr("Create a project from a model"), QKeySequence::New},
         {&A::open, "open", "document-open", tr("&Open…"), tr("Open a project"), QKeySequence::Open},
         {&A::save, "save", "document-save", tr("&Save"), tr("Save the project"),
          QKeySequence::Save},
-        {&A::saveAs, "saveAs", "", tr("Save &As…"), tr("Save the project as another file"),
+        {&A::saveAs, "saveAs", "", tr("Save &as…"), tr("Save the project as another file"),
          key("Ctrl+Shift+S")},
         {&A::snapshots, "snapshots", "", tr("Snapsho&ts…"),
-         tr("Keep the project's settings under a name, compare them, and go back")},
-        {&A::exportResults, "exportResults", "export", tr("&Export Results…"),
+         tr("Save the settings under a name, compare them and restore them")},
+        {&A::exportResults, "exportResults", "export", tr("&Export results…"),
          tr("Write sheets, stretch maps, proof, films and report to a folder"), key("Ctrl+E")},
-        {&A::exportPdf, "exportPdf", "sheet", tr("Sheet as P&DF…"),
-         tr("Save this immersion's sheet as PDF at true size")},
-        {&A::exportPng, "exportPng", "texture", tr("Sheet as P&NG…"),
-         tr("Save this immersion's film image as PNG")},
-        {&A::exportCradles, "exportCradles", "export", tr("Crad&les…"),
-         tr("Make what holds the body in each dip, as STL and 3MF to print in plastic")},
-        {&A::print, "print", "print", tr("&Print…"), tr("Print sheets at true size"),
+        {&A::exportPdf, "exportPdf", "sheet", tr("Export sheet as P&DF…"),
+         tr("Save the sheet of this dip as PDF at true size")},
+        {&A::exportPng, "exportPng", "texture", tr("Export film image as PN&G…"),
+         tr("Save the film image of this dip as PNG")},
+        {&A::exportCradles, "exportCradles", "export", tr("Export crad&les…"),
+         tr("Save a cradle that holds the part in each dip, as STL and 3MF for 3D printing")},
+        {&A::print, "print", "print", tr("&Print…"), tr("Print the sheets at true size"),
          QKeySequence::Print},
-        {&A::printHistory, "printHistory", "", tr("Print &History…"),
-         tr("See what was printed when, on what, and from which project"), key("Ctrl+Shift+H")},
-        {&A::jobQueue, "jobQueue", "", tr("&Job Queue…"),
-         tr("Run several projects one after the other, and go on working"), key("Ctrl+J")},
-        {&A::packJobs, "packJobs", "", tr("Several Jobs on One &Film…"),
-         tr("Lay the sheets of several projects, and copies, side by side on a film or roll")},
-        {&A::calibrate, "calibratePrinter", "measure", tr("Calibrate P&rinter…"),
-         tr("Print a page of rulers and put the printer's scale into its profile")},
+        {&A::printHistory, "printHistory", "", tr("Print &history…"),
+         tr("Show what was printed, when, on which printer and from which project"),
+         key("Ctrl+Shift+H")},
+        {&A::jobQueue, "jobQueue", "", tr("&Job queue…"),
+         tr("Run several projects one after the other while you keep working"), key("Ctrl+J")},
+        {&A::packJobs, "packJobs", "", tr("Several jobs on one &film…"),
+         tr("Place the sheets of several projects, and copies of them, side by side on a film or "
+            "roll")},
+        {&A::calibrate, "calibratePrinter", "measure", tr("Calibrate pr&inter…"),
+         tr("Print a page with rulers and store the printer's scale in its profile")},
         {&A::profiles, "profiles", "", tr("Pro&files…"),
-         tr("What is known of printers, films and tanks")},
-        {&A::close, "close", "", tr("&Close Window"), tr("Close this window"), QKeySequence::Close},
+         tr("Show and edit the profiles of printers, films and tanks")},
+        {&A::close, "close", "", tr("&Close window"), tr("Close this window"), QKeySequence::Close},
         {&A::quit, "quit", "", tr("&Quit"), tr("Close all windows"), key("Ctrl+Q"), Kind::Command,
          QAction::QuitRole},
     };
@@ -104,25 +106,25 @@ std::vector<WindowActions::Entry> WindowActions::fileEntries() {
 std::vector<WindowActions::Entry> WindowActions::editEntries() {
     using A = WindowActions;
     return {
-        {&A::undo, "undo", "undo", tr("&Undo"), tr("Take back the last change"),
-         QKeySequence::Undo},
-        {&A::redo, "redo", "redo", tr("&Redo"), tr("Make the change again"), key("Ctrl+Shift+Z")},
-        {&A::addImmersion, "addImmersion", "add", tr("Add &Second Immersion"),
-         tr("Dip the body a second time, from another side")},
-        {&A::removeImmersion, "removeImmersion", "remove", tr("Remove &Immersion"),
-         tr("Remove the immersion shown")},
-        {&A::swapImmersions, "swapImmersions", "", tr("S&wap Immersions"),
-         tr("Make the second dip the first one")},
-        {&A::reloadModel, "reloadModel", "reload", tr("Re&load Model"),
-         tr("Read the model's file again and keep all settings"), QKeySequence::Refresh},
-        {&A::replaceModel, "replaceModel", "replace", tr("Replace &Model…"),
-         tr("Take another model")},
-        {&A::replaceTexture, "replaceTexture", "texture", tr("Replace &Texture…"),
-         tr("Put another picture on the model")},
+        {&A::undo, "undo", "undo", tr("&Undo"), tr("Undo the last change"), QKeySequence::Undo},
+        {&A::redo, "redo", "redo", tr("&Redo"), tr("Redo the change that was undone"),
+         key("Ctrl+Shift+Z")},
+        {&A::addImmersion, "addImmersion", "add", tr("Add &second dip"),
+         tr("Dip the part a second time, from another side")},
+        {&A::removeImmersion, "removeImmersion", "remove", tr("Remove &dip"),
+         tr("Remove the dip that is shown")},
+        {&A::swapImmersions, "swapImmersions", "", tr("S&wap dips"),
+         tr("Make the second dip the first")},
+        {&A::reloadModel, "reloadModel", "reload", tr("Re&load model"),
+         tr("Read the model file again and keep all settings"), QKeySequence::Refresh},
+        {&A::replaceModel, "replaceModel", "replace", tr("Replace &model…"),
+         tr("Use another model")},
+        {&A::replaceTexture, "replaceTexture", "texture", tr("Replace &texture…"),
+         tr("Use another image as the texture")},
         {&A::artwork, "artwork", "artwork", tr("&Artwork"),
-         tr("Lay pictures, text and patterns on the body"), key("Ctrl+Shift+A")},
+         tr("Place pictures, text and patterns on the part"), key("Ctrl+Shift+A")},
         {&A::preferences, "preferences", "preferences", tr("&Preferences…"),
-         tr("Units, language, look, shortcuts and solvers"), key("Ctrl+,"), Kind::Command,
+         tr("Set units, language, theme, shortcuts and solvers"), key("Ctrl+,"), Kind::Command,
          QAction::PreferencesRole},
     };
 }
@@ -130,31 +132,32 @@ std::vector<WindowActions::Entry> WindowActions::editEntries() {
 std::vector<WindowActions::Entry> WindowActions::dipEntries() {
     using A = WindowActions;
     return {
-        {&A::run, "run", "run", tr("&Run"), tr("Simulate the dip and make the sheets"),
+        {&A::run, "run", "run", tr("&Run"), tr("Simulate the dip and compute the sheets"),
          key("Ctrl+R")},
-        {&A::cancel, "cancel", "cancel", tr("&Cancel"), tr("Stop what is running"), key("Ctrl+.")},
+        {&A::cancel, "cancel", "cancel", tr("&Cancel"), tr("Cancel everything that is running"),
+         key("Ctrl+.")},
         {&A::live,
          "live",
          "live",
-         tr("Run &Live"),
-         tr("Once there is a result, run again after each change"),
+         tr("Run &live"),
+         tr("Run again after each change, once there is a result"),
          {},
          Kind::ToggledOff},
-        {&A::findPoses, "findPoses", "optimise", tr("&Find Poses…"),
-         tr("Search how the body is best turned and moved, for one dip or two"), key("Ctrl+F")},
-        {&A::certainty, "certainty", "", tr("C&heck Certainty…"),
-         tr("Compute the sheets more finely and see how far they move, and where")},
+        {&A::findPoses, "findPoses", "optimise", tr("&Find poses…"),
+         tr("Search for the best rotation and position of the part, for one dip or two"),
+         key("Ctrl+F")},
+        {&A::certainty, "certainty", "", tr("Check numerical &error…"),
+         tr("Compute the sheets with finer steps and cells, and show how far they move and where")},
         {&A::tolerances, "tolerances", "tolerance", tr("&Tolerances…"),
-         tr("See how far colours land off their places for what is off, and which zones keep their "
-            "limits")},
-        {&A::play, "play", "play", tr("&Play or Pause"), tr("Play the dip"), key("Ctrl+Space")},
+         tr("Compute how far handling may move the image, and which zones keep their limits")},
+        {&A::play, "play", "play", tr("&Play or pause"), tr("Play the dip"), key("Ctrl+Space")},
     };
 }
 
 std::vector<WindowActions::Entry> WindowActions::cameraEntries() {
     using A = WindowActions;
     return {
-        {&A::fit, "fit", "fit", tr("&Fit"), tr("Show body and film whole"), key("Ctrl+0")},
+        {&A::fit, "fit", "fit", tr("&Fit"), tr("Show all of the part and the film"), key("Ctrl+0")},
         {&A::oblique, "oblique", "view-oblique", tr("&Oblique"), tr("Look from above at an angle"),
          key("Ctrl+1")},
         {&A::front, "front", "view-front", tr("F&ront"), tr("Look from the front"), key("Ctrl+2")},
@@ -163,15 +166,15 @@ std::vector<WindowActions::Entry> WindowActions::cameraEntries() {
         {&A::back, "back", "", tr("Bac&k"), tr("Look from behind"), key("Ctrl+5")},
         {&A::left, "left", "", tr("&Left"), tr("Look from the left"), key("Ctrl+6")},
         {&A::bottom, "bottom", "", tr("&Bottom"), tr("Look from below"), key("Ctrl+7")},
-        {&A::resetLayout, "resetLayout", "", tr("&Standard Layout"),
-         tr("Put all panels back where they were at first")},
-        {&A::saveLayout, "saveLayout", "", tr("&Save Layout…"),
-         tr("Keep where the panels are under a name")},
+        {&A::resetLayout, "resetLayout", "", tr("&Reset layout"),
+         tr("Put all panels back into their original places")},
+        {&A::saveLayout, "saveLayout", "", tr("&Save layout…"),
+         tr("Save the arrangement of the panels under a name")},
         {&A::parallel,
          "parallel",
          "parallel",
-         tr("&Parallel Projection"),
-         tr("Show equal lengths equally long, near or far"),
+         tr("&Parallel projection"),
+         tr("Show equal lengths at equal size, near or far"),
          {},
          Kind::ToggledOff},
     };
@@ -183,54 +186,53 @@ std::vector<WindowActions::Entry> WindowActions::displayEntries() {
         {&A::rings,
          "rings",
          "rotate",
-         tr("Rings and Arr&ows"),
-         tr("Show the rings that turn the body and the arrows that move it"),
+         tr("Rings an&d arrows"),
+         tr("Show the rings that turn the part and the arrows that move it"),
          {},
          Kind::ToggledOn},
         {&A::water,
          "water",
          "water",
-         tr("&Water and Tank"),
+         tr("&Water and tank"),
          tr("Show the water and the edges of the tank"),
          {},
          Kind::ToggledOn},
-        {&A::body, "body", "body", tr("Bo&dy"), tr("Show the body"), {}, Kind::ToggledOn},
+        {&A::body, "body", "body", tr("P&art"), tr("Show the part"), {}, Kind::ToggledOn},
         {&A::coverage,
          "coverage",
          "proof",
-         tr("&Coverage on the Body"),
-         tr("Show what the dips paint of the body"),
+         tr("Co&verage on the part"),
+         tr("Show the painted area of the part"),
          {},
          Kind::ToggledOff},
         {&A::bodyPrint,
          "bodyPrint",
          "texture",
-         tr("&Print on the Body"),
-         tr("Show the body as it comes out of all dips, from every side"),
+         tr("F&inished part"),
+         tr("Show the part as it comes out of all dips, from every side"),
          {},
          Kind::ToggledOff},
         {&A::zones,
          "zones",
          "tolerance",
-         tr("&Zones on the Body"),
-         tr("Show the zones of the body and, once tolerances are told, where they keep their "
-            "limits"),
+         tr("&Zones on the part"),
+         tr("Show the zones of the part and, after Dip ▸ Tolerances, where they keep their limits"),
          {},
          Kind::ToggledOff},
         {&A::filmOnBody,
          "filmOnBody",
          "film-on-body",
-         tr("Film on the Body &Only"),
+         tr("Film on the part o&nly"),
          tr("At the end of the dip, hide the film that paints nothing"),
          {},
          Kind::ToggledOff},
         {&A::section, "section", "section", tr("&Section"),
-         tr("Cut body and film open by a plane that a slider or its frame moves"), key("Ctrl+K"),
-         Kind::ToggledOff},
-        {&A::seeThrough, "seeThrough", "see-through", tr("S&ee-Through Film"),
-         tr("See the body through the film"), key("Ctrl+T"), Kind::ToggledOff},
+         tr("Cut part and film open along a plane; move it by its slider or its frame"),
+         key("Ctrl+K"), Kind::ToggledOff},
+        {&A::seeThrough, "seeThrough", "see-through", tr("S&ee-through film"),
+         tr("Show the part through the film"), key("Ctrl+T"), Kind::ToggledOff},
         {&A::measure, "measure", "measure", tr("&Measure"),
-         tr("Click two places on the body to measure the distance between them"), key("Ctrl+M"),
+         tr("Click two places on the part to measure the distance between them"), key("Ctrl+M"),
          Kind::ToggledOff},
     };
 }
@@ -239,19 +241,20 @@ void WindowActions::addFilmLooks() {
     filmLook = new QActionGroup(this);
     const auto addLook = [this](const char* name, const QString& text, FilmLook look, Kind kind) {
         QAction* action =
-            add({nullptr, name, "", text, tr("What the film wears in the view"), {}, kind});
+            add({nullptr, name, "", text, tr("What the film shows in the 3D view"), {}, kind});
         action->setData(int(look));
         filmLook->addAction(action);
     };
     addLook("filmLines", tr("&Lines every 10 mm"), FilmLook::Lines, Kind::ToggledOn);
-    addLook("filmSheet", tr("The &Sheet's Image"), FilmLook::Sheet, Kind::ToggledOff);
+    addLook("filmSheet", tr("Film &image"), FilmLook::Sheet, Kind::ToggledOff);
     addLook("filmStretch", tr("S&tretch"), FilmLook::Stretch, Kind::ToggledOff);
-    addLook("filmShares", tr("&Who Paints What"), FilmLook::Shares, Kind::ToggledOff);
-    addLook("filmChessboard", tr("&Chessboard of 17 mm"), FilmLook::Chessboard, Kind::ToggledOff);
-    addLook("filmPicture", tr("A &Picture…"), FilmLook::Picture, Kind::ToggledOff);
+    addLook("filmShares", tr("&Shares of the dips"), FilmLook::Shares, Kind::ToggledOff);
+    addLook("filmChessboard", tr("&Chessboard, 17 mm squares"), FilmLook::Chessboard,
+            Kind::ToggledOff);
+    addLook("filmPicture", tr("&Picture from file…"), FilmLook::Picture, Kind::ToggledOff);
 }
 
-// About an axis of the world as a ring of the view shows it, and along the film.
+// Turns about the axes of the view's rings, and moves along the film.
 void WindowActions::addBodySteps() {
     bodyTurns = new QActionGroup(this);
     bodyMoves = new QActionGroup(this);
@@ -263,11 +266,11 @@ void WindowActions::addBodySteps() {
     };
     const auto addTurn = [&](const char* name, const QString& text, BodyStep step,
                              const char* keys) {
-        addStep(bodyTurns, name, text, tr("Turn the body by 15°"), step, keys);
+        addStep(bodyTurns, name, text, tr("Turn the part by 15°"), step, keys);
     };
     const auto addMove = [&](const char* name, const QString& text, BodyStep step,
                              const char* keys) {
-        addStep(bodyMoves, name, text, tr("Move the body over the film"), step, keys);
+        addStep(bodyMoves, name, text, tr("Move the part over the film"), step, keys);
     };
     addTurn("turnX", tr("Turn about &X by 15°"), {0, 1}, "Ctrl+Alt+X");
     addTurn("turnXBack", tr("Turn about X by −15°"), {0, -1}, "Ctrl+Alt+Shift+X");
@@ -275,21 +278,22 @@ void WindowActions::addBodySteps() {
     addTurn("turnYBack", tr("Turn about Y by −15°"), {1, -1}, "Ctrl+Alt+Shift+Y");
     addTurn("turnZ", tr("Turn about &Z by 15°"), {2, 1}, "Ctrl+Alt+Z");
     addTurn("turnZBack", tr("Turn about Z by −15°"), {2, -1}, "Ctrl+Alt+Shift+Z");
-    addMove("moveRight", tr("Move to the &Right by 5 mm"), {0, 1}, "Alt+Right");
-    addMove("moveLeft", tr("Move to the &Left by 5 mm"), {0, -1}, "Alt+Left");
-    addMove("moveUp", tr("Move &Up the Sheet by 5 mm"), {2, -1}, "Alt+Up");
-    addMove("moveDown", tr("Move &Down the Sheet by 5 mm"), {2, 1}, "Alt+Down");
-    addMove("moveToMiddle", tr("Move to the Film's &Middle"), {0, 0}, "Alt+Home");
+    addMove("moveRight", tr("Move &right by 5 mm"), {0, 1}, "Alt+Right");
+    addMove("moveLeft", tr("Move &left by 5 mm"), {0, -1}, "Alt+Left");
+    addMove("moveUp", tr("Move &up the sheet by 5 mm"), {2, -1}, "Alt+Up");
+    addMove("moveDown", tr("Move &down the sheet by 5 mm"), {2, 1}, "Alt+Down");
+    addMove("moveToMiddle", tr("Move to the &middle of the film"), {0, 0}, "Alt+Home");
 }
 
 std::vector<WindowActions::Entry> WindowActions::helpEntries() {
     using A = WindowActions;
     return {
-        {&A::tour, "tour", "help", tr("Quick &Tour"), tr("What is where, in six steps")},
-        {&A::guide, "guide", "report", tr("User &Guide"),
-         tr("How everything works, beginning with what has the focus"), QKeySequence::HelpContents},
-        {&A::whatsThis, "whatsThis", "", tr("&What Is This?"),
-         tr("Click something afterwards to be told what it is for"), QKeySequence::WhatsThis},
+        {&A::tour, "tour", "help", tr("Quick &tour"),
+         tr("See the parts of the window in six steps")},
+        {&A::guide, "guide", "report", tr("User &guide"),
+         tr("Open the user guide at the page about the focused field"), QKeySequence::HelpContents},
+        {&A::whatsThis, "whatsThis", "", tr("&What is this?"),
+         tr("Click an element of the window to see what it does"), QKeySequence::WhatsThis},
         {&A::about, "about", "", tr("&About Dipwright"), {}, {}, Kind::Command, QAction::AboutRole},
     };
 }

@@ -1,5 +1,5 @@
-// The actions of a window: names, texts, icons and keys of each, and when it can be used. Whoever
-// does what they say connects them.
+// The actions of a window, with their names, texts, icons and keys, and when they are enabled.
+// Their effects are connected elsewhere.
 #pragma once
 
 #include <QKeySequence>
@@ -14,19 +14,19 @@ namespace dipwright {
 
 class Document;
 
-// What decides which actions can be used.
+// Determines which actions are enabled.
 struct WindowState {
     Document* document = nullptr; // null: the start page is shown
-    bool isBusy = false;          // with any job
+    bool isBusy = false;          // any job runs
     bool isDipping = false;
-    bool isRecorded = false; // there is a dip to play
+    bool isRecorded = false; // there is a recorded dip to play
 };
 
 class WindowActions : public QObject {
     Q_OBJECT
 
 public:
-    explicit WindowActions(QWidget& window); // adds them to it
+    explicit WindowActions(QWidget& window); // adds the actions to `window`
 
     QAction *newWindow, *newProject, *open, *save, *saveAs, *snapshots, *exportResults, *exportPdf,
         *exportPng, *exportCradles, *print, *printHistory, *jobQueue, *packJobs, *calibrate,
@@ -38,13 +38,12 @@ public:
         *parallel;
     QAction *rings, *water, *body, *coverage, *bodyPrint, *zones, *filmOnBody, *section,
         *seeThrough, *measure;
-    QActionGroup* filmLook; // each has its FilmLook as data
-    QActionGroup *bodyTurns,
-        *bodyMoves; // each has its BodyStep (workbench/actions/BodyStep.h) as data
+    QActionGroup* filmLook;              // data of each: its FilmLook
+    QActionGroup *bodyTurns, *bodyMoves; // data of each: its BodyStep
     QAction *tour, *guide, *whatsThis, *about;
 
     void enable(const WindowState& state);
-    // By the action's name, where not the standard one.
+    // `chosen`: shortcuts that differ from the standard ones, by the action's name.
     void setShortcuts(const QMap<QString, QKeySequence>& chosen);
 
 private:

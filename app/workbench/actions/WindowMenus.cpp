@@ -13,7 +13,7 @@ namespace dipwright {
 
 namespace {
 
-// Groups of actions with a line between them.
+// Adds groups of actions with a separator between them.
 void addGroups(QMenu& menu, const QList<QList<QAction*>>& groups) {
     for (const QList<QAction*>& group : groups) {
         if (&group != &groups.front()) {
@@ -43,7 +43,7 @@ WindowMenus::WindowMenus(QMainWindow& window, const WindowActions& actions,
 
 void WindowMenus::makeFileMenu(QMenu& menu, const WindowActions& a) {
     menu.addActions({a.newProject, a.newWindow, a.open});
-    recent_ = menu.addMenu(tr("Open &Recent"));
+    recent_ = menu.addMenu(tr("Open &recent"));
     menu.addSeparator();
     addGroups(menu, {{a.save, a.saveAs, a.snapshots},
                      {a.print, a.printHistory, a.calibrate, a.jobQueue, a.packJobs, a.exportResults,
@@ -54,8 +54,8 @@ void WindowMenus::makeFileMenu(QMenu& menu, const WindowActions& a) {
 void WindowMenus::makeEditMenu(QMenu& menu, const WindowActions& a) {
     addGroups(menu, {{a.undo, a.redo}, {a.addImmersion, a.removeImmersion, a.swapImmersions}});
     menu.addSeparator();
-    menu.addMenu(tr("Turn &Body"))->addActions(a.bodyTurns->actions());
-    menu.addMenu(tr("Mo&ve Body"))->addActions(a.bodyMoves->actions());
+    menu.addMenu(tr("Tur&n part"))->addActions(a.bodyTurns->actions());
+    menu.addMenu(tr("Mo&ve part"))->addActions(a.bodyMoves->actions());
     menu.addSeparator();
     addGroups(menu, {{a.reloadModel, a.replaceModel, a.replaceTexture, a.artwork},
                      {a.profiles, a.preferences}});
@@ -65,7 +65,7 @@ void WindowMenus::makeViewMenu(QMenu& menu, const WindowActions& a) {
     addGroups(menu, {{a.fit, a.oblique, a.front, a.right, a.top, a.back, a.left, a.bottom},
                      {a.parallel}});
     menu.addSeparator();
-    film_ = menu.addMenu(icon(QStringLiteral("film")), tr("Film &Wears"));
+    film_ = menu.addMenu(icon(QStringLiteral("film")), tr("Film appearan&ce"));
     film_->addActions(a.filmLook->actions());
     menu.addActions({a.filmOnBody, a.seeThrough, a.section, a.body, a.coverage, a.bodyPrint,
                      a.zones, a.water, a.rings, a.measure});
@@ -104,7 +104,7 @@ void WindowMenus::makeViewToolBar(QMainWindow& window, const WindowActions& a) {
     bar->addSeparator();
     auto* film = new QToolButton;
     film->setIcon(icon(QStringLiteral("film")));
-    film->setToolTip(tr("What the film wears in the view"));
+    film->setToolTip(tr("What the film shows in the 3D view"));
     film->setAccessibleName(tr("Film appearance"));
     film->setPopupMode(QToolButton::InstantPopup);
     film->setMenu(film_);

@@ -1,4 +1,4 @@
-// The menus and tool bars of a window, made of its actions.
+// Builds the menus and tool bars of a window from its actions.
 #pragma once
 
 #include <QObject>
@@ -18,7 +18,7 @@ public:
     // `docks`: the actions that show and hide the panels.
     WindowMenus(QMainWindow& window, const WindowActions& actions, const QList<QAction*>& docks);
 
-    // Whose entries change: to be filled when they are about to show.
+    // Menus whose entries change. Fill them when they are about to show.
     QMenu& recent() { return *recent_; }
     QMenu& layouts() { return *layouts_; }
 

@@ -5,7 +5,7 @@
 namespace dipwright {
 namespace {
 
-constexpr qint64 draftTexels = 1'500'000; // as many as the view shows of a body
+constexpr qint64 draftTexels = 1'500'000; // as many as the view shows
 
 } // namespace
 
@@ -38,7 +38,7 @@ void ArtworkPainter::begin() {
             emit painted(begun_.model, look);
             ended();
         },
-        [ended](const std::exception_ptr&) { ended(); })); // the view goes on showing what it shows
+        [ended](const std::exception_ptr&) { ended(); })); // on failure, keeps the view
 }
 
 } // namespace dipwright

@@ -1,5 +1,5 @@
-// Paints artwork on the body in the view, coarsely, beside the user interface: while one is painted
-// the last that was asked for waits, so that a layer that is dragged goes along.
+// Paints artwork on the body in the view: coarsely, and on a worker thread. While it paints, only
+// the latest request waits, so that a dragged layer follows the cursor.
 #pragma once
 
 #include "model/TexturedMesh.h"
@@ -16,7 +16,7 @@ class ArtworkPainter : public QObject {
 public:
     explicit ArtworkPainter(QObject* parent = nullptr);
 
-    // painted() tells.
+    // Emits painted() when it is done.
     void paint(const std::shared_ptr<const TexturedMesh>& model, const Artwork& artwork);
 
 signals:

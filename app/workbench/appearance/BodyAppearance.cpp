@@ -36,7 +36,7 @@ BodyAppearance previewAppearance(std::shared_ptr<const TexturedMesh> body,
     for (const std::uint8_t isCovered : covered) {
         appearance.colours.push_back(isCovered ? painted : bare);
     }
-    appearance.legend = {{painted, Text::tr("Painted, by the shape")},
+    appearance.legend = {{painted, Text::tr("Painted (estimated from the shape)")},
                          {bare, Text::tr("Not painted")}};
     return appearance;
 }

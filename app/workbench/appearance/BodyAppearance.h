@@ -1,4 +1,4 @@
-// What the body wears in the 3D view: its colours, what they mean, and the lines on it.
+// The appearance of the body in the 3D view: its colours, their legend, and the lines on it.
 #pragma once
 
 #include "pipeline/JobResult.h"
@@ -9,25 +9,25 @@
 namespace dipwright {
 
 struct BodyAppearance {
-    std::shared_ptr<const TexturedMesh> model; // shown as the body: itself, or cut finer
-    std::vector<QRgb> colours;                 // a triangle each; empty: the model's own look
+    std::shared_ptr<const TexturedMesh> model; // the body, or a finer mesh of it
+    std::vector<QRgb> colours; // one for each triangle; empty: the model's own colours
     std::vector<ViewLegendEntry> legend = {};
     std::vector<ViewLine> lines = {};
 };
 
-// `mesh` as a body of one plain colour.
+// Returns `mesh` as a body of one plain colour.
 std::shared_ptr<const TexturedMesh> plainBody(const RefinedMesh& mesh);
 
-// The same of a mesh that is cut already.
+// Does the same for a mesh that is fine enough already.
 std::shared_ptr<const TexturedMesh> plainBody(const TriangleMesh& mesh);
 
-// What a dip would paint, a triangle of `body` each.
+// Colours the area that a dip would paint. `covered`: one value for each triangle of `body`.
 BodyAppearance previewAppearance(std::shared_ptr<const TexturedMesh> body,
                                  const std::vector<std::uint8_t>& covered);
-// What one dip paints of `model`, and how that is marked.
+// Colours the painted area of `model` after one dip, and its marked film.
 BodyAppearance coverageAppearance(std::shared_ptr<const TexturedMesh> model,
                                   const Coverage& coverage);
-// Who paints what of a body that is shared out, and the join; `body` is plainBody() of the share's
+// Colours the shares of two dips and draws the seam. `body` must be plainBody() of the share's
 // mesh.
 BodyAppearance shareAppearance(std::shared_ptr<const TexturedMesh> body, const JobResult& result);
 

@@ -3,7 +3,7 @@
 namespace dipwright {
 namespace {
 
-constexpr double paperTriangles = 150'000; // about so many
+constexpr double paperTriangles = 150'000; // approximate
 
 } // namespace
 
@@ -21,7 +21,7 @@ void BodyPrintPreview::print(const std::shared_ptr<const TexturedMesh>& model,
                              const Ground& ground) {
     jobs_.cancelAll();
     jobs_.start(std::make_unique<ValueJob<Print>>(
-        tr("Printing the body"),
+        tr("Computing the finished part"),
         [paper = paper_, model, films = std::move(films), ink, ground](const Progress&) {
             Print print{paper.model == model ? paper : paperOf(model), {}};
             print.colours = printedColours(*print.paper.mesh, films, ink, ground);
@@ -31,7 +31,7 @@ void BodyPrintPreview::print(const std::shared_ptr<const TexturedMesh>& model,
             paper_ = print.paper;
             emit printed(print.paper.model, {print.paper.body, print.colours});
         },
-        [](const std::exception_ptr&) {})); // the view goes on showing what it shows
+        [](const std::exception_ptr&) {})); // on failure, keeps the view
 }
 
 } // namespace dipwright

@@ -1,5 +1,5 @@
-// Colours the body in the view as it comes out of the dips, beside the user interface: of what is
-// asked for while it works, the last is done.
+// Colours the body in the view as it comes out of the dips, on a worker thread. A new request
+// replaces the one that runs.
 #pragma once
 
 #include "results/Results.h"
@@ -14,7 +14,7 @@ class BodyPrintPreview : public QObject {
 public:
     explicit BodyPrintPreview(QObject* parent = nullptr);
 
-    // What `films` give `model` on `ground`; printed() tells.
+    // Computes what `films` paint of `model` on `ground`. Emits printed() when it is done.
     void print(const std::shared_ptr<const TexturedMesh>& model, std::vector<FilmAppearance> films,
                const InkSettings& ink, const Ground& ground);
 
@@ -23,7 +23,7 @@ signals:
                  const dipwright::BodyAppearance& appearance);
 
 private:
-    // A model cut finely enough to show a print by.
+    // A model, and a mesh of it that is fine enough to show the image by its triangles.
     struct Paper {
         std::shared_ptr<const TexturedMesh> model;
         std::shared_ptr<const RefinedMesh> mesh;
@@ -35,7 +35,7 @@ private:
     };
     static Paper paperOf(const std::shared_ptr<const TexturedMesh>& model);
 
-    Paper paper_; // of the last print
+    Paper paper_; // from the last request
     JobRunner jobs_;
 };
 

@@ -8,7 +8,7 @@
 namespace dipwright {
 namespace {
 
-constexpr double fineTriangles = 40'000; // about so many
+constexpr double fineTriangles = 40'000; // approximate
 
 QColor colourOf(ShareMarkKind kind) {
     switch (kind) {

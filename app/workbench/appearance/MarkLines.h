@@ -1,4 +1,4 @@
-// The lines round what the user has marked on the body for the join of two dips.
+// Draws the outlines of the user's marks for the seam of two dips.
 #pragma once
 
 #include "geometry/RefinedMesh.h"
@@ -8,7 +8,7 @@
 
 namespace dipwright {
 
-// Keeps the lines that it has drawn: a mark more costs that mark's. UI thread.
+// Caches the lines of each mark, so that only new marks cost time. UI thread only.
 class MarkLines {
 public:
     explicit MarkLines(const TriangleMesh& body);
@@ -22,7 +22,7 @@ private:
     };
 
     RefinedMesh mesh_;
-    SurfaceQuery query_; // of the fine mesh
+    SurfaceQuery query_; // on the fine mesh
     std::vector<Drawn> drawn_;
 };
 

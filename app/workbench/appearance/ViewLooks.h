@@ -1,12 +1,13 @@
-// What film and body can look like in the 3D view.
+// The ways in which the 3D view can show film and body.
 #pragma once
 
 namespace dipwright {
 
 enum class FilmLook { Lines, Sheet, Chessboard, Picture, Stretch, Shares };
 enum class FilmExtent { Whole, OnBody };
-// The model's texture; painted, bare and marked parts, or the dips' shares; what comes out of the
-// dips; the zones of the body. All but the first hide the film at the end of the dip.
+// Own: the model's texture. Coverage: painted, bare and marked areas, or the shares of two dips.
+// Print: the finished part. Zones: the zones of the body. All but Own hide the film at the end of
+// the dip.
 enum class BodyLook { Own, Coverage, Print, Zones };
 
 } // namespace dipwright

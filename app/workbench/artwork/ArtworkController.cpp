@@ -18,7 +18,7 @@
 namespace dipwright {
 namespace {
 
-constexpr double handlePixels = 9; // round a handle, within which a press takes hold of it
+constexpr double handlePixels = 9; // a press this near takes hold of a handle
 
 void setPlace(ArtworkLayer& layer, const Eigen::Vector3f& place) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -62,11 +62,11 @@ void ArtworkController::connectPage() {
     connect(page_, &ArtworkPage::selected, this, &ArtworkController::select);
     connect(page_, &ArtworkPage::layerChanged, this,
             [this](int layer, const ArtworkLayer& changed, const QString& what) {
-                edit(tr("Change Layer"), QStringLiteral("artwork %1 %2").arg(layer).arg(what),
+                edit(tr("Change layer"), QStringLiteral("artwork %1 %2").arg(layer).arg(what),
                      [&](Artwork& artwork) { artwork.layers[std::size_t(layer)] = changed; });
             });
     connect(page_, &ArtworkPage::baseChanged, this, [this](const std::optional<QColor>& base) {
-        edit(tr("Base Colour"), {}, [&](Artwork& artwork) { artwork.base = base; });
+        edit(tr("Change base colour"), {}, [&](Artwork& artwork) { artwork.base = base; });
     });
     connect(page_, &ArtworkPage::moveAsked, this, &ArtworkController::move);
     connect(page_, &ArtworkPage::removeAsked, this, &ArtworkController::remove);
@@ -147,7 +147,7 @@ void ArtworkController::add(const ArtworkLayer& layer,
 void ArtworkController::addPicture(const QString& path,
                                    const std::optional<Eigen::Vector3f>& place) {
     startJob(
-        jobs_, messages_, tr("Reading the picture"), tr("Add Picture"),
+        jobs_, messages_, tr("Reading the picture"), tr("Add picture"),
         [path](const Progress&) { return artworkPicture(readPictureFile(path)); },
         [this, path, place, asked = QPointer<Document>(document())](const ArtworkPicture& picture) {
             if (asked && asked == document()) {
@@ -161,7 +161,7 @@ void ArtworkController::addPicture(const QString& path,
 
 void ArtworkController::askPicture() {
     const QString path =
-        QFileDialog::getOpenFileName(&window_, tr("Add Picture"), {}, pictureFileFilter());
+        QFileDialog::getOpenFileName(&window_, tr("Add picture"), {}, pictureFileFilter());
     if (!path.isEmpty()) {
         addPicture(path, std::nullopt);
     }
@@ -172,17 +172,17 @@ void ArtworkController::move(int layer, int by) {
     if (other < 0 || std::size_t(other) >= document()->project().artwork.layers.size()) {
         return;
     }
-    edit(tr("Move Layer"), {}, [&](Artwork& artwork) {
+    edit(tr("Move layer"), {}, [&](Artwork& artwork) {
         std::swap(artwork.layers[std::size_t(layer)], artwork.layers[std::size_t(other)]);
     });
     select(other);
 }
 
 void ArtworkController::remove(int layer) {
-    edit(tr("Remove Layer"), {}, [&](Artwork& artwork) {
+    edit(tr("Remove layer"), {}, [&](Artwork& artwork) {
         artwork.layers.erase(artwork.layers.begin() + layer);
         if (artwork.layers.empty() && artwork.base == QColor(255, 255, 255)) {
-            artwork.base.reset(); // which the first layer brought
+            artwork.base.reset(); // the first layer set it
         }
     });
 }
@@ -193,7 +193,7 @@ bool ArtworkController::beginDrag(const ViewRay& ray) {
         return false;
     }
     const Eigen::Vector3f middle = held->place().cast<float>();
-    double pixels = 0; // in a millimetre
+    double pixels = 0; // per millimetre
     for (int axis = 0; axis < 3; ++axis) {
         const QPointF step =
             view_.positionOf(scene_.toWorld(middle + Eigen::Vector3f::Unit(axis))) -
@@ -215,9 +215,9 @@ void ArtworkController::drag(const ViewRay& ray) {
     }
     const ArtworkLayer changed = drag_->frame->dragged(drag_->handle, drag_->from, ray);
     const auto index = std::size_t(selected_);
-    const QString text = drag_->handle == FrameHandle::Move   ? tr("Move Layer")
-                         : drag_->handle == FrameHandle::Turn ? tr("Turn Layer")
-                                                              : tr("Size of Layer");
+    const QString text = drag_->handle == FrameHandle::Move   ? tr("Move layer")
+                         : drag_->handle == FrameHandle::Turn ? tr("Turn layer")
+                                                              : tr("Resize layer");
     edit(text, QStringLiteral("artwork drag"),
          [&](Artwork& artwork) { artwork.layers[index] = changed; });
 }
@@ -230,7 +230,7 @@ void ArtworkController::endDrag() {
     }
 }
 
-// The uppermost decal there; beside them all the one that is selected stays so.
+// Selects the top decal at this place. Keeps the selection if there is none.
 void ArtworkController::selectAt(const ViewRay& ray) {
     if (!document() || !page_->isVisible() || !scene_.model()) {
         return;

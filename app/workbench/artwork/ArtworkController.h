@@ -1,5 +1,5 @@
-// The artwork of a window: its page, the frame by which a decal is moved, turned and sized in the
-// view, and pictures dropped on the body. Every change is a step to undo.
+// Controls the artwork of a window: its page, the frame around a decal in the view, and pictures
+// dropped on the body. Every change is an undo step.
 #pragma once
 
 #include "workbench/artwork/ArtworkPage.h"
@@ -19,13 +19,14 @@ public:
     ArtworkController(DipView& view, DipScene& scene, const DipSession& session, JobRunner& jobs,
                       Messages& messages, QWidget& window);
 
-    ArtworkPage* page() const { return page_; } // belongs to who puts it into a window
-    // To be called when the session has another document.
+    ArtworkPage* page() const { return page_; } // its window owns it
+    // Call this when the session has another document.
     void showDocument();
 
 signals:
-    void held(bool isHeld);                       // as long as something is dragged
-    void droppedBeside(const QList<QUrl>& files); // on the view, and not pictures on the body
+    void held(bool isHeld); // a drag begins or ends
+    // Files were dropped on the view that are not pictures on the body.
+    void droppedBeside(const QList<QUrl>& files);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -39,7 +40,7 @@ private:
     void connectPage();
     Document* document() const { return session_.document(); }
     const ArtworkLayer* selectedLayer() const; // null: none
-    std::optional<LayerFrame> frame() const;   // of a decal that is selected and shown
+    std::optional<LayerFrame> frame() const;   // if a visible decal is selected
     void select(int layer);
     void showArtwork();
     void edit(const QString& text, const QString& mergeKey,
@@ -62,7 +63,7 @@ private:
     Messages& messages_;
     QWidget& window_;
     QPointer<ArtworkPage> page_;
-    QMetaObject::Connection shown_; // to the document
+    QMetaObject::Connection shown_; // with the document
     int selected_ = -1;
     std::optional<Drag> drag_;
 };

@@ -31,7 +31,7 @@ constexpr int swatchSize = 16, listHeight = 110, textHeight = 52;
 
 QIcon swatch(const QColor& colour) {
     QPixmap pixmap(swatchSize, swatchSize);
-    pixmap.fill(Qt::gray); // round it, for white on white
+    pixmap.fill(Qt::gray); // a frame, for white on white
     QPainter(&pixmap).fillRect(pixmap.rect().adjusted(1, 1, -1, -1), colour);
     return pixmap;
 }
@@ -53,7 +53,7 @@ ArtworkPage::ArtworkPage(QWidget* parent) : QWidget(parent), list_(new QListWidg
     setObjectName(QStringLiteral("artworkPage"));
     auto* inside = new QWidget;
     auto* column = new QVBoxLayout(inside);
-    column->setContentsMargins(4, 6, 4, 6); // three buttons beside a scroll bar are wide in German
+    column->setContentsMargins(4, 6, 4, 6); // narrow: the German buttons are wide
     auto* scroll = new QScrollArea;
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
@@ -62,15 +62,15 @@ ArtworkPage::ArtworkPage(QWidget* parent) : QWidget(parent), list_(new QListWidg
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(scroll);
 
-    auto* picture = new QPushButton(tr("Add &Picture…"));
+    auto* picture = new QPushButton(tr("Add &picture…"));
     picture->setObjectName(QStringLiteral("addPicture"));
-    picture->setToolTip(tr("Lays a picture on the body. A picture dropped on the body in the view "
-                           "is laid where it was dropped."));
+    picture->setToolTip(
+        tr("Places a picture on the part. You can also drop a picture on the part in the view."));
     connect(picture, &QPushButton::clicked, this, &ArtworkPage::pictureAsked);
-    auto* text = new QPushButton(tr("Add &Text"));
+    auto* text = new QPushButton(tr("Add &text"));
     text->setObjectName(QStringLiteral("addText"));
     connect(text, &QPushButton::clicked, this, [this] { emit layerAsked(LayerKind::Text); });
-    auto* pattern = new QPushButton(tr("Add Pa&ttern"));
+    auto* pattern = new QPushButton(tr("Add p&attern"));
     pattern->setObjectName(QStringLiteral("addPattern"));
     auto* patterns = new QMenu(pattern);
     const auto addPattern = [&](const char* name, const QString& words, LayerKind kind) {
@@ -96,9 +96,9 @@ ArtworkPage::ArtworkPage(QWidget* parent) : QWidget(parent), list_(new QListWidg
 
 void ArtworkPage::makeList() {
     list_->setObjectName(QStringLiteral("artworkLayers"));
-    list_->setAccessibleName(tr("Layers, the uppermost first"));
-    list_->setToolTip(tr("The layers, the uppermost first. The tick shows or hides one, a double "
-                         "click renames it; Delete removes it, Ctrl with the arrows moves it."));
+    list_->setAccessibleName(tr("Layers, top layer first"));
+    list_->setToolTip(tr("The layers, top layer first. The tick shows or hides a layer, a double "
+                         "click renames it. Delete removes it, Ctrl+Up and Ctrl+Down move it."));
     list_->setMinimumHeight(listHeight);
     list_->installEventFilter(this);
     const auto layerOf = [this](int row) { return int(artwork_.layers.size()) - 1 - row; };
@@ -130,9 +130,9 @@ void ArtworkPage::makeList() {
         connect(made, &QToolButton::clicked, this, what);
         return made;
     };
-    up_ = button("layerUp", tr("Up"), tr("Lays the layer over the next one (Ctrl+Up)"),
+    up_ = button("layerUp", tr("Up"), tr("Moves the layer up (Ctrl+Up)"),
                  [this] { emit moveAsked(selected_, 1); });
-    down_ = button("layerDown", tr("Down"), tr("Lays the layer under the next one (Ctrl+Down)"),
+    down_ = button("layerDown", tr("Down"), tr("Moves the layer down (Ctrl+Down)"),
                    [this] { emit moveAsked(selected_, -1); });
     remove_ = button("removeLayer", tr("Remove"), tr("Removes the layer (Delete)"),
                      [this] { emit removeAsked(selected_); });
@@ -141,8 +141,8 @@ void ArtworkPage::makeList() {
 void ArtworkPage::makeBase() {
     hasBase_ = new QCheckBox(tr("Base colour"));
     hasBase_->setObjectName(QStringLiteral("hasBase"));
-    hasBase_->setToolTip(tr("What lies below all layers; white is no ink. Without it the model "
-                            "shows what it looks like by itself."));
+    hasBase_->setToolTip(tr("The colour below all layers. White prints no ink. Without a base "
+                            "colour the model keeps its own colours."));
     base_ = new QPushButton;
     base_->setObjectName(QStringLiteral("baseColour"));
     base_->setAccessibleName(tr("Base colour"));
@@ -166,7 +166,7 @@ QDoubleSpinBox* ArtworkPage::addNumber(QFormLayout& form, const char* name, cons
     box->setDecimals(2);
     box->setRange(least, most);
     box->setSuffix(suffix);
-    box->setKeyboardTracking(false); // a number that is typed is one change
+    box->setKeyboardTracking(false); // a typed number is one change
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, name, set](double value) {
         change(QLatin1String(name), [&](ArtworkLayer& layer) { set(layer, value); });
     });
@@ -222,7 +222,7 @@ void ArtworkPage::makeFields() {
     seed_ = new QSpinBox;
     seed_->setObjectName(QStringLiteral("layerSeed"));
     seed_->setAccessibleName(tr("Variant"));
-    seed_->setToolTip(tr("Each number makes another pattern of the same kind."));
+    seed_->setToolTip(tr("Each number gives a different pattern of the same kind."));
     seed_->setRange(0, mostSeed);
     seed_->setKeyboardTracking(false);
     connect(seed_, &QSpinBox::valueChanged, this, [this](int value) {
@@ -230,7 +230,7 @@ void ArtworkPage::makeFields() {
     });
     form_->addRow(tr("Variant"), seed_);
     opacity_ = addNumber(*form_, "layerOpacity", tr("Opacity"),
-                         tr("100 %: hides what lies below it."), 0, 100, tr(" %"),
+                         tr("At 100 % the layer hides everything below it."), 0, 100, tr(" %"),
                          [](ArtworkLayer& layer, double value) { layer.opacity = value / 100; });
     makePlaceFields(*form_);
     makeSpotFields(*form_);
@@ -239,13 +239,13 @@ void ArtworkPage::makeFields() {
 void ArtworkPage::makeSpotFields(QFormLayout& form) {
     spot_ = new QLineEdit;
     spot_->setObjectName(QStringLiteral("layerSpot"));
-    spot_->setAccessibleName(tr("Spot ink"));
-    spot_->setPlaceholderText(tr("printed in its colours"));
-    spot_->setToolTip(tr("The name of a varnish or of an ink of its own, as the printer knows it. "
-                         "The layer is then a plate beside the four inks, in PDF and TIFF in "
-                         "CMYK; what it covers counts, and not its colours."));
+    spot_->setAccessibleName(tr("Spot colour"));
+    spot_->setPlaceholderText(tr("none"));
+    spot_->setToolTip(tr("The name of a varnish or special ink, as the printer knows it. In CMYK "
+                         "PDF and TIFF files the layer then becomes a plate of its own. Its shape "
+                         "and opacity count, its colours do not."));
     spot_->setMaxLength(longestSpotName);
-    static const QRegularExpression usable( // names that stand for other inks are none of it
+    static const QRegularExpression usable( // not the names that PDF reserves
         QStringLiteral("^(?!\\s*(all|none|cyan|magenta|yellow|black)\\s*$).*$"),
         QRegularExpression::CaseInsensitiveOption);
     spot_->setValidator(new QRegularExpressionValidator(usable, spot_));
@@ -255,13 +255,15 @@ void ArtworkPage::makeSpotFields(QFormLayout& form) {
             change(QStringLiteral("layerSpot"), [&](ArtworkLayer& layer) { layer.spot = name; });
         }
     });
-    form.addRow(tr("Spot ink"), spot_);
-    spotColour_ = addColour(form, "layerSpotColour", tr("Looks like"), &ArtworkLayer::spotColour);
-    spotColour_->setToolTip(tr("What stands for the ink where nobody knows its name."));
-    spotFirst_ = new QCheckBox(tr("Outside the colours"));
+    form.addRow(tr("Spot colour"), spot_);
+    spotColour_ =
+        addColour(form, "layerSpotColour", tr("Display colour"), &ArtworkLayer::spotColour);
+    spotColour_->setToolTip(tr("The colour that stands for the ink where its name is unknown."));
+    spotFirst_ = new QCheckBox(tr("On the outside"));
     spotFirst_->setObjectName(QStringLiteral("layerSpotFirst"));
-    spotFirst_->setToolTip(tr("Printed before the four inks, so that it ends up outside them, as a "
-                              "varnish does; else after them, towards the part."));
+    spotFirst_->setToolTip(
+        tr("Prints this ink before the four process inks, so that it ends up on the outside of the "
+           "part, as a varnish does. Otherwise it prints after them and lies next to the part."));
     connect(spotFirst_, &QCheckBox::clicked, this, [this](bool isFirst) {
         change(QStringLiteral("layerSpotFirst"),
                [&](ArtworkLayer& layer) { layer.spotFirst = isFirst; });
@@ -286,38 +288,38 @@ void ArtworkPage::makePlaceFields(QFormLayout& form) {
         return box;
     };
     placement_ =
-        combo("layerPlacement", tr("Laid on"),
-              {tr("As a decal"), tr("Along an axis"), tr("Round an axis"), tr("From six sides")},
+        combo("layerPlacement", tr("Placement"),
+              {tr("As a decal"), tr("Along an axis"), tr("Around an axis"), tr("From six sides")},
               [](ArtworkLayer& layer, int index) { layer.placement = LayerPlacement(index); });
-    placement_->setToolTip(tr("A decal keeps lengths and straight lines round its middle. The "
-                              "others are for patterns over all of the body."));
+    placement_->setToolTip(tr("A decal keeps lengths and straight lines around its centre. The "
+                              "others suit patterns that cover the whole part."));
     axis_ = combo("layerAxis", tr("Axis"),
                   {QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z"),
                    QStringLiteral("−X"), QStringLiteral("−Y"), QStringLiteral("−Z")},
                   [](ArtworkLayer& layer, int index) { layer.axis = LayerAxis(index); });
-    const QString within = tr("What is shown fits in, its proportions kept.");
+    const QString within =
+        tr("The layer fits into this width and height and keeps its proportions.");
     size_[0] = addNumber(form, "layerWidth", tr("Width"), within, smallestLayer, largestLayer, mm,
                          [](ArtworkLayer& l, double value) { l.size[0] = Millimetres(value); });
     size_[1] = addNumber(form, "layerHeight", tr("Height"), within, smallestLayer, largestLayer, mm,
                          [](ArtworkLayer& l, double value) { l.size[1] = Millimetres(value); });
-    turn_ =
-        addNumber(form, "layerTurn", tr("Turn"), tr("Counterclockwise as seen from outside."), -360,
-                  360, tr("°"), [](ArtworkLayer& l, double value) { l.turn = Degrees(value); });
-    repeat_ = addNumber(form, "layerRepeat", tr("Repeated every"),
-                        tr("The width of one repeat on the body; round an axis a whole number of "
-                           "them is laid."),
+    turn_ = addNumber(form, "layerTurn", tr("Rotation"), tr("Counterclockwise, seen from outside."),
+                      -360, 360, tr("°"),
+                      [](ArtworkLayer& l, double value) { l.turn = Degrees(value); });
+    repeat_ = addNumber(form, "layerRepeat", tr("Repeat width"),
+                        tr("The width of one repeat on the part. Around an axis it is adjusted to "
+                           "a whole number of repeats."),
                         0, largestLayer, mm,
                         [](ArtworkLayer& l, double value) { l.repeat = Millimetres(value); });
-    repeat_->setSpecialValueText(tr("once"));
-    const std::array<QString, 3> labels{tr("Middle, X"), tr("Middle, Y"), tr("Middle, Z")};
+    repeat_->setSpecialValueText(tr("no repeat"));
+    const std::array<QString, 3> labels{tr("Centre X"), tr("Centre Y"), tr("Centre Z")};
     constexpr std::array<const char*, 3> names{"layerX", "layerY", "layerZ"};
     for (std::size_t k = 0; k < 3; ++k) {
-        place_[k] =
-            addNumber(form, names[k], labels[k],
-                      tr("In the model's coordinates; of a decal the nearest place of the "
-                         "body counts."),
-                      -farthestLayer, farthestLayer, mm,
-                      [k](ArtworkLayer& l, double value) { l.place[k] = Millimetres(value); });
+        place_[k] = addNumber(
+            form, names[k], labels[k],
+            tr("In the model's coordinates. A decal uses the nearest place on the surface."),
+            -farthestLayer, farthestLayer, mm,
+            [k](ArtworkLayer& l, double value) { l.place[k] = Millimetres(value); });
     }
 }
 
@@ -373,7 +375,7 @@ void ArtworkPage::showList() {
     hasBase_->setChecked(artwork_.base.has_value());
     base_->setEnabled(artwork_.base.has_value());
     base_->setIcon(artwork_.base ? swatch(*artwork_.base) : QIcon());
-    base_->setText(artwork_.base ? artwork_.base->name() : tr("the model's own"));
+    base_->setText(artwork_.base ? artwork_.base->name() : tr("colours of the model"));
 }
 
 void ArtworkPage::showFields() {
@@ -398,7 +400,7 @@ void ArtworkPage::showFields() {
     showRow(axis_, isProjected);
     showRow(size_[0], !isEverywhere);
     showRow(size_[1], !isEverywhere);
-    if (text_->toPlainText() != layer.text) { // the cursor stays where one types
+    if (text_->toPlainText() != layer.text) { // keeps the cursor where the user types
         text_->setPlainText(layer.text);
     }
     font_->setCurrentFont(QFont(layer.font));

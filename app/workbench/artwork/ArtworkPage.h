@@ -1,5 +1,4 @@
-// The page on which artwork is listed and changed. Shows what it is told and changes nothing
-// itself.
+// The page that lists the artwork's layers and their fields. It only emits the user's changes.
 #pragma once
 
 #include "settings/Artwork.h"
@@ -28,17 +27,17 @@ class ArtworkPage : public QWidget {
 public:
     explicit ArtworkPage(QWidget* parent = nullptr);
 
-    // `selected`: a layer's index; −1: none.
+    // `selected`: the index of a layer; −1: none.
     void show(const Artwork& artwork, int selected);
 
 signals:
     void pictureAsked();
     void layerAsked(dipwright::LayerKind kind); // text or a pattern
     void selected(int layer);
-    // `what`: the value that has another value now.
+    // `what`: the name of the changed field.
     void layerChanged(int layer, const dipwright::ArtworkLayer& changed, const QString& what);
     void baseChanged(const std::optional<QColor>& base);
-    void moveAsked(int layer, int by); // upwards
+    void moveAsked(int layer, int by); // positive: upwards
     void removeAsked(int layer);
 
 protected:
@@ -63,7 +62,7 @@ private:
 
     Artwork artwork_;
     int selected_ = -1;
-    bool isShowing_ = false; // fields are being filled in
+    bool isShowing_ = false; // while the page fills its fields
     QListWidget* list_;
     QToolButton *up_, *down_, *remove_;
     QCheckBox* hasBase_;

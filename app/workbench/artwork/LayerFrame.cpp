@@ -8,9 +8,9 @@
 namespace dipwright {
 namespace {
 
-constexpr double stalk = 1.25;  // of half the height: where the handle to turn by stands
-constexpr int pieces = 16;      // of a side, so that it follows the body
-constexpr double square = 0.06; // half a handle's side, of the layer's diagonal
+constexpr double stalk = 1.25;  // position of the turn handle, in half heights
+constexpr int pieces = 16;      // of each side, so that it follows the surface
+constexpr double square = 0.06; // half a handle's side, in layer diagonals
 
 Eigen::Vector3d vectorOf(const std::array<Millimetres, 3>& place) {
     return {place[0].value(), place[1].value(), place[2].value()};

@@ -1,4 +1,4 @@
-// The frame round a decal in the 3D view, by which it is moved, turned and sized.
+// The frame around a decal in the 3D view. It moves, turns and resizes the decal.
 #pragma once
 
 #include "geometry/UnfoldedSurface.h"
@@ -13,19 +13,19 @@ enum class FrameHandle { Move, Turn, Size };
 
 class LayerFrame {
 public:
-    // `scene` shows the body that the layer lies on, and is asked for its surface.
+    // `scene` must show the body that the layer lies on, and must outlive the frame.
     LayerFrame(const ArtworkLayer& layer, const DipScene& scene);
 
-    // On the body: the outline, a stalk upwards to turn it by, and squares to take hold of.
+    // Returns lines on the body: the outline, a stalk to the turn handle, and the square handles.
     std::vector<ViewLine> lines(const QColor& colour) const;
-    // What a press there takes hold of; nothing: none of it. `reach`: mm round a handle.
+    // Returns the handle that a press takes hold of, if any. `reach`: distance to a handle, mm.
     std::optional<FrameHandle> handleAt(const ViewRay& ray, double reach) const;
-    // The layer as a drag leaves it that began at one place and has come to another.
+    // Returns the layer after a drag of `handle` from one ray to another.
     ArtworkLayer dragged(FrameHandle handle, const ViewRay& from, const ViewRay& to) const;
     const Eigen::Vector3d& place() const { return place_; }
 
 private:
-    // Where a ray meets the plane that touches the body in the middle, turned with the layer, mm.
+    // Returns where a ray meets the tangent plane at the layer's centre: in the layer's axes, mm.
     std::optional<Eigen::Vector2d> flat(const ViewRay& ray) const;
     Eigen::Vector3f onBody(const Eigen::Vector2d& place) const;
 
@@ -33,7 +33,7 @@ private:
     const DipScene& scene_;
     Eigen::Vector3d place_;
     SurfaceFrame frame_;
-    Eigen::Vector2d half_; // the size's
+    Eigen::Vector2d half_; // half width and half height, mm
 };
 
 } // namespace dipwright

@@ -22,7 +22,7 @@ namespace dipwright {
 namespace {
 
 constexpr int progressSteps = 1000;
-// Where the second camera stands until it follows the first: it must not lead it.
+// The second camera's position until it follows the first. It must not move the first.
 constexpr ViewCamera waiting{{0, 0, 500}, {0, 0, 0}, {0, 1, 0}, 100, false};
 
 } // namespace
@@ -35,7 +35,7 @@ CompareWindow::CompareWindow(const std::array<ComparedState, 2>& states,
       scale_(new QLabel), figures_(new QTableWidget(0, 4)), doing_(new QLabel),
       progress_(new QProgressBar) {
     setObjectName(QStringLiteral("compareWindow"));
-    setWindowTitle(tr("Side by Side"));
+    setWindowTitle(tr("Side by side"));
     setAttribute(Qt::WA_DeleteOnClose);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(makeChoices(
@@ -51,7 +51,7 @@ CompareWindow::CompareWindow(const std::array<ComparedState, 2>& states,
                                                       *views_[side], nullptr);
         connect(&sides_[side]->session(), &DipSession::finished, this, [this] {
             showSides();
-            views_[0]->fit(); // the bodies have gone down
+            views_[0]->fit(); // the bodies are lower now
         });
         connect(&sides_[side]->session(), &DipSession::stopped, this,
                 [this](const std::exception_ptr& why) {
@@ -64,7 +64,7 @@ CompareWindow::CompareWindow(const std::array<ComparedState, 2>& states,
     colourViews();
     resize(QSize(1100, 720).boundedTo(screen()->availableSize()));
     showSides();
-    views_[1]->setCamera(waiting); // after a new body has fitted it
+    views_[1]->setCamera(waiting); // after the new body has moved it
     views_[0]->fit();
     for (const auto& side : sides_) {
         side->run();
@@ -77,17 +77,16 @@ QWidget* CompareWindow::makeChoices(std::size_t immersions) {
     look_->setObjectName(QStringLiteral("comparedLook"));
     look_->setAccessibleName(tr("What is shown"));
     look_->setToolTip(
-        tr("What both bodies wear: the film's lines, how far it is drawn out, or what "
-           "is painted"));
-    look_->addItem(tr("Film on the body"), int(ComparedLook::Film));
+        tr("What both views show: the lines of the film, its stretch, or the painted area"));
+    look_->addItem(tr("Film on the part"), int(ComparedLook::Film));
     look_->addItem(tr("Stretch of the film"), int(ComparedLook::Stretch));
     look_->addItem(tr("Coverage"), int(ComparedLook::Coverage));
     connect(look_, &QComboBox::currentIndexChanged, this, &CompareWindow::showSides);
     immersion_->setObjectName(QStringLiteral("comparedImmersion"));
-    immersion_->setAccessibleName(tr("Immersion"));
-    immersion_->setToolTip(tr("The immersion that is looked at"));
+    immersion_->setAccessibleName(tr("Dip"));
+    immersion_->setToolTip(tr("The dip that is shown"));
     for (std::size_t number = 0; number < immersions; ++number) {
-        immersion_->addItem(tr("Immersion %1").arg(number + 1));
+        immersion_->addItem(tr("Dip %1").arg(number + 1));
     }
     immersion_->setVisible(immersions > 1);
     connect(immersion_, &QComboBox::currentIndexChanged, this, [this](int number) {
@@ -97,7 +96,7 @@ QWidget* CompareWindow::makeChoices(std::size_t immersions) {
         showSides();
     });
     auto* fit = new QPushButton(tr("&Fit"));
-    fit->setToolTip(tr("Show the bodies as large as can be"));
+    fit->setToolTip(tr("Fit both parts into their views"));
     fit->setAutoDefault(false);
     connect(fit, &QPushButton::clicked, this, [this] { views_[0]->fit(); });
     auto* box = new QWidget;
@@ -107,7 +106,7 @@ QWidget* CompareWindow::makeChoices(std::size_t immersions) {
     row->addWidget(immersion_);
     row->addWidget(fit);
     row->addStretch(1);
-    scale_->setTextFormat(Qt::RichText); // nothing but numbers and colours
+    scale_->setTextFormat(Qt::RichText); // holds only numbers and colours
     row->addWidget(scale_);
     return box;
 }
@@ -136,7 +135,7 @@ QWidget* CompareWindow::makeSides(const std::array<ComparedState, 2>& states) {
 
 QWidget* CompareWindow::makeEnd() {
     figures_->setObjectName(QStringLiteral("comparedFigures"));
-    figures_->setAccessibleName(tr("Figures of both"));
+    figures_->setAccessibleName(tr("Figures of both states"));
     figures_->verticalHeader()->hide();
     figures_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     figures_->setSelectionMode(QAbstractItemView::NoSelection);
@@ -156,7 +155,7 @@ QWidget* CompareWindow::makeEnd() {
     connect(&jobs_, &JobRunner::idle, progress_, &QWidget::hide);
     progress_->hide();
     auto* close = new QPushButton(tr("&Close"));
-    close->setToolTip(tr("Back to the project; Escape does the same"));
+    close->setToolTip(tr("Close the comparison (Escape)"));
     close->setObjectName(QStringLiteral("closeComparison"));
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
     auto* box = new QWidget;
@@ -168,7 +167,7 @@ QWidget* CompareWindow::makeEnd() {
     return box;
 }
 
-// One scale for both, so that equal colours are equal stretches.
+// Both sides share one scale, so that equal colours mean equal stretch.
 void CompareWindow::showSides() {
     std::vector<float> values;
     for (const auto& side : sides_) {

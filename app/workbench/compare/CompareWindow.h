@@ -1,6 +1,6 @@
-// Two states of a project side by side: both bodies, by cameras that turn together, and their
-// figures. What is not dipped yet is dipped, on a thread of the window's own; until then the bodies
-// wear what their poses would paint. Escape closes it.
+// Shows two states of a project side by side: both bodies with linked cameras, and their figures.
+// Dips without a result run on the window's own worker thread. Until they end, each body shows a
+// preview of the area that its pose would paint. Escape closes the window.
 #pragma once
 
 #include "workbench/compare/ComparedSide.h"
@@ -20,7 +20,7 @@ class CompareWindow : public QDialog {
     Q_OBJECT
 
 public:
-    // `kept` (may be null): a result whose dips are taken over where they fit.
+    // `kept` (may be null): a result whose dips are reused if they fit.
     CompareWindow(const std::array<ComparedState, 2>& states,
                   const std::shared_ptr<const JobResult>& kept, const SolverRegistry& registry,
                   const Preferences& preferences, QWidget* parent = nullptr);
@@ -29,7 +29,7 @@ public:
     DipView& view(std::size_t side) { return *views_[side]; }
 
 protected:
-    void changeEvent(QEvent* event) override; // the palette
+    void changeEvent(QEvent* event) override; // follows the palette
 
 private:
     QWidget* makeChoices(std::size_t immersions);

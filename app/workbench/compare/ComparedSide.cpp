@@ -6,7 +6,7 @@ namespace dipwright {
 
 namespace {
 
-constexpr std::size_t recordedPoints = 1000; // of a way that is not shown
+constexpr std::size_t recordedPoints = 1000; // few: the motion is not shown
 
 } // namespace
 
@@ -35,7 +35,7 @@ void ComparedSide::show(ComparedLook look, const HeatScale& scale) {
     scene_.setProject(document_.project(), session_.immersion());
     scene_.setPreviewed(!isDipped);
     scene_.setBodyLook(look == ComparedLook::Coverage ? BodyLook::Coverage : BodyLook::Own);
-    // The film that lies on the body, by itself: the two would fight for what is in front.
+    // Hides the body under its film, because both lie at the same depth and would flicker.
     const bool isFilmAlone = look != ComparedLook::Coverage && isDipped;
     scene_.setFilmExtent(isFilmAlone ? FilmExtent::OnBody : FilmExtent::Whole);
     view_.setBodyVisible(!isFilmAlone);

@@ -1,4 +1,4 @@
-// One of two states that are compared: its document, its dips, and the view of them.
+// One of two compared states, with its document, its dips and its view.
 #pragma once
 
 #include "viewport/DipView.h"
@@ -15,17 +15,17 @@ class ComparedSide : public QObject {
     Q_OBJECT
 
 public:
-    // `view` outlives it. Nothing is dipped before run().
+    // `view` must outlive this object. No dip runs before run().
     ComparedSide(const ComparedState& state, std::shared_ptr<const JobResult> kept, JobRunner& jobs,
                  const SolverRegistry& registry, DipView& view, QObject* parent);
 
     void run();
     void lookAt(std::size_t immersion);
-    // Before it is dipped the body wears what its pose would paint, by its shape.
+    // Before the dip, the body shows a preview of the painted area, estimated from its shape.
     void show(ComparedLook look, const HeatScale& scale);
     std::shared_ptr<const FilmReadout> reading() const { return session_.reading(); }
     QString title() const { return title_; }
-    // What was known before, and what the dips have shown.
+    // Returns the figures given with the state, followed by those of the dips.
     std::vector<StateFigure> figures(LengthUnit unit) const;
     DipSession& session() { return session_; }
 

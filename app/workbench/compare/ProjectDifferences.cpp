@@ -76,7 +76,7 @@ public:
                 number(before.zoneWeights[zone]), number(after.zoneWeights[zone]));
         }
     }
-    // A layer each, from below.
+    // One entry for each layer, from the bottom up.
     void addArtwork(const Artwork& before, const Artwork& after) {
         const auto colour = [](const std::optional<QColor>& base) {
             return base ? base->name() : QStringLiteral("–");
@@ -90,7 +90,7 @@ public:
                 number < after.layers.size() ? &after.layers[number] : nullptr;
             QString shown = layerText(second);
             if (first && second && *first != *second && layerText(first) == shown) {
-                shown = Text::tr("%1, otherwise").arg(shown);
+                shown = Text::tr("%1, with other settings").arg(shown);
             }
             add(Text::tr("Artwork · layer %1").arg(number + 1), layerText(first), shown);
         }
@@ -127,7 +127,7 @@ std::vector<ProjectDifference> projectDifferences(const Project& first, const Pr
          {ProjectPart::Project, ProjectPart::Model, ProjectPart::Film, ProjectPart::Process}) {
         differences.addPart({part, 0});
     }
-    differences.add(Text::tr("Immersions"), count(first.immersions.size()),
+    differences.add(Text::tr("Dips"), count(first.immersions.size()),
                     count(second.immersions.size()));
     const std::size_t both = std::min(first.immersions.size(), second.immersions.size());
     for (std::size_t number = 0; number < both; ++number) {
@@ -137,7 +137,7 @@ std::vector<ProjectDifference> projectDifferences(const Project& first, const Pr
          {ProjectPart::Share, ProjectPart::Sheet, ProjectPart::Ink, ProjectPart::Tolerance}) {
         differences.addPart({part, 0});
     }
-    differences.add(Text::tr("Marks for the join"), count(first.share.marks.size()),
+    differences.add(Text::tr("Marks for the seam"), count(first.share.marks.size()),
                     count(second.share.marks.size()));
     differences.add(Text::tr("Marks for zones"), count(first.tolerance.marks.size()),
                     count(second.tolerance.marks.size()));
@@ -145,11 +145,11 @@ std::vector<ProjectDifference> projectDifferences(const Project& first, const Pr
     const auto nameOfAny = [](const auto& profile) {
         return profile ? profile->name : QStringLiteral("–");
     };
-    differences.add(Text::tr("Printer's profile"), nameOfAny(first.profiles.printer),
+    differences.add(Text::tr("Printer profile"), nameOfAny(first.profiles.printer),
                     nameOfAny(second.profiles.printer));
-    differences.add(Text::tr("Film's profile"), nameOfAny(first.profiles.film),
+    differences.add(Text::tr("Film profile"), nameOfAny(first.profiles.film),
                     nameOfAny(second.profiles.film));
-    differences.add(Text::tr("Tank's profile"), nameOfAny(first.profiles.tank),
+    differences.add(Text::tr("Tank profile"), nameOfAny(first.profiles.tank),
                     nameOfAny(second.profiles.tank));
     differences.addArtwork(first.artwork, second.artwork);
     return std::move(differences).found();

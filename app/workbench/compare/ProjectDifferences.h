@@ -1,4 +1,4 @@
-// In which settings two states of a project differ, in the words of its fields.
+// Lists the settings in which two states of a project differ, with the labels of the fields.
 #pragma once
 
 #include "workbench/widgets/Units.h"
@@ -11,11 +11,12 @@ struct Project;
 
 struct ProjectDifference {
     QString setting;       // "Film · Swell"
-    QString first, second; // what it is in either
+    QString first, second; // its value in each state
 };
 
-// In the order of the project's parts; empty for equal settings. The artwork's layers stand
-// at the end, by where they lie in it. What is no setting (model, photos, parts) is left out.
+// Returns the differences in the order of the project's pages; empty if all settings are equal. The
+// artwork's layers come last, from the bottom up. Model, photos and measured parts are no settings
+// and are left out.
 std::vector<ProjectDifference> projectDifferences(const Project& first, const Project& second,
                                                   LengthUnit unit);
 

@@ -32,13 +32,13 @@ QString titleOf(const Snapshot& snapshot) {
 SnapshotsDialog::SnapshotsDialog(Document& document, LengthUnit unit, QWidget* parent)
     : QDialog(parent), document_(document), unit_(unit), name_(new QLineEdit),
       list_(new QListWidget), against_(new QComboBox), table_(new QTableWidget(0, 3)),
-      verdict_(new QLabel), take_(new QPushButton(tr("&Take Snapshot"))),
-      goBack_(new QPushButton(tr("&Go Back to It"))),
-      sideBySide_(new QPushButton(tr("&Side by Side …"))), remove_(new QPushButton(tr("&Remove"))) {
+      verdict_(new QLabel), take_(new QPushButton(tr("&Take snapshot"))),
+      goBack_(new QPushButton(tr("R&estore"))), sideBySide_(new QPushButton(tr("&Side by side…"))),
+      remove_(new QPushButton(tr("&Remove"))) {
     setObjectName(QStringLiteral("snapshots"));
     setWindowTitle(tr("Snapshots"));
     auto* columns = new QHBoxLayout;
-    list_->setAccessibleName(tr("Snapshots, the oldest first"));
+    list_->setAccessibleName(tr("Snapshots, oldest first"));
     list_->setMaximumWidth(280);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     columns->addWidget(list_);
@@ -57,7 +57,7 @@ QWidget* SnapshotsDialog::makeTaking() {
     name_->setObjectName(QStringLiteral("snapshotName"));
     name_->setAccessibleName(tr("Name of the snapshot"));
     name_->setPlaceholderText(tr("Name of the snapshot"));
-    name_->setToolTip(tr("Under which the project's settings are kept in its file"));
+    name_->setToolTip(tr("The name under which the settings are saved in the project file"));
     take_->setObjectName(QStringLiteral("takeSnapshot"));
     connect(name_, &QLineEdit::textChanged, this,
             [this] { take_->setEnabled(!name_->text().trimmed().isEmpty()); });
@@ -101,13 +101,13 @@ QWidget* SnapshotsDialog::makeButtons() {
     buttons->addButton(sideBySide_, QDialogButtonBox::ActionRole);
     buttons->addButton(goBack_, QDialogButtonBox::ActionRole);
     sideBySide_->setObjectName(QStringLiteral("sideBySide"));
-    sideBySide_->setToolTip(
-        tr("Both in the view, by cameras that turn together; what is not dipped yet is dipped"));
+    sideBySide_->setToolTip(tr(
+        "Shows both states with linked cameras, and first runs the dips that have no result yet"));
     connect(sideBySide_, &QPushButton::clicked, this, &SnapshotsDialog::compareInView);
     buttons->addButton(remove_, QDialogButtonBox::ActionRole);
     goBack_->setObjectName(QStringLiteral("goBack"));
-    goBack_->setToolTip(tr("The settings become those of the snapshot: a step that can be undone. "
-                           "Model, photos and parts stay."));
+    goBack_->setToolTip(tr("Restores the settings of the snapshot. Model, photos and measured "
+                           "parts stay. This can be undone."));
     remove_->setObjectName(QStringLiteral("removeSnapshot"));
     connect(goBack_, &QPushButton::clicked, this, [this] {
         try {
@@ -128,7 +128,7 @@ void SnapshotsDialog::showSnapshots() {
     snapshots_ = snapshots(document_.project());
     list_->clear();
     against_->clear();
-    against_->addItem(tr("Compared with the project as it is now"));
+    against_->addItem(tr("Compared with the current project"));
     for (const Snapshot& snapshot : snapshots_) {
         auto* item = new QListWidgetItem(titleOf(snapshot), list_);
         item->setToolTip(item->text());
@@ -158,13 +158,13 @@ void SnapshotsDialog::showMeasures(const QJsonObject& first, const QJsonObject& 
     }
 }
 
-// The one chosen, and what the box says.
+// Compares the selected snapshot with the state selected in the box.
 void SnapshotsDialog::compareInView() {
     const Snapshot& chosen = snapshots_[std::size_t(list_->currentRow())];
     const int other = against_->currentIndex();
     const Project& now = document_.project();
     try {
-        ComparedState second{tr("Now"), now, {}};
+        ComparedState second{tr("Current"), now, {}};
         if (other > 0) {
             const Snapshot& snapshot = snapshots_[std::size_t(other - 1)];
             second = {snapshot.name, atSnapshot(now, snapshot), {}};
@@ -183,14 +183,16 @@ void SnapshotsDialog::compare() {
     table_->setRowCount(0);
     verdict_->clear();
     if (!any) {
-        verdict_->setText(tr("A snapshot keeps the project's settings under a name, in its file."));
+        verdict_->setText(
+            tr("A snapshot saves the project's settings under a name in the project file."));
         return;
     }
     const Snapshot& chosen = snapshots_[std::size_t(list_->currentRow())];
     const int other = against_->currentIndex();
     const bool isNow = other <= 0;
     table_->setHorizontalHeaderLabels(
-        {tr("Setting"), chosen.name, isNow ? tr("Now") : snapshots_[std::size_t(other - 1)].name});
+        {tr("Setting"), chosen.name,
+         isNow ? tr("Current") : snapshots_[std::size_t(other - 1)].name});
     try {
         const Project first = atSnapshot(document_.project(), chosen);
         const Project second =

@@ -1,4 +1,4 @@
-// Named states of a project: taken, compared in settings and figures, gone back to.
+// The dialog that takes, compares and restores snapshots of a project.
 #pragma once
 
 #include "workbench/document/SnapshotEdits.h"
@@ -19,7 +19,7 @@ class SnapshotsDialog : public QDialog {
     Q_OBJECT
 
 public:
-    // Of a document that outlives it.
+    // `document` must outlive the dialog.
     SnapshotsDialog(Document& document, LengthUnit unit, QWidget* parent = nullptr);
 
 signals:
@@ -29,8 +29,8 @@ private:
     QWidget* makeTaking();
     QWidget* makeComparison();
     QWidget* makeButtons();
-    void showSnapshots(); // anew
-    void compare();       // the one chosen with what the box says
+    void showSnapshots(); // fills the lists
+    void compare();       // the selected snapshot with the state selected in the box
     void addRow(const QString& setting, const QString& first, const QString& second);
     void compareInView();
     void showMeasures(const QJsonObject& first, const QJsonObject& second);
@@ -40,7 +40,7 @@ private:
     std::vector<Snapshot> snapshots_;
     QLineEdit* name_;
     QListWidget* list_;
-    QComboBox* against_; // as it is now, then the snapshots
+    QComboBox* against_; // the current project, then the snapshots
     QTableWidget* table_;
     QLabel* verdict_;
     QPushButton *take_, *goBack_, *sideBySide_, *remove_;

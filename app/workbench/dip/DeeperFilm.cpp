@@ -16,7 +16,7 @@ void DeeperFilm::start(const std::shared_ptr<const JobResult>& result) {
     last_.cancel();
     asked_ = result;
     last_ = startJob(
-        jobs_, messages_, tr("Dipping deeper"), tr("Deeper dip"),
+        jobs_, messages_, tr("Simulating a deeper dip"), tr("Deeper dip"),
         [result, &registry = registry_](const Progress& progress) {
             return dippedDeeper(*result, result->immersions.size() - 1, registry, progress);
         },

@@ -1,5 +1,4 @@
-// The second film of a document's result as it would lie on a body dipped deeper, dipped when it is
-// asked for.
+// Simulates on request the last dip of a result with a greater depth, to show its film.
 #pragma once
 
 #include "pipeline/JobResult.h"
@@ -15,10 +14,10 @@ public:
     DeeperFilm(JobRunner& jobs, const SolverRegistry& registry, Messages& messages,
                QObject* parent = nullptr);
 
-    // Of the last immersion; nothing where that was asked for last and not
+    // Simulates the last dip of `result`. Does nothing if that was the last request and was not
     // cancelled.
     void start(const std::shared_ptr<const JobResult>& result);
-    void cancel(); // a dip that is wanted meanwhile does not wait for it
+    void cancel(); // so that another dip need not wait for it
 
 signals:
     void done(const std::shared_ptr<const dipwright::JobResult>& result,

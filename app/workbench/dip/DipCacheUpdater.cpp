@@ -36,7 +36,7 @@ void DipCacheUpdater::showDocument() {
     keep();
     if (const Document* document = session_.document()) {
         connect(document, &Document::fileChanged, this,
-                &DipCacheUpdater::keepSoon); // it has one now
+                &DipCacheUpdater::keepSoon); // the document may have a file now
         find();
     }
 }
@@ -49,13 +49,13 @@ void DipCacheUpdater::find() {
     }
     using Kept = std::shared_ptr<const JobResult>;
     jobs_.start(std::make_unique<ValueJob<Kept>>(
-        tr("Looking for results"),
+        tr("Reading cached results"),
         [project = document.project(), path = document.path(), &registry = registry_](
             const Progress& progress) { return cachedDips(project, registry, path, progress); },
         [this, document = QPointer(&document)](const Kept& kept) {
             if (kept && document && document == session_.document() && !document->result() &&
                 document->project() == kept->project) {
-                messages_.log(tr("The results are those of the dips kept beside the project."));
+                messages_.log(tr("Took the results from the cache file beside the project."));
                 session_.setKept(kept);
                 emit found();
             }
@@ -86,7 +86,7 @@ void DipCacheUpdater::keep() {
     });
 }
 
-// Nobody asked for it: a line, and not one for each run.
+// The user did not ask for the cache, so a failure shows one line, and only once.
 void DipCacheUpdater::tellOnce(const QString& sentence) {
     if (!std::exchange(told_, true)) {
         messages_.logAndSay(sentence);

@@ -1,6 +1,5 @@
-// Keeps the dips of a document's results beside its file, and finds them there when the document is
-// opened again (pipeline/DipCache.h). UI thread only; reads as a job and writes on a thread of its
-// own.
+// Caches the dips of a document's results beside its file, and reads them when the document is
+// opened again (pipeline/DipCache.h). UI thread only. Reads as a job; writes on its own thread.
 #pragma once
 
 #include "workbench/dip/DipSession.h"
@@ -17,15 +16,15 @@ class DipCacheUpdater : public QObject {
 public:
     DipCacheUpdater(DipSession& session, JobRunner& jobs, const SolverRegistry& registry,
                     Messages& messages, QObject* parent = nullptr);
-    ~DipCacheUpdater() override; // writes what is still to be written, and waits for it
+    ~DipCacheUpdater() override; // writes what is pending, and waits for it
 
-    // Whether anything is kept or found; at first nothing is.
+    // Switches the cache on or off. It starts off.
     void setWanted(bool wanted) { wanted_ = wanted; }
-    // To be called when the session has another document.
+    // Call this when the session has another document.
     void showDocument();
 
 signals:
-    void found(); // the session has what its next run can take over
+    void found(); // the session has dips that its next run can reuse
 
 private:
     void find();
@@ -38,9 +37,9 @@ private:
     const SolverRegistry& registry_;
     Messages& messages_;
     bool wanted_ = false, told_ = false;
-    QTimer delay_; // since the last result: dips that run one after the other are kept together
-    std::shared_ptr<const JobResult> result_; // that is still to be written …
-    QString path_;                            // … beside this project
+    QTimer delay_; // after the last result, so that dips in a row are written once
+    std::shared_ptr<const JobResult> result_; // pending; null: nothing to write
+    QString path_;                            // the project file of result_
     QThreadPool writer_;
 };
 

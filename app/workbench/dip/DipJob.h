@@ -1,5 +1,5 @@
-// The main job on the worker thread: simulates, reverses the texture, lays out the sheets, records
-// the film on its way and makes ready what the window shows of the result.
+// The main job, on the worker thread: computes the result of a project, records the film during the
+// dips, and prepares the previews and readouts for the window.
 #pragma once
 
 #include "pipeline/Pipeline.h"
@@ -9,21 +9,21 @@
 
 namespace dipwright {
 
-// One recording an immersion; shared between the job and who watches it.
+// One recording for each dip, shared by the job and the view.
 using DipRecordings = std::vector<std::shared_ptr<DipRecording>>;
 DipRecordings makeRecordings(const Project& project, std::size_t mostPoints);
 
-// A page as it prints, at a resolution for the screen.
+// A sheet's page as it prints, at a resolution for the screen.
 struct SheetPreview {
     QImage page;
-    QSizeF size; // of the page, mm
-    QRectF film; // on the page, mm
+    QSizeF size; // page size, mm
+    QRectF film; // the film on the page, mm
 };
 SheetPreview sheetPreview(const Sheet& sheet); // throws Error as pageSize() does
 
 struct DipOutcome {
     std::shared_ptr<const JobResult> result;
-    std::vector<std::shared_ptr<const FilmReadout>> readings; // an immersion each
+    std::vector<std::shared_ptr<const FilmReadout>> readings; // one for each dip
     std::vector<SheetPreview> sheets;
 };
 
@@ -32,7 +32,7 @@ public:
     using Done = std::function<void(const DipOutcome&)>;
     using Failed = std::function<void(bool cancelled, std::exception_ptr)>;
 
-    // `previous` (may be null) is taken over as far as it still fits.
+    // `previous` (may be null) is reused as far as it still fits.
     DipJob(const Project& project, const SolverRegistry& registry,
            std::shared_ptr<const JobResult> previous, DipRecordings recordings, Done done,
            Failed failed);

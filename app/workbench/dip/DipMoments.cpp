@@ -8,7 +8,7 @@ namespace dipwright {
 
 namespace {
 
-// When the first of the film's points that `counts` was held.
+// Returns the descent at which the first film point with `counts` was held, mm.
 template <typename Counts>
 std::optional<double> firstHeld(const DipRecording& recording, const DippedFilm& film,
                                 const Counts& counts) {

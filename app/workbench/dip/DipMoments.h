@@ -1,4 +1,4 @@
-// The moments of a dip that are worth a look.
+// Finds the notable moments of a dip.
 #pragma once
 
 #include "pipeline/JobResult.h"
@@ -10,11 +10,11 @@ enum class DipEvent { FirstContact, AirCaught, Torn, LetGo };
 
 struct DipMoment {
     DipEvent event;
-    double descent = 0; // mm, as RecordedFrame's
+    double descent = 0; // mm, as in RecordedFrame
 };
 
-// In the order in which they come; of each event the first, and none that did not happen. When film
-// tore or was let go of is told as finely as the recording's frames came.
+// Returns the first moment of each event that happened, in order of time. Torn and LetGo (released
+// film) are as precise as the interval between the recorded frames.
 std::vector<DipMoment> dipMoments(const DipRecording& recording, const ImmersionResult& result);
 
 } // namespace dipwright

@@ -39,7 +39,7 @@ DipRecording::DipRecording(const Immersion& immersion, std::size_t mostPoints,
     : immersion_(immersion), mostPoints_(mostPoints), mostFrames_(mostFrames) {}
 
 void DipRecording::add(const FilmFrame& frame) {
-    if (added_ == 0) { // nobody reads the film yet
+    if (added_ == 0) { // no reader uses film_ yet, so no lock
         grid_ = frame.grid;
         film_ = thinFilm(grid_, mostPoints_);
         heldAt_.assign(grid_.pointCount(), std::numeric_limits<float>::quiet_NaN());

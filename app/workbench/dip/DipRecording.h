@@ -1,4 +1,4 @@
-// The film of one dip over time, thinned out so that it can be played and scrubbed.
+// Records the film of one dip over time, coarsely, for playing and scrubbing.
 #pragma once
 
 #include "dip/FilmFrame.h"
@@ -9,27 +9,27 @@
 
 namespace dipwright {
 
-// A coarser grid out of the film's points: every second, every third … column and row, as few as it
-// takes to have about the number of points asked for, and always the last column and row.
+// A coarser grid of the film's points: every n-th column and row, and always the last ones.
 struct ThinnedFilm {
     int columns = 0, rows = 0;
     std::vector<std::uint32_t> points; // index in the film, row by row
 };
+// Chooses the smallest n that leaves about `mostPoints` points.
 ThinnedFilm thinFilm(const solver::FilmGrid& grid, std::size_t mostPoints);
 
 struct RecordedFrame {
-    std::vector<float> positions; // x, y, z a point of the thinned film; world frame
+    std::vector<float> positions; // x, y, z of each point of the thinned film; world frame, mm
     double descent = 0;           // mm
 };
 
-// Written by the thread that simulates, read by the UI thread at the same time.
+// The simulating thread writes while the UI thread reads.
 class DipRecording {
 public:
-    // Keeps at most about `mostFrames` evenly spread frames, always with the newest.
+    // Keeps about `mostFrames` evenly spread frames at most, and always the newest.
     DipRecording(const Immersion& immersion, std::size_t mostPoints, std::size_t mostFrames);
 
     const Immersion& immersion() const { return immersion_; }
-    // Of its frames; once there is one, they stay as they are.
+    // The grids of the frames. They are constant once there is a frame.
     const ThinnedFilm& film() const { return film_; }
     const solver::FilmGrid& grid() const { return grid_; }
 
@@ -37,10 +37,10 @@ public:
     std::size_t size() const;
     std::shared_ptr<const RecordedFrame> frame(std::size_t number) const;
     std::shared_ptr<const RecordedFrame> latest() const; // null: none yet
-    // Of the first frame that showed the film's point held, mm; NaN: none did. Not while it is
-    // written.
+    // Returns the descent of the first frame in which the film point is held, mm; NaN if none. Do
+    // not call it while the dip is recorded.
     float heldAt(std::size_t point) const;
-    std::size_t frameAt(double descent) const; // the first one that far down, or the last
+    std::size_t frameAt(double descent) const; // the first frame at or below it, else the last
 
 private:
     void thinOut();
@@ -51,7 +51,7 @@ private:
     ThinnedFilm film_;
     mutable std::mutex mutex_;
     std::vector<std::shared_ptr<const RecordedFrame>> frames_;
-    std::vector<float> heldAt_; // a point of the film each
+    std::vector<float> heldAt_; // mm, for each film point
     std::size_t added_ = 0;
     std::size_t keepEvery_ = 1;
 };

@@ -28,7 +28,7 @@ void DipSession::projectChanged() {
     if (immersion_ >= document_->project().immersions.size()) {
         immersion_ = 0;
     }
-    // A result of another model has nothing to do with this one.
+    // Drops the result of another model.
     if (outcome_.result && outcome_.result->project.model != document_->project().model) {
         outcome_ = {};
         recordings_.clear();
@@ -46,7 +46,7 @@ void DipSession::run(std::size_t mostPoints) {
     if (jobs_.isBusy()) {
         wanted_ = true;
         if (running_) {
-            dip_.cancel(); // and nothing else that waits
+            dip_.cancel(); // leaves other jobs alone
         }
         return;
     }
@@ -68,7 +68,7 @@ void DipSession::cancel() {
 }
 
 void DipSession::stop(std::exception_ptr why) {
-    if (running_) { // else it was cancelled before
+    if (running_) { // else it was cancelled already
         running_ = false;
         live_.clear();
         emit stopped(why);
@@ -77,10 +77,10 @@ void DipSession::stop(std::exception_ptr why) {
 
 void DipSession::takeOutcome(const DipOutcome& outcome) {
     if (!running_) {
-        return; // cancelled when it was all but done
+        return; // cancelled at the last moment
     }
     running_ = false;
-    // A dip that did not have to be computed again was not recorded again either.
+    // A reused dip has no new recording, so keep the old one.
     for (std::size_t number = 0; number < live_.size(); ++number) {
         if (live_[number]->size() == 0 && number < recordings_.size()) {
             live_[number] = recordings_[number];
@@ -89,7 +89,7 @@ void DipSession::takeOutcome(const DipOutcome& outcome) {
     recordings_ = std::move(live_);
     live_.clear();
     if (!document_ || outcome.result->project.model != document_->project().model) {
-        recordings_.clear(); // the model was replaced on the way
+        recordings_.clear(); // the model was replaced during the run
         emit stopped(nullptr);
         return;
     }

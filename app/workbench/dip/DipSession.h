@@ -1,6 +1,5 @@
-// The dips of one document: starts them, starts them again when the project changes on the way,
-// keeps the recordings and the outcome of the last one, and which immersion of it is looked at. UI
-// thread only.
+// Runs the dips of one document, and keeps their last outcome, their recordings and the number of
+// the dip that is shown. UI thread only.
 #pragma once
 
 #include "workbench/dip/DipJob.h"
@@ -15,37 +14,37 @@ class DipSession : public QObject {
 public:
     DipSession(JobRunner& jobs, const SolverRegistry& registry, QObject* parent = nullptr);
 
-    // Lets go of what belonged to another document; null: none.
+    // Drops the results of the previous document. Null: no document.
     void setDocument(Document* document);
     Document* document() const { return document_; }
-    // Runs what is out of date; nothing where nothing is. While jobs run, it is done after them,
-    // and a dip that runs on older values is cancelled. `mostPoints`: of the recorded film.
+    // Runs what is out of date. If jobs run, waits for them, but cancels a dip with older values.
+    // `mostPoints`: size of the recorded film.
     void run(std::size_t mostPoints);
-    // What the first run of the document can take over, in the place of an earlier result.
+    // Sets the result that the first run can reuse.
     void setKept(std::shared_ptr<const JobResult> kept) { kept_ = std::move(kept); }
-    // Cancels all jobs. A dip that runs is over for the session at once, with stopped(); its job
-    // ends on the worker thread when it next reports its progress.
+    // Cancels all jobs. Emits stopped() at once for a running dip. Its job ends on the worker
+    // thread at its next progress report.
     void cancel();
     bool isRunning() const { return running_; }
 
-    // Of the last dip that was done; empty before.
+    // The outcome of the last finished run; empty before the first.
     const DipOutcome& outcome() const { return outcome_; }
-    // Of the immersion that is looked at; null where it has none.
+    // Readout and recording of the dip that is shown; null if there is none.
     std::shared_ptr<const FilmReadout> reading() const;
     std::shared_ptr<const DipRecording> recording() const;
-    // Of the dip that runs: the immersion that is being dipped; null before its first frame.
+    // The recording of the dip that is being simulated; null before its first frame.
     std::shared_ptr<const DipRecording> liveRecording() const;
 
-    // The immersion that is looked at; the first one of a new document.
+    // The number of the dip that is shown, from 0.
     std::size_t immersion() const { return immersion_; }
-    void lookAt(std::size_t immersion); // nothing where the project has none of that number
+    void lookAt(std::size_t immersion); // does nothing if there is no such dip
 
 signals:
     void started();
-    void finished();                      // the outcome is new
+    void finished();                      // there is a new outcome
     void stopped(std::exception_ptr why); // null: cancelled
-    void dropped();                       // there is no outcome any more: the model is another
-    void immersionChanged(std::size_t immersion); // another one is looked at
+    void dropped();                       // the outcome is gone, because the model was replaced
+    void immersionChanged(std::size_t immersion); // another dip is shown
 
 private:
     void takeOutcome(const DipOutcome& outcome);
@@ -59,9 +58,9 @@ private:
     DipRecordings recordings_, live_;
     DipOutcome outcome_;
     std::shared_ptr<const JobResult> kept_;
-    CancelToken dip_; // the one that runs
+    CancelToken dip_; // of the running dip
     bool running_ = false;
-    bool wanted_ = false; // again, once the jobs that run now have ended
+    bool wanted_ = false; // run again when the current jobs have ended
     std::size_t mostPoints_ = 0;
 };
 

@@ -7,7 +7,7 @@ namespace dipwright {
 
 namespace {
 
-// The mean over the triangles round each point.
+// Returns the mean over the triangles around each point.
 std::vector<float> perPoint(std::size_t points, const std::vector<FilmTriangle>& triangles,
                             const std::vector<PrincipalStretch>& stretches,
                             float (*value)(const PrincipalStretch&)) {
@@ -24,7 +24,7 @@ std::vector<float> perPoint(std::size_t points, const std::vector<FilmTriangle>&
     return sums;
 }
 
-// All of them where none is chosen.
+// Returns the chosen values, or all if none is chosen.
 std::vector<float> chosen(const std::vector<float>& values,
                           const std::vector<std::uint8_t>& isOne) {
     std::vector<float> kept;
@@ -36,7 +36,7 @@ std::vector<float> chosen(const std::vector<float>& values,
     return kept.empty() ? values : kept;
 }
 
-// Barycentric weights of `place` in a triangle of the plane; negative where it lies outside.
+// Returns the barycentric weights of `place` in a plane triangle. Some are negative outside it.
 Eigen::Vector3f weightsIn(const std::array<Eigen::Vector2f, 3>& corners,
                           const Eigen::Vector2f& place) {
     const auto cross = [](const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
@@ -64,7 +64,7 @@ FilmReadout::FilmReadout(std::shared_ptr<const LaidFilm> laid)
         mean([](const PrincipalStretch& stretch) { return stretch.larger; });
     values_[std::size_t(FilmQuantity::Smaller)] =
         mean([](const PrincipalStretch& stretch) { return stretch.smaller; });
-    // As wrinkling is measured: against the film as it floated when it was touched.
+    // Relative to the floating film at the moment of contact, as for wrinkling.
     for (std::size_t point = 0; point < film().grown.size(); ++point) {
         values_[std::size_t(FilmQuantity::Smaller)][point] /= film().grown[point];
     }

@@ -1,5 +1,5 @@
-// What can be read off one dipped film, point by point: made once on the worker thread, asked under
-// the cursor by the view, the stretch map and the sheet.
+// Gives the values of one dipped film at any place: for the 3D view, the stretch map and the sheet.
+// Built on the worker thread, then constant.
 #pragma once
 
 #include "dip/LaidFilm.h"
@@ -8,7 +8,8 @@
 
 namespace dipwright {
 
-// Ratios of dipped to floating film. Length: mean of a point's constraints.
+// Stretch of the dipped film relative to the floating film. Length: mean over a point's
+// constraints.
 enum class FilmQuantity { Length, Area, Larger, Smaller };
 inline constexpr std::size_t filmQuantityCount = 4;
 
@@ -16,10 +17,10 @@ struct FilmReadoutPoint {
     Eigen::Vector2f rest = Eigen::Vector2f::Zero();  // on the floating film, see restPosition()
     Eigen::Vector3f place = Eigen::Vector3f::Zero(); // pose frame, mm
     std::array<float, filmQuantityCount> values{};
-    PrincipalStretch stretch; // of the triangle there: these agree with each other
+    PrincipalStretch stretch; // of the triangle at this place
     bool adhered = false;
-    SurfacePoint body;                                 // invalid where the film is not on it
-    Eigen::Vector3f outward = Eigen::Vector3f::Zero(); // of the body's surface there, pose frame
+    SurfacePoint body; // invalid where the film does not lie on the body
+    Eigen::Vector3f outward = Eigen::Vector3f::Zero(); // normal of the body there, pose frame
 };
 
 class FilmReadout {
@@ -27,21 +28,21 @@ public:
     explicit FilmReadout(std::shared_ptr<const LaidFilm> laid);
 
     const DippedFilm& film() const { return laid_->film(); }
-    // One value a film point.
+    // One value for each film point.
     const std::vector<float>& values(FilmQuantity quantity) const {
         return values_[std::size_t(quantity)];
     }
-    // Of the points that paint the body only; of all where none does.
+    // Values of the points that paint the body; of all points if none does.
     const std::vector<float>& paintedValues(FilmQuantity quantity) const {
         return painted_[std::size_t(quantity)];
     }
-    // The report's figures: of what paints the body, each constraint or triangle counted once.
+    // The report's figures for the film that paints. Counts each constraint or triangle once.
     const Distribution& spread(FilmQuantity quantity) const {
         return spreads_[std::size_t(quantity)];
     }
-    // The film at a place of the flat film; nothing outside it.
+    // Reads at a place of the flat film, mm; nullopt outside the film.
     std::optional<FilmReadoutPoint> at(const Eigen::Vector2f& rest) const;
-    // The film first met by a ray in the pose frame.
+    // Reads where a ray first meets the film, pose frame.
     std::optional<FilmReadoutPoint> at(const Eigen::Vector3f& origin,
                                        const Eigen::Vector3f& direction) const;
 

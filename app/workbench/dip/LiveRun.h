@@ -1,4 +1,4 @@
-// Has the dip run again a moment after a change, once there is a result.
+// Requests a new run shortly after each change, once there is a result.
 #pragma once
 
 #include "workbench/document/Document.h"
@@ -15,13 +15,12 @@ public:
     explicit LiveRun(QObject* parent = nullptr);
 
     void setDocument(const Document* document); // may be null
-    // What the user wants; counts from the next change on.
+    // Switches live runs on or off, from the next change on.
     void setWanted(bool wanted) { wanted_ = wanted; }
-    // While something is dragged, nothing is run; afterwards what has changed is.
+    // Suspends runs during a drag, and requests one afterwards if something has changed.
     void setHeld(bool held);
-    void stop(); // it has been run, or is not to be
-    // The user does not want what is about to run, or runs: nothing is run before the project's
-    // sheets come out otherwise than they would now.
+    void stop(); // drops a pending request
+    // The user cancelled. Requests no run until a change affects the sheets.
     void cancel();
 
 signals:
@@ -33,7 +32,7 @@ private:
     const Document* document_ = nullptr;
     bool wanted_ = false;
     bool held_ = false;
-    std::optional<Project> cancelled_; // what is not to be run
+    std::optional<Project> cancelled_; // do not run projects with the same sheets
     QTimer delay_;
 };
 

@@ -11,12 +11,12 @@ namespace dipwright {
 
 namespace {
 
-// Each step keeps two versions of the project, which share their model: some kilobytes.
+// Each step keeps two versions of the project, some kilobytes, because they share the model.
 constexpr int undoLimit = 500;
 
 } // namespace
 
-// A project before and after one step. The values are whole: undoing cannot miss anything.
+// One undo step. It holds the whole project before and after, so that undo cannot miss a value.
 class ProjectEdit : public QUndoCommand {
 public:
     ProjectEdit(Document& document, const QString& text, const QString& mergeKey, Project after)

@@ -1,5 +1,5 @@
-// One open document: a project as a value, every change to it undoable, its file, and the result
-// of the last run with what of it is out of date. No widgets. UI thread only.
+// One open document: its project, undo steps and file, and the last result with what is out of
+// date. No widgets. UI thread only.
 #pragma once
 
 #include "disk/FileLock.h"
@@ -13,11 +13,11 @@
 
 namespace dipwright {
 
-// The steps of the job whose results can be out of date, each later one including what it depends
-// on (pipeline/StepInputs.h).
+// The steps of a job whose results can be out of date. Each step includes the inputs of the steps
+// before it (pipeline/StepInputs.h).
 enum class JobStep { Dip, Texture, Sheet };
 
-// What of an immersion's results fits the project as it is.
+// Which results of a dip fit the current project.
 struct Freshness {
     bool dip = true, texture = true, sheet = true;
     bool operator==(const Freshness&) const = default;
@@ -27,7 +27,7 @@ class Document : public QObject {
     Q_OBJECT
 
 public:
-    // `path` empty: a new document without a file. `version`: of the file, taken before it was
+    // `path`: empty for a new document without a file. `version`: the file's version before it was
     // read.
     explicit Document(Project project, const QString& path = {}, const FileVersion& version = {},
                       QObject* parent = nullptr);
@@ -35,52 +35,49 @@ public:
 
     const Project& project() const { return project_; }
 
-    // Applies `change` to a copy of the project and makes it the project, as one step to undo that
-    // is called `text`. Nothing happens when it changes nothing. Steps with the same `mergeKey` in
-    // a row become one, until endMerge(); an empty key never merges. What `change` throws passes
-    // through, and nothing has changed.
+    // Applies `change` to the project as one undo step named `text`. Adds no step if nothing
+    // changes. Steps in a row with the same `mergeKey` become one, until endMerge(); an empty key
+    // never merges. Passes on what `change` throws, and leaves the project unchanged then.
     void edit(const QString& text, const QString& mergeKey,
               const std::function<void(Project&)>& change);
     void endMerge() { ++mergeRound_; }
     QUndoStack& undoStack() { return undoStack_; }
 
-    // The file. `path` is empty for a document that was never saved.
-    const QString& path() const { return path_; }
-    const FileVersion& version() const { return version_; } // of the file, as it was last known
-    QString title() const;                                  // the file's name, or the project's
+    const QString& path() const { return path_; }           // empty: never saved
+    const FileVersion& version() const { return version_; } // last known version of the file
+    QString title() const; // the file's name, else the project's name
     bool isModified() const {
         return (path_.isEmpty() && !keptElsewhere_) || recovered_ || !undoStack_.isClean();
     }
-    // Without a file, but of something that is kept anyway, such as a sample: unmodified until it
-    // is edited.
+    // Marks a document without a file as unmodified until it is edited, such as a copy of a sample.
     void setKeptElsewhere() { keptElsewhere_ = true; }
-    // Restored after a crash: differs from its file though nothing was edited since.
+    // Marks a document that was restored after a crash as modified.
     void setRecovered() {
         recovered_ = true;
         emit fileChanged();
     }
-    // Takes the file's lock; what it found is returned and nothing is taken unless it was free.
+    // Takes the lock of the file if it is free. Returns the state that it found.
     LockState lock() { return lock_->acquire(path_); }
-    // Throws ChangedFile where another program has written the file since, and Error; then file and
-    // document are as they were.
+    // Throws ChangedFile if another program has written the file since, or Error. File and document
+    // are unchanged then.
     void save();
-    // The same into another file, which is replaced; Error, too, where another has that open. Into
-    // its own: whatever another program has written.
+    // Saves to another file and replaces it. Throws Error, also if that file is open elsewhere.
+    // With the document's own path, overwrites even what another program has written.
     void saveAs(const QString& path);
 
-    // Whether a file that the project names was chosen here, or allowed to be read: false of those
-    // that came with the file it was opened from, which may be a stranger's.
+    // Returns whether the user chose this file or allowed to read it. False for paths that came
+    // with the project file, because that may be from a stranger.
     bool isTrusted(const QString& file) const { return !untrusted_.contains(file); }
     void trust(const QString& file) { untrusted_.removeAll(file); }
 
-    // The last run's result, which names the project it belongs to; null before the first.
+    // The result of the last run, with its project; null before the first.
     std::shared_ptr<const JobResult> result() const { return result_; }
     void setResult(std::shared_ptr<const JobResult> result);
-    // Whether there is a result of `step` for immersion `number` that fits the project as it is: a
-    // run would take it over.
+    // Returns whether the result of `step` for dip `number` fits the current project. A run
+    // then reuses it.
     bool isFresh(JobStep step, std::size_t number) const;
     Freshness freshness(std::size_t number) const; // of each step
-    bool isFresh() const;                          // everything of every immersion
+    bool isFresh() const;                          // all steps of all dips
 
 signals:
     void projectChanged();
@@ -98,7 +95,7 @@ private:
     int mergeRound_ = 0;
     bool recovered_ = false, keptElsewhere_ = false;
     FileVersion version_;
-    QStringList untrusted_; // files
+    QStringList untrusted_; // paths of files
     std::unique_ptr<FileLock> lock_ = std::make_unique<FileLock>();
     std::shared_ptr<const JobResult> result_;
 };

@@ -13,14 +13,14 @@ namespace dipwright {
 
 namespace {
 
-// A project, and the version of the file that it will be saved to.
+// A project, and the version of the file to which it will be saved.
 struct ReadProject {
     Project project;
     FileVersion version;
 };
 
-// Of the version that the file had, which is taken now where it is not known. Nothing is shown of
-// one that was cancelled while it was read.
+// Reads the project at `path`. Takes the version of `file` now if it is not `known`. Throws
+// Cancelled if the job was cancelled during the read.
 ReadProject projectFrom(const QString& path, const QString& file,
                         const std::optional<FileVersion>& known, const Progress& progress) {
     const FileVersion version = known ? *known : FileVersion::of(file); // before it is read
@@ -52,8 +52,9 @@ void DocumentSession::take(std::unique_ptr<Document> document) {
     autoSaver_ = std::make_unique<AutoSaver>(*document_, recovery_);
     autoSaver_->setInterval(autosaveSeconds_);
     connect(autoSaver_.get(), &AutoSaver::failed, this, [this](const QString& why) {
-        messages_.notice(
-            tr("Unsaved changes are not kept in case of a crash; save them often. %1").arg(why));
+        messages_.notice(tr("Unsaved changes would be lost in a crash, because no copy can be "
+                            "written. Save often. %1")
+                             .arg(why));
     });
     emit documentChanged();
 }
@@ -67,7 +68,7 @@ void DocumentSession::openProject(const QString& path) {
     if (window_.bringForward(absolute)) {
         return;
     }
-    if (document_ || jobs_.isBusy()) { // with another one, perhaps
+    if (document_ || jobs_.isBusy()) { // perhaps opening another document
         DocumentSession& other = window_.another();
         other.readProject(absolute, messages_, other.window_.giveUp);
         return;
@@ -88,8 +89,8 @@ void DocumentSession::readProject(const QString& file, Messages& teller,
         this->take(std::move(document));
     };
     const auto tell = [teller = QPointer(&teller), failed](const std::exception_ptr& failure) {
-        if (teller) { // its window may be closed by now
-            teller->fail(tr("Open Project"), failure);
+        if (teller) { // else its window is closed
+            teller->fail(tr("Open project"), failure);
         }
         failed();
     };
@@ -101,7 +102,7 @@ void DocumentSession::readProject(const QString& file, Messages& teller,
 
 void DocumentSession::openCopy(const QString& path) {
     startJob(
-        jobs_, messages_, tr("Opening the project"), tr("Open Project"),
+        jobs_, messages_, tr("Opening the project"), tr("Open project"),
         [path](const Progress& progress) { return projectFrom(path, {}, {}, progress); },
         [this](const ReadProject& read) {
             auto document = std::make_unique<Document>(read.project);
@@ -112,7 +113,7 @@ void DocumentSession::openCopy(const QString& path) {
 
 void DocumentSession::importModel(const QString& path, const ImportOptions& options,
                                   const std::function<void(Project&)>& complete) {
-    startImport(path, options, tr("New Project"), jobs_, messages_,
+    startImport(path, options, tr("New project"), jobs_, messages_,
                 [this, path, options, complete](const ImportedModel& imported) {
                     logImport(imported, messages_);
                     Project project = newProject(imported, path, options);
@@ -137,7 +138,7 @@ bool DocumentSession::lockOrAsk(Document& document) {
 
 void DocumentSession::restore(const RecoveredDocument& recovered) {
     startJob(
-        jobs_, messages_, tr("Restoring the project"), tr("Restore Project"),
+        jobs_, messages_, tr("Restoring the project"), tr("Restore project"),
         [recovered](const Progress& progress) {
             return projectFrom(recovered.copy, recovered.original, recovered.version, progress);
         },
@@ -149,7 +150,7 @@ void DocumentSession::restore(const RecoveredDocument& recovered) {
             }
             document->setRecovered();
             take(std::move(document));
-            if (autoSaver_->keepNow()) { // else the old copy is all there is
+            if (autoSaver_->keepNow()) { // else the old copy is the only one
                 discardRecovered(recovered);
             }
             messages_.log(tr("Restored unsaved changes of %1").arg(recovered.name));

@@ -1,6 +1,6 @@
-// The document of one window: opened, made of a model, restored after a crash, saved, and its
-// unsaved changes kept. Reads on the worker thread and tells when a document is there, or why not.
-// UI thread only.
+// Manages the document of one window: opens, imports, restores and saves it, and keeps copies of
+// its unsaved changes. Reads on the worker thread; reports success by signals and failure by
+// messages. UI thread only.
 #pragma once
 
 #include "import/trusted/ImportModel.h"
@@ -15,19 +15,19 @@ class DocumentSession : public QObject {
     Q_OBJECT
 
 public:
-    // What it cannot decide by itself.
+    // Callbacks for decisions that need the window.
     struct Window {
-        // Another has the file open: whether the user wants it all the same.
+        // Asks whether to open a file that is open elsewhere.
         std::function<bool(const Document& document, const LockState& holder)> opensLocked;
-        // Brings the window forward that has this file open; false: none has.
+        // Brings the window with this file to the front. Returns false if there is none.
         std::function<bool(const QString& path)> bringForward;
-        // That of a new window: this one shows one document only.
+        // Opens a new window and returns its session.
         std::function<DocumentSession&()> another;
-        // Nothing came of what this window was opened for.
+        // Closes a window that was opened for a document that could not be read.
         std::function<void()> giveUp;
     };
 
-    // `recovery`: the folder in which copies of unsaved work are kept.
+    // `recovery`: the folder for copies of unsaved work.
     DocumentSession(JobRunner& jobs, Messages& messages, const QString& recovery, Window window,
                     QObject* parent = nullptr);
     ~DocumentSession() override;
@@ -35,28 +35,28 @@ public:
     Document* document() const { return document_.get(); } // null: none
     void setAutosaveInterval(int seconds);
 
-    // Each becomes the document here if there is none, else that of another window. A project that
-    // is open in a window already is shown there.
+    // These open the document in this window if it has none, else in another window. A project that
+    // is already open is shown in its window.
     void openProject(const QString& path);
-    // As an untitled copy: a sample, which stays as it is.
+    // Opens an untitled copy of a sample.
     void openCopy(const QString& path);
-    // `complete` may set what the user has chosen beside the model.
+    // `complete` may change the new project before it is shown.
     void importModel(const QString& path, const ImportOptions& options,
                      const std::function<void(Project&)>& complete = {});
-    void restore(const RecoveredDocument& recovered); // only where there is no document
+    void restore(const RecoveredDocument& recovered); // only without a document
 
-    // Both as the document's, which throw Error.
+    // These throw Error, as Document's functions do.
     void save();
     void saveAs(const QString& path);
-    void discardChanges(); // the copy of what is not saved goes
+    void discardChanges(); // deletes the copy of unsaved changes
 
 signals:
-    void documentChanged(); // it is another one now; the earlier one goes when all have been told
+    void documentChanged(); // the old document is deleted after this signal
     void saved(const QString& path);
-    void lengthDoubted(double millimetres); // of the body that was read
+    void lengthDoubted(double millimetres); // the imported body is very long or short
 
 private:
-    // What went wrong is told by `teller`, and `failed` called.
+    // On failure, reports to `teller` and calls `failed`.
     void readProject(const QString& file, Messages& teller, const std::function<void()>& failed);
     bool lockOrAsk(Document& document);
     void tellSaved(const QString& path);

@@ -7,28 +7,28 @@ namespace dipwright {
 
 void addImmersion(Document& document) {
     document.edit(
-        QCoreApplication::translate("ImmersionEdits", "Add Immersion"), {}, [](Project& project) {
+        QCoreApplication::translate("ImmersionEdits", "Add dip"), {}, [](Project& project) {
             Immersion second = project.immersions.front();
-            second.name = QCoreApplication::translate("ImmersionEdits", "Immersion %1").arg(2);
+            second.name = QCoreApplication::translate("ImmersionEdits", "Dip %1").arg(2);
             second.rotation[0] = Degrees(std::remainder(second.rotation[0].value() + 180, 360));
             project.immersions.push_back(second);
         });
 }
 
 void removeImmersion(Document& document, std::size_t number) {
-    document.edit(QCoreApplication::translate("ImmersionEdits", "Remove Immersion"), {},
+    document.edit(QCoreApplication::translate("ImmersionEdits", "Remove dip"), {},
                   [number](Project& project) {
                       project.immersions.erase(project.immersions.begin() + std::ptrdiff_t(number));
                   });
 }
 
 void setImmersions(Document& document, const std::vector<Immersion>& immersions) {
-    document.edit(QCoreApplication::translate("ImmersionEdits", "Take Pose"), {},
+    document.edit(QCoreApplication::translate("ImmersionEdits", "Use pose"), {},
                   [&immersions](Project& project) { project.immersions = immersions; });
 }
 
 void swapImmersions(Document& document) {
-    document.edit(QCoreApplication::translate("ImmersionEdits", "Swap Immersions"), {},
+    document.edit(QCoreApplication::translate("ImmersionEdits", "Swap dips"), {},
                   [](Project& project) {
                       std::swap(project.immersions.front(), project.immersions.back());
                       for (ShareMark& mark : project.share.marks) {

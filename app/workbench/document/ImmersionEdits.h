@@ -1,16 +1,16 @@
-// What is done to a document's immersions as a whole, each as one step to undo.
+// Adds, removes and swaps the dips of a document, each as one undo step.
 #pragma once
 
 #include "workbench/document/Document.h"
 
 namespace dipwright {
 
-// A second one: the first one's pose, from the other side.
+// Adds a second dip with the pose of the first, from the other side.
 void addImmersion(Document& document);
 void removeImmersion(Document& document, std::size_t number);
-// These in place of the document's.
+// Replaces all dips.
 void setImmersions(Document& document, const std::vector<Immersion>& immersions);
-// Of two: the second dip first. What was given to a dip for the join stays that dip's.
+// Swaps the two dips. Marks for the seam stay with their dip.
 void swapImmersions(Document& document);
 
 } // namespace dipwright

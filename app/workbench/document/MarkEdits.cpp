@@ -38,16 +38,16 @@ void add(Document& document, const QString& text, const QString& mergeKey, const
 } // namespace
 
 void addMark(Document& document, const ShareMark& mark) {
-    add(document, Text::tr("Mark for the Join"), QStringLiteral("share.marks"), mark);
+    add(document, Text::tr("Mark for the seam"), QStringLiteral("share.marks"), mark);
 }
 
 void addMark(Document& document, const ZoneMark& mark) {
-    add(document, Text::tr("Mark a Zone"), QStringLiteral("tolerance.marks"), mark);
+    add(document, Text::tr("Mark zone"), QStringLiteral("tolerance.marks"), mark);
 }
 
 template <typename Mark>
 void removeLastMark(Document& document) {
-    document.edit(Text::tr("Remove Mark"), {}, [](Project& project) {
+    document.edit(Text::tr("Remove mark"), {}, [](Project& project) {
         std::vector<Mark>& marks = Marks<Mark>::of(project);
         if (!marks.empty()) {
             marks.pop_back();
@@ -57,7 +57,7 @@ void removeLastMark(Document& document) {
 
 template <typename Mark>
 void removeMarks(Document& document) {
-    document.edit(Text::tr("Remove Marks"), {},
+    document.edit(Text::tr("Remove marks"), {},
                   [](Project& project) { Marks<Mark>::of(project).clear(); });
 }
 

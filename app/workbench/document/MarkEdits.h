@@ -1,4 +1,4 @@
-// What the user marks on the body: for the join of two dips, and as zones.
+// Adds and removes the user's marks on the body: for the seam of two dips, and for zones.
 #pragma once
 
 #include "workbench/document/Document.h"
@@ -7,15 +7,15 @@
 
 namespace dipwright {
 
-// What a click on the body marks, without its place; none: nothing.
+// The mark that a click on the body sets, without its place. monostate: no mark.
 using MarkBrush = std::variant<std::monostate, ShareMark, ZoneMark>;
 
-// Past the most marks that a project has, the oldest of the kind goes. Marks in a row are one step
-// to undo until Document::endMerge().
+// Removes the oldest mark of the kind if the project holds the maximum number. Marks in a row are
+// one undo step, until Document::endMerge().
 void addMark(Document& document, const ShareMark& mark);
 void addMark(Document& document, const ZoneMark& mark);
 
-// Each one step to undo. `Mark` is ShareMark or ZoneMark.
+// Each is one undo step. `Mark` is ShareMark or ZoneMark.
 template <typename Mark>
 void removeLastMark(Document& document);
 template <typename Mark>

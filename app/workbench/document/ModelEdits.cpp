@@ -32,7 +32,7 @@ void resizeModel(Document& document, Millimetres longestEdge) {
     const double factor =
         std::clamp(longestEdge.value(), leastLongestEdge.value(), mostLongestEdge.value()) /
         longestEdgeOf(model.mesh);
-    document.edit(QCoreApplication::translate("ModelEdits", "Change Size"),
+    document.edit(QCoreApplication::translate("ModelEdits", "Change size"),
                   QStringLiteral("model.size"), [&](Project& project) {
                       auto resized = std::make_shared<TexturedMesh>(model);
                       scale(resized->mesh, factor);

@@ -20,7 +20,7 @@ void exchangeModel(Project& project, const ImportedModel& imported, const QStrin
     project.modelOrigin.sha256.clear();
 }
 
-// The size of the model that is there is kept with its pose: its settings were made for it.
+// Pose::Kept also keeps the size of the present model, because the settings were made for it.
 void importInto(Document& document, const QString& path, const QString& texture, Pose pose,
                 const QString& undoText, JobRunner& jobs, Messages& messages) {
     ImportOptions options;
@@ -50,8 +50,7 @@ Project newProject(const ImportedModel& imported, const QString& path,
     project.name = projectName(path);
     project.date = QDate::currentDate().toString(Qt::ISODate);
     project.film.resolution = FilmResolution::Automatic;
-    project.immersions.front().name =
-        QCoreApplication::translate("ModelImport", "Immersion %1").arg(1);
+    project.immersions.front().name = QCoreApplication::translate("ModelImport", "Dip %1").arg(1);
     project.model = std::make_shared<const TexturedMesh>(imported.model);
     project.modelOrigin.source = path;
     project.modelOrigin.texture = options.texture;
@@ -68,7 +67,7 @@ void logImport(const ImportedModel& imported, Messages& messages) {
 }
 
 std::optional<double> doubtfulLength(const TriangleMesh& mesh) {
-    constexpr double smallest = 5, largest = 3000; // mm, of what is dipped
+    constexpr double smallest = 5, largest = 3000; // mm, usual parts
     const double longest = longestEdgeOf(mesh);
     return longest < smallest || longest > largest ? std::optional(longest) : std::nullopt;
 }
@@ -84,7 +83,7 @@ void startImport(const QString& path, const ImportOptions& options, const QStrin
             again.outsideFiles += outside.files();
             messages.askToRead(failureTitle,
                                QCoreApplication::translate(
-                                   "ModelImport", "The model names files outside its own folder:"),
+                                   "ModelImport", "The model refers to files outside its folder:"),
                                outside.files(), [=, &jobs, &messages] {
                                    startImport(path, again, failureTitle, jobs, messages, done);
                                });
@@ -99,7 +98,7 @@ void startImport(const QString& path, const ImportOptions& options, const QStrin
 }
 
 void reloadModel(Document& document, JobRunner& jobs, Messages& messages) {
-    const QString title = QCoreApplication::translate("ModelImport", "Reload Model");
+    const QString title = QCoreApplication::translate("ModelImport", "Reload model");
     const ModelOrigin& origin = document.project().modelOrigin;
     QStringList untrusted;
     for (const QString& file : {origin.source, origin.texture}) {
@@ -116,20 +115,20 @@ void reloadModel(Document& document, JobRunner& jobs, Messages& messages) {
     if (untrusted.isEmpty()) {
         reload();
     } else {
-        messages.askToRead(title,
-                           QCoreApplication::translate(
-                               "ModelImport", "The project, as it was opened, names these files:"),
-                           untrusted, reload);
+        messages.askToRead(
+            title,
+            QCoreApplication::translate("ModelImport", "The project file refers to these files:"),
+            untrusted, reload);
     }
 }
 
 void replaceModel(Document& document, const QString& path, JobRunner& jobs, Messages& messages) {
     importInto(document, path, {}, Pose::Reset,
-               QCoreApplication::translate("ModelImport", "Replace Model"), jobs, messages);
+               QCoreApplication::translate("ModelImport", "Replace model"), jobs, messages);
 }
 
 void replaceTexture(Document& document, const QString& path, JobRunner& jobs, Messages& messages) {
-    const QString undoText = QCoreApplication::translate("ModelImport", "Replace Texture");
+    const QString undoText = QCoreApplication::translate("ModelImport", "Replace texture");
     startJob(
         jobs, messages, QCoreApplication::translate("ModelImport", "Reading the texture"), undoText,
         [model = document.project().model, path](const Progress&) {

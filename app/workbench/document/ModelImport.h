@@ -1,5 +1,5 @@
-// Models and textures read on the worker thread: for a new project, or in place of those that a
-// document has, as one step to undo.
+// Reads models and textures on the worker thread: for a new project, or to replace those of a
+// document as one undo step.
 #pragma once
 
 #include "import/trusted/ImportModel.h"
@@ -9,22 +9,23 @@
 
 namespace dipwright {
 
-// A new project around a model that was read from `path`.
+// Returns a new project with a model that was read from `path`.
 Project newProject(const ImportedModel& imported, const QString& path,
                    const ImportOptions& options);
-// Logs what had to be mended or doubted.
+// Logs repairs and warnings, and shows the warnings.
 void logImport(const ImportedModel& imported, Messages& messages);
-// How long the body is, mm, if it is longer or shorter than what is ever dipped: files often do not
-// say in which unit they are.
+// Returns the length of the body, mm, if it is implausible, else nullopt. Files often do
+// not say their unit.
 std::optional<double> doubtfulLength(const TriangleMesh& mesh);
 
-// Reads a model; `done` takes it on the UI thread. Files outside the model's folder are asked for
-// first. `failureTitle` stands over what went wrong. Jobs and messages must live until then.
+// Reads a model and calls `done` on the UI thread. Asks before it reads files outside the model's
+// folder. `failureTitle` is the title of an error message. `jobs` and `messages` must outlive the
+// job.
 void startImport(const QString& path, const ImportOptions& options, const QString& failureTitle,
                  JobRunner& jobs, Messages& messages,
                  const std::function<void(const ImportedModel&)>& done);
 
-// The document must live as long as `jobs` has this to do.
+// The document must outlive the job.
 void reloadModel(Document& document, JobRunner& jobs, Messages& messages); // keeps all settings
 void replaceModel(Document& document, const QString& path, JobRunner& jobs, Messages& messages);
 void replaceTexture(Document& document, const QString& path, JobRunner& jobs, Messages& messages);

@@ -1,4 +1,4 @@
-// What the user has chosen for the program, not for a project.
+// The user's preferences for the program.
 #pragma once
 
 #include "base/Units.h"
@@ -15,15 +15,15 @@ enum class NavigationChoice { Turntable, Trackball };
 struct Preferences {
     LengthUnit unit = LengthUnit::Millimetre;
     ThemeChoice theme = ThemeChoice::System;
-    QString language; // "en", "de", "pt_BR"; empty: the system's
+    QString language; // "en", "de", "pt_BR"; empty: system language
     NavigationChoice navigation = NavigationChoice::Turntable;
     int autosaveSeconds = 20;
-    QString filmPreset = QStringLiteral("A4"); // of new projects
-    QString filmProfile;                       // of new projects; empty: none
-    QString printerProfile;                    // of new projects; empty: none
-    bool liveUpdate = true;   // simulate again after each change, once there is a result
-    bool keepsResults = true; // beside a project's file, for who opens it again
-    QMap<QString, QKeySequence> shortcuts; // by the action's name, where not the default
+    QString filmPreset = QStringLiteral("A4"); // for new projects
+    QString filmProfile;                       // for new projects; empty: none
+    QString printerProfile;                    // for new projects; empty: none
+    bool liveUpdate = true;                // run again after each change, once there is a result
+    bool keepsResults = true;              // in a cache beside the project file
+    QMap<QString, QKeySequence> shortcuts; // by action name, only if not the default
     bool operator==(const Preferences&) const = default;
 };
 

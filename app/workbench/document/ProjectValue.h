@@ -1,5 +1,5 @@
-// A project's values by their path in the schema ("film.swell", "immersions[0].offset_mm"), as the
-// property panels use them.
+// Reads and sets a project's values by their path in the schema, such as "film.swell" or
+// "immersions[0].offset_mm".
 #pragma once
 
 #include "project/Field.h"
@@ -8,11 +8,11 @@ namespace dipwright {
 
 struct Project;
 
-// What the value may be. Throws Error for an unknown path.
+// Returns the rule for the value. Throws Error for an unknown path.
 FieldRule valueRule(const QString& path);
-// Undefined for an immersion that the project has not.
+// Returns Undefined if the project has no such dip.
 QJsonValue valueAt(const Project& project, const QString& path);
-// Throws Error when the value breaks the rule; the project is then as it was.
+// Throws Error if the value breaks the rule, and leaves the project unchanged.
 void setValueAt(Project& project, const QString& path, const QJsonValue& value);
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// The projects opened last, the newest first, each with a small picture of its view.
+// The list of recent projects, newest first, each with a thumbnail of its view.
 #pragma once
 
 #include <QImage>
@@ -10,8 +10,8 @@ namespace dipwright {
 QStringList recentProjects();
 void addRecentProject(const QString& path);
 void forgetRecentProject(const QString& path);
-QImage projectThumbnail(const QString& path); // null: none kept
-QImage thumbnailOf(const QImage& picture);    // its middle, small
+QImage projectThumbnail(const QString& path); // null: there is none
+QImage thumbnailOf(const QImage& picture);    // scaled and cropped to the centre
 void keepProjectThumbnail(const QString& path, const QImage& picture);
 
 } // namespace dipwright

@@ -24,7 +24,7 @@ QString besides(const QString& copy, const char* extension) {
     return copy.left(copy.lastIndexOf(QLatin1Char('.'))) + QLatin1String(extension);
 }
 
-// Descriptions without a copy: whoever was to write it was killed before.
+// Removes descriptions without a copy. Their program was killed before it wrote the copy.
 void removeRests(const QDir& folder) {
     for (const QString& description : folder.entryList({QStringLiteral("*.json")}, QDir::Files)) {
         const QString copy = besides(folder.filePath(description), ".dipw");
@@ -50,7 +50,7 @@ std::vector<RecoveredDocument> findRecoveredDocuments(const QString& folder) {
          directory.entryInfoList({QStringLiteral("*.dipw")}, QDir::Files, QDir::Time)) {
         FileLock lock;
         if (!lock.acquire(copy.filePath()).acquired) {
-            continue; // open in a program that lives
+            continue; // open in a running program
         }
         QFile description(besides(copy.filePath(), ".json"));
         QJsonObject json;

@@ -1,8 +1,8 @@
-// Copies of edited documents, kept while they are open, from which work is restored after a crash.
+// Keeps copies of edited documents, to restore unsaved work after a crash.
 //
-// A document's copy is NAME.dipw with NAME.json beside it (which file it belongs to) and a lock,
-// held by the program that edits it. A copy whose lock nobody holds was left behind by a crash. The
-// copy goes when the document is saved or its user has let it go; nothing else removes it.
+// A copy is NAME.dipw, with NAME.json (the file that it belongs to) and a lock. The program that
+// edits the document holds the lock, so a free lock means a crash. The copy is removed only when
+// the document is saved or its changes are discarded.
 #pragma once
 
 #include "disk/FileLock.h"
@@ -23,35 +23,34 @@ class Document;
 struct RecoveredDocument {
     QString copy;     // the recovery file
     QString original; // the document's own file; empty: it had none
-    QString name;     // of the project
+    QString name;     // the project's name
     QDateTime saved;
-    std::optional<FileVersion> version = {}; // of the original, before it was edited; if known
+    std::optional<FileVersion> version = {}; // of the original before the edits, if known
 };
 
-// The copies in `folder` that a crash has left behind, the newest first.
+// Returns the copies in `folder` that a crash has left behind, newest first.
 std::vector<RecoveredDocument> findRecoveredDocuments(const QString& folder);
-// Removes one copy, once it is restored or the user has let it go.
+// Removes one copy. Call it after the copy is restored, or if the user discards it.
 void discardRecovered(const RecoveredDocument& recovered);
-// Where copies are kept by default.
+// Returns the default folder for copies.
 QString recoveryFolder();
 
-// Keeps the copy of one document: after each change, at most once an interval, on another thread.
+// Writes the copy of one document after changes, at most once per interval, on its own thread.
 class AutoSaver : public QObject {
     Q_OBJECT
 
 public:
     AutoSaver(Document& document, const QString& folder, QObject* parent = nullptr);
-    ~AutoSaver() override; // waits for a copy being written; the copy stays if edits are not saved
+    ~AutoSaver() override; // waits for a write; the copy stays if edits are unsaved
 
     void setInterval(int seconds);
-    // Writes the copy now if there is anything to keep, and waits until it is on the disk. False
-    // where it cannot be written.
+    // Writes the copy now and waits for it. Returns false if it cannot be written.
     bool keepNow();
-    // The user has saved, or let the changes go: removes the copy.
+    // Removes the copy. Call it when the changes are saved or discarded.
     void discard();
 
 signals:
-    // No copy can be written, `why` in a sentence; not again until one has been.
+    // The copy cannot be written; `why` is a sentence. Emitted once, until a write succeeds again.
     void failed(const QString& why);
 
 private:
@@ -63,7 +62,7 @@ private:
     QString folder_, name_;
     std::unique_ptr<FileLock> lock_;
     QTimer timer_;
-    std::atomic<bool> isKept_ = true; // or nothing is due
+    std::atomic<bool> isKept_ = true; // also true before the first write
     QThreadPool writer_;
 };
 

@@ -6,7 +6,7 @@ namespace dipwright {
 
 namespace {
 
-const char* const key = "window/layouts"; // a map: names may hold what keys may not
+const char* const key = "window/layouts"; // a map: keys allow fewer characters than names
 
 } // namespace
 

@@ -1,4 +1,4 @@
-// Arrangements of a window's panels that the user has given names.
+// Stores named arrangements of a window's panels.
 #pragma once
 
 #include <QByteArray>
@@ -6,9 +6,9 @@
 
 namespace dipwright {
 
-QStringList savedLayouts(); // by name
+QStringList savedLayouts(); // sorted names
 QByteArray savedLayout(const QString& name);
-void saveLayout(const QString& name, const QByteArray& state); // over one of the same name
+void saveLayout(const QString& name, const QByteArray& state); // replaces one of the same name
 void removeLayout(const QString& name);
 
 } // namespace dipwright

@@ -42,19 +42,19 @@ void takeSnapshot(Document& document, const QString& name) {
     kept.push_back(snapshotOf(document.project(), name,
                               QDateTime::currentDateTime().toString(Qt::ISODate),
                               snapshotMeasures(document)));
-    keep(document, Text::tr("Take Snapshot “%1”").arg(kept.back().name), kept);
+    keep(document, Text::tr("Take snapshot “%1”").arg(kept.back().name), kept);
 }
 
 void removeSnapshot(Document& document, std::size_t number) {
     std::vector<Snapshot> kept = snapshots(document.project());
     const QString name = kept.at(number).name;
     kept.erase(kept.begin() + std::ptrdiff_t(number));
-    keep(document, Text::tr("Remove Snapshot “%1”").arg(name), kept);
+    keep(document, Text::tr("Remove snapshot “%1”").arg(name), kept);
 }
 
 void goBackTo(Document& document, std::size_t number) {
     const Snapshot snapshot = snapshots(document.project()).at(number);
-    document.edit(Text::tr("Go Back to “%1”").arg(snapshot.name), {},
+    document.edit(Text::tr("Restore snapshot “%1”").arg(snapshot.name), {},
                   [&snapshot](Project& project) { project = atSnapshot(project, snapshot); });
 }
 

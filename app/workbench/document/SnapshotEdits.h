@@ -1,5 +1,5 @@
-// Snapshots of an open project (project/Snapshots.h): taken, removed and gone back to, each a step
-// to undo.
+// Takes, removes and restores snapshots of an open project (project/Snapshots.h), each as one undo
+// step.
 #pragma once
 
 #include "project/Snapshots.h"
@@ -7,13 +7,14 @@
 
 namespace dipwright {
 
-// Figures of a result to compare states by: "painted" (share of the body), "stretch" (the largest
-// that 95 % of the film on the body keeps, of all dips), "uncertain_mm2". Empty for none.
-QJsonObject snapshotMeasures(const Document& document); // of a result that fits the project
+// Returns the figures by which states are compared: "painted" (share of the body), "stretch" (95th
+// percentile over the film on the body, largest of all dips), "uncertain_mm2". Empty without a
+// result that fits the project.
+QJsonObject snapshotMeasures(const Document& document);
 
 void takeSnapshot(Document& document, const QString& name);
 void removeSnapshot(Document& document, std::size_t number);
-// Throws Error where the snapshot holds what no project may.
+// Throws Error if the snapshot holds values that a project may not have.
 void goBackTo(Document& document, std::size_t number);
 
 } // namespace dipwright

@@ -17,7 +17,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::GuidePictures)
 };
 
-// All pictures are drawn in units of a hundredth of their width.
+// All pictures are drawn in units of 1/100 of their width.
 const QSizeF size(100, 46);
 const QColor paper(Qt::white), ink(40, 44, 50), soft(120, 128, 136), water(196, 222, 240),
     deep(150, 192, 222), filmColour(232, 150, 70), cardColour(90, 96, 104),
@@ -53,7 +53,7 @@ void arrow(QPainter& painter, const QPointF& from, const QPointF& to) {
     painter.setBrush(Qt::NoBrush);
 }
 
-// A page as it is printed, its left edge's middle at `at`.
+// Draws a printed page. `at`: the middle of its left edge.
 QRectF drawPage(QPainter& painter, BoardKind kind, const QSizeF& paperSize, const QPointF& at,
                 double height) {
     WatchPage page;
@@ -81,11 +81,11 @@ void drawPages(QPainter& painter) {
     letter(painter, {card.left(), 4, 40, 9},
            Text::tr("card.pdf\nprinted on stiff, waterproof card"), Qt::AlignLeft);
     letter(painter, {film.right() + 1.5, 24, 20, 18},
-           Text::tr("The rulers of both must measure 100 mm"), Qt::AlignLeft | Qt::AlignTop,
+           Text::tr("The rulers on both must measure 100 mm"), Qt::AlignLeft | Qt::AlignTop,
            accent);
 }
 
-// The tank from the side, the film and the card on its water.
+// Draws the tank from the side, with film and card on the water.
 void drawWater(QPainter& painter) {
     constexpr double level = 22, left = 10, right = 90, bottom = 40;
     painter.fillRect(QRectF(left, level, right - left, bottom - level), water);
@@ -98,25 +98,23 @@ void drawWater(QPainter& painter) {
     painter.drawRect(QRectF(18, level - 0.7, 38, 0.7));
     painter.setBrush(cardColour);
     painter.drawRect(QRectF(64, level - 0.7, 18, 1.8));
-    for (int i = 0; i < 9; ++i) { // the ink, on top of both
+    for (int i = 0; i < 9; ++i) { // the ink on top of film and card
         painter.setBrush(ink);
         painter.drawRect(QRectF(19 + 4.2 * i, level - 1.1, 2.1, 0.4));
         if (i < 4) {
             painter.drawRect(QRectF(65 + 4.4 * i, level - 1.1, 2.2, 0.4));
         }
     }
-    letter(painter, {12, 4.5, 48, 6}, Text::tr("The film, its ink side up, as for a dip"),
+    letter(painter, {12, 4.5, 48, 6}, Text::tr("The film, ink side up, as for a dip"),
            Qt::AlignHCenter | Qt::AlignTop);
     arrow(painter, {37, 11}, {37, level - 2});
     letter(painter, {61, 4.5, 30, 6}, Text::tr("The card beside it, flat"),
            Qt::AlignHCenter | Qt::AlignTop);
     arrow(painter, {73, 11}, {73, level - 2});
     line(painter, accent, 0.25, {14, level - 0.9}, {86, level - 0.9});
-    letter(painter, {14, 25, 72, 6},
-           Text::tr("Both prints at one height: that is how millimetres "
-                    "are known"),
+    letter(painter, {14, 25, 72, 6}, Text::tr("Both at the same height: the card gives the scale"),
            Qt::AlignHCenter | Qt::AlignTop, accent);
-    letter(painter, {14, 33, 72, 5}, Text::tr("Note the time when the film is laid"),
+    letter(painter, {14, 33, 72, 5}, Text::tr("Note the time when you lay the film"),
            Qt::AlignHCenter | Qt::AlignTop);
 }
 
@@ -129,7 +127,7 @@ void drawCamera(QPainter& painter, const QPointF& lens) {
     painter.drawRect(QRectF(lens.x() - 1.4, lens.y() - 0.5, 2.8, 0.5));
 }
 
-// What the camera sees, the film grown by so much.
+// Draws one photo. `grown`: size of the film relative to the first photo.
 void drawFrame(QPainter& painter, const QRectF& frame, double grown, const QString& when) {
     painter.fillRect(frame, water);
     painter.save();
@@ -154,7 +152,7 @@ void drawFrame(QPainter& painter, const QRectF& frame, double grown, const QStri
            Qt::AlignHCenter | Qt::AlignTop);
 }
 
-// The camera over both, and the photos that it makes.
+// Draws the camera above film and card, and its photos.
 void drawPhotos(QPainter& painter) {
     const QPointF lens(17, 14);
     painter.setPen(Qt::NoPen);
@@ -173,10 +171,9 @@ void drawPhotos(QPainter& painter) {
                   Text::tr("%1 s").arg(seconds[i]));
     }
     letter(painter, {36, 1.5, 62, 6},
-           Text::tr("One photo tells the swell, three or more the growth"),
+           Text::tr("One photo gives the swell, three or more give the growth"),
            Qt::AlignHCenter | Qt::AlignTop);
-    letter(painter, {36, 38, 62, 7},
-           Text::tr("from before the dip begins until the film grows no more"),
+    letter(painter, {36, 38, 62, 7}, Text::tr("from before the dip until the film stops growing"),
            Qt::AlignHCenter | Qt::AlignTop, accent);
 }
 
@@ -197,7 +194,7 @@ QImage guidePicture(const QString& name, int width) {
     painter.scale(unit, unit);
     painter.setPen(Qt::NoPen);
     painter.setBrush(paper);
-    painter.drawRoundedRect(QRectF(QPointF(), size), 1.5, 1.5); // light in a dark guide, too
+    painter.drawRoundedRect(QRectF(QPointF(), size), 1.5, 1.5); // light also in a dark guide
     painter.setBrush(Qt::NoBrush);
     if (name == guidePictures()[0]) {
         drawPages(painter);

@@ -1,5 +1,4 @@
-// The guide's pictures of the five minutes at the tank, drawn by the program in the user's
-// language.
+// Draws the guide's pictures of measuring a film, in the user's language.
 #pragma once
 
 #include <QImage>
@@ -7,9 +6,9 @@
 
 namespace dipwright {
 
-// As the guide names their files: "tank-pages", "tank-water", "tank-photos".
+// Returns the picture names in the guide: "tank-pages", "tank-water", "tank-photos".
 QStringList guidePictures();
-// One of them, `width` pixels wide.
+// Draws one picture, `width` pixels wide.
 QImage guidePicture(const QString& name, int width);
 
 } // namespace dipwright

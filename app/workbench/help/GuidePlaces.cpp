@@ -26,12 +26,12 @@ enum Chapter {
     Wrong
 };
 
-// By the names of widgets; with the number of the tab that is shown, or of the part of the project.
-// The words are as the guide has them in each language.
+// Keys are widget names, with the number of the shown tab or of the project's page. The words must
+// occur in the guide of each language.
 QMap<QString, GuidePlace> placesByName() {
-    const GuidePlace certainty{Results, Text::tr("Dip ▸ Check Certainty")};
+    const GuidePlace certainty{Results, Text::tr("Dip ▸ Check numerical error")};
     const GuidePlace tolerances{Results, Text::tr("Dip ▸ Tolerances")};
-    const GuidePlace newProject{FirstSheet, Text::tr("File ▸ New Project")};
+    const GuidePlace newProject{FirstSheet, Text::tr("File ▸ New project")};
     return {
         {QStringLiteral("startPage"), newProject},
         {QStringLiteral("newProjectDialog"), newProject},
@@ -41,15 +41,15 @@ QMap<QString, GuidePlace> placesByName() {
         {QStringLiteral("preferencesDialog"), {Window, {}}},
         {QStringLiteral("artworkPage"), {Artwork, {}}},
         {QStringLiteral("propertyPanel/0"), {Projects, {}}},
-        {QStringLiteral("propertyPanel/1"), {Projects, Text::tr("Reload Model")}},
+        {QStringLiteral("propertyPanel/1"), {Projects, Text::tr("Reload model")}},
         {QStringLiteral("propertyPanel/2"), {Film, {}}},
         {QStringLiteral("propertyPanel/3"), {Dipping, {}}},
         {QStringLiteral("propertyPanel/4"), {Immersions, {}}},
-        {QStringLiteral("propertyPanel/5"), {Immersions, Text::tr("Join")}},
+        {QStringLiteral("propertyPanel/5"), {Immersions, Text::tr("Seam")}},
         {QStringLiteral("propertyPanel/6"), {Printing, Text::tr("File ▸ Print")}},
         {QStringLiteral("propertyPanel/7"), {Printing, Text::tr("ICC profile")}},
         {QStringLiteral("propertyPanel/8"), tolerances},
-        {QStringLiteral("searchPage"), {Immersions, Text::tr("Dip ▸ Find Poses")}},
+        {QStringLiteral("searchPage"), {Immersions, Text::tr("Dip ▸ Find poses")}},
         {QStringLiteral("results/0"), {Verdict, {}}},
         {QStringLiteral("results/1"), {Results, Text::tr("Stretch")}},
         {QStringLiteral("results/2"), {Results, Text::tr("Texture")}},
@@ -59,15 +59,15 @@ QMap<QString, GuidePlace> placesByName() {
         {QStringLiteral("certaintyDialog"), certainty},
         {QStringLiteral("toleranceDialog"), tolerances},
         {QStringLiteral("printDialog"), {Printing, Text::tr("File ▸ Print")}},
-        {QStringLiteral("printHistory"), {Printing, Text::tr("File ▸ Print History")}},
-        {QStringLiteral("calibrationDialog"), {Printing, Text::tr("File ▸ Calibrate Printer")}},
+        {QStringLiteral("printHistory"), {Printing, Text::tr("File ▸ Print history")}},
+        {QStringLiteral("calibrationDialog"), {Printing, Text::tr("File ▸ Calibrate printer")}},
         {QStringLiteral("profilesDialog"), {Printing, Text::tr("Edit ▸ Profiles")}},
         {QStringLiteral("inspection/0"), {Printing, Text::tr("Measuring a dipped part")}},
         {QStringLiteral("inspection/1"), {Printing, Text::tr("Fit")}},
-        {QStringLiteral("inspection/2"), {Printing, Text::tr("As Built")}},
+        {QStringLiteral("inspection/2"), {Printing, Text::tr("As built")}},
         {QStringLiteral("inspection/3"), {Printing, Text::tr("Measuring a film")}},
         {QStringLiteral("snapshots"), {Projects, Text::tr("File ▸ Snapshots")}},
-        {QStringLiteral("jobQueue"), {Projects, Text::tr("File ▸ Job Queue")}},
+        {QStringLiteral("jobQueue"), {Projects, Text::tr("File ▸ Job queue")}},
         {QStringLiteral("logDock"), {Wrong, Text::tr("log")}},
     };
 }

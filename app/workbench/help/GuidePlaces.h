@@ -1,4 +1,4 @@
-// Which place of the user guide tells about a part of the program: what F1 opens.
+// Finds the place in the user guide that F1 opens for a widget.
 #pragma once
 
 #include <QString>
@@ -10,11 +10,12 @@ namespace dipwright {
 
 struct GuidePlace {
     int chapter = 0; // from 0, the same in all languages
-    QString words;   // set off in that chapter's text; empty: where it begins
+    QString words;   // bold or italic words in that chapter; empty: its beginning
 };
 
-// Of `widget`, or of the nearest around it that has one; the guide's beginning for none or null.
+// Returns the place for `widget` or its nearest ancestor with a place; else the guide's beginning.
+// `widget` may be null.
 GuidePlace guidePlaceOf(const QWidget* widget);
-std::vector<GuidePlace> guidePlaces(); // all that there are
+std::vector<GuidePlace> guidePlaces(); // all places
 
 } // namespace dipwright

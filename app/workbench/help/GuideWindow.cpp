@@ -20,7 +20,7 @@ namespace {
 
 constexpr int pictureWidth = 580;
 
-// In the user's language where there is one.
+// Returns the guide in the user's language, else in English.
 QString guideText() {
     const QString language = QLocale().name();
     for (const QString& suffix :
@@ -40,8 +40,8 @@ GuideWindow::GuideWindow(QWidget* parent)
     : QWidget(parent, Qt::Window), search_(new QLineEdit), count_(new QLabel),
       contents_(new QListWidget), text_(new QTextBrowser) {
     setObjectName(QStringLiteral("guide"));
-    setWindowTitle(tr("User Guide"));
-    text_->setAccessibleName(tr("User Guide"));
+    setWindowTitle(tr("User guide"));
+    text_->setAccessibleName(tr("User guide"));
     text_->setFrameShape(QFrame::NoFrame);
     text_->setOpenExternalLinks(true);
     text_->setSearchPaths({QStringLiteral(":/guide")});
@@ -49,7 +49,7 @@ GuideWindow::GuideWindow(QWidget* parent)
     text_->setMarkdown(guideText());
     text_->document()->addResource(
         QTextDocument::ImageResource,
-        QUrl(QStringLiteral("../../docs/pictures/workbench.png")), // as the file itself names it
+        QUrl(QStringLiteral("../../docs/pictures/workbench.png")), // the path in the Markdown file
         QImage(QStringLiteral(":/guide/workbench.png"))
             .scaledToWidth(pictureWidth, Qt::SmoothTransformation));
     for (const QString& name : guidePictures()) {
@@ -98,7 +98,7 @@ void GuideWindow::makeContents() {
 void GuideWindow::showFrom(int position) {
     QTextCursor cursor(text_->document());
     cursor.movePosition(QTextCursor::End);
-    text_->setTextCursor(cursor); // so that it ends up on top
+    text_->setTextCursor(cursor); // scrolls the next cursor position to the top
     cursor.setPosition(position);
     text_->setTextCursor(cursor);
 }
@@ -131,7 +131,7 @@ void GuideWindow::makeSearch() {
     search_->setObjectName(QStringLiteral("search"));
     search_->setAccessibleName(tr("Search the guide"));
     search_->setPlaceholderText(tr("Search the guide"));
-    search_->setToolTip(tr("Enter goes to the next place"));
+    search_->setToolTip(tr("Press Enter to go to the next match"));
     search_->setClearButtonEnabled(true);
     count_->setObjectName(QStringLiteral("placesFound"));
     count_->hide();
@@ -170,7 +170,7 @@ void GuideWindow::showPlaces() {
         contents_->item(row)->setHidden(!wanted.isEmpty() && !holdsOne);
     }
     count_->setVisible(!wanted.isEmpty());
-    count_->setText(places.isEmpty() ? tr("Nothing found") : tr("Places: %1").arg(places.size()));
+    count_->setText(places.isEmpty() ? tr("No matches") : tr("Matches: %1").arg(places.size()));
     text_->moveCursor(QTextCursor::Start);
     showNext();
 }

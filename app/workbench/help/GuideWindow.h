@@ -1,4 +1,4 @@
-// The user guide, from Markdown, with its headings as a table of contents, and searched.
+// The window with the user guide, its table of contents and a search.
 #pragma once
 
 #include "workbench/help/GuidePlaces.h"
@@ -18,15 +18,15 @@ class GuideWindow : public QWidget {
 public:
     explicit GuideWindow(QWidget* parent = nullptr);
 
-    // False where its chapter has no such words; the chapter is shown then.
+    // Returns false if the chapter does not contain the words. Shows the chapter's beginning then.
     bool showPlace(const GuidePlace& place);
 
 private:
-    void showFrom(int position); // on top
+    void showFrom(int position); // scrolls it to the top
     void makeContents();
     void makeSearch();
-    void showPlaces(); // marks all that are looked for, shows the first, lists their chapters
-    void showNext();   // and from the last one the first again
+    void showPlaces(); // marks all matches, shows the first, lists their chapters
+    void showNext();   // shows the next match; after the last, the first
 
     QLineEdit* search_;
     QLabel* count_;
@@ -34,8 +34,8 @@ private:
     QTextBrowser* text_;
 };
 
-// The guide where it tells about `widget` (null: where it begins), in a window of its
-// own that belongs to `window`.
+// Opens the guide at the place for `widget` (null: its beginning). Its window is a child of
+// `window`.
 void showGuide(const QWidget* widget, QWidget& window);
 
 } // namespace dipwright

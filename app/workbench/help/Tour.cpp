@@ -77,7 +77,7 @@ QRect Tour::targetRect() const {
     return QRect(target->mapTo(parentWidget(), QPoint()), target->size()).intersected(rect());
 }
 
-// Beside the target where there is room, else in the middle of it.
+// Places the bubble beside the target if there is room, else in the middle of the window.
 void Tour::place() {
     bubble_->adjustSize();
     const QRect target = targetRect();

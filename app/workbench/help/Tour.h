@@ -1,4 +1,4 @@
-// The quick tour: the window's parts one after the other, each with a few words.
+// The quick tour, which explains the parts of the window one after the other.
 #pragma once
 
 #include <QPointer>
@@ -10,11 +10,11 @@ class QPushButton;
 namespace dipwright {
 
 struct TourStep {
-    QPointer<QWidget> target; // null: nothing in particular
+    QPointer<QWidget> target; // null: no target
     QString title, text;
 };
 
-// Lies over its parent until the last step or Escape; deletes itself.
+// Covers its parent until the last step or Escape, and then deletes itself.
 class Tour : public QWidget {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ public:
 protected:
     void paintEvent(QPaintEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void mousePressEvent(QMouseEvent*) override {} // nothing behind it is clicked
+    void mousePressEvent(QMouseEvent*) override {} // blocks clicks on the parent
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:

@@ -52,7 +52,7 @@ void BuiltController::setMeasured(std::shared_ptr<const MeasuredPart> measured) 
 
 void BuiltController::findWhatRepeats(const AsBuilt& built, int dips) {
     startJob(
-        jobs_, messages_, tr("Looking for what repeats"), tr("As Built"),
+        jobs_, messages_, tr("Computing the repeating error"), tr("As built"),
         [built, dips](const Progress&) {
             std::vector<RepeatingError> errors;
             for (int dip = 1; dip <= dips; ++dip) {
@@ -62,7 +62,7 @@ void BuiltController::findWhatRepeats(const AsBuilt& built, int dips) {
         },
         [this,
          places = built.places](const std::shared_ptr<const std::vector<RepeatingError>>& errors) {
-            if (places == places_) { // else a later job comes
+            if (places == places_) { // else a later job replaces it
                 page_->setErrors(errors);
             }
         });
@@ -71,7 +71,7 @@ void BuiltController::findWhatRepeats(const AsBuilt& built, int dips) {
 void BuiltController::keep(const QString& acceptedBy) {
     const AsBuilt built = session_.document()->project().asBuilt;
     startJob(
-        jobs_, messages_, tr("Measuring the part on the sheet"), tr("Keep Part"),
+        jobs_, messages_, tr("Measuring the error on the sheet"), tr("Keep part"),
         [measured = measured_, built, acceptedBy](const Progress&) {
             QStringList hashes;
             for (const PartPhoto& photo : measured->photos) {
@@ -89,7 +89,7 @@ void BuiltController::keep(const QString& acceptedBy) {
         },
         [this, built](const AsBuilt& more) {
             Document* document = session_.document();
-            if (document && document->project().asBuilt == built) { // else of another document
+            if (document && document->project().asBuilt == built) { // else the document has changed
                 keepBuilt(*document, more);
             }
         });

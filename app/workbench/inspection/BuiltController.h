@@ -1,4 +1,4 @@
-// The parts that a job keeps: what their page asks for, done by jobs, and told to it.
+// Controls the page of a job's measured parts: runs its requests as jobs and shows their results.
 #pragma once
 
 #include "workbench/dip/DipSession.h"
@@ -14,10 +14,10 @@ class BuiltController : public QObject {
 public:
     BuiltController(const DipSession& session, JobRunner& jobs, Messages& messages);
 
-    BuiltPage* page() const { return page_; } // belongs to who puts it into a window
-    // To be called when the session has another document.
+    BuiltPage* page() const { return page_; } // its window owns it
+    // Call this when the session has another document.
     void showDocument();
-    // What is known of the part at hand; null: nothing.
+    // Sets the present measured part; null: none.
     void setMeasured(std::shared_ptr<const MeasuredPart> measured);
 
 private:
@@ -30,7 +30,7 @@ private:
     Messages& messages_;
     BuiltPage* page_;
     std::shared_ptr<const MeasuredPart> measured_;
-    std::vector<BuiltPlace> places_; // that the page's errors are of
+    std::vector<BuiltPlace> places_; // the places behind the shown errors
 };
 
 } // namespace dipwright

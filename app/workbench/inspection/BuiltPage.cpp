@@ -21,7 +21,7 @@ namespace dipwright {
 namespace {
 
 constexpr int pictureHeight = 1200; // pixels
-constexpr int rows = 4;             // of parts that are seen at once
+constexpr int rows = 4;             // parts visible without scrolling
 
 } // namespace
 
@@ -29,12 +29,12 @@ BuiltPage::BuiltPage(QWidget* parent)
     : QWidget(parent), parts_(new QTableWidget(0, 4)), acceptedBy_(new QLineEdit),
       corrects_(new QCheckBox(tr("&Correct the next sheets"))), strength_(new NumberBox),
       dip_(new QComboBox), hint_(new QLabel), words_(new QLabel), legend_(new QLabel),
-      picture_(new PicturePanel(tr("What repeats, and the correction"),
+      picture_(new PicturePanel(tr("Repeating error and correction"),
                                 tr("The repeating error of the parts is shown here."))) {
     parts_->setObjectName(QStringLiteral("builtParts"));
-    parts_->setAccessibleName(tr("Parts that the job keeps"));
-    parts_->setHorizontalHeaderLabels({tr("Date"), tr("Accepted by"), tr("Photos"), tr("Off")});
-    parts_->horizontalHeaderItem(3)->setToolTip(tr("On the sheet, root mean square"));
+    parts_->setAccessibleName(tr("Measured parts of the job"));
+    parts_->setHorizontalHeaderLabels({tr("Date"), tr("Accepted by"), tr("Photos"), tr("Error")});
+    parts_->horizontalHeaderItem(3)->setToolTip(tr("Root mean square on the sheet"));
     parts_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     parts_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
     parts_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -65,11 +65,11 @@ QWidget* BuiltPage::makeKeepBar() {
     row->setContentsMargins(0, 0, 0, 0);
     acceptedBy_->setObjectName(QStringLiteral("acceptedBy"));
     acceptedBy_->setMaxLength(100);
-    acceptedBy_->setPlaceholderText(tr("Who says that the part may count"));
+    acceptedBy_->setPlaceholderText(tr("Name of the person who accepts the part"));
     acceptedBy_->setAccessibleName(tr("Accepted by"));
-    keep_ = new QPushButton(tr("&Keep Part"));
+    keep_ = new QPushButton(tr("&Keep part"));
     keep_->setObjectName(QStringLiteral("keepPart"));
-    keep_->setToolTip(tr("Keeps with the job how far the print of the measured part is off"));
+    keep_->setToolTip(tr("Stores the measured error of this part with the job"));
     row->addWidget(new QLabel(tr("Accepted by")));
     row->addWidget(acceptedBy_, 1);
     row->addWidget(keep_);
@@ -84,10 +84,11 @@ QWidget* BuiltPage::makeCorrectionBar() {
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
     corrects_->setObjectName(QStringLiteral("corrects"));
-    corrects_->setToolTip(tr("Prints the next sheets so that what repeats does not come again"));
+    corrects_->setToolTip(
+        tr("Shifts the image on the next sheets so that it cancels the repeating error"));
     strength_->setObjectName(QStringLiteral("correctionStrength"));
     strength_->setAccessibleName(tr("Strength of the correction"));
-    strength_->setToolTip(tr("How much of what repeats is taken off the next sheets"));
+    strength_->setToolTip(tr("How much of the repeating error the next sheets correct"));
     strength_->setRange(0, 100);
     strength_->setDecimals(0);
     strength_->setSingleStep(10);
@@ -163,8 +164,8 @@ void BuiltPage::showPicture() {
                                              built_.strength, pictureHeight);
     picture_->setPicture(picture, QSizeF(picture.size()) / 5);
     legend_->setText(built_.corrects
-                         ? tr("The next sheets are corrected so.")
-                         : tr("The next sheets are not corrected: this is what they would be."));
+                         ? tr("The picture shows how the next sheets are corrected.")
+                         : tr("The correction is off. The picture shows what it would do."));
 }
 
 void BuiltPage::setKeepable(bool keepable) {
@@ -178,11 +179,10 @@ void BuiltPage::setBusy(bool busy) {
 }
 
 void BuiltPage::enable() {
-    hint_->setText(keepable_
-                       ? tr("Keep the part that was measured: the job then has its photos, how far "
-                            "its print is off, and who accepted it.")
-                       : tr("To keep a part, find the corners of its print on the page “Dipped "
-                            "Part”, with pairs that are places of the body itself."));
+    hint_->setText(keepable_ ? tr("Keep the measured part to store its photos, its error and who "
+                                  "accepted it with the job.")
+                             : tr("To keep a part, find its corners on the page “Dipped part”, "
+                                  "with pairs that are places on the part itself."));
     keep_->setEnabled(keepable_ && !busy_ && !acceptedBy_->text().trimmed().isEmpty());
     corrects_->setEnabled(!built_.parts.empty());
     strength_->setEnabled(!built_.parts.empty());

@@ -1,5 +1,5 @@
-// The page of the parts that a job keeps: what they are off again and again, and the correction of
-// the next sheets by it, seen before it is used.
+// The page of a job's measured parts: their repeating error, and a preview of the correction of the
+// next sheets.
 #pragma once
 
 #include "accuracy/correction/RepeatingError.h"
@@ -26,18 +26,18 @@ class BuiltPage : public QWidget {
 public:
     explicit BuiltPage(QWidget* parent = nullptr);
 
-    // What the job keeps, and its sheet's size.
+    // Sets the job's measured parts and the size of its film.
     void setBuilt(const AsBuilt& built, Millimetres width, Millimetres height);
-    // What repeats, a dip each; null: it is not known yet.
+    // Sets the repeating error of each dip; null: unknown.
     void setErrors(std::shared_ptr<const std::vector<RepeatingError>> errors);
-    // Whether a part is measured that could be kept.
+    // Sets whether there is a measured part to keep.
     void setKeepable(bool keepable);
     void setBusy(bool busy);
 
 signals:
     void keepAsked(const QString& acceptedBy);
     void correctsChosen(bool corrects);
-    void strengthChosen(double strength); // a share
+    void strengthChosen(double strength); // 0 to 1
 
 private:
     QWidget* makeKeepBar();

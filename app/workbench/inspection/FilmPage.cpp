@@ -32,12 +32,12 @@ namespace {
 
 constexpr int mapHeight = 900; // pixels
 constexpr double mapPixelsPerMillimetre = 5;
-constexpr int rows = 3; // of photos that are seen at once
+constexpr int rows = 3; // photos visible without scrolling
 constexpr int leastPicture = 220;
-constexpr double none = -1; // of numbers from 0 that there may be none of
+constexpr double none = -1; // stands for "no value" in fields from 0
 constexpr double unknownLens = -1.0001;
 
-// None below `least`, where a box has its word for it.
+// Returns nullopt below `least`, where the box shows its special text.
 std::optional<double> valueOf(const NumberBox& box, double least = 0) {
     return box.value() < least ? std::nullopt : std::optional(box.value());
 }
@@ -63,8 +63,8 @@ QWidget* inARow(const QList<QPushButton*>& buttons) {
 }
 
 QString hintText() {
-    return FilmPage::tr("Add photos of the film's chessboard floating on the water with the card "
-                        "beside it, or drop them here. The guide says how they are made.");
+    return FilmPage::tr("Add photos of the film's chessboard on the water with the card beside it, "
+                        "or drop them here. The guide explains how to take them.");
 }
 
 } // namespace
@@ -73,13 +73,13 @@ FilmPage::FilmPage(QWidget* parent)
     : QWidget(parent), table_(new QTableWidget(0, 2)), lot_(new QLineEdit), words_(new QLabel),
       photoWords_(new QLabel), pictures_(new QTabWidget),
       boards_(new PicturePanel(tr("Photo of the film"),
-                               tr("The corners that were found in the photo are shown here."))),
+                               tr("Corners found in the photo are shown here."))),
       map_(new PicturePanel(tr("Unevenness of the film"),
-                            tr("Where the film has grown more and less is shown here."))) {
+                            tr("A map of where the film has grown more or less is shown here."))) {
     setAcceptDrops(true);
     table_->setObjectName(QStringLiteral("filmPhotos"));
     table_->setAccessibleName(tr("Photos of the film"));
-    table_->setHorizontalHeaderLabels({tr("Photo"), tr("Seconds since it was laid")});
+    table_->setHorizontalHeaderLabels({tr("Photo"), tr("Seconds on the water")});
     table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     table_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     table_->verticalHeader()->hide();
@@ -132,15 +132,15 @@ NumberBox* FilmPage::box(const char* name, double minimum, double maximum, doubl
     box->setSuffix(suffix);
     box->setSpecialValueText(nothing);
     box->setMinimumWidth(60);
-    box->setKeyboardTracking(false); // a number that is typed is one change
+    box->setKeyboardTracking(false); // a typed number is one change
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, box] { change(box->objectName()); });
     return box;
 }
 
 QWidget* FilmPage::makeFields() {
     begin_ = box("dipBegins", 0, longestWatch, 1, tr(" s"));
-    begin_->setToolTip(
-        tr("Seconds since the film was laid on the water; the swell is told of then"));
+    begin_->setToolTip(tr("Seconds from laying the film on the water to the start of the dip. The "
+                          "swell is computed for this time."));
     water_ = box("waterTemperature", none, 100, 1, tr(" °C"), tr("not measured"));
     lot_->setObjectName(QStringLiteral("filmLot"));
     lot_->setMaxLength(100);
@@ -169,30 +169,29 @@ QWidget* FilmPage::makeRulers() {
         }
     }
     rulerError_ = box("rulerError", 0, mostRulerError, 0.05, millimetres);
-    rulerError_->setToolTip(tr("How exactly each ruler was read; the swell's interval holds it"));
+    rulerError_->setToolTip(
+        tr("Reading error of each ruler. It widens the interval of the swell."));
     cardAbove_ = box("cardAbove", -mostCardAbove, mostCardAbove, 0.5, millimetres);
-    focal_ = box("focalLength", none, mostFocal, 1, millimetres, tr("as the photos say"));
-    focal_->setToolTip(tr("Of a camera of 35 mm; only needed where the card lies above the film"));
+    focal_ = box("focalLength", none, mostFocal, 1, millimetres, tr("from the photos"));
+    focal_->setToolTip(tr("35 mm equivalent. Needed only if the card lies above the film."));
     k1_ = box("lensK1", unknownLens, 1, 0.001, {}, tr("k1 ?"));
     k2_ = box("lensK2", unknownLens, 1, 0.001, {}, tr("k2 ?"));
     for (NumberBox* one : {k1_, k2_}) {
-        one->setToolTip(tr("Of a camera measured before; “?”: as each photo has it"));
+        one->setToolTip(tr("Lens distortion of a calibrated camera. “?”: found from each photo."));
     }
     auto* fields = new QWidget;
     auto* form = new QFormLayout(fields);
     form->setContentsMargins(12, 0, 0, 0);
-    form->addRow(tr("Card's rulers"), side(cardRulers_[0], cardRulers_[1]));
-    form->addRow(tr("Dry film's rulers"), side(filmRulers_[0], filmRulers_[1]));
-    form->addRow(tr("Read to ±"), rulerError_);
+    form->addRow(tr("Rulers on the card"), side(cardRulers_[0], cardRulers_[1]));
+    form->addRow(tr("Rulers on the dry film"), side(filmRulers_[0], filmRulers_[1]));
+    form->addRow(tr("Reading error ±"), rulerError_);
     form->addRow(tr("Card above the film"), cardAbove_);
     form->addRow(tr("Focal length"), focal_);
     form->addRow(tr("Distortion"), side(k1_, k2_));
     auto* fold = new QToolButton;
     fold->setObjectName(QStringLiteral("filmRulers"));
-    fold->setText(tr("Rulers and Camera"));
-    fold->setToolTip(
-        tr("What the printed rulers measure, how high the card lies, and what is known "
-           "of the camera"));
+    fold->setText(tr("Rulers and camera"));
+    fold->setToolTip(tr("Readings of the printed rulers, height of the card, and camera data"));
     fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     fold->setArrowType(Qt::RightArrow);
     fold->setAutoRaise(true);
@@ -212,7 +211,7 @@ QWidget* FilmPage::makeRulers() {
 }
 
 QWidget* FilmPage::makePhotoButtons() {
-    auto* add = new QPushButton(icon(QStringLiteral("add")), tr("Add &Photos…"));
+    auto* add = new QPushButton(icon(QStringLiteral("add")), tr("Add &photos…"));
     add->setObjectName(QStringLiteral("addFilmPhotos"));
     remove_ = new QPushButton(tr("&Remove"));
     remove_->setObjectName(QStringLiteral("removeFilmPhotos"));
@@ -220,7 +219,7 @@ QWidget* FilmPage::makePhotoButtons() {
     measure_->setObjectName(QStringLiteral("measureFilm"));
     connect(add, &QPushButton::clicked, this, [this] {
         const QStringList files = QFileDialog::getOpenFileNames(
-            this, tr("Photos of the Film"), {}, tr("Photos (%1)").arg(photoPatterns().join(u' ')));
+            this, tr("Photos of the film"), {}, tr("Photos (%1)").arg(photoPatterns().join(u' ')));
         if (!files.isEmpty()) {
             emit photosChosen(files);
         }
@@ -231,7 +230,7 @@ QWidget* FilmPage::makePhotoButtons() {
 }
 
 QWidget* FilmPage::makeResultButtons() {
-    save_ = new QPushButton(tr("&Save to Profile…"));
+    save_ = new QPushButton(tr("&Save to profile…"));
     save_->setObjectName(QStringLiteral("saveFilmProfile"));
     export_ = new QPushButton(tr("&Export…"));
     export_->setObjectName(QStringLiteral("exportFilm"));
@@ -247,7 +246,7 @@ void FilmPage::setFilm(const FilmOnWater& film, double profileBegin) {
     profileBegin_ = profileBegin;
     shows_ = true;
     begin_->setValue(film.dipBegins.value_or(profileBegin));
-    if (lot_->text() != film.lot) { // the cursor stays where one types
+    if (lot_->text() != film.lot) { // keeps the cursor where the user types
         lot_->setText(film.lot);
     }
     water_->setValue(film.waterTemperature.value_or(none));
@@ -277,7 +276,7 @@ void FilmPage::showPhotos() {
         table_->setItem(row, 0, name);
         auto* seconds = qobject_cast<NumberBox*>(table_->cellWidget(row, 1));
         if (!seconds) {
-            seconds = box("photoSeconds", none, longestWatch, 1, {}, tr("when the dip begins"));
+            seconds = box("photoSeconds", none, longestWatch, 1, {}, tr("at the start of the dip"));
             seconds->setAccessibleName(tr("Seconds since the film was laid on the water"));
             table_->setCellWidget(row, 1, seconds);
         }
@@ -334,7 +333,7 @@ void FilmPage::setMeasured(std::shared_ptr<const WatchedFilm> measured) {
     enable();
 }
 
-// The photo that is chosen in the table, else the last.
+// Shows the photo selected in the table, else the last photo.
 void FilmPage::showPicture() {
     if (!measured_) {
         boards_->clear();
@@ -342,7 +341,7 @@ void FilmPage::showPicture() {
         photoWords_->clear();
         return;
     }
-    const std::vector<WatchedPhoto>& photos = measured_->watch.photos; // by their seconds
+    const std::vector<WatchedPhoto>& photos = measured_->watch.photos; // sorted by time
     const int row = table_->currentRow();
     const QString file =
         row >= 0 && row < int(film_.photos.size()) && !table_->selectedItems().isEmpty()
@@ -353,7 +352,7 @@ void FilmPage::showPicture() {
     const WatchedPhoto& photo = found == photos.end() ? photos.back() : *found;
     const QImage& boards = measured_->boards[std::size_t(&photo - photos.data())];
     boards_->setPicture(boards, QSizeF(boards.size()) / mapPixelsPerMillimetre);
-    photoWords_->setText(tr("%1: %2 corners of the film, %3 of the card, %4 px off")
+    photoWords_->setText(tr("%1: %2 corners on the film, %3 on the card, residual %4 px")
                              .arg(QFileInfo(photo.where).fileName())
                              .arg(photo.film.corners.size())
                              .arg(photo.film.cardCorners.size())

@@ -1,5 +1,4 @@
-// The page of a film on the water: its photos with their times, what was told besides, and what
-// they say.
+// The page that measures a film on the water: photos with their times, other inputs, and results.
 #pragma once
 
 #include "inspection/FilmWatch.h"
@@ -21,7 +20,7 @@ namespace dipwright {
 class NumberBox;
 class PicturePanel;
 
-// What was measured, with a picture of each photo and the boards found in it.
+// The measurement, with a picture of each photo and the boards found in it.
 struct WatchedFilm {
     FilmWatch watch;
     std::vector<QImage> boards; // in the order of the watch's photos
@@ -33,15 +32,15 @@ class FilmPage : public QWidget {
 public:
     explicit FilmPage(QWidget* parent = nullptr);
 
-    // What the project has. `profileBegin`: when the dip begins where it does not say, seconds.
+    // Shows the project's inputs. `profileBegin`: default start of the dip, seconds.
     void setFilm(const FilmOnWater& film, double profileBegin);
-    // Null: nothing was measured, or something has changed since.
+    // Shows the measurement; null: none, or the inputs have changed since.
     void setMeasured(std::shared_ptr<const WatchedFilm> measured);
     void setBusy(bool busy);
 
 signals:
     void photosChosen(const QStringList& files);
-    // `what` was changed names the field, for changes of one field in a row to be one step.
+    // `what`: the name of the changed field. Changes of one field in a row are one undo step.
     void filmChanged(const FilmOnWater& film, const QString& what);
     void measureAsked();
     void saveAsked();
@@ -56,7 +55,7 @@ private:
     QWidget* makeRulers();
     QWidget* makePhotoButtons();
     QWidget* makeResultButtons();
-    // A field that is emptied by its lowest value, which `none` says in words.
+    // Makes a field whose lowest value means "no value" and shows the text `none`.
     NumberBox* box(const char* name, double minimum, double maximum, double step,
                    const QString& suffix, const QString& none = {});
     void change(const QString& what);
@@ -68,7 +67,7 @@ private:
     FilmOnWater film_;
     double profileBegin_ = 0;
     bool busy_ = false;
-    bool shows_ = false; // fields are being set, not edited
+    bool shows_ = false; // while the page fills its fields
     std::shared_ptr<const WatchedFilm> measured_;
     QTableWidget* table_;
     NumberBox *begin_, *water_, *rulerError_, *cardAbove_, *focal_, *k1_, *k2_;

@@ -25,7 +25,7 @@ WatchedFilm watched(const FilmOnWater& film, double begin, const Progress& progr
     for (std::size_t i = 0; i < film.photos.size(); ++i) {
         const FloatingPhoto& one = film.photos[i];
         progress(double(i) / double(film.photos.size()), one.file);
-        const Photo photo = readPhotoFile(one.file, progress); // one at a time
+        const Photo photo = readPhotoFile(one.file, progress); // one at a time, to save memory
         photos.push_back(
             {one.file, photo.sha256, one.seconds, photo.picture.size(),
              measureFlatFilm(photo.picture, flatSettings(film, photo.focalLength, one.file),
@@ -74,7 +74,7 @@ double FilmWatchController::profileBegin() const {
 void FilmWatchController::showProject() {
     const Document* document = session_.document();
     const FilmOnWater film = document ? document->project().filmOnWater : FilmOnWater{};
-    FilmOnWater known = film; // these two change nothing of what photos say
+    FilmOnWater known = film; // without the two fields that do not affect the measurement
     known.lot = measuredFilm_.lot;
     known.waterTemperature = measuredFilm_.waterTemperature;
     if (known != measuredFilm_ || film.dipBegins.value_or(profileBegin()) != measuredBegin_) {
@@ -114,7 +114,7 @@ void FilmWatchController::measure() {
         measureTrusted();
         return;
     }
-    messages_.askToRead(tr("Photos"), tr("The project names photos outside itself:"), strange,
+    messages_.askToRead(tr("Photos"), tr("The project refers to these photos:"), strange,
                         [this, strange] {
                             if (Document* allowed = session_.document()) {
                                 for (const QString& file : strange) {
@@ -129,7 +129,7 @@ void FilmWatchController::measureTrusted() {
     const FilmOnWater film = session_.document()->project().filmOnWater;
     const double begin = film.dipBegins.value_or(profileBegin());
     startJob(
-        jobs_, messages_, tr("Measuring the film"), tr("Film on the Water"),
+        jobs_, messages_, tr("Measuring the film"), tr("Film on the water"),
         [film, begin](const Progress& progress) {
             return std::make_shared<const WatchedFilm>(watched(film, begin, progress));
         },
@@ -142,7 +142,7 @@ void FilmWatchController::measureTrusted() {
         });
 }
 
-// Where a file is another one than it was when it was added.
+// Reports photos whose file has changed since it was added.
 void FilmWatchController::tellOthers(const FilmOnWater& film, const FilmWatch& watch) {
     for (const FloatingPhoto& photo : film.photos) {
         const bool isOther = std::any_of(
@@ -150,7 +150,7 @@ void FilmWatchController::tellOthers(const FilmOnWater& film, const FilmWatch& w
                 return measured.where == photo.file && measured.sha256 != photo.sha256;
             });
         if (isOther && !photo.sha256.isEmpty()) {
-            messages_.notice(tr("The photo %1 is another one than was added.")
+            messages_.notice(tr("The photo %1 has changed since it was added.")
                                  .arg(QFileInfo(photo.file).fileName()));
         }
     }
@@ -175,10 +175,10 @@ void FilmWatchController::save(const QString& name) {
 
 void FilmWatchController::exportFilm() {
     const QString folder =
-        QFileDialog::getExistingDirectory(&window_, tr("Export Film Watch to a Folder"));
+        QFileDialog::getExistingDirectory(&window_, tr("Export film measurement to a folder"));
     if (!folder.isEmpty() && measured_) {
-        writeFiles(jobs_, messages_, tr("Export Film Watch"), tr("Wrote the film watch to %1"),
-                   folder,
+        writeFiles(jobs_, messages_, tr("Export film measurement"),
+                   tr("Wrote the film measurement to %1"), folder,
                    [measured = measured_, notes = notes()](const QString& target, const Progress&) {
                        writeFilmWatch(measured->watch, notes, target);
                    });

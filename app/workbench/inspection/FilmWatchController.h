@@ -1,4 +1,4 @@
-// A film on the water measured by photos: what its page asks for, done by jobs, and told to it.
+// Controls the page that measures a film: runs its requests as jobs and shows their results.
 #pragma once
 
 #include "workbench/dip/DipSession.h"
@@ -14,8 +14,8 @@ public:
     FilmWatchController(const DipSession& session, JobRunner& jobs, Messages& messages,
                         QWidget& window);
 
-    FilmPage* page() const { return page_; } // belongs to who puts it into a window
-    // To be called when the session has another document.
+    FilmPage* page() const { return page_; } // its window owns it
+    // Call this when the session has another document.
     void showDocument();
 
 private:
@@ -36,8 +36,8 @@ private:
     QWidget& window_;
     FilmPage* page_;
     std::shared_ptr<const WatchedFilm> measured_;
-    FilmOnWater measuredFilm_; // as it was then, …
-    double measuredBegin_ = 0; // … and when the dip began
+    FilmOnWater measuredFilm_; // the inputs of measured_
+    double measuredBegin_ = 0; // start of the dip in measured_, seconds
 };
 
 } // namespace dipwright

@@ -20,7 +20,7 @@ FittedPart fitted(const MeasuredPart& measured, const SolverRegistry& registry,
     part.pairs.picture = measured.photos.front().picture.size();
     part.pairs.printed = printedOnSheet(measured);
     part.pairs.where = project.name;
-    if (project.inspection.keepsCamera) { // else they are of the print, as the corners are
+    if (project.inspection.keepsCamera) { // else they are places in the image
         part.pairs.body = clickedPairs(project.inspection);
     }
     for (const PartPhoto& photo : measured.photos) {
@@ -59,7 +59,7 @@ void FitController::setMeasured(std::shared_ptr<const MeasuredPart> measured) {
     measured_ = std::move(measured);
     page_->setReady(measured_ && !measured_->places.empty(),
                     measured_ && measured_->project.inspection.keepsCamera);
-    if (isOther || used_) { // else a refusal stays to be read
+    if (isOther || used_) { // else keeps the message of a failed fit
         showFitted();
     }
 }
@@ -85,7 +85,7 @@ void FitController::fit() {
             fitted_ = found;
             fittedTo_ = measured;
             used_.reset();
-            showFitted(); // unless the project has changed on the way
+            showFitted(); // shows it only if the part is still the same
         },
         [this](const std::exception_ptr& failure) {
             fitted_ = nullptr;
@@ -105,7 +105,7 @@ void FitController::use() {
         used_ = document->project();
         showFitted();
     } catch (const Error&) {
-        messages_.fail(tr("Use in Project"), std::current_exception());
+        messages_.fail(tr("Use in project"), std::current_exception());
     }
 }
 
@@ -119,9 +119,9 @@ void FitController::save(const QString& name) {
 
 void FitController::exportFit() {
     const QString folder =
-        QFileDialog::getExistingDirectory(&window_, tr("Export Fit to a Folder"));
+        QFileDialog::getExistingDirectory(&window_, tr("Export fit to a folder"));
     if (!folder.isEmpty() && fitted_) {
-        writeFiles(jobs_, messages_, tr("Export Fit"), tr("Wrote the fit to %1"), folder,
+        writeFiles(jobs_, messages_, tr("Export fit"), tr("Wrote the fit to %1"), folder,
                    [part = fitted_](const QString& target, const Progress&) {
                        writeFilmFit(part->fit, part->pairs, part->photos, notesOfToday(), target);
                    });

@@ -1,5 +1,5 @@
-// Film and dip fitted to photos of a dipped part: what the page asks for, done by jobs, and told to
-// it.
+// Controls the page that fits film and dip to photos of a dipped part: runs its requests as jobs
+// and shows their results.
 #pragma once
 
 #include "solver/SolverRegistry.h"
@@ -17,9 +17,9 @@ public:
     FitController(const DipSession& session, JobRunner& jobs, const SolverRegistry& registry,
                   Messages& messages, QWidget& window);
 
-    FitPage* page() const { return page_; } // belongs to who puts it into a window
-    // What is known of the part at hand; null: nothing. A fit to another one is not shown, but as
-    // long as the project is what its use has made.
+    FitPage* page() const { return page_; } // its window owns it
+    // Sets the present measured part; null: none. Hides a fit to another part, unless the project
+    // still uses that fit.
     void setMeasured(std::shared_ptr<const MeasuredPart> measured);
 
 private:
@@ -37,7 +37,7 @@ private:
     FitPage* page_;
     std::shared_ptr<const MeasuredPart> measured_, fittedTo_;
     std::shared_ptr<const FittedPart> fitted_;
-    std::optional<Project> used_; // the project with what was fitted
+    std::optional<Project> used_; // the project after the fit was used
 };
 
 } // namespace dipwright

@@ -14,7 +14,7 @@ namespace dipwright {
 
 namespace {
 
-// As high as its rows are, so that the page scrolls and not the table.
+// Makes the table as high as its rows, so that the page scrolls and not the table.
 void fitHeight(QTableWidget& table) {
     int height = table.horizontalHeader()->sizeHint().height() + 2 * table.frameWidth();
     for (int row = 0; row < table.rowCount(); ++row) {
@@ -43,16 +43,16 @@ QTableWidgetItem* cell(const QString& text, bool isNumber) {
 
 FitPage::FitPage(QWidget* parent)
     : QWidget(parent), hint_(new QLabel), words_(new QLabel),
-      quantities_(tableOf("fitQuantities", tr("What was fitted"))),
-      correlations_(tableOf("fitCorrelations", tr("Correlations of what was fitted"))) {
+      quantities_(tableOf("fitQuantities", tr("Fitted quantities"))),
+      correlations_(tableOf("fitCorrelations", tr("Correlations of the fitted quantities"))) {
     for (QLabel* label : {hint_, words_}) {
         label->setWordWrap(true);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     }
     hint_->setObjectName(QStringLiteral("fitHint"));
     words_->setObjectName(QStringLiteral("fitWords"));
-    correlations_->setToolTip(tr("Near 1 or −1: the two are told together rather than each by "
-                                 "itself"));
+    correlations_->setToolTip(
+        tr("Near 1 or −1: the photos give the two quantities only together, not each one"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->addWidget(hint_);
@@ -68,15 +68,15 @@ QWidget* FitPage::makeButtons() {
     auto* bar = new QWidget;
     auto* rows = new QVBoxLayout(bar);
     rows->setContentsMargins(0, 0, 0, 0);
-    fit_ = new QPushButton(icon(QStringLiteral("run")), tr("&Fit Film and Dip"));
+    fit_ = new QPushButton(icon(QStringLiteral("run")), tr("&Fit film and dip"));
     fit_->setObjectName(QStringLiteral("fitFilm"));
-    fit_->setToolTip(tr("Finds what film and dip really were: simulates the dip again and again "
-                        "until the print lies where the photos show it"));
-    use_ = new QPushButton(tr("&Use in Project"));
+    fit_->setToolTip(tr("Finds the real film and dip: repeats the simulation until the image lies "
+                        "where the photos show it"));
+    use_ = new QPushButton(tr("&Use in project"));
     use_->setObjectName(QStringLiteral("useFit"));
-    use_->setToolTip(tr("The project takes film, placement and depth as they were found; the film "
-                        "counts as measured"));
-    save_ = new QPushButton(tr("&Save to Profile…"));
+    use_->setToolTip(tr("Puts the fitted film, placement and depth into the project. The film then "
+                        "counts as measured."));
+    save_ = new QPushButton(tr("&Save to profile…"));
     save_->setObjectName(QStringLiteral("saveFit"));
     export_ = new QPushButton(tr("&Export…"));
     export_->setObjectName(QStringLiteral("exportFit"));
@@ -156,7 +156,7 @@ void FitPage::showCorrelations() {
         return;
     }
     QStringList names{tr("Correlation")};
-    for (int i = 1; i < count; ++i) { // the last is told in its row
+    for (int i = 1; i < count; ++i) { // the last column would be empty
         names << QString::number(i);
     }
     correlations_->setColumnCount(count);
@@ -187,20 +187,20 @@ void FitPage::enable() {
 
 void FitPage::say() {
     if (isUsed_) {
-        hint_->setText(tr("The project has film, placement and depth as they were found here. To "
-                          "fit again, find the corners anew."));
+        hint_->setText(tr("The project uses the film, placement and depth of this fit. To fit "
+                          "again, find the corners again."));
     } else if (!ready_) {
-        hint_->setText(tr("Find the corners of the print on the page “Dipped Part” first: film and "
-                          "dip are fitted to them."));
+        hint_->setText(tr(
+            "First find the corners on the page “Dipped part”. Film and dip are fitted to them."));
     } else if (!hasBody_) {
-        hint_->setText(
-            tr("The pairs are not of the body itself: a shift or turn of the whole print "
-               "cannot be told from one of the camera."));
+        hint_->setText(tr("The pairs are not places on the part itself. A shift or rotation of the "
+                          "whole image then looks like a shift or rotation of the camera."));
     } else {
-        hint_->setText(tr("Fits placement, swell and relaxation, as far as the photos tell them."));
+        hint_->setText(
+            tr("Fits placement, swell and relaxation, as far as the photos determine them."));
     }
     QStringList sentences;
-    if (fitted_) { // what the table does not say
+    if (fitted_) { // without the sentences that the table shows
         sentences = fitSentences(fitted_->fit).mid(qsizetype(fitted_->fit.quantities.size()));
     } else if (!refusal_.isEmpty()) {
         sentences << refusal_;

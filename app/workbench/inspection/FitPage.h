@@ -1,4 +1,4 @@
-// The page on which film and dip are fitted to what photos of a dipped part show.
+// The page that fits film and dip to photos of a dipped part.
 #pragma once
 
 #include "inspection/FilmFitFiles.h"
@@ -12,7 +12,7 @@ class QTableWidget;
 
 namespace dipwright {
 
-// What was found, and of what.
+// A fit and its inputs.
 struct FittedPart {
     FitPairs pairs;
     std::vector<FittedPhoto> photos;
@@ -25,11 +25,11 @@ class FitPage : public QWidget {
 public:
     explicit FitPage(QWidget* parent = nullptr);
 
-    // Whether there are places of the print to fit to, and whether places of the body besides.
+    // `ready`: there are corners to fit to. `hasBody`: there are pairs on the body, too.
     void setReady(bool ready, bool hasBody);
-    // Null: nothing was fitted, or something has changed since. `isUsed`: the project has it.
+    // Shows the fit; null: none, or the inputs have changed since. `isUsed`: the project uses it.
     void setFitted(std::shared_ptr<const FittedPart> fitted, bool isUsed);
-    void setRefusal(const QString& sentence); // instead of a fit
+    void setRefusal(const QString& sentence); // says why the fit failed
     void setBusy(bool busy);
 
 signals:

@@ -23,7 +23,7 @@ PartPhoto readPart(const QString& file, const Progress& progress) {
     return {file, photo.sha256, std::move(photo.picture)};
 }
 
-// Those that are known are not read again.
+// Reads the part's photos, except those that are known.
 std::vector<PartPhoto> photosOf(const InspectedPart& part,
                                 const std::map<QString, PartPhoto>& known,
                                 const Progress& progress) {
@@ -59,10 +59,10 @@ MeasuredPart ofCorners(std::vector<PartPhoto> photos, const Project& project,
     const auto corners = printedCorners(
         project, dips, options.chessboard ? PartPrint::Chessboard : PartPrint::Texture);
     if (corners.empty()) {
-        throw Error(InspectionController::tr(
-                        "The model's texture has no chess squares to look for; dip the "
-                        "chessboard, or measure the pairs alone"),
-                    project.name);
+        throw Error(
+            InspectionController::tr("The model's texture has no chess squares to look for; dip "
+                                     "the chessboard film, or measure only the pairs"),
+            project.name);
     }
     std::vector<QImage> pictures;
     for (const PartPhoto& photo : photos) {
@@ -81,8 +81,8 @@ MeasuredPart ofCorners(std::vector<PartPhoto> photos, const Project& project,
             dips};
 }
 
-// Whether a part that was measured by one of them would be the same by the other: photos of a film
-// on the water are no matter, nor what is kept of parts as long as no sheet is corrected by it.
+// Returns whether both projects give the same measurement of a part. Ignores the film measurement,
+// and the measured parts while the correction is off.
 bool measuresAlike(Project first, const Project& second) {
     first.filmOnWater = second.filmOnWater;
     if (!first.asBuilt.corrects && !second.asBuilt.corrects) {
@@ -107,10 +107,10 @@ InspectionController::InspectionController(DipView& view, const DipScene& scene,
     }
     pages_->setObjectName(QStringLiteral("inspection"));
     pages_->setDocumentMode(true);
-    pages_->addTab(part_, tr("Dipped Part"));
+    pages_->addTab(part_, tr("Dipped part"));
     pages_->addTab(fit_->page(), tr("Fit"));
-    pages_->addTab(built_->page(), tr("As Built"));
-    pages_->addTab(film_->page(), tr("Film on the Water"));
+    pages_->addTab(built_->page(), tr("As built"));
+    pages_->addTab(film_->page(), tr("Film on the water"));
     connect(&jobs, &JobRunner::busy, this, [this] { part_->setBusy(true); });
     connect(&jobs, &JobRunner::idle, this, [this] { part_->setBusy(false); });
     connect(&view, &DipView::clicked, this, &InspectionController::click);
@@ -135,12 +135,12 @@ void InspectionController::connectPart() {
     connect(part_, &PartPage::removePairAsked, this,
             [this](int pair) { removeClickedPair(*session_.document(), std::size_t(pair)); });
     connect(part_, &PartPage::chessboardChosen, this, [this](bool chessboard) {
-        session_.document()->edit(tr("Choose What Was Dipped"), {}, [&](Project& project) {
+        session_.document()->edit(tr("Choose dipped image"), {}, [&](Project& project) {
             project.inspection.chessboard = chessboard;
         });
     });
     connect(part_, &PartPage::keepsCameraChosen, this, [this](bool keeps) {
-        session_.document()->edit(tr("Choose What Pairs Are Of"), {}, [&](Project& project) {
+        session_.document()->edit(tr("Choose kind of pairs"), {}, [&](Project& project) {
             project.inspection.keepsCamera = keeps;
         });
     });
@@ -164,7 +164,7 @@ void InspectionController::showProject() {
     const Document* document = session_.document();
     const bool holds =
         measured_ && document && measuresAlike(measured_->project, document->project());
-    const auto measured = holds ? measured_ : nullptr; // an undone change brings it back
+    const auto measured = holds ? measured_ : nullptr; // undo can bring it back
     part_->setPart(document ? document->project().inspection : InspectedPart{});
     part_->setMeasured(measured);
     fit_->setMeasured(measured);
@@ -223,8 +223,8 @@ void InspectionController::lookAt(int photo) {
         readAgain(looked);
         return;
     }
-    messages_.askToRead(tr("Photos"), tr("The project names a photo outside itself:"),
-                        {looked.file}, [this, looked] {
+    messages_.askToRead(tr("Photos"), tr("The project refers to this photo:"), {looked.file},
+                        [this, looked] {
                             if (Document* allowed = session_.document()) {
                                 allowed->trust(looked.file);
                                 readAgain(looked);
@@ -238,7 +238,7 @@ void InspectionController::readAgain(const InspectedPhoto& photo) {
         [photo](const Progress& progress) { return readPart(photo.file, progress); },
         [this, photo](const PartPhoto& read) {
             if (!photo.sha256.isEmpty() && photo.sha256 != read.sha256) {
-                messages_.notice(tr("The photo %1 is another one than its places were clicked in.")
+                messages_.notice(tr("The photo %1 has changed since its places were clicked.")
                                      .arg(QFileInfo(photo.file).fileName()));
             }
             photos_[photo.file] = read;
@@ -270,7 +270,7 @@ void InspectionController::measurePart(bool findsCorners) {
     const Project project = session_.document()->project();
     startJob(
         jobs_, messages_, findsCorners ? tr("Finding corners") : tr("Measuring pairs"),
-        tr("Dipped Part"),
+        tr("Dipped part"),
         [project, findsCorners, known = photos_, earlier = session_.document()->result(),
          &registry = registry_](const Progress& progress) {
             std::vector<PartPhoto> photos = photosOf(project.inspection, known, progress);
@@ -287,9 +287,9 @@ void InspectionController::measurePart(bool findsCorners) {
 
 void InspectionController::exportPart() {
     const QString folder =
-        QFileDialog::getExistingDirectory(&window_, tr("Export Residuals to a Folder"));
+        QFileDialog::getExistingDirectory(&window_, tr("Export residuals to a folder"));
     if (!folder.isEmpty()) {
-        writeFiles(jobs_, messages_, tr("Export Residuals"), tr("Wrote the residuals to %1"),
+        writeFiles(jobs_, messages_, tr("Export residuals"), tr("Wrote the residuals to %1"),
                    folder, [measured = measured_](const QString& target, const Progress&) {
                        writePartView(measured->photos, measured->pairs, measured->view,
                                      measured->places, target);

@@ -1,4 +1,5 @@
-// Films and dipped parts measured by photos: what the page asks for, done by jobs, and told to it.
+// Controls the pages that measure films and dipped parts by photos: runs their requests as jobs and
+// shows the results.
 #pragma once
 
 #include "solver/SolverRegistry.h"
@@ -23,10 +24,9 @@ public:
                          JobRunner& jobs, const SolverRegistry& registry, Messages& messages,
                          QWidget& window);
 
-    // With the pages of a dipped part, of what follows from it and of a film; belongs to who puts
-    // it into a window.
+    // The tabs of all inspection pages. Their window owns them.
     QTabWidget* pages() const { return pages_; }
-    // To be called when the session has another document.
+    // Call this when the session has another document.
     void showDocument();
 
 private:
@@ -51,7 +51,7 @@ private:
     FilmWatchController* film_;
     FitController* fit_;
     BuiltController* built_;
-    std::map<QString, PartPhoto> photos_; // read, by their file
+    std::map<QString, PartPhoto> photos_; // the photos read so far, by file
     std::shared_ptr<const MeasuredPart> measured_;
 };
 

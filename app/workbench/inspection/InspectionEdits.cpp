@@ -12,7 +12,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(InspectionEdits)
 };
 
-// Those of another file than the ones that are there.
+// Adds the photos whose file is not there yet, up to `most`.
 template <typename P>
 void addNew(std::vector<P>& photos, const std::vector<P>& added, std::size_t most) {
     for (const P& one : added) {
@@ -27,13 +27,13 @@ void addNew(std::vector<P>& photos, const std::vector<P>& added, std::size_t mos
 } // namespace
 
 void addInspectedPhotos(Document& document, const std::vector<InspectedPhoto>& added) {
-    document.edit(Text::tr("Add Photos"), {}, [&](Project& project) {
+    document.edit(Text::tr("Add photos"), {}, [&](Project& project) {
         addNew(project.inspection.photos, added, mostInspectedPhotos);
     });
 }
 
 void removeInspectedPhoto(Document& document, std::size_t photo) {
-    document.edit(Text::tr("Remove Photo"), {}, [&](Project& project) {
+    document.edit(Text::tr("Remove photo"), {}, [&](Project& project) {
         InspectedPart& part = project.inspection;
         if (photo >= part.photos.size()) {
             return;
@@ -48,7 +48,7 @@ void removeInspectedPhoto(Document& document, std::size_t photo) {
 }
 
 void addClickedPair(Document& document, const ClickedPair& pair) {
-    document.edit(Text::tr("Add Pair of Places"), {}, [&](Project& project) {
+    document.edit(Text::tr("Add pair of places"), {}, [&](Project& project) {
         if (project.inspection.pairs.size() < mostClickedPairs) {
             project.inspection.pairs.push_back(pair);
         }
@@ -56,7 +56,7 @@ void addClickedPair(Document& document, const ClickedPair& pair) {
 }
 
 void moveClickedPair(Document& document, std::size_t pair, QPointF pixel) {
-    document.edit(Text::tr("Move Place in Photo"), QStringLiteral("inspection.pair"),
+    document.edit(Text::tr("Move place in photo"), QStringLiteral("inspection.pair"),
                   [&](Project& project) {
                       if (pair < project.inspection.pairs.size()) {
                           project.inspection.pairs[pair].pixel = {pixel.x(), pixel.y()};
@@ -65,7 +65,7 @@ void moveClickedPair(Document& document, std::size_t pair, QPointF pixel) {
 }
 
 void removeClickedPair(Document& document, std::size_t pair) {
-    document.edit(Text::tr("Remove Pair of Places"), {}, [&](Project& project) {
+    document.edit(Text::tr("Remove pair of places"), {}, [&](Project& project) {
         std::vector<ClickedPair>& pairs = project.inspection.pairs;
         if (pair < pairs.size()) {
             pairs.erase(pairs.begin() + std::ptrdiff_t(pair));
@@ -74,33 +74,33 @@ void removeClickedPair(Document& document, std::size_t pair) {
 }
 
 void addFloatingPhotos(Document& document, const std::vector<FloatingPhoto>& added) {
-    document.edit(Text::tr("Add Photos"), {}, [&](Project& project) {
+    document.edit(Text::tr("Add photos"), {}, [&](Project& project) {
         addNew(project.filmOnWater.photos, added, mostFloatingPhotos);
     });
 }
 
 void changeFilmOnWater(Document& document, const FilmOnWater& film, const QString& what) {
-    document.edit(Text::tr("Change Film on the Water"),
+    document.edit(Text::tr("Change film on the water"),
                   what.isEmpty() ? QString() : QStringLiteral("inspection.film.") + what,
                   [&](Project& project) { project.filmOnWater = film; });
 }
 
 void keepBuilt(Document& document, const AsBuilt& built) {
-    document.edit(Text::tr("Keep Part"), {}, [&](Project& project) { project.asBuilt = built; });
+    document.edit(Text::tr("Keep part"), {}, [&](Project& project) { project.asBuilt = built; });
 }
 
 void setCorrects(Document& document, bool corrects) {
-    document.edit(Text::tr("Correct the Next Sheets"), {},
+    document.edit(Text::tr("Correct the next sheets"), {},
                   [&](Project& project) { project.asBuilt.corrects = corrects; });
 }
 
 void setCorrectionStrength(Document& document, double strength) {
-    document.edit(Text::tr("Change Strength of Correction"), QStringLiteral("as_built.strength"),
+    document.edit(Text::tr("Change strength of correction"), QStringLiteral("as_built.strength"),
                   [&](Project& project) { project.asBuilt.strength = strength; });
 }
 
 void useFit(Document& document, const FittedPart& fitted, const WatchNotes& notes) {
-    document.edit(Text::tr("Use What Was Fitted"), {}, [&](Project& project) {
+    document.edit(Text::tr("Use the fit"), {}, [&](Project& project) {
         project = withFit(project, fitted.fit, fitted.photos, notes,
                           Text::tr("Measured %1").arg(notes.date));
     });

@@ -1,5 +1,4 @@
-// What the user does with the photos of a film, of a dipped part and the places in them, each as
-// one step to undo.
+// Changes the photos of a film or a dipped part and the places in them, each as one undo step.
 #pragma once
 
 #include "settings/InspectedPart.h"
@@ -8,26 +7,26 @@
 
 namespace dipwright {
 
-// Those past mostInspectedPhotos are left out, and those that the project has already.
+// Skips photos that the project has already, and those above mostInspectedPhotos.
 void addInspectedPhotos(Document& document, const std::vector<InspectedPhoto>& photos);
-// With its pairs.
+// Also removes its pairs.
 void removeInspectedPhoto(Document& document, std::size_t photo);
 void addClickedPair(Document& document, const ClickedPair& pair);
-// Of one drag, until Document::endMerge(), as one step.
+// The moves of one drag are one undo step, until Document::endMerge().
 void moveClickedPair(Document& document, std::size_t pair, QPointF pixel);
 void removeClickedPair(Document& document, std::size_t pair);
 
-// Those past mostFloatingPhotos are left out, and those that the project has already.
+// Skips photos that the project has already, and those above mostFloatingPhotos.
 void addFloatingPhotos(Document& document, const std::vector<FloatingPhoto>& photos);
-// Changes with the same `what` in a row are one step, where it is not empty.
+// Changes in a row with the same `what` are one undo step, unless it is empty.
 void changeFilmOnWater(Document& document, const FilmOnWater& film, const QString& what);
 
-// What is known of the parts dipped so far, with one more.
+// Replaces the measured parts by `built`, which has one part more.
 void keepBuilt(Document& document, const AsBuilt& built);
-// Whether the next sheets are corrected, and by which share of what repeats.
+// Set whether the next sheets are corrected, and the share of the repeating error (0 to 1).
 void setCorrects(Document& document, bool corrects);
 void setCorrectionStrength(Document& document, double strength);
-// Throws Error where something is past what a project or profile may say.
+// Throws Error if a fitted value is outside the limits of a project or profile.
 void useFit(Document& document, const FittedPart& fitted, const WatchNotes& notes);
 
 } // namespace dipwright

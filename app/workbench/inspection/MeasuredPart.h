@@ -1,4 +1,4 @@
-// A dipped part as it was measured by its photos: by found corners, or by the clicked pairs alone.
+// A dipped part that was measured by photos: by its corners, or by the clicked pairs alone.
 #pragma once
 
 #include "dip/LaidFilm.h"
@@ -11,19 +11,19 @@
 namespace dipwright {
 
 struct MeasuredPart {
-    Project project; // as it was then
+    Project project; // at the time of the measurement
     std::vector<PartPhoto> photos;
     std::vector<PlacePair> pairs;
-    std::vector<PrintedPlace> places; // of those found; else empty
-    std::vector<int> expected;        // corners of each photo
+    std::vector<PrintedPlace> places; // the corners that were found
+    std::vector<int> expected;        // number of corners in each photo
     bool followsPrint = false;
     PartView view;
-    std::vector<std::shared_ptr<const LaidFilm>> dips; // that found places were held against
+    std::vector<std::shared_ptr<const LaidFilm>> dips; // the simulated films for comparison
 };
 
 std::vector<PlacePair> clickedPairs(const InspectedPart& part);
-// The found places where they were printed: on a sheet that was corrected beside where the film was
-// made.
+// Returns the found corners at their places on the printed sheet. A corrected sheet has them
+// elsewhere than the simulated film.
 std::vector<PrintedPlace> printedOnSheet(const MeasuredPart& measured);
 
 } // namespace dipwright

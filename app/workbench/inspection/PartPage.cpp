@@ -55,14 +55,15 @@ PartPage::PartPage(QWidget* parent)
     hint_->setObjectName(QStringLiteral("partHint"));
     hint_->setWordWrap(true);
     figures_->setObjectName(QStringLiteral("partFigures"));
-    figures_->setAccessibleName(tr("How far the print lies off"));
+    figures_->setAccessibleName(tr("Error of the image on the part"));
     figures_->setColumnCount(5);
     figures_->setHorizontalHeaderLabels(
         {tr("N"), tr("R ± σ, px"), tr("R, %"), tr("95 %, mm"), tr("Worst, mm")});
-    const QStringList help{tr("Places"), tr("Mean distance in the photo and its deviation"),
-                           tr("The mean over the photo's diagonal, as in the paper's Table II"),
-                           tr("On the body, across the line of sight: 95 % are nearer"),
-                           tr("On the body, the farthest")};
+    const QStringList help{
+        tr("Number of places"), tr("Mean distance in the photo and its standard deviation"),
+        tr("Mean distance divided by the photo's diagonal, as in Table II of the paper"),
+        tr("On the part, across the line of sight: 95 % of the places are within this distance"),
+        tr("On the part, across the line of sight: the largest distance")};
     for (int column = 0; column < help.size(); ++column) {
         figures_->horizontalHeaderItem(column)->setToolTip(help[column]);
     }
@@ -98,7 +99,7 @@ QWidget* PartPage::makePhotoBar() {
     auto* bar = new QWidget;
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
-    auto* add = new QPushButton(icon(QStringLiteral("add")), tr("Add &Photos…"));
+    auto* add = new QPushButton(icon(QStringLiteral("add")), tr("Add &photos…"));
     add->setObjectName(QStringLiteral("addPartPhotos"));
     photos_ = new QComboBox;
     photos_->setObjectName(QStringLiteral("partPhotos"));
@@ -107,7 +108,7 @@ QWidget* PartPage::makePhotoBar() {
     removePhoto_ = new QPushButton(icon(QStringLiteral("remove")), {});
     removePhoto_->setObjectName(QStringLiteral("removePartPhoto"));
     removePhoto_->setToolTip(tr("Remove this photo and its pairs"));
-    removePhoto_->setAccessibleName(tr("Remove Photo"));
+    removePhoto_->setAccessibleName(tr("Remove photo"));
     auto* whole = toolButton("wholePhoto", "fit", tr("Whole picture"));
     auto* nearer = toolButton("nearerPhoto", "zoom-in", tr("Zoom in"));
     auto* farther = toolButton("fartherPhoto", "zoom-out", tr("Zoom out"));
@@ -119,7 +120,7 @@ QWidget* PartPage::makePhotoBar() {
     }
     connect(add, &QPushButton::clicked, this, [this] {
         const QStringList files =
-            QFileDialog::getOpenFileNames(this, tr("Photos of the Dipped Part"), {},
+            QFileDialog::getOpenFileNames(this, tr("Photos of the dipped part"), {},
                                           tr("Photos (%1)").arg(photoPatterns().join(u' ')));
         if (!files.isEmpty()) {
             emit photosChosen(files);
@@ -137,31 +138,31 @@ QWidget* PartPage::makeMeasureBar() {
     auto* bar = new QWidget;
     auto* rows = new QVBoxLayout(bar);
     rows->setContentsMargins(0, 0, 0, 0);
-    chessboard_ = new QCheckBox(tr("Dipped into the c&hessboard of 17 mm"));
+    chessboard_ = new QCheckBox(tr("Dipped with the c&hessboard film (17 mm)"));
     chessboard_->setObjectName(QStringLiteral("partChessboard"));
-    chessboard_->setToolTip(
-        tr("Look for the corners of the built-in chessboard; else for those of chess "
-           "squares in the model's texture"));
-    keepsCamera_ = new QCheckBox(tr("The pairs are places of the body &itself"));
+    chessboard_->setToolTip(tr("Looks for the corners of the built-in chessboard. Otherwise looks "
+                               "for chess squares in the model's texture."));
+    keepsCamera_ = new QCheckBox(tr("The pairs are places on the part &itself"));
     keepsCamera_->setObjectName(QStringLiteral("partKeepsCamera"));
     keepsCamera_->setToolTip(
-        tr("Tips and edges, not places of the print: the camera stays as these pairs "
-           "have it, so that a print that is shifted as a whole shows"));
+        tr("For tips and edges of the part, not places in the image. The pairs alone then set the "
+           "camera, so that a shift of the whole image shows."));
     rows->addWidget(chessboard_);
     rows->addWidget(keepsCamera_);
     auto* row = new QHBoxLayout;
-    camera_ = new QPushButton(tr("Measure &Pairs"));
+    camera_ = new QPushButton(tr("&Measure pairs"));
     camera_->setObjectName(QStringLiteral("measurePairs"));
-    camera_->setToolTip(tr("Fit the camera to the pairs and say how far they are off"));
-    corners_ = new QPushButton(tr("&Find Corners"));
+    camera_->setToolTip(tr("Fits the camera to the pairs and shows their residuals"));
+    corners_ = new QPushButton(tr("&Find corners"));
     corners_->setObjectName(QStringLiteral("findCorners"));
-    corners_->setToolTip(tr("Find the corners of the print in all photos and hold them against "
-                            "the simulated film"));
-    removePair_ = new QPushButton(tr("&Remove Pair"));
+    corners_->setToolTip(tr(
+        "Finds the corners of the image in all photos and compares them with the simulated film"));
+    removePair_ = new QPushButton(tr("&Remove pair"));
     removePair_->setObjectName(QStringLiteral("removePair"));
     export_ = new QPushButton(tr("&Export…"));
     export_->setObjectName(QStringLiteral("exportPart"));
-    export_->setToolTip(tr("Write table, places and photos with residuals to a folder"));
+    export_->setToolTip(
+        tr("Writes the table, the places and the photos with residuals to a folder"));
     for (QPushButton* button : {corners_, camera_, removePair_, export_}) {
         row->addWidget(button);
     }
@@ -294,12 +295,12 @@ void PartPage::enable() {
 
 void PartPage::say() {
     if (photo_ < 0) {
-        hint_->setText(tr("Add photos of the dipped part, or drop them here: sharp, whole, of one "
-                          "camera, from near enough that the part fills the picture."));
+        hint_->setText(tr("Add photos of the dipped part, or drop them here. Use one camera; the "
+                          "part must be sharp, complete and fill the picture."));
         return;
     }
     if (pending_) {
-        hint_->setText(tr("Now click the same place on the body in the 3D view."));
+        hint_->setText(tr("Now click the same place on the part in the 3D view."));
         return;
     }
     if (measured_) {
@@ -311,22 +312,21 @@ void PartPage::say() {
         found = int(measured_->places.size());
         if (expected > 0) {
             lines << tr("%1 of %2 corners found.").arg(found).arg(expected);
-            lines << (measured_->followsPrint
-                          ? tr("The camera follows the print: a shift or turn of all of it does "
-                               "not show.")
-                          : tr("The camera is that of the pairs."));
+            lines << (measured_->followsPrint ? tr("The camera follows the image: a shift or "
+                                                   "rotation of the whole image does not show.")
+                                              : tr("The camera was fitted to the pairs."));
         }
         hint_->setText(lines.join(u' '));
         return;
     }
     const auto here = shown_.size();
     hint_->setText(here < std::size_t(leastPairs)
-                       ? tr("Click a place in the photo, then the same place on the body: %1 of %2 "
-                            "pairs, spread over several faces.")
+                       ? tr("Click a place in the photo, then the same place on the part. %1 of %2 "
+                            "pairs so far; spread them over several faces.")
                              .arg(here)
                              .arg(leastPairs)
-                       : tr("%1 pairs. Drag a place to correct it; Delete removes it. Then find "
-                            "the corners, or measure the pairs alone.")
+                       : tr("%1 pairs. Drag a place to correct it, press Delete to remove it. Then "
+                            "find the corners, or measure only the pairs.")
                              .arg(here));
 }
 

@@ -1,4 +1,4 @@
-// The page of a dipped part: its photos, the places in them, and how far the print lies off.
+// The page of a dipped part: its photos, the places in them, and the error of the image.
 #pragma once
 
 #include "workbench/inspection/MeasuredPart.h"
@@ -21,15 +21,15 @@ class PartPage : public QWidget {
 public:
     explicit PartPage(QWidget* parent = nullptr);
 
-    // What the project has. The photo that is looked at stays, as far as there is one.
+    // Shows the project's photos and pairs. Keeps the shown photo if it still exists.
     void setPart(const InspectedPart& part);
-    int photo() const { return photo_; } // the one looked at; −1: none
-    // Its picture; null: it is not read yet, and `hint` says why.
+    int photo() const { return photo_; } // the shown photo; −1: none
+    // Sets its picture. If it is null, shows `hint` instead.
     void setPicture(const QImage& picture, const QString& hint);
-    // A place of the photo that waits for its partner on the body.
+    // The place in the photo that waits for its partner on the body.
     std::optional<QPointF> pending() const { return pending_; }
     void setPending(const std::optional<QPointF>& place);
-    // Null: nothing was measured, or the pairs have changed since.
+    // Shows the measurement; null: none, or the pairs have changed since.
     void setMeasured(std::shared_ptr<const MeasuredPart> measured);
     void setBusy(bool busy);
 
@@ -37,7 +37,7 @@ signals:
     void photosChosen(const QStringList& files);
     void removePhotoAsked(int photo);
     void photoLookedAt(int photo);
-    void pairMoved(int pair, QPointF pixel); // by its index in the project
+    void pairMoved(int pair, QPointF pixel); // `pair`: index in the project
     void pairDropped();
     void pairChosen(int pair);
     void removePairAsked(int pair);
@@ -63,7 +63,7 @@ private:
     InspectedPart part_;
     int photo_ = -1;
     bool busy_ = false;
-    std::vector<int> shown_; // index in the project of each mark
+    std::vector<int> shown_; // for each mark, the pair's index in the project
     std::optional<QPointF> pending_;
     std::shared_ptr<const MeasuredPart> measured_;
     QComboBox* photos_;
@@ -72,7 +72,7 @@ private:
     QCheckBox *chessboard_, *keepsCamera_;
     QPushButton *removePhoto_, *removePair_, *camera_, *corners_, *export_;
     QTableWidget* figures_;
-    int chosen_ = -1; // in the project
+    int chosen_ = -1; // index in the project
 };
 
 } // namespace dipwright

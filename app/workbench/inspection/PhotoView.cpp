@@ -12,9 +12,9 @@ namespace dipwright {
 
 namespace {
 
-constexpr double markRadius = 6; // pixels of the window, as are
-constexpr double grip = 9;       // how near a press takes a mark
-constexpr double stillness = 4;  // and how far a click may move
+constexpr double markRadius = 6; // all three in pixels of the window
+constexpr double grip = 9;       // a press this near takes hold of a mark
+constexpr double stillness = 4;  // a click moves less than this
 const QColor markColour(0x12, 0x8c, 0xe8);
 const QColor chosenColour(0xff, 0xb0, 0x20);
 const QColor residualColour(0xe0, 0x30, 0x50);
@@ -89,7 +89,7 @@ void PhotoView::paintOver(QPainter& painter) {
     }
     if (!residuals_.isEmpty()) {
         const QString words =
-            tr("Lines: residuals, %1 times as long").arg(QLocale().toString(times));
+            tr("Lines: residuals, enlarged %1 times").arg(QLocale().toString(times));
         QRectF band(0, height() - 22, width(), 22);
         painter.fillRect(band, QColor(255, 255, 255, 210));
         painter.setPen(Qt::black);
@@ -128,7 +128,7 @@ void PhotoView::mouseMoveEvent(QMouseEvent* event) {
     }
     const QPointF place = pictureAt(event->position());
     if (contains(place) && QLineF(pressed_, event->position()).length() >= stillness) {
-        pressed_ = QPointF(-1e6, -1e6); // from now on it is a drag
+        pressed_ = QPointF(-1e6, -1e6); // every further move is a drag
         emit markDragged(dragged_, place);
     }
 }

@@ -1,4 +1,4 @@
-// A photo with places marked in it, which can be clicked and dragged.
+// Shows a photo with marked places, which can be clicked and dragged.
 #pragma once
 
 #include "workbench/widgets/PictureView.h"
@@ -15,8 +15,8 @@ public:
     void setPhoto(const QImage& photo) { setPicture(photo, photo.size()); }
     void setMarks(const QList<QPointF>& marks);
     void setChosen(int mark);                             // −1: none
-    void setPending(const std::optional<QPointF>& place); // one that has no partner yet
-    // From where places are expected to where they are seen; drawn longer where they are short.
+    void setPending(const std::optional<QPointF>& place); // a place without a partner
+    // Each line runs from the expected place to the place in the photo. Short lines are enlarged.
     void setResiduals(const QList<QLineF>& residuals);
 
 signals:
@@ -35,7 +35,7 @@ protected:
 
 private:
     int markNear(QPointF inWidget) const; // −1: none
-    double enlargement() const;           // of the residuals
+    double enlargement() const;           // factor for the residuals
 
     QList<QPointF> marks_;
     QList<QLineF> residuals_;

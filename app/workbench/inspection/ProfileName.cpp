@@ -20,8 +20,8 @@ void askProfileName(QWidget& window, const std::function<void(const QString& nam
     auto* dialog = new QInputDialog(&window);
     dialog->setObjectName(QStringLiteral("filmProfileName"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(Text::tr("Save to Profile"));
-    dialog->setLabelText(Text::tr("Name of the film profile, an old or a new one"));
+    dialog->setWindowTitle(Text::tr("Save to profile"));
+    dialog->setLabelText(Text::tr("Name of a new or existing film profile"));
     QStringList names;
     for (const ProfileEntry& entry : ProfileLibrary().profiles(ProfileKind::Film)) {
         names << entry.name;
@@ -45,9 +45,9 @@ void saveToProfile(Messages& messages, const QString& name,
         FilmProfile profile = known ? std::get<FilmProfile>(*known) : FilmProfile();
         profile.name = name;
         ProfileLibrary().save(change(profile), known);
-        messages.logAndSay(Text::tr("The film profile %1 has what was measured").arg(name));
+        messages.logAndSay(Text::tr("Saved the measurement in the film profile %1").arg(name));
     } catch (const Error&) {
-        messages.fail(Text::tr("Save to Profile"), std::current_exception());
+        messages.fail(Text::tr("Save to profile"), std::current_exception());
     }
 }
 

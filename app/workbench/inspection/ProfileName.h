@@ -1,4 +1,4 @@
-// Asks for the film profile that takes what was measured, and writes it.
+// Asks for a film profile and saves a measurement in it.
 #pragma once
 
 #include "settings/Profile.h"
@@ -9,10 +9,11 @@
 
 namespace dipwright {
 
-// `chosen` is called later with a name that is not empty, or never.
+// Opens a dialog. Calls `chosen` later with a name that is not empty, unless the user cancels.
 void askProfileName(QWidget& window, const std::function<void(const QString& name)>& chosen);
 
-// The profile of that name, or a new one, with what `change` makes of it; says so, or why not.
+// Applies `change` to the profile with this name, or to a new one, and saves it. Reports the
+// outcome to `messages`.
 void saveToProfile(Messages& messages, const QString& name,
                    const std::function<FilmProfile(const FilmProfile&)>& change);
 

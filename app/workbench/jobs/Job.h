@@ -1,4 +1,4 @@
-// Long work beside the user interface. A job knows no widgets: it is tested without a window.
+// Long work in the background. A job uses no widgets, so it can be tested without a window.
 #pragma once
 
 #include "base/Progress.h"
@@ -14,17 +14,17 @@ class Job {
 public:
     virtual ~Job() = default;
 
-    // What the status bar calls it: "Simulating the dip".
+    // Shown in the status bar: "Simulating the dip".
     virtual QString title() const = 0;
-    // On the worker thread. Throws Cancelled when cancelled, Error when it cannot be done.
+    // Worker thread. Throws Cancelled when cancelled, Error when the work fails.
     virtual void process(const Progress& progress) = 0;
-    // On the UI thread, after process() has ended in whichever way; `failure` is null when it was
-    // done or cancelled.
+    // UI thread, after process() has ended in any way. `failure` is null if the job succeeded or
+    // was cancelled.
     virtual void finalize(bool cancelled, std::exception_ptr failure) = 0;
 };
 
-// A job from two functions: `work` makes a value on the worker thread, `done` takes it on the UI
-// thread. `failed` gets what went wrong.
+// A job from functions: `work` makes a value on the worker thread, `done` takes it on the UI
+// thread, `failed` takes an exception.
 template <typename Value>
 class ValueJob : public Job {
 public:

@@ -88,7 +88,8 @@ void JobRunner::run(const Entry& entry) {
     });
 }
 
-// However often work reports, the UI thread gets one message at a time, with the latest state.
+// The UI thread has at most one pending message, with the latest state, however often the work
+// reports.
 void JobRunner::report(double share, const QString& text) {
     const std::lock_guard lock(mutex_);
     share_ = share;

@@ -1,4 +1,4 @@
-// Runs jobs one after the other on one worker thread and brings their ends back to the UI thread.
+// Runs jobs one after the other on a worker thread and finalizes them on the UI thread.
 #pragma once
 
 #include "workbench/jobs/Job.h"
@@ -20,21 +20,21 @@ public:
     static constexpr std::chrono::seconds longestEnd{30};
 
     explicit JobRunner(QObject* parent = nullptr);
-    // Cancels everything and waits for the worker; nothing is finalized any more. Work that does
-    // not end within `longestEnd` takes the program with it: a call that hangs cannot be ended
-    // alone. What other windows have not saved is kept (workbench/document/Recovery.h), and files
-    // are written whole or not at all.
+    // Cancels all jobs and waits for the worker; nothing is finalized any more. If a job does not
+    // end within `longestEnd`, the whole program is ended, because a hanging call cannot be ended
+    // alone. Unsaved work of other windows is kept (workbench/document/Recovery.h), and file writes
+    // are atomic.
     ~JobRunner() override;
 
-    CancelToken start(std::unique_ptr<Job> job); // which cancels this one
+    CancelToken start(std::unique_ptr<Job> job); // the token cancels this job
     void cancelAll();
     bool isBusy() const { return unfinished_ > 0; }
 
 signals:
-    void busy(); // something has been given to do, after nothing
+    void busy(); // the first job was added after an idle time
     void started(const QString& title);
     void progressed(double share, const QString& text); // 0 … 1
-    void idle();                                        // everything has been finalized
+    void idle();                                        // all jobs have been finalized
 
 private:
     struct Entry {

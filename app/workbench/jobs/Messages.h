@@ -1,4 +1,4 @@
-// What the work of one window has to tell its user. How that is shown is the window's affair.
+// The messages of one window's work to its user. The window decides how they are shown.
 #pragma once
 
 #include <QObject>
@@ -8,7 +8,7 @@
 
 namespace dipwright {
 
-// What `failure` says to the user.
+// The message of `failure` for the user.
 QString sentenceOf(const std::exception_ptr& failure);
 
 class Messages : public QObject {
@@ -18,24 +18,24 @@ public:
     using QObject::QObject;
 
     void log(const QString& line) { emit logged(line); }
-    // For a while; 0 milliseconds: until something else is said.
+    // Shows a sentence for a while; 0 milliseconds: until the next one.
     void say(const QString& sentence, int milliseconds = 8000) {
         emit said(sentence, milliseconds);
     }
     void logAndSay(const QString& sentence);
     void notice(const QString& text) { emit noticed(text); }
     void fail(const QString& title, const std::exception_ptr& failure);
-    // Whether these files may be read; `who`: who names them, in a sentence that ends in a colon.
-    // `allowed` is called if so, later.
+    // Asks whether these files may be read. `who` is a sentence that says who names them and ends
+    // in a colon. `allowed` is called later if the user agrees.
     void askToRead(const QString& title, const QString& who, const QStringList& files,
                    const std::function<void()>& allowed) {
         emit askedToRead(title, who, files, allowed);
     }
 
 signals:
-    void logged(const QString& line); // kept, for who looks it up
+    void logged(const QString& line); // stored in the log
     void said(const QString& sentence, int milliseconds);
-    void noticed(const QString& text); // to be read and closed; empty: the last one is over
+    void noticed(const QString& text); // shown until it is closed; empty: closes the last one
     void failed(const QString& title, const QString& sentence);
     void askedToRead(const QString& title, const QString& who, const QStringList& files,
                      const std::function<void()>& allowed);

@@ -12,7 +12,7 @@ SolverListing::SolverListing(const SolverRegistry& registry, Show show, QObject*
             QMetaObject::invokeMethod(
                 this, [this, solvers] { show_(solvers); }, Qt::QueuedConnection);
         } catch (const Cancelled&) {
-            return; // nobody looks any more
+            return; // the listing was destroyed
         }
     });
 }

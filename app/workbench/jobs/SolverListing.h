@@ -1,6 +1,6 @@
-// Which solvers there are, for who lists them in the window: at once as they describe themselves,
-// and again when each has been loaded far enough to know whether it can run here. That may wake a
-// GPU, or hang, and goes on beside the UI thread.
+// Lists the solvers for the window. It shows their descriptions at once, and again when each has
+// been loaded far enough to know whether it can run here. Loading may wake a GPU or hang, so it
+// runs outside the UI thread.
 #pragma once
 
 #include "base/Progress.h"
@@ -17,9 +17,10 @@ class SolverListing : public QObject {
 
 public:
     using Show = std::function<void(const std::vector<SolverInfo>&)>;
-    // `show` is called here, and once more later on this thread. The registry must outlive it.
+    // Calls `show` at once and again later, on the calling thread. The registry must outlive this
+    // object.
     SolverListing(const SolverRegistry& registry, Show show, QObject* parent);
-    ~SolverListing() override; // lets go of a module that is being loaded
+    ~SolverListing() override; // abandons a module that is being loaded
 
 private:
     Show show_;

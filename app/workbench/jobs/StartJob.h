@@ -1,4 +1,4 @@
-// A job from two functions, of whose failure the user is told.
+// Starts a job from two functions and reports its failure to the user.
 #pragma once
 
 #include "workbench/jobs/JobRunner.h"
@@ -8,9 +8,9 @@
 
 namespace dipwright {
 
-// `work` (on the worker thread, given a Progress) makes the value that `done` (on the UI thread)
-// takes. `title` is what runs; `failureTitle` stands over what went wrong. Jobs and messages must
-// live until it has ended.
+// `work` makes a value on the worker thread, with a Progress. `done` takes it on the UI thread.
+// `title` names the job; `failureTitle` is the title of an error message. Jobs and messages must
+// outlive the job.
 template <typename Work, typename Done>
 CancelToken startJob(JobRunner& jobs, Messages& messages, const QString& title,
                      const QString& failureTitle, Work work, Done done) {

@@ -26,11 +26,11 @@ DipController::DipController(const WindowActions& actions, DipSession& session,
     connect(&session, &DipSession::finished, this, &DipController::takeResult);
     connect(&session, &DipSession::stopped, this, [this](const std::exception_ptr& failure) {
         showResults();
-        // What nobody asked for just now does not stand in anybody's way.
+        // A failed live run must not interrupt the user.
         if (failure && isLive_) {
             messages_.notice(sentenceOf(failure));
         } else if (failure) {
-            messages_.fail(tr("The Dip"), failure);
+            messages_.fail(tr("Dip"), failure);
         }
     });
     connect(&session, &DipSession::immersionChanged, this, &DipController::showResults);
@@ -56,7 +56,7 @@ void DipController::showDocument() {
 }
 
 void DipController::setPreferences(const Preferences& preferences) {
-    // What the user has ticked since holds until the preference itself is changed.
+    // The user's own choice holds until the preference itself is changed.
     if (std::exchange(livePreference_, preferences.liveUpdate) != preferences.liveUpdate) {
         actions_.live->setChecked(preferences.liveUpdate);
     }

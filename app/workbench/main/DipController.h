@@ -1,5 +1,5 @@
-// The dip of a window's document: run, cancelled, run again live, how certain it is, and what of
-// its results is still true.
+// Runs and cancels the dip of a window's document, also live, and checks its numerical error. Marks
+// results that no longer match the project.
 #pragma once
 
 #include "workbench/accuracy/CertaintyCheck.h"
@@ -25,10 +25,10 @@ public:
                   JobRunner& jobs, const SolverRegistry& registry, const DipPlayback& playback,
                   Messages& messages, ResultsPanel& results, QLabel& staleBanner);
 
-    // To be called when the session has another document.
+    // Call this when the session has another document.
     void showDocument();
     void setPreferences(const Preferences& preferences);
-    // While the body is dragged, nothing is run live.
+    // While the body is dragged, no live run starts.
     void setHeld(bool held) { live_.setHeld(held); }
 
 signals:
@@ -52,7 +52,7 @@ private:
     QLabel& staleBanner_;
     LiveRun live_;
     DipCacheUpdater keeper_;
-    bool isLive_ = false; // what runs, or ran last
+    bool isLive_ = false; // the run in progress, or the last one
     std::optional<bool> livePreference_;
 };
 

@@ -61,7 +61,7 @@ void DocumentController::askNew(const QString& model) {
 
 void DocumentController::askOpen() {
     const QString path =
-        QFileDialog::getOpenFileName(&window_, tr("Open Project"), {}, projectFileFilter());
+        QFileDialog::getOpenFileName(&window_, tr("Open project"), {}, projectFileFilter());
     if (!path.isEmpty()) {
         session_.openProject(path);
     }
@@ -69,15 +69,15 @@ void DocumentController::askOpen() {
 
 bool DocumentController::askToOpenLocked(const Document& document, const LockState& holder) {
     QMessageBox question(
-        QMessageBox::Warning, tr("Project in Use"),
-        tr("“%1” is open already, on %2 (process %3).")
+        QMessageBox::Warning, tr("Project in use"),
+        tr("“%1” is already open on %2 (process %3).")
             .arg(document.title(), holder.host.isEmpty() ? tr("an unknown machine") : holder.host)
             .arg(holder.process),
         QMessageBox::Cancel, &window_);
     question.setInformativeText(
-        tr("If both of you save, the second is asked whose work is to stay."));
+        tr("If both of you save, the second one is asked which version to keep."));
     question.setObjectName(QStringLiteral("lockQuestion"));
-    QPushButton* anyway = question.addButton(tr("Open Anyway"), QMessageBox::AcceptRole);
+    QPushButton* anyway = question.addButton(tr("Open anyway"), QMessageBox::AcceptRole);
     question.setDefaultButton(QMessageBox::Cancel);
     question.exec();
     return question.clickedButton() == anyway;
@@ -100,14 +100,15 @@ bool DocumentController::save() {
 }
 
 bool DocumentController::askToReplaceChanged(const QString& path) {
-    QMessageBox question(QMessageBox::Warning, tr("Project Changed Elsewhere"),
-                         tr("Another program has written “%1” since it was opened here.")
-                             .arg(session_.document()->title()),
-                         QMessageBox::Cancel, &window_);
+    QMessageBox question(
+        QMessageBox::Warning, tr("Project changed by another program"),
+        tr("Another program has saved “%1” since you opened it.").arg(session_.document()->title()),
+        QMessageBox::Cancel, &window_);
     question.setInformativeText(
-        tr("Save under another name to keep both. Overwriting loses what the other has done."));
+        tr("Save under another name to keep both versions. If you overwrite the file, the changes "
+           "of the other program are lost."));
     question.setObjectName(QStringLiteral("changedQuestion"));
-    QPushButton* another = question.addButton(tr("Save &As…"), QMessageBox::AcceptRole);
+    QPushButton* another = question.addButton(tr("Save &as…"), QMessageBox::AcceptRole);
     QPushButton* overwrite = question.addButton(tr("&Overwrite"), QMessageBox::DestructiveRole);
     question.setDefaultButton(another);
     question.exec();
@@ -119,7 +120,7 @@ bool DocumentController::askToReplaceChanged(const QString& path) {
 
 bool DocumentController::saveAs() {
     const Document& document = *session_.document();
-    QFileDialog dialog(&window_, tr("Save Project"), {}, projectFileFilter());
+    QFileDialog dialog(&window_, tr("Save project"), {}, projectFileFilter());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(QStringLiteral("dipw"));
     dialog.selectFile(document.path().isEmpty() ? document.project().name + QStringLiteral(".dipw")
@@ -142,8 +143,8 @@ bool DocumentController::mayClose() {
     if (!document || !document->isModified()) {
         return true;
     }
-    QMessageBox question(QMessageBox::Question, tr("Unsaved Changes"),
-                         tr("Save the changes to “%1” before it is closed?").arg(document->title()),
+    QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
+                         tr("Save the changes to “%1” before closing it?").arg(document->title()),
                          QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
     question.setObjectName(QStringLiteral("closeQuestion"));
     question.setDefaultButton(QMessageBox::Save);
@@ -167,7 +168,7 @@ void DocumentController::fillRecentMenu(QMenu& menu) {
         connect(action, &QAction::triggered, this, [this, path] { session_.openProject(path); });
     }
     if (menu.isEmpty()) {
-        menu.addAction(tr("None yet"))->setEnabled(false);
+        menu.addAction(tr("No recent projects"))->setEnabled(false);
     }
 }
 
@@ -198,7 +199,7 @@ void DocumentController::packJobs() {
     if (session_.document() && !session_.document()->path().isEmpty()) {
         dialog->add({session_.document()->path()});
     }
-    dialog->show(); // beside what the user does by now
+    dialog->show(); // modeless: the user goes on working
 }
 
 void DocumentController::takeFiles(const QList<QUrl>& files) {
@@ -214,12 +215,13 @@ void DocumentController::takeFile(const QUrl& file) {
     } else if (matches(path, pictureFilePatterns()) && session_.document()) {
         emit textureDropped(path);
     } else if (matches(path, pictureFilePatterns())) {
-        messages_.say(
-            tr("%1 is a picture: open the project first that is to wear it").arg(file.fileName()));
+        messages_.say(tr("%1 is a picture. Open a project first, then drop the picture to use it "
+                         "as the texture.")
+                          .arg(file.fileName()));
     } else if (matches(path, modelFilePatterns())) {
         askNew(path);
     } else {
-        messages_.say(tr("%1 is neither a project, a model nor a picture").arg(file.fileName()));
+        messages_.say(tr("%1 is not a project, model or picture").arg(file.fileName()));
     }
 }
 

@@ -1,4 +1,4 @@
-// What the user does with documents, and is asked about them: new, open, save, drop, close.
+// The user's actions on documents, with their questions: new, open, save, drop and close.
 #pragma once
 
 #include "workbench/document/DocumentSession.h"
@@ -22,17 +22,17 @@ public:
 
     void askNew(const QString& model = {});
     void askOpen();
-    // Whether `document` is to be opened though `holder` has it open already.
+    // Asks whether to open `document` although `holder` already has it open.
     bool askToOpenLocked(const Document& document, const LockState& holder);
-    bool save();   // false: not saved
-    bool saveAs(); // false: not saved
+    bool save();   // false: the document was not saved
+    bool saveAs(); // false: the document was not saved
     bool mayClose();
-    // Another program has written the file since: whether the document is saved all the same.
+    // Another program has changed the file. Returns whether the document was saved anyway.
     bool askToReplaceChanged(const QString& path);
     void fillRecentMenu(QMenu& menu);
     void showSnapshots();
     void packJobs();
-    void showPrintHistory();                  // from which a project can be opened
+    void showPrintHistory();                  // a project can be opened from it
     void takeFiles(const QList<QUrl>& files); // dropped on the window
 
 signals:

@@ -50,7 +50,7 @@ void EditController::reloadModel() {
 
 void EditController::askModel() {
     const QString path =
-        QFileDialog::getOpenFileName(&window_, tr("Replace Model"), {}, modelFileFilter());
+        QFileDialog::getOpenFileName(&window_, tr("Replace model"), {}, modelFileFilter());
     if (!path.isEmpty()) {
         replaceModel(*session_.document(), path, jobs_, messages_);
     }
@@ -58,7 +58,7 @@ void EditController::askModel() {
 
 void EditController::askTexture() {
     const QString path =
-        QFileDialog::getOpenFileName(&window_, tr("Replace Texture"), {}, pictureFileFilter());
+        QFileDialog::getOpenFileName(&window_, tr("Replace texture"), {}, pictureFileFilter());
     if (!path.isEmpty()) {
         replaceTexture(path);
     }

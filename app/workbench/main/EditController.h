@@ -1,5 +1,4 @@
-// What the user does to the open document as a whole: takes changes back, adds an immersion,
-// exchanges model or texture.
+// The user's edits of the open document as a whole: undo, second dip, other model or texture.
 #pragma once
 
 #include "workbench/dip/DipSession.h"
@@ -18,7 +17,7 @@ class EditController : public QObject {
     Q_OBJECT
 
 public:
-    // Does what the actions, the tree, the property panel and the menu of the view ask for.
+    // Responds to the actions, the tree, the property panel and the menu of the view.
     EditController(const WindowActions& actions, ProjectTree& tree, const PropertyPanel& properties,
                    DipView& view, const DipScene& scene, const DipSession& session, JobRunner& jobs,
                    Messages& messages, QWidget& window);

@@ -36,12 +36,12 @@ ExportController::ExportController(const WindowActions& actions, const StretchPa
 
 void ExportController::exportResults() {
     const QString folder =
-        QFileDialog::getExistingDirectory(&window_, tr("Export Results to a Folder"));
+        QFileDialog::getExistingDirectory(&window_, tr("Export results to a folder"));
     if (folder.isEmpty()) {
         return;
     }
     writeFiles(
-        jobs_, messages_, tr("Export Results"), tr("Wrote the results to %1"), folder,
+        jobs_, messages_, tr("Export results"), tr("Wrote the results to %1"), folder,
         [result = session_.outcome().result](const QString& target, const Progress& progress) {
             writeResults(result->project, *result, target, progress);
         });
@@ -65,7 +65,7 @@ QString ExportController::sheetName() const {
 }
 
 void ExportController::exportSheetPdf() {
-    exportFile(tr("Save Sheet"), sheetName(), QStringLiteral("pdf"),
+    exportFile(tr("Save sheet"), sheetName(), QStringLiteral("pdf"),
                [sheet = session_.outcome().result->immersions[session_.immersion()].sheet](
                    const QString& path) {
                    writeAtomically(path, [&](QIODevice& device) { writeSheetPdf(sheet, device); });
@@ -73,7 +73,7 @@ void ExportController::exportSheetPdf() {
 }
 
 void ExportController::exportSheetPng() {
-    exportFile(tr("Save Sheet"), sheetName(), QStringLiteral("png"),
+    exportFile(tr("Save sheet"), sheetName(), QStringLiteral("png"),
                [sheet = session_.outcome().result->immersions[session_.immersion()].sheet](
                    const QString& path) {
                    writeAtomically(path, [&](QIODevice& device) { writeSheetPng(sheet, device); });
@@ -81,9 +81,9 @@ void ExportController::exportSheetPng() {
 }
 
 void ExportController::exportCradles() {
-    const QString title = tr("Export Cradles");
+    const QString title = tr("Export cradles");
     const QString folder =
-        QFileDialog::getExistingDirectory(&window_, tr("Export Cradles to a Folder"));
+        QFileDialog::getExistingDirectory(&window_, tr("Export cradles to a folder"));
     if (folder.isEmpty()) {
         return;
     }
@@ -104,7 +104,7 @@ void ExportController::exportCradles() {
 }
 
 void ExportController::exportStretch(const QString& suffix) {
-    exportFile(tr("Export Stretch"), tr("stretch"), suffix, stretchWriter(suffix));
+    exportFile(tr("Export stretch"), tr("stretch"), suffix, stretchWriter(suffix));
 }
 
 ExportController::Write ExportController::stretchWriter(const QString& suffix) const {
@@ -131,8 +131,8 @@ void ExportController::print() {
                                    session_.document()->path(), &window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     if (!session_.document()->isFresh()) {
-        dialog->warn(tr("These sheets were made before the last changes. Run the dip first to "
-                        "print what the project now says."));
+        dialog->warn(tr("These sheets were made before the last changes to the project. Run the "
+                        "dip again to print the current state."));
     }
     connect(dialog, &PrintDialog::printed, &messages_, &Messages::logAndSay);
     dialog->open();
@@ -149,12 +149,12 @@ void ExportController::showCertainty(const std::vector<ImmersionCertainty>& cert
     auto* dialog = new CertaintyDialog(certainty, outdated, unit, &window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &CertaintyDialog::saveAsked, this, [this, certainty](const QString& folder) {
-        writeFiles(jobs_, messages_, tr("Save Maps"), tr("Wrote the maps to %1"), folder,
+        writeFiles(jobs_, messages_, tr("Save maps"), tr("Wrote the maps to %1"), folder,
                    [certainty](const QString& target, const Progress&) {
                        writeCertaintyMaps(certainty, target);
                    });
     });
-    dialog->show(); // beside what the user does by now
+    dialog->show(); // modeless: the user goes on working
 }
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// What leaves the program: results, sheets, stretch and certainty as files, and sheets on paper.
+// Exports results, sheets, stretch maps and numerical error to files, and prints sheets.
 #pragma once
 
 #include "pipeline/SheetCertainty.h"
@@ -17,7 +17,7 @@ class ExportController : public QObject {
     Q_OBJECT
 
 public:
-    // Stretch is exported when `stretch` asks for it, as it shows it.
+    // `stretch` says when its map is to be exported, and gives the map as shown.
     ExportController(const WindowActions& actions, const StretchPanel& stretch,
                      const DipSession& session, JobRunner& jobs, Messages& messages,
                      QWidget& window);
@@ -34,7 +34,7 @@ private:
     void exportStretch(const QString& suffix); // png, csv or vtp
     void print();
     QString sheetName() const;
-    // Asks for a file and has it written.
+    // Asks for a file name and writes the file.
     void exportFile(const QString& title, const QString& name, const QString& suffix,
                     const Write& write);
     Write stretchWriter(const QString& suffix) const;

@@ -40,29 +40,27 @@ HelpController::HelpController(const WindowActions& actions, QMainWindow& window
     connect(parts.log, &LogPanel::reportAsked, this, &HelpController::copyReport);
 }
 
-// What is not to be seen now is told without being pointed at.
+// Steps about a hidden part are shown without pointing at it.
 void HelpController::showTour() {
     const bool atStart = parts_.startPage->isVisible();
     QWidget* tools = window_.findChild<QToolBar*>(QStringLiteral("mainToolBar"));
     new Tour(
         {{nullptr, tr("Welcome"),
-          tr("Dipwright computes the picture to print on a film so that, when the body is "
-             "dipped through it, every colour lands where it belongs.")},
+          tr("Dipwright computes the image to print on a film. When the part is dipped through the "
+             "film, every colour lands in its intended place.")},
          {atStart ? static_cast<QWidget*>(parts_.startPage) : parts_.projectDock, tr("The project"),
-          tr("Model, film, one or two immersions, sheet and ink. Choose a part in the tree "
-             "and change its values below. Begin by dropping a model on the window.")},
+          tr("Model, film, one or two dips, sheet and ink. Select an entry in the tree and change "
+             "its values below. To begin, drop a model on the window.")},
          {parts_.view, tr("The view"),
-          tr("The body above the film. Drag to look round it, turn it by its rings, then "
-             "press Run.")},
+          tr("The part above the film. Drag to look at it from all sides, turn it with the rings, "
+             "then press Run.")},
          {tools, tr("Run"),
-          tr("Simulates the dip while you watch and can be cancelled at any time. With Run "
-             "Live, each change runs what depends on it again.")},
-         {parts_.timeline, tr("The timeline"),
-          tr("Plays the dip again, or shows any moment of it.")},
+          tr("Simulates the dip while you watch. You can cancel at any time. With “Run live”, each "
+             "change recomputes the results that depend on it.")},
+         {parts_.timeline, tr("The timeline"), tr("Replays the dip or shows any moment of it.")},
          {parts_.resultsDock, tr("The results"),
-          tr("How the film stretches, the picture that goes on it, the body as it will come "
-             "out, and the sheet to print. Move the cursor over one and see the same place "
-             "in all the others.")}},
+          tr("The stretch of the film, the image on it, the finished part and the sheet to print. "
+             "Move the cursor over one picture to see the same place in the others.")}},
         &window_);
 }
 
@@ -97,7 +95,7 @@ void HelpController::copyReport() {
     }
     lines += {QString(), parts_.log->text()};
     QGuiApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
-    messages_.say(tr("The report is on the clipboard"), 4000);
+    messages_.say(tr("The report was copied to the clipboard"), 4000);
 }
 
 } // namespace dipwright

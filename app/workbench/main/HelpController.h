@@ -1,5 +1,4 @@
-// What helps the user: tour, guide, what the program is, and the facts for a report of what went
-// wrong.
+// Help for the user: the tour, the guide, the about box, and the facts for an error report.
 #pragma once
 
 #include "workbench/main/WindowLayout.h"
@@ -23,7 +22,7 @@ public:
 private:
     void showGuide();
     void showAbout();
-    // On the clipboard: about program and machine, then the log.
+    // Copies details of program and machine, then the log, to the clipboard.
     void copyReport();
 
     QMainWindow& window_;

@@ -21,8 +21,9 @@ LogPanel::LogPanel(QWidget* parent) : QWidget(parent), text_(new QPlainTextEdit)
     text_->setMaximumBlockCount(mostLines);
     text_->setAccessibleName(tr("Log"));
     text_->setPlaceholderText(tr("Nothing has happened yet."));
-    auto* copy = new QPushButton(icon(QStringLiteral("copy")), tr("Copy Report"));
-    copy->setToolTip(tr("Copies the log with facts about program and machine to the clipboard."));
+    auto* copy = new QPushButton(icon(QStringLiteral("copy")), tr("Copy report"));
+    copy->setToolTip(
+        tr("Copies the log, with details of the program and the computer, to the clipboard."));
     copy->setObjectName(QStringLiteral("copyReport"));
     connect(copy, &QPushButton::clicked, this, &LogPanel::reportAsked);
     auto* clear = new QPushButton(tr("Clear"));

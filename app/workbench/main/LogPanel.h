@@ -1,4 +1,4 @@
-// What the program has done and what went wrong, with a report to hand on.
+// Shows what the program has done and what went wrong. Its report can be copied.
 #pragma once
 
 #include <QWidget>
@@ -13,11 +13,11 @@ class LogPanel : public QWidget {
 public:
     explicit LogPanel(QWidget* parent = nullptr);
 
-    void add(const QString& line); // with the time of day in front
+    void add(const QString& line); // puts the time of day in front
     QString text() const;
 
 signals:
-    void reportAsked(); // the user wants it, with the facts about the machine, on the clipboard
+    void reportAsked(); // the user wants the log and the machine's details on the clipboard
 
 private:
     QPlainTextEdit* text_;

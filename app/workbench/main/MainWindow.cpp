@@ -66,7 +66,8 @@ MainWindow::MainWindow(Workbench& workbench)
     connectActions();
     connectPanels();
     connectSession();
-    addInspection(); // told of a document after its session, and in the menus
+    // After connectSession(), so that it hears of documents later than the session.
+    addInspection();
     addPages();
     connectMenus();
     layout_.restore();
@@ -78,7 +79,7 @@ MainWindow::~MainWindow() {
     parts_.properties->setDocument(nullptr);
     parts_.tree->setDocument(nullptr);
     session_.setDocument(nullptr);
-    if (document()) { // a window half gone is told nothing more
+    if (document()) { // a half-destroyed window receives no signals
         document()->disconnect(this);
         document()->undoStack().disconnect(this);
     }
@@ -172,9 +173,9 @@ void MainWindow::connectSession() {
     connect(&documents_, &DocumentSession::documentChanged, this, &MainWindow::showDocument);
     connect(&documents_, &DocumentSession::saved, this, &MainWindow::keepThumbnail);
     connect(&documents_, &DocumentSession::lengthDoubted, this, [this](double millimetres) {
-        messages_.notice(tr("The body is %1 long. If its file is in another unit, change its size "
-                            "under Model.")
-                             .arg(shownLength(millimetres, workbench_.preferences().unit)));
+        messages_.notice(
+            tr("The part is %1 long. If the file uses another unit, change the size under Model.")
+                .arg(shownLength(millimetres, workbench_.preferences().unit)));
     });
     connect(&jobs_, &JobRunner::busy, this, &MainWindow::updateActions);
     connect(&jobs_, &JobRunner::idle, this, &MainWindow::updateActions);
@@ -221,7 +222,7 @@ void MainWindow::showDocument() {
     session_.setDocument(shown);
     parts_.tree->setDocument(shown);
     parts_.properties->setDocument(shown);
-    layout_.showProject(shown); // as wide as the properties want
+    layout_.showProject(shown); // as wide as the properties need
     playback_.showDocument();
     dip_.showDocument();
     tolerances_.showDocument();

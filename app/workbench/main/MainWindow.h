@@ -1,5 +1,5 @@
-// One window, one document. Puts together its parts, what its actions do and who is told of what;
-// the work is done by those it puts together.
+// A window with one document. Creates the window's parts and connects their signals; the parts do
+// the work.
 #pragma once
 
 #include "workbench/accuracy/ToleranceController.h"
@@ -93,7 +93,7 @@ private:
     ProfileController profiles_;
     ViewController viewActions_;
     HelpController help_;
-    InspectionController* inspection_ = nullptr; // a child; null in a build without
+    InspectionController* inspection_ = nullptr; // a child; null in a build without inspection
 };
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// Says at the bottom of a window when the body lies where it cannot be dipped well.
+// Warns in the status line when the body's place does not allow a good dip.
 #pragma once
 
 #include "workbench/dip/DipSession.h"
@@ -13,7 +13,7 @@ class PlaceWarning : public QObject {
 public:
     PlaceWarning(const DipSession& session, StatusLine& status);
 
-    // To be called when the session has another document.
+    // Call this when the session has another document.
     void showDocument();
 
 private:

@@ -26,7 +26,7 @@ void ProfileController::showProfiles() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->allowUse(session_.document() != nullptr);
     connect(dialog, &ProfilesDialog::useAsked, this, [this](const Profile& profile) {
-        session_.document()->edit(tr("Use Profile %1").arg(shownName(nameOf(profile))), {},
+        session_.document()->edit(tr("Use profile %1").arg(shownName(nameOf(profile))), {},
                                   [&](Project& project) { applyProfile(project, profile); });
     });
     connect(dialog, &QDialog::finished, &properties_, &PropertyPanel::refresh);

@@ -1,4 +1,4 @@
-// What is known of printers, films and tanks: shown, measured and used.
+// Shows, calibrates and applies profiles of printers, films and tanks.
 #pragma once
 
 #include "workbench/document/DocumentSession.h"
@@ -15,7 +15,7 @@ class ProfileController : public QObject {
     Q_OBJECT
 
 public:
-    // `properties` shows what comes from profiles.
+    // `properties` is refreshed when profiles change.
     ProfileController(const WindowActions& actions, const DocumentSession& session,
                       Messages& messages, const Workbench& workbench, PropertyPanel& properties,
                       QWidget& window);

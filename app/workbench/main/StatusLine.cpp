@@ -14,7 +14,7 @@ namespace dipwright {
 namespace {
 
 constexpr int progressSteps = 1000;
-constexpr std::chrono::seconds answerTime{15}; // from Cancel until its end
+constexpr std::chrono::seconds answerTime{15}; // for a cancelled job to end
 
 } // namespace
 
@@ -50,7 +50,8 @@ StatusLine::StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel)
     connect(&jobs, &JobRunner::started, &unanswered_, &QTimer::stop);
     connect(&jobs, &JobRunner::idle, &unanswered_, &QTimer::stop);
     connect(&unanswered_, &QTimer::timeout, this, [this] {
-        job_->setText(tr("It does not stop. Save your work; closing the window ends it."));
+        job_->setText(
+            tr("The job does not respond. Save your work, then close the window to end the job."));
     });
     connect(&jobs, &JobRunner::busy, this, [this] { showJob(true); });
     connect(&jobs, &JobRunner::idle, this, [this] { showJob(false); });
@@ -69,7 +70,7 @@ void StatusLine::setReading(const QString& text) {
 }
 
 void StatusLine::setWarning(const QString& text) {
-    // The whole of it where the bar is too narrow.
+    // The tooltip has the whole text, which the bar may be too narrow for.
     warning_->setText(text.section(QLatin1Char(';'), 0, 0));
     warning_->setToolTip(text);
     warning_->setVisible(!text.isEmpty());

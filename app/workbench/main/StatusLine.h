@@ -1,4 +1,4 @@
-// The line at the bottom of a window: what is under the cursor, and how far the job is that runs.
+// The line at the bottom of a window: the value under the cursor, and the progress of the job.
 #pragma once
 
 #include <QObject>
@@ -21,7 +21,7 @@ public:
     StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel); // the bar's child
 
     void setReading(const QString& text);
-    // What is wrong with the body's place; stays until it is set anew; empty: nothing.
+    // A warning about the body's place. Stays until it is replaced; empty: none.
     void setWarning(const QString& text);
     void setJob(const QString& text);
 
@@ -36,7 +36,7 @@ private:
     QLabel* job_;
     QProgressBar* progress_;
     QToolButton* cancel_;
-    QTimer unanswered_; // since a job was to stop
+    QTimer unanswered_; // runs since a job was cancelled
 };
 
 } // namespace dipwright

@@ -41,9 +41,9 @@ void WindowLayout::makeCentre() {
     auto* view = new DipView;
     view->setObjectName(QStringLiteral("view"));
     view->setAccessibleName(tr("3D view of the dip"));
-    view->setWhatsThis(tr("The body above the film. Drag to turn the view, drag with the right "
-                          "button to shift it, turn the wheel to zoom. Drag a ring to turn the "
-                          "body."));
+    view->setWhatsThis(
+        tr("The part above the film. Drag to turn the view, drag with the right button to move it, "
+           "use the wheel to zoom. Drag a ring to turn the part."));
     parts_.view = view;
     parts_.inside = new LookInsideBar;
     parts_.timeline = new Timeline;
@@ -98,7 +98,7 @@ void WindowLayout::makeDocks(const SolverRegistry& registry) {
 QDockWidget* WindowLayout::addDock(Qt::DockWidgetArea area, const char* name, const QString& title,
                                    QWidget* widget) {
     auto* dock = new QDockWidget(title);
-    dock->setObjectName(QLatin1String(name)); // by which saved layouts know it
+    dock->setObjectName(QLatin1String(name)); // identifies the dock in saved layouts
     dock->setWidget(widget);
     window_.addDockWidget(area, dock);
     return dock;
@@ -169,7 +169,7 @@ void WindowLayout::askName() {
     auto* dialog = new QInputDialog(&window_);
     dialog->setObjectName(QStringLiteral("layoutName"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(tr("Save Layout"));
+    dialog->setWindowTitle(tr("Save layout"));
     dialog->setLabelText(tr("Name of the layout"));
     connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& name) {
         if (!name.trimmed().isEmpty()) {
@@ -183,7 +183,7 @@ void WindowLayout::fillMenu(QMenu& menu) {
     menu.clear();
     const QStringList names = savedLayouts();
     if (names.isEmpty()) {
-        menu.addAction(tr("None saved yet"))->setEnabled(false);
+        menu.addAction(tr("No saved layouts"))->setEnabled(false);
         return;
     }
     for (const QString& name : names) {

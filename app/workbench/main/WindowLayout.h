@@ -1,6 +1,6 @@
-// What a window is made of and where it stands: the start page or the view with its timeline in the
-// middle, project and properties on the left, results on the right, the log below. Remembers where
-// the user has put it all.
+// The parts of a window and their layout. The start page, or the view with its timeline, is in the
+// middle. Project and properties are on the left, results on the right, the log is below. Remembers
+// the user's arrangement.
 #pragma once
 
 #include <QByteArray>
@@ -26,7 +26,7 @@ class SolverRegistry;
 class StartPage;
 class Timeline;
 
-// All belong to the window.
+// The window owns all parts.
 struct WindowParts {
     StartPage* startPage;
     DipView* view;
@@ -46,27 +46,27 @@ class WindowLayout : public QObject {
     Q_OBJECT
 
 public:
-    // Makes the parts.
+    // Creates the parts.
     WindowLayout(QMainWindow& window, const SolverRegistry& registry);
 
     const WindowParts& parts() const { return parts_; }
-    // Behind the results, hidden at first. Before restore().
-    // A page beside the results; `name` is what saved layouts know it by. Before restore().
+    // Adds a page beside the results, hidden at first. `name` identifies it in saved layouts. Call
+    // this before restore().
     QDockWidget* addPage(const char* name, const QString& title, QWidget* page);
     QList<QAction*> dockToggles() const;
 
-    // Once the window is complete: how it was when the last one was closed.
+    // Restores the layout of the last window that was closed. Call it once the window is complete.
     void restore();
     void keep() const;
-    // The start page, or all that belongs to a project.
+    // Shows everything that belongs to a project, or else the start page.
     void showProject(bool shown);
-    // Back to how it is at first.
+    // Restores the original layout.
     void reset();
-    // Under a name of the user's.
+    // Saves the layout under a name that the user types.
     void askName();
     void fillMenu(QMenu& menu);
 
-    // For dark or light.
+    // Call this after the theme has changed.
     void colourBanners();
 
 signals:

@@ -44,11 +44,11 @@ void WindowMessages::askToRead(const QString& title, const QString& who, const Q
                                 who + QStringLiteral("\n\n") + shown.join(u'\n'),
                                 QMessageBox::Cancel, &window_);
     box->setInformativeText(
-        tr("Read them only if they belong to the model. A stranger's model or project may name "
-           "private files, so that they travel on inside the project."));
+        tr("Read these files only if they belong to the model. A model or project from someone "
+           "else may name your private files; they would then be saved inside the project."));
     box->setObjectName(QStringLiteral("outsideQuestion"));
     box->setAttribute(Qt::WA_DeleteOnClose);
-    const QPushButton* read = box->addButton(tr("Read Them"), QMessageBox::AcceptRole);
+    const QPushButton* read = box->addButton(tr("Read files"), QMessageBox::AcceptRole);
     box->setDefaultButton(QMessageBox::Cancel);
     connect(read, &QPushButton::clicked, this, allowed);
     box->open();

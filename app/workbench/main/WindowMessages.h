@@ -1,5 +1,5 @@
-// Shows what the work of a window tells its user: in the log, in the status bar, in the bar over
-// the view, and what has failed or is to be decided in a box.
+// Shows the messages of a window's work in the log, the status bar and the bar over the view.
+// Failures and questions appear in a box.
 #pragma once
 
 #include <QObject>

@@ -42,7 +42,7 @@ void addSearchPage(const PageMakings& makings, const Workbench& workbench) {
                              ->open();
                      });
     openBy(*makings.actions.findPoses,
-           makings.layout.addPage("searchDock", Text::tr("Pose Search"), search->page()));
+           makings.layout.addPage("searchDock", Text::tr("Pose search"), search->page()));
     QObject::connect(&makings.documents, &DocumentSession::documentChanged, search,
                      &SearchController::showDocument);
 }

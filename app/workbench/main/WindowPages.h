@@ -1,4 +1,4 @@
-// Pages beside the results, each with who does its work. All belong to the window.
+// Adds the pages beside the results, each with its controller. The window owns them all.
 #pragma once
 
 class QMainWindow;
@@ -16,7 +16,7 @@ class WindowActions;
 class WindowLayout;
 class Workbench;
 
-// What pages are made of; it is not kept.
+// What the pages need to be created. The pages do not keep it.
 struct PageMakings {
     QMainWindow& window;
     WindowLayout& layout;
@@ -27,7 +27,7 @@ struct PageMakings {
     Messages& messages;
 };
 
-// Before WindowLayout::restore().
+// Call these before WindowLayout::restore().
 void addSearchPage(const PageMakings& makings, const Workbench& workbench);
 void addArtworkPage(const PageMakings& makings, DipScene& scene, DipController& dip,
                     DocumentController& files);

@@ -90,7 +90,7 @@ void Workbench::showQueue(const QString& project) {
     if (!queueWindow_) {
         queueWindow_ = new QueueDialog(queue_);
         queueWindow_->setAttribute(Qt::WA_DeleteOnClose);
-        queueWindow_->setAttribute(Qt::WA_QuitOnClose); // its work outlives the main windows
+        queueWindow_->setAttribute(Qt::WA_QuitOnClose); // it may outlive the main windows
         connect(queueWindow_, &QueueDialog::projectAsked, this, [this](const QString& path) {
             if (!bringForward(path)) {
                 emptyWindow()->documents().openProject(path);
@@ -117,19 +117,18 @@ bool Workbench::eventFilter(QObject* watched, QEvent* event) {
 void Workbench::offerRecovery() {
     for (const RecoveredDocument& recovered : findRecoveredDocuments(recovery_)) {
         QMessageBox question(
-            QMessageBox::Question, tr("Restore Project"),
-            tr("Dipwright was not closed properly. “%1” has changes that were "
-               "not saved, from %2.")
+            QMessageBox::Question, tr("Restore project"),
+            tr("Dipwright was not closed properly. “%1” has unsaved changes from %2.")
                 .arg(recovered.name, QLocale().toString(recovered.saved, QLocale::ShortFormat)));
         question.setInformativeText(recovered.original.isEmpty()
-                                        ? tr("It was never saved as a file.")
-                                        : tr("Its file %1 is as it was last saved.")
+                                        ? tr("The project was never saved to a file.")
+                                        : tr("The file %1 still holds the last saved version.")
                                               .arg(QDir::toNativeSeparators(recovered.original)));
         question.setObjectName(QStringLiteral("recoveryQuestion"));
         QPushButton* restore = question.addButton(tr("Restore"), QMessageBox::AcceptRole);
         QPushButton* discard =
-            question.addButton(tr("Discard Changes"), QMessageBox::DestructiveRole);
-        question.addButton(tr("Decide Later"), QMessageBox::RejectRole);
+            question.addButton(tr("Discard changes"), QMessageBox::DestructiveRole);
+        question.addButton(tr("Decide later"), QMessageBox::RejectRole);
         question.setDefaultButton(restore);
         question.exec();
         if (question.clickedButton() == restore) {

@@ -1,4 +1,4 @@
-// What all windows of the program share: the solvers, the preferences, and the windows themselves.
+// What all windows of the program share: solvers, preferences, the queue and the list of windows.
 #pragma once
 
 #include "solver/SolverRegistry.h"
@@ -19,36 +19,37 @@ class Workbench : public QObject {
     Q_OBJECT
 
 public:
-    // `recovery`: the folder in which copies of unsaved work are kept.
+    // `recovery`: folder for copies of unsaved work.
     explicit Workbench(const QString& recovery, QObject* parent = nullptr);
     ~Workbench() override;
 
     const SolverRegistry& registry() const { return registry_; }
     const QString& recovery() const { return recovery_; }
     const Preferences& preferences() const { return preferences_; }
-    void setPreferences(const Preferences& preferences); // and keeps them
+    void setPreferences(const Preferences& preferences); // and stores them
 
     // A new window that shows the start page. Deletes itself when it is closed.
     MainWindow* openWindow();
-    // The window that has this file open; false: none has.
+    // Raises the window that has this file open. Returns false if there is none.
     bool bringForward(const QString& path);
-    // Projects run one after the other, and the window on them; `project`: that is open, or none.
+    // The queue runs projects one after the other. `project`: the one proposed in its window, or
+    // empty.
     JobQueue& queue() { return queue_; }
     void showQueue(const QString& project);
-    // Offers what a crash has left behind, each in a window of its own.
+    // Offers to restore unsaved work after a crash, each document in its own window.
     void offerRecovery();
 
 signals:
     void preferencesChanged();
 
 protected:
-    // The guide in windows beside the main ones, which have an action for it.
+    // Opens the guide in dialogs, which have no action for it.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     MainWindow* emptyWindow(); // one that shows the start page, or a new one
 
-    PlainTexts plainTexts_; // before there is any label
+    PlainTexts plainTexts_; // must exist before any label
     SolverRegistry registry_;
     QString recovery_;
     Preferences preferences_;

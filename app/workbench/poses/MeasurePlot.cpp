@@ -17,9 +17,9 @@ namespace {
 
 constexpr int margin = 10;   // pixels
 constexpr double dot = 4;    // pixels, its radius
-constexpr double reach = 10; // pixels round a dot that belong to it
+constexpr double reach = 10; // pixels around a dot that count as the dot
 
-// More is better.
+// The measure with the sign that makes larger values better.
 double goodness(const RankedPoses& poses, Measure measure) {
     const double value = poses.measures[measure];
     return isMoreBetter(measure) ? value : -value;
@@ -139,13 +139,13 @@ private:
     }
 
     MeasurePlot& plot_;
-    std::vector<QPointF> values_; // of each rank, more is better
+    std::vector<QPointF> values_; // one for each rank; larger is better
     std::vector<std::size_t> best_, chosen_;
 };
 
 MeasurePlot::MeasurePlot(QWidget* parent)
-    : QWidget(parent), across_(makeChoice(Measure::Coverage, tr("Measure to the right"))),
-      up_(makeChoice(Measure::Stretch, tr("Measure upwards"))), field_(new Field(*this)) {
+    : QWidget(parent), across_(makeChoice(Measure::Coverage, tr("Horizontal axis"))),
+      up_(makeChoice(Measure::Stretch, tr("Vertical axis"))), field_(new Field(*this)) {
     auto* layout = new QGridLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(up_, 0, 0);
@@ -162,7 +162,7 @@ QComboBox* MeasurePlot::makeChoice(Measure measure, const QString& name) {
     }
     choice->setCurrentIndex(choice->findData(int(measure)));
     choice->setAccessibleName(name);
-    choice->setToolTip(tr("Better is to the right and up. The line joins the poses that no other "
+    choice->setToolTip(tr("Right and up is better. The line joins the poses that no other pose "
                           "beats in both measures."));
     connect(choice, &QComboBox::currentIndexChanged, this, &MeasurePlot::draw);
     return choice;

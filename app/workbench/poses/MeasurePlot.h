@@ -1,4 +1,4 @@
-// Poses by two of their measures, and which of them no other beats in both.
+// Plots poses by two of their measures and marks those that no other pose beats in both.
 #pragma once
 
 #include "search/PoseSearch.h"
@@ -33,8 +33,8 @@ private:
     std::vector<RankedPoses> ranking_;
 };
 
-// Of poses that are as good in two measures as any other is: none beats them in one without being
-// worse in the other. In the ranking's order.
+// Ranks of the poses that no other pose beats: none is better in one measure without being worse in
+// the other. In the ranking's order.
 std::vector<std::size_t> unbeaten(const std::vector<RankedPoses>& ranking, Measure one,
                                   Measure other);
 

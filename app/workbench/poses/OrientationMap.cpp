@@ -16,14 +16,14 @@ namespace dipwright {
 namespace {
 
 constexpr int margin = 6;          // pixels round the disc
-constexpr int ringRadius = 5;      // of a chosen pose
-constexpr double narrowest = 0.02; // of the colours' range of objectives
+constexpr int ringRadius = 5;      // around a selected pose
+constexpr double narrowest = 0.02; // smallest range of objectives for the colours
 
 } // namespace
 
 OrientationMap::OrientationMap(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("orientationMap"));
-    setAccessibleName(tr("How good each side is to go down first"));
+    setAccessibleName(tr("Rating of each side when it goes down first"));
     setCursor(Qt::CrossCursor);
     QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
     policy.setHeightForWidth(true);
@@ -55,7 +55,7 @@ double OrientationMap::radius() const {
 // Lambert's azimuthal projection of the whole sphere, from −Y.
 QPointF OrientationMap::placeOf(const Eigen::Vector3d& down) const {
     const double across = std::hypot(down.x(), down.z());
-    const double share = std::sqrt((1 + down.y()) / 2); // of the radius
+    const double share = std::sqrt((1 + down.y()) / 2); // distance from the centre over the radius
     const double right = across > 0 ? down.x() / across : 1,
                  below = across > 0 ? down.z() / across : 0;
     return rect().toRectF().center() + radius() * share * QPointF(right, below);
@@ -116,7 +116,7 @@ void OrientationMap::paintEvent(QPaintEvent*) {
         painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
                          tr("Which side\ngoes down first"));
     }
-    for (const Eigen::Vector3d& down : chosen_) { // seen on any colour
+    for (const Eigen::Vector3d& down : chosen_) { // black and white, visible on any colour
         painter.setPen(QPen(Qt::black, 4));
         painter.drawEllipse(placeOf(down), ringRadius, ringRadius);
         painter.setPen(QPen(Qt::white, 2));

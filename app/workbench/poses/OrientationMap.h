@@ -1,4 +1,4 @@
-// How good every side of the body is to go down first, as a map of all directions.
+// Maps how good each side of the body is as the side that goes down first.
 #pragma once
 
 #include "search/PoseSearch.h"
@@ -8,9 +8,9 @@
 
 namespace dipwright {
 
-// The sphere of directions on a disc, equal areas equally large: the body as its file has it goes
-// down in the middle, upside down all along the rim, its right side to the right and its front
-// below. Each place has the colour of the nearest direction that was dipped.
+// An equal-area map of the sphere of directions on a disc. The centre is the body's orientation in
+// its file, the rim is upside down. The body's right side is to the right, its front below. Each
+// place has the colour of the nearest simulated direction.
 class OrientationMap : public QWidget {
     Q_OBJECT
 
@@ -18,7 +18,7 @@ public:
     explicit OrientationMap(QWidget* parent = nullptr);
 
     void setDirections(std::vector<TriedDirection> directions);
-    // Of the poses chosen in the table: rings on the map.
+    // Marks the poses selected in the table with rings.
     void setChosen(std::vector<Eigen::Vector3d> downs);
 
     QSize sizeHint() const override { return {200, 200}; }
@@ -27,23 +27,23 @@ public:
     int heightForWidth(int width) const override { return width; }
 
 signals:
-    void picked(const Eigen::Vector3d& down); // the nearest direction that was dipped
+    void picked(const Eigen::Vector3d& down); // the nearest simulated direction
 
 protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
-    bool event(QEvent* event) override; // tells of what is under the cursor
+    bool event(QEvent* event) override; // shows tooltips
 
 private:
     double radius() const;
     QPointF placeOf(const Eigen::Vector3d& down) const;
-    std::optional<Eigen::Vector3d> directionAt(QPointF place) const;  // none off the disc
-    const TriedDirection* nearest(const Eigen::Vector3d& down) const; // null: none was dipped
+    std::optional<Eigen::Vector3d> directionAt(QPointF place) const;  // none outside the disc
+    const TriedDirection* nearest(const Eigen::Vector3d& down) const; // null: none was simulated
     void draw();
 
-    std::vector<TriedDirection> directions_; // those that were dipped
-    double lowest_ = 0, highest_ = 1;        // of their objectives
+    std::vector<TriedDirection> directions_; // the simulated ones
+    double lowest_ = 0, highest_ = 1;        // the range of their objectives
     std::vector<Eigen::Vector3d> chosen_;
     QImage picture_;
 };

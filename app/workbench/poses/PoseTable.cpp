@@ -43,9 +43,9 @@ QTableWidgetItem* cell(const QString& text, const QString& help) {
 
 PoseTable::PoseTable(QWidget* parent) : QTableWidget(0, Columns, parent) {
     setObjectName(QStringLiteral("poseTable"));
-    setAccessibleName(tr("Poses found, the best first"));
+    setAccessibleName(tr("Found poses, best first"));
     setHorizontalHeaderLabels(
-        {tr("Pose"), tr("Objective"), tr("Painted,\nstretch"), tr("Against the best")});
+        {tr("Pose"), tr("Objective"), tr("Coverage,\nstretch"), tr("Compared with the best")});
     horizontalHeader()->setSectionResizeMode(Reasons, QHeaderView::Stretch);
     horizontalHeader()->setSectionResizeMode(Picture, QHeaderView::Fixed);
     setColumnWidth(Picture, pictureSize.width() + 8);

@@ -1,4 +1,4 @@
-// The poses that a search has found, the best first: how they look, what they measure, why.
+// Lists the poses that a search has found, best first: picture, measures and reasons.
 #pragma once
 
 #include "search/PoseSearch.h"
@@ -14,16 +14,16 @@ class PoseTable : public QTableWidget {
 public:
     explicit PoseTable(QWidget* parent = nullptr);
 
-    // Keeps what is chosen where its rank is still there. `pictures`: of each rank, from the front;
-    // fewer: not yet.
+    // Keeps the selection if its ranks still exist. `pictures`: front views by rank; may be shorter
+    // while they are being drawn.
     void setResult(const SearchResult& result, const SearchSettings& settings,
                    const std::vector<QImage>& pictures);
-    std::vector<std::size_t> chosen() const; // ranks, the first chosen first
+    std::vector<std::size_t> chosen() const; // ranks, in order of selection
     void choose(std::size_t rank);
 
 signals:
     void chosenChanged();
-    void applied(std::size_t rank); // double click, or Return
+    void applied(std::size_t rank); // double-click, or Return
 };
 
 } // namespace dipwright

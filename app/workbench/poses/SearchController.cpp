@@ -16,12 +16,12 @@ namespace dipwright {
 
 namespace {
 
-constexpr QSize pictureSize(112, 112); // twice as large as shown, for fine screens
+constexpr QSize pictureSize(112, 112); // twice the shown size, for high-resolution screens
 constexpr std::size_t mostPictures = 20;
 
 } // namespace
 
-// What the page shows, made on the worker thread.
+// The page's contents, made on the worker thread.
 struct SearchController::Update {
     SearchResult result;
     std::vector<QImage> pictures;
@@ -29,8 +29,8 @@ struct SearchController::Update {
     std::optional<double> secondsLeft;
 };
 
-// Stands between the search's thread and the window's: hands updates over, and holds the search
-// while it is paused. Used from both.
+// Connects the search's thread with the UI thread: passes updates on, and blocks the search while
+// it is paused. Used from both threads.
 class SearchController::Watcher {
 public:
     Watcher(SearchController& owner, std::shared_ptr<const TexturedMesh> model)
@@ -44,7 +44,7 @@ public:
         goOn_.notify_all();
     }
 
-    // On the worker thread. Returns when the search may go on, or is cancelled.
+    // Worker thread. Returns when the search may continue or is cancelled.
     void watch(const std::shared_ptr<Watcher>& self, const SearchState& state,
                const CancelToken& cancelToken) {
         handOverUpdate(self, {state.soFar, picturesOf(state.soFar, cancelToken), state.done,
@@ -62,13 +62,13 @@ public:
 private:
     void handOverUpdate(const std::shared_ptr<Watcher>& self, Update update) {
         postToThread(*owner_, [self, owner = owner_, update = std::move(update)] {
-            if (owner->watcher_ == self) { // it still is the one that runs
+            if (owner->watcher_ == self) { // it is still the current search
                 owner->take(update);
             }
         });
     }
 
-    // Of the best, each drawn once.
+    // Pictures of the best poses; each is drawn once.
     std::vector<QImage> picturesOf(const SearchResult& result, const CancelToken& cancelToken) {
         std::vector<QImage> pictures;
         for (const RankedPoses& poses : result.ranking) {
@@ -124,7 +124,7 @@ SearchController::SearchController(const DipSession& session, JobRunner& jobs,
     connect(page_, &SearchPage::comparisonAsked, this,
             [this](const std::array<ComparedState, 2>& states) {
                 std::array<ComparedState, 2> whole = states;
-                for (ComparedState& state : whole) { // as it was searched for
+                for (ComparedState& state : whole) { // the project at the time of the search
                     const std::vector<Immersion> immersions = state.project.immersions;
                     state.project = searched_;
                     state.project.immersions = immersions;
@@ -160,7 +160,7 @@ void SearchController::start() {
     const SearchSettings settings = page_->settings();
     page_->setState(SearchPage::State::Searching);
     watcher_ = std::make_shared<Watcher>(*this, searched_.model);
-    using Found = std::optional<Update>; // none: cancelled before anything was found
+    using Found = std::optional<Update>; // none: cancelled before the first result
     running_ = jobs_.start(std::make_unique<ValueJob<Found>>(
         tr("Searching poses"),
         [project = searched_, settings, watcher = watcher_,
@@ -180,19 +180,21 @@ void SearchController::start() {
             if (watcher_ == watcher && found) {
                 end();
                 page_->setResult(found->result, found->pictures);
-                messages_.logAndSay(found->result.isComplete
-                                        ? tr("The poses are searched; the best is on top.")
-                                        : tr("The search was stopped; the best so far is on top."));
+                messages_.logAndSay(
+                    found->result.isComplete
+                        ? tr("The search has finished. The best pose is at the top.")
+                        : tr("The search was stopped. The best pose so far is at the top."));
                 showFreshness();
             }
         },
         [this](const std::exception_ptr& failure) {
             end();
-            messages_.fail(tr("Pose Search"), failure);
+            messages_.fail(tr("Pose search"), failure);
         }));
 }
 
-// However it ended; cancelled before anything was found, it is told by nothing but the jobs' end.
+// Called however the search ended. If it was cancelled before the first result, only the end of the
+// job tells.
 void SearchController::end() {
     watcher_.reset();
     page_->setState(SearchPage::State::Idle);
@@ -210,7 +212,7 @@ void SearchController::apply(const std::vector<Immersion>& immersions) {
     }
 }
 
-// The immersion that is looked at, with that side down.
+// Turns the shown dip so that this side is down.
 void SearchController::applySide(const Eigen::Vector3d& down) {
     if (Document* document = session_.document(); document && document->project().model) {
         std::vector<Immersion> immersions = document->project().immersions;
@@ -223,8 +225,7 @@ void SearchController::applySide(const Eigen::Vector3d& down) {
 
 void SearchController::takeAims(const QString& what) {
     if (Document* document = session_.document()) {
-        document->edit(tr("Change What Poses Are Searched For"),
-                       QStringLiteral("pose_search ") + what,
+        document->edit(tr("Change search settings"), QStringLiteral("pose_search ") + what,
                        [this](Project& project) { project.poseAims = page_->settings().aims; });
     }
 }
@@ -236,7 +237,7 @@ void SearchController::showProject() {
     }
 }
 
-// The poses themselves are not what is searched for.
+// The current poses do not affect the search, so they do not outdate its result.
 void SearchController::showFreshness() {
     if (const Document* document = session_.document(); document && searched_.model) {
         const Project& now = document->project();

@@ -1,4 +1,4 @@
-// The pose search of a window: runs it as a job, keeps its page up to date, takes poses over.
+// Runs the pose search of a window as a job, updates its page and applies poses.
 #pragma once
 
 #include "solver/SolverRegistry.h"
@@ -18,8 +18,8 @@ public:
     SearchController(const DipSession& session, JobRunner& jobs, const SolverRegistry& registry,
                      Messages& messages, QObject* parent);
 
-    QWidget* page() const; // belongs to who puts it into a window
-    // To be called when the session has another document.
+    QWidget* page() const; // owned by the window that shows it
+    // Call this when the session has another document.
     void showDocument();
 
 signals:
@@ -42,9 +42,9 @@ private:
     const SolverRegistry& registry_;
     Messages& messages_;
     SearchPage* page_;
-    std::shared_ptr<Watcher> watcher_; // of the search that runs; null: none does
+    std::shared_ptr<Watcher> watcher_; // of the running search; null: none
     CancelToken running_;
-    Project searched_; // as it was when it was searched for
+    Project searched_; // the project at the time of the search
 };
 
 } // namespace dipwright

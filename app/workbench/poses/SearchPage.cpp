@@ -29,8 +29,8 @@ SearchPage::SearchPage(QWidget* parent)
       pause_(new QPushButton(tr("Pause"))), stop_(new QPushButton(tr("Stop"))),
       progress_(new QProgressBar), left_(new QLabel), note_(new QLabel), table_(new PoseTable),
       map_(new OrientationMap), plot_(new MeasurePlot), comparison_(new QLabel),
-      apply_(new QPushButton(tr("&Take This Pose"))),
-      sideBySide_(new QPushButton(tr("Side &by Side …"))) {
+      apply_(new QPushButton(tr("&Use this pose"))),
+      sideBySide_(new QPushButton(tr("Side &by side …"))) {
     setObjectName(QStringLiteral("searchPage"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
@@ -69,19 +69,19 @@ QWidget* SearchPage::makeSettings() {
     simulated_->setValue(usual.simulated);
     simulated_->setSuffix(tr(" poses"));
     simulated_->setObjectName(QStringLiteral("searchedPoses"));
-    simulated_->setToolTip(tr("How many poses are dipped with a coarse film, out of %1 that are "
-                              "judged by the body's shape. The best are refined.")
+    simulated_->setToolTip(tr("Number of poses that are simulated with a coarse film, out of %1 "
+                              "that are judged by the part's shape. The best poses are refined.")
                                .arg(usual.directions));
     seed_->setRange(seedRange.least, seedRange.most);
     seed_->setValue(usual.seed);
-    seed_->setToolTip(tr("The same number gives the same table; another one tries other "
-                         "directions."));
+    seed_->setToolTip(
+        tr("The same number gives the same table. Another number tries other directions."));
     auto* form = new QFormLayout;
-    form->addRow(tr("Plan"), immersions_);
-    form->addRow(tr("Try"), simulated_);
+    form->addRow(tr("Dips"), immersions_);
+    form->addRow(tr("Simulate"), simulated_);
     form->addRow(tr("Seed"), seed_);
     auto* more = new QToolButton;
-    more->setText(tr("What counts, and what must be kept"));
+    more->setText(tr("Weights and limits"));
     more->setCheckable(true);
     more->setAutoRaise(true);
     more->setArrowType(Qt::RightArrow);
@@ -110,9 +110,10 @@ QWidget* SearchPage::makeSettings() {
 QWidget* SearchPage::makeProgress() {
     start_->setIcon(icon(QStringLiteral("optimise")));
     start_->setObjectName(QStringLiteral("startSearch"));
-    pause_->setToolTip(tr("Let others have the processor; the search goes on where it was"));
+    pause_->setToolTip(
+        tr("Leaves the processor to other programs. The search continues where it stopped."));
     pause_->setObjectName(QStringLiteral("pauseSearch"));
-    stop_->setToolTip(tr("End the search and keep the best that was found"));
+    stop_->setToolTip(tr("Ends the search and keeps the best poses found"));
     stop_->setObjectName(QStringLiteral("stopSearch"));
     progress_->setTextVisible(false);
     progress_->setAccessibleName(tr("Progress of the search"));
@@ -122,7 +123,7 @@ QWidget* SearchPage::makeProgress() {
     row->addWidget(stop_);
     row->addWidget(progress_, 1);
     note_->setWordWrap(true);
-    note_->setText(tr("The project has been changed since these poses were searched."));
+    note_->setText(tr("The project has changed since this search."));
     note_->hide();
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
@@ -137,10 +138,11 @@ QWidget* SearchPage::makeFound() {
     comparison_->setWordWrap(true);
     comparison_->setObjectName(QStringLiteral("poseComparison"));
     apply_->setObjectName(QStringLiteral("takePose"));
-    apply_->setToolTip(tr("Dip the body as chosen in the table; one step to undo"));
+    apply_->setToolTip(
+        tr("Gives the dips the pose that is selected in the table. One undo step takes it back."));
     sideBySide_->setObjectName(QStringLiteral("sideBySide"));
-    sideBySide_->setToolTip(tr("Two chosen poses, or one and the project's own, in the view, by "
-                               "cameras that turn together"));
+    sideBySide_->setToolTip(tr(
+        "Shows two selected poses, or one and the project's own, with cameras that turn together"));
     connect(sideBySide_, &QPushButton::clicked, this, &SearchPage::compareChosen);
     auto* pictures = new QHBoxLayout;
     pictures->addWidget(map_, 1);
@@ -184,7 +186,7 @@ void SearchPage::setState(State state) {
     settings_->setEnabled(isIdle);
     start_->setEnabled(isIdle);
     pause_->setEnabled(!isIdle);
-    pause_->setText(state == State::Paused ? tr("Go On") : tr("Pause"));
+    pause_->setText(state == State::Paused ? tr("Resume") : tr("Pause"));
     stop_->setEnabled(!isIdle);
     progress_->setVisible(!isIdle);
     if (isIdle) {
@@ -235,7 +237,7 @@ void SearchPage::showChosen() {
     comparison_->setVisible(ranks.size() == 2);
     if (ranks.size() == 2) {
         comparison_->setText(
-            tr("Rank %1 against rank %2: %3")
+            tr("Rank %1 compared with rank %2: %3")
                 .arg(ranks[0] + 1)
                 .arg(ranks[1] + 1)
                 .arg(reasonText(differences(result_.ranking[ranks[0]], result_.ranking[ranks[1]],
@@ -265,7 +267,7 @@ void SearchPage::compareChosen() {
     if (ranks.size() == 2) {
         emit comparisonAsked({rank(0), rank(1)});
     } else if (ranks.size() == 1 && result_.current) {
-        emit comparisonAsked({stateOf(tr("The project's own"), *result_.current), rank(0)});
+        emit comparisonAsked({stateOf(tr("The project's own pose"), *result_.current), rank(0)});
     }
 }
 

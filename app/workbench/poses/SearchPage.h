@@ -1,4 +1,4 @@
-// The page of the pose search: what counts, how far it is, what was found.
+// The page of the pose search: settings, progress and found poses.
 #pragma once
 
 #include "search/PoseSearch.h"
@@ -27,25 +27,25 @@ public:
     explicit SearchPage(QWidget* parent = nullptr);
 
     SearchSettings settings() const;
-    void setImmersions(int count); // what is proposed
+    void setImmersions(int count); // the proposed number of dips
     void setAims(const PoseAims& aims);
     enum class State { Idle, Searching, Paused };
     void setState(State state);
     void setProgress(int done, int wanted, std::optional<double> secondsLeft);
-    // `pictures`: of the ranks, from the front; fewer: not yet.
+    // `pictures`: front views by rank; may be shorter while they are being drawn.
     void setResult(const SearchResult& result, const std::vector<QImage>& pictures);
     void clear();
-    void setOutdated(bool outdated); // the project is not what was searched for any more
+    void setOutdated(bool outdated); // the project has changed since the search
 
 signals:
     void startAsked();
-    void aimsChanged(const QString& what); // settings().aims, by the user
-    void aimsLeft();                       // and has turned to something else
+    void aimsChanged(const QString& what); // the user changed settings().aims
+    void aimsLeft();                       // the focus went elsewhere
     void pauseAsked(bool paused);
     void stopAsked();
     void applyAsked(const RankedPoses& poses);
     void comparisonAsked(const std::array<dipwright::ComparedState, 2>& states); // without projects
-    void sideAsked(const Eigen::Vector3d& down);                                 // of the map
+    void sideAsked(const Eigen::Vector3d& down);                                 // from the map
 
 private:
     QWidget* makeSettings();
@@ -73,7 +73,7 @@ private:
     QPushButton* apply_;
     QPushButton* sideBySide_;
     SearchResult result_;
-    SearchSettings searched_; // that the result is of
+    SearchSettings searched_; // the settings of the result
     State state_ = State::Idle;
 };
 

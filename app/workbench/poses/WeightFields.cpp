@@ -10,12 +10,12 @@ namespace dipwright {
 
 namespace {
 
-// How a measure is shown: the factor on its value, what follows it, and the most that it may be.
+// How a measure is shown: the factor on its value, its suffix and its maximum.
 struct Scale {
     double factor = 100;
     QString suffix = QStringLiteral(" %");
     double most = 100;
-    double proposed = 50; // as a limit
+    double proposed = 50; // proposed limit
 };
 
 Scale scaleOf(Measure measure) {
@@ -41,8 +41,8 @@ WeightFields::WeightFields(QWidget* parent) : QWidget(parent) {
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(4);
     grid->setColumnStretch(0, 1);
-    grid->addWidget(new QLabel(tr("Counts")), 0, 1);
-    grid->addWidget(new QLabel(tr("Must be kept")), 0, 2, 1, 2);
+    grid->addWidget(new QLabel(tr("Weight")), 0, 1);
+    grid->addWidget(new QLabel(tr("Limit")), 0, 2, 1, 2);
     int line = 1;
     for (const Measure measure : allMeasures()) {
         const Row row = makeRow(measure);
@@ -61,8 +61,8 @@ WeightFields::WeightFields(QWidget* parent) : QWidget(parent) {
         weight->setDecimals(1);
         const QString name = tr("Quality in zone %1").arg(QChar('A' + int(zone)));
         weight->setAccessibleName(name);
-        weight->setToolTip(tr("How much more the quality counts where the body is marked as this "
-                              "zone, under Tolerances."));
+        weight->setToolTip(tr("How much more the quality counts in this zone of the part. Zones "
+                              "are marked under Tolerances."));
         watch(weight, zoneKey(zone),
               [this, zone](double value) { aims_.zoneWeights[zone] = value; });
         auto* label = new QLabel(name);
@@ -72,7 +72,7 @@ WeightFields::WeightFields(QWidget* parent) : QWidget(parent) {
         zones_[zone] = weight;
         ++line;
     }
-    aims_.weights = {}; // so that what is usual is shown
+    aims_.weights = {}; // start from the default weights
     show({});
 }
 
@@ -83,12 +83,14 @@ WeightFields::Row WeightFields::makeRow(Measure measure) {
     row.weight->setDecimals(2);
     row.weight->setSingleStep(0.1);
     row.weight->setAccessibleName(tr("Weight of %1").arg(measureName(measure)));
-    row.weight->setToolTip(tr("How much it counts against the others; 0: not at all."));
+    row.weight->setToolTip(
+        tr("How much this measure counts, compared with the others. 0: not at all."));
     row.weight->setObjectName(QStringLiteral("weight_") + measureKey(measure));
     row.isLimited->setObjectName(QStringLiteral("limited_") + measureKey(measure));
     row.isLimited->setText(isMoreBetter(measure) ? QStringLiteral("≥") : QStringLiteral("≤"));
     row.isLimited->setAccessibleName(tr("Limit of %1").arg(measureName(measure)));
-    row.isLimited->setToolTip(tr("Poses that miss it come after all that keep it."));
+    row.isLimited->setToolTip(
+        tr("Poses that violate this limit rank below all poses that keep it."));
     row.limit->setRange(0, scale.most);
     row.limit->setDecimals(scale.factor == 1 ? 2 : 1);
     row.limit->setSuffix(scale.suffix);
@@ -124,7 +126,7 @@ void WeightFields::takeLimit(Measure measure) {
                                 : std::nullopt;
 }
 
-// What is the same already stays as it is typed.
+// Equal values keep the text being typed.
 void WeightFields::show(const PoseAims& aims) {
     if (aims == aims_) {
         return;
@@ -141,7 +143,7 @@ void WeightFields::show(const PoseAims& aims) {
     for (std::size_t zone = 0; zone < zoneCount; ++zone) {
         zones_[zone]->setValue(aims.zoneWeights[zone]);
     }
-    aims_ = aims; // the fields show it rounded
+    aims_ = aims; // the fields only show rounded values
 }
 
 } // namespace dipwright

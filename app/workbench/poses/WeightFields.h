@@ -1,4 +1,4 @@
-// What counts in a search, and what must be kept: the aims of a project's searches.
+// Edits the weights and limits of a project's pose searches.
 #pragma once
 
 #include "settings/SearchSettings.h"
@@ -22,8 +22,8 @@ public:
     void show(const PoseAims& aims); // emits nothing
 
 signals:
-    void changed(const QString& what); // by the user; what was, as a key
-    void left();                       // the user has turned to something else
+    void changed(const QString& what); // by the user; `what` is a key for the changed value
+    void left();                       // the focus went elsewhere
 
 private:
     struct Row {

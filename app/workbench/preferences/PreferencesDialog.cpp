@@ -46,7 +46,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, const Solve
     resize(660, 520);
 }
 
-// With the choices, each at the preference.
+// Fills the lists and selects the current preferences.
 void PreferencesDialog::fillLists() {
     language_->addItem(tr("As the system"), QString());
     for (const Language& language : languages()) {
@@ -70,21 +70,19 @@ void PreferencesDialog::fillLists() {
 }
 
 void PreferencesDialog::explainFields() {
-    film_->setToolTip(tr("The film that is proposed when a project is made."));
-    filmProfile_->setToolTip(tr("The film profile that is proposed when a project is made."));
-    printer_->setToolTip(tr("The printer profile that new projects begin with. It can be changed "
-                            "under Sheet."));
+    film_->setToolTip(tr("The film size proposed for new projects."));
+    filmProfile_->setToolTip(tr("The film profile proposed for new projects."));
+    printer_->setToolTip(tr("The printer profile of new projects. You can change it under Sheet."));
     language_->setToolTip(tr("The language of menus, panels and messages."));
     unit_->setToolTip(tr("The unit in which lengths and speeds are shown and typed."));
     theme_->setToolTip(tr("Light or dark colours."));
-    navigation_->setToolTip(tr("How dragging in the view turns it."));
-    autosave_->setToolTip(tr("How long after a change, at most, a copy is kept from which work is "
-                             "restored after a crash."));
-    live_->setToolTip(tr("Once there is a result, a change starts a new run of what depends on "
-                         "it."));
-    keeps_->setToolTip(
-        tr("The dips of a saved project are kept in a file NAME.dips beside it, up to "
-           "64 MB, and its results are there when it is opened again."));
+    navigation_->setToolTip(tr("How dragging turns the view."));
+    autosave_->setToolTip(tr("Longest time between a change and the recovery copy. After a crash, "
+                             "your work is restored from this copy."));
+    live_->setToolTip(
+        tr("After the first run, each change recomputes the results that depend on it."));
+    keeps_->setToolTip(tr("Saves the dips of a project in a file NAME.dips beside it, up to 64 MB. "
+                          "The results are there when you open the project again."));
 }
 
 QWidget* PreferencesDialog::makeGeneralPage() {
@@ -103,11 +101,11 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     form->setContentsMargins(16, 16, 16, 16);
     form->setVerticalSpacing(10);
     form->addRow(tr("&Language"), language_);
-    auto* hint = new QLabel(tr("A new language shows when the program is started again."));
+    auto* hint = new QLabel(tr("A new language takes effect when you restart the program."));
     hint->setForegroundRole(QPalette::PlaceholderText);
     hint->setWordWrap(true);
     form->addRow(QString(), hint);
-    form->addRow(tr("L&engths in"), unit_);
+    form->addRow(tr("L&ength unit"), unit_);
     form->addRow(tr("T&heme"), theme_);
     form->addRow(tr("&Navigation"), navigation_);
     form->addRow(tr("&Film of new projects"), film_);
@@ -128,7 +126,7 @@ QWidget* PreferencesDialog::makeShortcutPage(const QList<QAction*>& actions) {
     shortcuts_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
     shortcuts_->header()->setStretchLastSection(false);
     shortcuts_->header()->resizeSection(1, 200);
-    QPixmap blank(shortcuts_->iconSize().expandedTo({16, 16})); // the names stay in line
+    QPixmap blank(shortcuts_->iconSize().expandedTo({16, 16})); // aligns names without an icon
     blank.fill(Qt::transparent);
     for (const QAction* action : actions) {
         QString text = action->text();
@@ -149,7 +147,7 @@ QWidget* PreferencesDialog::makeShortcutPage(const QList<QAction*>& actions) {
                 });
         shortcuts_->setItemWidget(item, 1, keys);
     }
-    auto* reset = new QPushButton(tr("All Back to Standard"));
+    auto* reset = new QPushButton(tr("Reset all"));
     connect(reset, &QPushButton::clicked, this, [this, actions] {
         for (int row = 0; row < shortcuts_->topLevelItemCount(); ++row) {
             auto* keys = qobject_cast<QKeySequenceEdit*>(
@@ -169,7 +167,7 @@ QWidget* PreferencesDialog::makeShortcutPage(const QList<QAction*>& actions) {
 }
 
 void PreferencesDialog::checkShortcuts() {
-    QMap<QString, QString> commands; // by keys
+    QMap<QString, QString> commands; // names by keys
     QString clash;
     for (int row = 0; row < shortcuts_->topLevelItemCount(); ++row) {
         const QTreeWidgetItem* item = shortcuts_->topLevelItem(row);
@@ -177,7 +175,7 @@ void PreferencesDialog::checkShortcuts() {
             shortcuts_->itemWidget(shortcuts_->topLevelItem(row), 1));
         const QString keys = edit->keySequence().toString(QKeySequence::NativeText);
         if (!keys.isEmpty() && commands.contains(keys)) {
-            clash = tr("%1 stands for both “%2” and “%3”. Change one of them.")
+            clash = tr("%1 is assigned to both “%2” and “%3”. Change one of them.")
                         .arg(keys, commands[keys], item->text(0));
         }
         commands[keys] = item->text(0);

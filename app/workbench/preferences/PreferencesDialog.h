@@ -1,4 +1,4 @@
-// The user's choices for the program: general, shortcuts, and the solvers found.
+// Edits the user's preferences: general settings and shortcuts. Also lists the solvers.
 #pragma once
 
 #include "solver/SolverRegistry.h"
@@ -21,7 +21,7 @@ class PreferencesDialog : public QDialog {
     Q_OBJECT
 
 public:
-    // `actions`: those whose shortcuts can be edited.
+    // `actions`: the actions whose shortcuts can be edited.
     PreferencesDialog(const Preferences& preferences, const SolverRegistry& registry,
                       const QList<QAction*>& actions, QWidget* parent = nullptr);
 
@@ -32,14 +32,14 @@ private:
     void fillLists();
     void explainFields();
     QWidget* makeShortcutPage(const QList<QAction*>& actions);
-    void checkShortcuts(); // keys that two commands want work for neither
+    void checkShortcuts(); // a key assigned to two commands works for neither
 
     Preferences preferences_;
     QComboBox* language_;
     QComboBox* unit_;
     QComboBox* theme_;
     QComboBox* navigation_;
-    QComboBox* film_; // its size
+    QComboBox* film_; // the size
     QComboBox* filmProfile_;
     QComboBox* printer_;
     QSpinBox* autosave_;

@@ -14,7 +14,7 @@ namespace dipwright {
 
 namespace {
 
-// Rows as high as what is said in the last column; a tree does not do that by itself.
+// Fits the row heights to the wrapped text of the last column, which QTreeWidget does not do.
 void fitRows(QTreeWidget& list) {
     constexpr int margin = 6;
     for (int row = 0; row < list.topLevelItemCount(); ++row) {
@@ -38,8 +38,8 @@ SolverPage::SolverPage(const SolverRegistry& registry, QWidget* parent)
     list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     connect(list->header(), &QHeaderView::sectionResized, list, [list] { fitRows(*list); });
-    auto* hint = new QLabel(tr("Each project chooses its solver under Dipping. “Best available” "
-                               "takes the best that can run here."));
+    auto* hint = new QLabel(tr("Choose the solver of a project under Dipping. “Best available” "
+                               "uses the best solver that can run on this computer."));
     hint->setWordWrap(true);
     hint->setForegroundRole(QPalette::PlaceholderText);
     auto* layout = new QVBoxLayout(this);
@@ -58,7 +58,7 @@ void SolverPage::show(const std::vector<SolverInfo>& solvers) {
             item->setIcon(
                 0, icon(solver.available ? QStringLiteral("done") : QStringLiteral("warning")));
         }
-        item->setText(2, !isKnown           ? tr("Looking whether it can run here …")
+        item->setText(2, !isKnown           ? tr("Checking whether it can run here …")
                          : solver.available ? solver.device
                                             : shownName(solver.reason));
         for (int column = 0; column < list_->columnCount(); ++column) {
@@ -69,7 +69,7 @@ void SolverPage::show(const std::vector<SolverInfo>& solvers) {
     }
     if (solvers.empty()) {
         auto* item = new QTreeWidgetItem(list_);
-        item->setText(0, tr("None found"));
+        item->setText(0, tr("No solver found"));
         item->setText(2, tr("Put solver plugins into %1")
                              .arg(SolverRegistry::standardFolders().join(QStringLiteral(", "))));
     }

@@ -1,4 +1,4 @@
-// The solver plugins found: version and device, or why one cannot run here.
+// Lists the solver plugins with version and device, or the reason why one cannot run here.
 #pragma once
 
 #include "solver/SolverRegistry.h"

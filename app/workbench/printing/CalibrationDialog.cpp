@@ -25,7 +25,7 @@ namespace dipwright {
 
 namespace {
 
-constexpr double previewPixels = 6; // a millimetre
+constexpr double previewPixels = 6; // per millimetre
 
 QString shown(double number, int decimals) {
     return QLocale().toString(number, 'f', decimals);
@@ -47,8 +47,7 @@ QDoubleSpinBox* lengthBox(const QString& name) {
     box->setSingleStep(0.1);
     box->setSuffix(CalibrationDialog::tr(" mm"));
     box->setAccessibleName(name);
-    box->setToolTip(CalibrationDialog::tr("What the printed ruler measures, to a tenth of a "
-                                          "millimetre."));
+    box->setToolTip(CalibrationDialog::tr("The measured length of the printed ruler, to 0.1 mm."));
     return box;
 }
 
@@ -56,14 +55,14 @@ QDoubleSpinBox* lengthBox(const QString& name) {
 
 CalibrationDialog::CalibrationDialog(const ProfileLibrary& library, QWidget* parent)
     : QDialog(parent), library_(library), profile_(new QComboBox), printer_(new QComboBox),
-      paper_(new QComboBox), measures_(new QRadioButton(tr("Measure: the printer as it is"))),
-      verifies_(new QRadioButton(tr("Verify: corrected by the profile"))),
+      paper_(new QComboBox), measures_(new QRadioButton(tr("Measure (no correction)"))),
+      verifies_(new QRadioButton(tr("Verify (corrected by the profile)"))),
       x_(lengthBox(tr("Horizontal ruler"))), y_(lengthBox(tr("Vertical ruler"))),
       xNominal_(new QLabel), yNominal_(new QLabel), scale_(new QLabel), message_(new QLabel),
-      progress_(new QProgressBar), print_(new QPushButton(tr("&Print Page"))),
+      progress_(new QProgressBar), print_(new QPushButton(tr("&Print page"))),
       save_(new QPushButton(tr("Save as PDF…"))),
-      take_(new QPushButton(tr("&Take over into Profile"))), preview_(new PictureView) {
-    setWindowTitle(tr("Calibrate Printer"));
+      take_(new QPushButton(tr("&Save scale to profile"))), preview_(new PictureView) {
+    setWindowTitle(tr("Calibrate printer"));
     setObjectName(QStringLiteral("calibrationDialog"));
     preview_->setAccessibleName(tr("Page"));
     preview_->setMinimumSize(320, 420);
@@ -80,7 +79,7 @@ CalibrationDialog::CalibrationDialog(const ProfileLibrary& library, QWidget* par
         }
     });
     connect(&jobs_, &JobRunner::idle, this, [this] {
-        if (printing_) { // neither done nor failed
+        if (printing_) { // cancelled: neither done nor failed
             setPrinting(false);
             tell(tr("Cancelled."));
         }
@@ -113,7 +112,7 @@ QWidget* CalibrationDialog::makePageChoices() {
     auto* box = new QGroupBox(tr("1. Print the page"));
     auto* form = new QFormLayout(box);
     form->addRow(tr("P&rofile"), profile_);
-    printer_->setPlaceholderText(tr("None is set up"));
+    printer_->setPlaceholderText(tr("No printer set up"));
     form->addRow(tr("Pr&inter"), printer_);
     form->addRow(tr("P&aper"), paper_);
     form->addRow(tr("Page"), measures_);
@@ -123,11 +122,13 @@ QWidget* CalibrationDialog::makePageChoices() {
     row->addWidget(save_);
     row->addStretch();
     form->addRow(QString(), row);
-    profile_->setToolTip(tr("The profile that the scale goes into. “Profiles” makes new ones."));
+    profile_->setToolTip(
+        tr("The profile that receives the scale. You can create profiles under “Profiles”."));
     printer_->setToolTip(tr("The printers that are set up on this machine."));
-    paper_->setToolTip(tr("The paper that is in the printer."));
-    measures_->setToolTip(tr("Rulers without correction, to be measured."));
-    verifies_->setToolTip(tr("The same rulers corrected, which must now measure what they say."));
+    paper_->setToolTip(tr("The paper in the printer."));
+    measures_->setToolTip(tr("Prints rulers without correction, for measuring."));
+    verifies_->setToolTip(
+        tr("Prints the same rulers with the correction. Each must now have its nominal length."));
     connect(profile_, &QComboBox::currentIndexChanged, this, &CalibrationDialog::showPage);
     connect(paper_, &QComboBox::currentIndexChanged, this, &CalibrationDialog::showPage);
     connect(verifies_, &QRadioButton::toggled, this, &CalibrationDialog::showPage);
@@ -137,7 +138,7 @@ QWidget* CalibrationDialog::makePageChoices() {
 }
 
 QWidget* CalibrationDialog::makeMeasurements() {
-    auto* box = new QGroupBox(tr("2. Measure its rulers"));
+    auto* box = new QGroupBox(tr("2. Measure the rulers"));
     auto* form = new QFormLayout(box);
     const auto addRow = [&](const QString& text, QDoubleSpinBox* length, QLabel* nominal) {
         auto* label = new QLabel(text);
@@ -158,7 +159,7 @@ QWidget* CalibrationDialog::makeMeasurements() {
     form->addRow(QString(), row);
     connect(take_, &QPushButton::clicked, this, &CalibrationDialog::takeOver);
     for (QPushButton* button : {print_, save_, take_}) {
-        button->setAutoDefault(false); // Return ends the typing of a length
+        button->setAutoDefault(false); // Return must only end the typing of a length
     }
     return box;
 }
@@ -202,8 +203,8 @@ void CalibrationDialog::showPage() {
         yNominal_->setText(tr("instead of %1 mm").arg(shown(lengths.y.value(), 0)));
         x_->setValue(lengths.x.value());
         y_->setValue(lengths.y.value());
-        tell(tr("Print the page, measure both rulers from the first to the last line to a tenth "
-                "of a millimetre, and type what they show. Then verify with the second page."));
+        tell(tr("Print the page. Measure both rulers from the first to the last line, to 0.1 mm, "
+                "and type the lengths. Then verify with the second page."));
         showScale();
     } catch (const Error&) {
         showFailure(std::current_exception());
@@ -247,7 +248,7 @@ void CalibrationDialog::print() {
 
 void CalibrationDialog::saveFile() {
     const QString path = QFileDialog::getSaveFileName(
-        this, tr("Save Page"), tr("calibration") + QStringLiteral(".pdf"), QStringLiteral("*.pdf"));
+        this, tr("Save page"), tr("calibration") + QStringLiteral(".pdf"), QStringLiteral("*.pdf"));
     if (path.isEmpty()) {
         return;
     }
@@ -275,7 +276,7 @@ void CalibrationDialog::takeOver() {
                  .arg(result.name, shown(result.scaleX, 5), shown(result.scaleY, 5)));
     } catch (const ChangedFile&) {
         const std::exception_ptr failure = std::current_exception();
-        showPage(); // as the other has left it
+        showPage(); // another program may have changed the profile
         showFailure(failure);
     } catch (const Error&) {
         showFailure(std::current_exception());

@@ -1,5 +1,5 @@
-// Makes a printer print true: a page of rulers is printed and measured, its lengths go into the
-// printer's profile, and a second page verifies them.
+// Calibrates a printer's scale. The user prints and measures a page of rulers, stores the scale in
+// the printer's profile, and verifies it with a second page.
 #pragma once
 
 #include "printing/PrintService.h"
@@ -25,7 +25,7 @@ class CalibrationDialog : public QDialog {
 public:
     explicit CalibrationDialog(const ProfileLibrary& library, QWidget* parent = nullptr);
 
-    CalibrationPage page() const; // as it is chosen
+    CalibrationPage page() const; // the chosen page
 
 signals:
     void calibrated(const PrinterProfile& profile);
@@ -34,9 +34,9 @@ private:
     QWidget* makePageChoices();
     QWidget* makeMeasurements();
     void findPrinters();
-    void chooseQueue(); // of the profile
+    void chooseQueue(); // the one of the profile
     void showPage();
-    void showScale(); // that follows from what is typed
+    void showScale(); // computed from the typed lengths
     void print();
     void saveFile();
     void takeOver();
@@ -54,7 +54,7 @@ private:
     QPushButton *print_, *save_, *take_;
     PictureView* preview_;
     bool printing_ = false;
-    JobRunner jobs_; // ends before what it reports to
+    JobRunner jobs_; // destroyed first: jobs report to the members above
 };
 
 } // namespace dipwright

@@ -69,11 +69,11 @@ PackDialog::PackDialog(const SolverRegistry& registry, QWidget* parent)
       length_(lengthBox("packLength", 50, mostLength, 297)),
       spacing_(lengthBox("packSpacing", 0, 200, 3)),
       margin_(lengthBox("packMargin", leastPieceMargin, 200, leastPieceMargin)),
-      turn_(new QCheckBox(tr("&Turn pieces where that saves film"))),
+      turn_(new QCheckBox(tr("&Turn pieces to save film"))),
       preview_(new PicturePanel(tr("Film"), tr("Add projects and lay them out."))),
       told_(new QLabel), progress_(new QProgressBar) {
     setObjectName(QStringLiteral("packDialog"));
-    setWindowTitle(tr("Several Jobs on One Film"));
+    setWindowTitle(tr("Several jobs on one film"));
     setAcceptDrops(true);
     told_->setObjectName(QStringLiteral("packTold"));
     told_->setWordWrap(true);
@@ -114,9 +114,10 @@ QWidget* PackDialog::makeProjects() {
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setTabKeyNavigation(false);
     table_->setMinimumHeight(140);
-    table_->setToolTip(tr("Project files may be dropped here. They are taken as they are saved."));
+    table_->setToolTip(
+        tr("You can drop project files here. The last saved version of each file is used."));
     connect(table_, &QTableWidget::itemSelectionChanged, this, &PackDialog::enable);
-    auto* more = new QPushButton(tr("&Add Projects…"));
+    auto* more = new QPushButton(tr("&Add projects…"));
     more->setObjectName(QStringLiteral("packAdd"));
     remove_ = new QPushButton(tr("&Remove"));
     remove_->setObjectName(QStringLiteral("packRemove"));
@@ -146,12 +147,13 @@ QWidget* PackDialog::makeFilm() {
     film_->setCurrentText(QStringLiteral("A4"));
     feed_->addItem(tr("Short edge first"), int(FeedDirection::ShortEdgeFirst));
     feed_->addItem(tr("Long edge first"), int(FeedDirection::LongEdgeFirst));
-    feed_->setToolTip(tr("Film swells more along its web. Pieces of films that swell differently "
-                         "both ways lie along it as they were computed."));
+    feed_->setToolTip(tr("The edge that enters the printer first. Film swells more along its web. "
+                         "A piece that swells unequally keeps its direction along the web."));
     margin_->setToolTip(
-        tr("Bare film round what is inked. A job is computed for its whole film: cut "
-           "out near its ink it behaves otherwise towards the edge."));
-    turn_->setToolTip(tr("By a quarter, and only pieces of films that swell alike both ways."));
+        tr("Width of the bare film around the ink. Each job is computed for its whole film. A "
+           "piece that is cut close to the ink behaves differently near its edge."));
+    turn_->setToolTip(
+        tr("Turns pieces by 90°, but only if their film swells equally in both directions."));
     auto* box = new QWidget;
     auto* form = new QFormLayout(box);
     form->setContentsMargins(0, 0, 0, 0);
@@ -175,7 +177,7 @@ QWidget* PackDialog::makePreview() {
     preview_->view().setMinimumSize(320, 380);
     preview_->offerTrueSize();
     shown_->setObjectName(QStringLiteral("packShown"));
-    shown_->setAccessibleName(tr("Film that is shown"));
+    shown_->setAccessibleName(tr("Shown film"));
     connect(shown_, &QComboBox::currentIndexChanged, this, &PackDialog::showFilm);
     auto* box = new QWidget;
     auto* layout = new QVBoxLayout(box);
@@ -193,13 +195,15 @@ QWidget* PackDialog::makeButtons() {
         connect(made, &QPushButton::clicked, this, what);
         return made;
     };
-    layOut_ = button("packLayOut", tr("La&y Out"), &PackDialog::layOut);
-    layOut_->setToolTip(tr("Dips what has not been dipped yet, and lays it out."));
+    layOut_ = button("packLayOut", tr("La&y out"), &PackDialog::layOut);
+    layOut_->setToolTip(
+        tr("Simulates the projects that have no result yet, then lays out all pieces."));
     layOut_->setDefault(true);
     export_ = button("packExport", tr("E&xport…"), &PackDialog::exportFilms);
-    export_->setToolTip(tr("Each film as PDF, PNG and TIFF at true size, and what lies where."));
+    export_->setToolTip(tr("Writes each film as PDF, PNG and TIFF at true size, and a list of the "
+                           "pieces with their places."));
     print_ = button("packPrint", tr("&Print…"), &PackDialog::print);
-    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false); // it is no answer to Return
+    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false); // Return must not close
     connect(buttons, &QDialogButtonBox::rejected, this, &PackDialog::reject);
     return buttons;
 }
@@ -223,7 +227,7 @@ void PackDialog::add(const QStringList& projects) {
 }
 
 void PackDialog::askProjects() {
-    QFileDialog dialog(this, tr("Add Projects"), {}, projectFileFilter());
+    QFileDialog dialog(this, tr("Add projects"), {}, projectFileFilter());
     dialog.setFileMode(QFileDialog::ExistingFiles);
     if (dialog.exec() == QDialog::Accepted) {
         add(dialog.selectedFiles());
@@ -263,8 +267,9 @@ void PackDialog::chooseFilm() {
     }
     width_->setEnabled(!isNamed);
     length_->setEnabled(!isNamed);
-    length_->setToolTip(name == rollFilm ? tr("At most; it is cut off behind the last piece.")
-                                         : QString());
+    length_->setToolTip(name == rollFilm
+                            ? tr("The largest length. The roll is cut off after the last piece.")
+                            : QString());
     feed_->setEnabled(name != rollFilm); // a roll runs along its length
     changed();
 }
@@ -387,7 +392,7 @@ void PackDialog::showFilm(int number) {
 }
 
 void PackDialog::exportFilms() {
-    const QString folder = QFileDialog::getExistingDirectory(this, tr("Export Films to a Folder"));
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Export films to a folder"));
     if (folder.isEmpty()) {
         return;
     }
@@ -403,7 +408,7 @@ void PackDialog::exportFilms() {
         [this](std::exception_ptr failure) { showFailure(failure); }));
 }
 
-// The films as sheets of one result, which is what is printed.
+// Prints the films as the sheets of one result.
 void PackDialog::print() {
     auto result = std::make_shared<JobResult>();
     const Wanted& first = laid_.projects.front();
@@ -426,11 +431,11 @@ void PackDialog::print() {
 }
 
 void PackDialog::tell(const QString& text) {
-    told_->setText(!text.isEmpty() ? text
-                   : table_->rowCount() > 0
-                       ? tr("Press Lay Out: projects that have not been dipped "
-                            "here are dipped first.")
-                       : tr("Add projects, or drop their files here."));
+    told_->setText(
+        !text.isEmpty() ? text
+        : table_->rowCount() > 0
+            ? tr("Press “Lay out”. Projects that have no result yet are simulated first.")
+            : tr("Add projects or drop their files here."));
     enable();
 }
 

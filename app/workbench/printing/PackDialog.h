@@ -1,5 +1,5 @@
-// Several projects, and copies of them, on one film or roll: chosen, laid out, looked at, written
-// and printed. Projects are taken as they are saved.
+// Places several projects, and copies of them, on one film or roll: choose, lay out, preview,
+// export and print. Uses the saved version of each project.
 #pragma once
 
 #include "pipeline/JobPacking.h"
@@ -29,7 +29,7 @@ class PackDialog : public QDialog {
 public:
     explicit PackDialog(const SolverRegistry& registry, QWidget* parent = nullptr);
 
-    // Behind those that are there, each once.
+    // Adds projects after the others; skips those that are already there.
     void add(const QStringList& projects);
 
 signals:
@@ -38,10 +38,10 @@ signals:
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
-    void reject() override; // what runs is cancelled first
+    void reject() override; // cancels a running job first
 
 private:
-    // A project that was run, and when its file was written then.
+    // The result of a project, and the modification time of its file at that time.
     struct Dipped {
         QDateTime written;
         std::shared_ptr<const JobResult> result;
@@ -49,12 +49,12 @@ private:
     struct Wanted {
         QString path;
         int copies = 1;
-        Dipped dipped; // null: to be run
+        Dipped dipped; // without a result: not run yet
     };
     struct LaidOut {
         std::vector<Wanted> projects;
         std::shared_ptr<const PackedFilms> films;
-        std::vector<SheetPreview> previews; // a film each
+        std::vector<SheetPreview> previews; // one for each film
     };
     static LaidOut laidOut(std::vector<Wanted> projects, const PackSettings& settings,
                            const SolverRegistry& registry, const Progress& progress);
@@ -66,7 +66,7 @@ private:
     void askProjects();
     void removeChosen();
     void chooseFilm();
-    void changed(); // lays out anew where that takes no dip
+    void changed(); // lays out again if no dip must be run for it
     void layOut();
     void take(LaidOut laid);
     void showFilm(int number);
@@ -89,8 +89,8 @@ private:
     QPushButton *remove_ = nullptr, *layOut_ = nullptr, *export_ = nullptr, *print_ = nullptr;
     QHash<QString, Dipped> dipped_;
     LaidOut laid_;
-    int asked_ = 0;  // number of the last layout asked for
-    JobRunner jobs_; // ends before what it reports to
+    int asked_ = 0;  // number of the latest layout request
+    JobRunner jobs_; // destroyed first: jobs report to the members above
 };
 
 } // namespace dipwright

@@ -48,14 +48,14 @@ PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion,
       otherPaper_(new QCheckBox(tr("The printer does not report this paper as loaded"))),
       notice_(new NoticeBar), verdict_(new QLabel), gamut_(new QLabel), progress_(new QProgressBar),
       print_(nullptr), save_(nullptr) {
-    setWindowTitle(tr("Print Sheets"));
+    setWindowTitle(tr("Print sheets"));
     setObjectName(QStringLiteral("printDialog"));
     for (const ImmersionResult& result : outcome.result->immersions) {
         const std::size_t number = sheets_.size();
         sheets_.push_back(result.sheet);
         auto* box = new QCheckBox(result.immersion.name);
-        box->setChecked(true); // a job is printed whole unless somebody wants less
-        box->setToolTip(tr("Whether this immersion's sheet is printed."));
+        box->setChecked(true); // by default the whole job is printed
+        box->setToolTip(tr("Whether the sheet of this dip is printed."));
         connect(box, &QCheckBox::toggled, this, [this, number] {
             showSheet(number);
             judge();
@@ -65,8 +65,9 @@ PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion,
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     print_ = buttons->addButton(tr("Print"), QDialogButtonBox::ActionRole);
     print_->setDefault(true);
-    save_ = buttons->addButton(tr("Save as File…"), QDialogButtonBox::ActionRole);
-    save_->setToolTip(tr("The sheet shown, as PDF or TIFF in the printer's scale and colours."));
+    save_ = buttons->addButton(tr("Save as file…"), QDialogButtonBox::ActionRole);
+    save_->setToolTip(
+        tr("Saves the shown sheet as PDF or TIFF, in the printer's scale and colours."));
     connect(print_, &QPushButton::clicked, this, &PrintDialog::print);
     connect(save_, &QPushButton::clicked, this, &PrintDialog::saveFile);
     connect(buttons, &QDialogButtonBox::rejected, this, [this] {
@@ -97,7 +98,7 @@ PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion,
         }
     });
     connect(&jobs_, &JobRunner::idle, this, [this] {
-        if (printing_) { // neither done nor failed
+        if (printing_) { // cancelled: neither done nor failed
             printing_ = false;
             setBusy(false, tr("Cancelled. What the printer has already begun may still come out."));
         }
@@ -132,8 +133,8 @@ QWidget* PrintDialog::makeChoices() {
     printer_->setAccessibleName(tr("Printer"));
     printer_->setToolTip(tr("The printers that are set up on this machine."));
     copies_->setRange(1, 99);
-    copies_->setToolTip(tr("How often each sheet is printed."));
-    printer_->setPlaceholderText(tr("None is set up"));
+    copies_->setToolTip(tr("Number of copies of each sheet."));
+    printer_->setPlaceholderText(tr("No printer set up"));
     form->addRow(tr("&Printer"), printer_);
     const Project& project = outcome_.result->project;
     const auto& profile = project.profiles.printer;
@@ -180,11 +181,11 @@ QWidget* PrintDialog::makePreview() {
     preview_->view().setMinimumSize(320, 380);
     preview_->offerTrueSize();
     proof_->addItems({tr("As designed"), tr("As printed (soft proof)"),
-                      tr("As printed, colours out of reach in magenta")});
+                      tr("As printed, out-of-gamut colours in magenta")});
     const auto& profile = outcome_.result->project.profiles.printer;
     proof_->setEnabled(profile && !profile->iccProfile.isEmpty());
     proof_->setToolTip(proof_->isEnabled()
-                           ? tr("How the page is shown here. What is printed stays the same.")
+                           ? tr("How the page is shown here. The print does not change.")
                            : tr("A soft proof needs a printer profile with an ICC profile."));
     proof_->setObjectName(QStringLiteral("proof"));
     proof_->setAccessibleName(tr("Colours of the page"));
@@ -227,7 +228,7 @@ void PrintDialog::showSheet(std::size_t number) {
 }
 
 void PrintDialog::startProof(const Sheet& sheet, const SheetPreview& page, int proofing) {
-    // The film itself and not the page as it is seen: that holds no more colours than a screen's.
+    // Use the film image, not the page preview, whose colours are limited to the screen's.
     Sheet small = sheet;
     const double scale = page.page.width() / page.size.width();
     const auto scaled = [size = (page.film.size() * scale).toSize()](const QImage& image) {
@@ -237,10 +238,10 @@ void PrintDialog::startProof(const Sheet& sheet, const SheetPreview& page, int p
     small.plates.clear();
     if (small.wanted) {
         small.wanted->image = scaled(sheet.wanted->image);
-        small.wanted->stretch = sheet.wanted->stretch.scaled(small.image.size()); // numbers
+        small.wanted->stretch = sheet.wanted->stretch.scaled(small.image.size()); // values
     }
     jobs_.start(std::make_unique<ValueJob<PrintProof>>(
-        tr("Proofing the colours"),
+        tr("Computing the soft proof"),
         [small, profile = *outcome_.result->project.profiles.printer,
          marked = proof_->currentIndex() == 2](const Progress&) {
             const auto colour = printerColour(profile);
@@ -253,7 +254,7 @@ void PrintDialog::startProof(const Sheet& sheet, const SheetPreview& page, int p
         [this, proofing, size = page.size](const PrintProof& proof) {
             if (proofing == proofing_) {
                 preview_->setPicture(proof.page, size);
-                gamut_->setText(tr("%1 % of the paint is out of the printer's reach.")
+                gamut_->setText(tr("%1 % of the painted area is out of the printer's gamut.")
                                     .arg(QLocale().toString(100 * proof.outOfGamut, 'f', 1)));
             }
         },
@@ -261,7 +262,7 @@ void PrintDialog::startProof(const Sheet& sheet, const SheetPreview& page, int p
 }
 
 void PrintDialog::saveFile() {
-    QFileDialog dialog(this, tr("Save Sheet"));
+    QFileDialog dialog(this, tr("Save sheet"));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setNameFilters({QStringLiteral("PDF (*.pdf)"), QStringLiteral("TIFF (*.tiff *.tif)")});
     dialog.setDefaultSuffix(QStringLiteral("pdf"));
@@ -291,7 +292,8 @@ QWidget* PrintDialog::makeExceptions() {
     auto* box = new QGroupBox(tr("Print anyway"));
     auto* layout = new QVBoxLayout(box);
     for (QCheckBox* exception : {tile_, grey_, clipped_, otherPaper_}) {
-        exception->setToolTip(tr("Without this tick such a print is refused, with the reason."));
+        exception->setToolTip(
+            tr("If this is not ticked, such a print is refused and the reason is shown."));
         layout->addWidget(exception);
         connect(exception, &QCheckBox::toggled, this, &PrintDialog::judge);
     }
@@ -311,7 +313,8 @@ void PrintDialog::showPrinters(const QStringList& printers) {
     {
         const QSignalBlocker quiet(printer_);
         printer_->addItems(printers);
-        printer_->setCurrentIndex(printers.isEmpty() ? -1 : 0); // a silent box chooses none itself
+        // With blocked signals the box does not select a printer by itself.
+        printer_->setCurrentIndex(printers.isEmpty() ? -1 : 0);
         const auto& profile = outcome_.result->project.profiles.printer;
         for (const QString& wanted : {QSettings().value(QLatin1String(lastPrinterKey)).toString(),
                                       profile ? profile->queue : QString()}) {

@@ -1,6 +1,5 @@
-// Prints the sheets of a result: on which printer, which of them, how often, with a look at the
-// page in true size and true colour, and with everything that the printer would get wrong said
-// beforehand.
+// Prints the sheets of a result. The user chooses printer, sheets and copies, and sees the page at
+// true size and in true colour. Every problem is reported before anything is sent.
 #pragma once
 
 #include "printing/PrintService.h"
@@ -25,11 +24,11 @@ class PrintDialog : public QDialog {
     Q_OBJECT
 
 public:
-    // `immersion`: the one that is chosen at first. `projectFile`: for the history; empty: none
-    // yet.
+    // `immersion`: the dip whose sheet is shown first. `projectFile`: for the print history; empty:
+    // not saved yet.
     PrintDialog(const DipOutcome& outcome, std::size_t immersion, const QString& projectFile,
                 QWidget* parent = nullptr);
-    // Says something about the sheets above all else.
+    // Shows a warning about the sheets at the top.
     void warn(const QString& sentence);
 
 signals:
@@ -40,13 +39,13 @@ private:
     QWidget* makeChoices();
     QWidget* makeExceptions();
     QWidget* makePreview();
-    void choosePaper(); // for all sheets
+    void choosePaper(); // applies to all sheets
     void showSheet(std::size_t number);
     void startProof(const Sheet& sheet, const SheetPreview& page, int proofing);
     void saveFile();
     void findPrinters();
     void showPrinters(const QStringList& printers);
-    void judge(); // whether it can be printed as chosen
+    void judge(); // checks whether the job can be printed as chosen
     void print();
     void setBusy(bool busy, const QString& what);
     void showFailure(std::exception_ptr failure);
@@ -55,8 +54,8 @@ private:
 
     DipOutcome outcome_;
     PrintSource source_;
-    std::vector<Sheet> sheets_; // as they are printed
-    std::size_t shown_;         // the one looked at
+    std::vector<Sheet> sheets_; // as they will be printed
+    std::size_t shown_;         // index of the shown sheet
     PicturePanel* preview_;
     QComboBox *printer_, *paper_, *orientation_, *proof_;
     QSpinBox* copies_;
@@ -70,9 +69,9 @@ private:
     QProgressBar* progress_;
     QPushButton *print_, *save_;
     bool printing_ = false;
-    int judgement_ = 0; // number of the last one asked for
+    int judgement_ = 0; // number of the latest check
     int proofing_ = 0;
-    JobRunner jobs_; // ends before what it reports to
+    JobRunner jobs_; // destroyed first: jobs report to the members above
 };
 
 } // namespace dipwright

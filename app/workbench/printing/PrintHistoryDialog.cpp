@@ -48,7 +48,7 @@ bool holdsAll(const QString& text, const QStringList& words) {
     });
 }
 
-// What the table has no room for, a line each.
+// The facts that do not fit into the table, one on each line.
 QString factsText(const PrintRecord& record) {
     QStringList lines{fateText(record)};
     const auto add = [&lines](const QString& sentence, const QString& fact) {
@@ -60,12 +60,12 @@ QString factsText(const PrintRecord& record) {
         QDir::toNativeSeparators(record.source.projectFile));
     add(PrintHistoryDialog::tr("Written to: %1"), QDir::toNativeSeparators(record.file));
     add(PrintHistoryDialog::tr("Film: %1"), record.source.film);
-    add(PrintHistoryDialog::tr("Printer's profile: %1"), record.profile);
-    add(PrintHistoryDialog::tr("Paper, in the printer's words: %1"), record.mediumName);
+    add(PrintHistoryDialog::tr("Printer profile: %1"), record.profile);
+    add(PrintHistoryDialog::tr("Paper name in the printer: %1"), record.mediumName);
     if (record.source.projectFile.isEmpty()) {
         lines.append(PrintHistoryDialog::tr("The project had not been saved when it was printed."));
     } else if (!QFileInfo::exists(record.source.projectFile)) {
-        lines.append(PrintHistoryDialog::tr("The project's file is not there any more."));
+        lines.append(PrintHistoryDialog::tr("The project file no longer exists."));
     }
     return lines.join(QLatin1Char('\n'));
 }
@@ -77,20 +77,21 @@ PrintHistoryDialog::PrintHistoryDialog(const PrintHistory& history, LengthUnit u
     : QDialog(parent), unit_(unit), search_(new QLineEdit), table_(new QTableWidget(0, Columns)),
       facts_(new QLabel) {
     setObjectName(QStringLiteral("printHistory"));
-    setWindowTitle(tr("Print History"));
+    setWindowTitle(tr("Print history"));
     search_->setObjectName(QStringLiteral("search"));
     search_->setAccessibleName(tr("Search"));
     search_->setPlaceholderText(tr("Job number on the sheet, project, printer …"));
-    search_->setToolTip(tr("Shows the prints that hold all words typed here, or parts of words"));
+    search_->setToolTip(
+        tr("Shows the prints that contain all words typed here. Parts of words are enough."));
     search_->setClearButtonEnabled(true);
     connect(search_, &QLineEdit::textChanged, this, &PrintHistoryDialog::showFound);
-    table_->setAccessibleName(tr("What was printed, the newest first"));
-    table_->setHorizontalHeaderLabels({tr("When"), tr("Job"), tr("Project"), tr("Immersion"),
+    table_->setAccessibleName(tr("Prints, newest first"));
+    table_->setHorizontalHeaderLabels({tr("Time"), tr("Job"), tr("Project"), tr("Dip"),
                                        tr("Printer or file"), tr("Paper"), tr("Copies"),
                                        tr("Outcome")});
     table_->verticalHeader()->hide();
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    for (const int column : {ProjectName, Fate}) { // long ones are cut off and told below
+    for (const int column : {ProjectName, Fate}) { // elided; the facts below show them whole
         table_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
     }
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -105,7 +106,7 @@ PrintHistoryDialog::PrintHistoryDialog(const PrintHistory& history, LengthUnit u
     facts_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     facts_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-    open_ = buttons->addButton(tr("&Open Project"), QDialogButtonBox::ActionRole);
+    open_ = buttons->addButton(tr("&Open project"), QDialogButtonBox::ActionRole);
     open_->setObjectName(QStringLiteral("openProject"));
     connect(open_, &QPushButton::clicked, this, &PrintHistoryDialog::openChosen);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -119,7 +120,7 @@ PrintHistoryDialog::PrintHistoryDialog(const PrintHistory& history, LengthUnit u
     jobs_.start(std::make_unique<ValueJob<std::vector<PrintRecord>>>(
         tr("Reading the print history"), [history](const Progress&) { return history.records(); },
         [this](std::vector<PrintRecord> records) { showRecords(std::move(records)); },
-        [](std::exception_ptr) {})); // reading throws nothing
+        [](std::exception_ptr) {})); // reading never throws
 }
 
 void PrintHistoryDialog::showRecords(std::vector<PrintRecord> records) {
@@ -171,7 +172,7 @@ void PrintHistoryDialog::showChosen() {
     facts_->setText(record             ? factsText(*record)
                     : jobs_.isBusy()   ? tr("Reading the print history …")
                     : records_.empty() ? tr("Nothing has been printed yet.")
-                                       : tr("Nothing that was printed holds these words."));
+                                       : tr("No print contains these words."));
 }
 
 void PrintHistoryDialog::openChosen() {

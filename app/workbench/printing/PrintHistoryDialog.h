@@ -1,4 +1,5 @@
-// What was printed, the newest first: found by the job number on a sheet, and its project opened.
+// Lists past prints, newest first. The user can find a print by the job number on its sheet and
+// open its project.
 #pragma once
 
 #include "printing/PrintHistory.h"
@@ -18,7 +19,7 @@ class PrintHistoryDialog : public QDialog {
     Q_OBJECT
 
 public:
-    // Reads the history beside the user interface.
+    // Reads the history on a worker thread.
     PrintHistoryDialog(const PrintHistory& history, LengthUnit unit, QWidget* parent = nullptr);
 
 signals:
@@ -26,7 +27,7 @@ signals:
 
 private:
     void showRecords(std::vector<PrintRecord> records);
-    void showFound(); // of the records, what holds all words that are looked for
+    void showFound(); // the records that contain all search words
     void showChosen();
     void openChosen();
     const PrintRecord* chosen() const; // null: none
@@ -37,7 +38,7 @@ private:
     QTableWidget* table_;
     QLabel* facts_;
     QPushButton* open_;
-    JobRunner jobs_; // ends before what it reports to
+    JobRunner jobs_; // destroyed first: jobs report to the members above
 };
 
 } // namespace dipwright

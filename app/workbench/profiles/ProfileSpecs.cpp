@@ -13,7 +13,7 @@ struct Text {
 PropertySpec nameSpec() {
     return {.path = QStringLiteral("name"),
             .label = Text::tr("Name"),
-            .help = Text::tr("What the profile is called in lists and in projects.")};
+            .help = Text::tr("The name of the profile in lists and projects.")};
 }
 
 std::vector<PropertySpec> sides(const QByteArray& path, const QString& help) {
@@ -31,53 +31,53 @@ std::vector<PropertySpec> sides(const QByteArray& path, const QString& help) {
 
 std::vector<PropertySection> printerSections() {
     PropertySection size{{}, {nameSpec()}};
-    size.specs.push_back(
-        {.path = QStringLiteral("queue"),
-         .label = Text::tr("System's name"),
-         .help = Text::tr("The name under which the system knows the printer. It is then chosen "
-                          "at first when a sheet is printed.")});
+    size.specs.push_back({.path = QStringLiteral("queue"),
+                          .label = Text::tr("System name"),
+                          .help = Text::tr("The printer's name in the operating system. The print "
+                                           "dialog selects this printer first.")});
     size.specs.push_back(
         {.path = QStringLiteral("scale"),
          .label = Text::tr("Scale"),
-         .help = Text::tr("Printed length over true length, across the paper and along its feed. "
-                          "Sheets are drawn smaller by it. “Calibrate Printer” measures it."),
+         .help =
+             Text::tr("Printed length over true length, across the paper and along its feed. "
+                      "Sheets are scaled down by this factor. “Calibrate printer” measures it."),
          .unit = Unit::Ratio,
          .parts = {Text::tr("X"), Text::tr("Y")}});
-    size.specs.push_back(
-        {.path = QStringLiteral("margins_mm"),
-         .label = Text::tr("Margins"),
-         .help = Text::tr("What the printer does not reach at the paper's left, top, right and "
-                          "bottom edge."),
-         .unit = Unit::Length,
-         .parts = {Text::tr("L", "left"), Text::tr("T", "top"), Text::tr("R", "right"),
-                   Text::tr("B", "bottom")}});
+    size.specs.push_back({.path = QStringLiteral("margins_mm"),
+                          .label = Text::tr("Margins"),
+                          .help = Text::tr("The margins that the printer cannot reach at the left, "
+                                           "top, right and bottom edge of the paper."),
+                          .unit = Unit::Length,
+                          .parts = {Text::tr("L", "left"), Text::tr("T", "top"),
+                                    Text::tr("R", "right"), Text::tr("B", "bottom")}});
     size.specs.push_back({.path = QStringLiteral("dpi"),
                           .label = Text::tr("Resolution"),
-                          .help = Text::tr("Pixels an inch of the sheets for this printer."),
+                          .help = Text::tr("Pixels per inch of the sheets for this printer."),
                           .unit = Unit::Resolution});
     PropertySection colour{Text::tr("Colour"), {}};
     colour.specs = {
         {.path = QStringLiteral("intent"),
          .label = Text::tr("Rendering intent"),
-         .help = Text::tr("How colours that the printer cannot make are brought into its reach."),
+         .help =
+             Text::tr("How out-of-gamut colours are mapped to colours that the printer can print."),
          .words = {{QStringLiteral("perceptual"), Text::tr("Perceptual")},
                    {QStringLiteral("relative"), Text::tr("Relative colorimetric")},
                    {QStringLiteral("saturation"), Text::tr("Saturation")},
                    {QStringLiteral("absolute"), Text::tr("Absolute colorimetric")}}},
         {.path = QStringLiteral("black_point_compensation"),
-         .label = Text::tr("Fit black point"),
-         .help = Text::tr("Fits the darkest dark to what the printer can print, so that shadows "
-                          "stay distinct.")},
+         .label = Text::tr("Black point compensation"),
+         .help = Text::tr("Maps the darkest colour to the darkest that the printer can print, so "
+                          "that shadows stay distinct.")},
         {.path = QStringLiteral("ink_limit"),
          .label = Text::tr("Ink limit"),
-         .help = Text::tr("The highest optical density a channel that the film holds."),
+         .help = Text::tr("The highest optical density per channel that the film holds."),
          .unit = Unit::Density},
         {.path = QStringLiteral("total_ink"),
-         .label = Text::tr("Total ink"),
-         .help = Text::tr("Most of all four inks together on one place, with an ICC profile in "
-                          "CMYK. Cyan, magenta and yellow give way, black stays."),
+         .label = Text::tr("Total area coverage"),
+         .help = Text::tr("The largest sum of the four inks at one place (TAC), with an ICC "
+                          "profile in CMYK. Cyan, magenta and yellow are reduced; black stays."),
          .unit = Unit::Share,
-         .absent = Text::tr("As the ICC profile has it"),
+         .absent = Text::tr("From the ICC profile"),
          .whenPresent = 3}};
     return {size, colour};
 }
@@ -86,55 +86,55 @@ PropertySpec material(const char* path) {
     return specOf(QLatin1String(path), materialWords(QLatin1String(path)));
 }
 
-// What photos gave (dipwright-cli inspect film): where the figures above come from.
+// The measurement from photos (dipwright-cli inspect film), the source of the values above.
 PropertySection filmMeasurement() {
-    PropertySection measured{Text::tr("Measured by photos"), {}};
+    PropertySection measured{Text::tr("Measured from photos"), {}};
     measured.specs = {
         {.path = QStringLiteral("measured.date"),
          .label = Text::tr("Measured on"),
-         .help = Text::tr("The day of the photos. While swell and growth are what they gave, the "
-                          "profile counts as measured, else as guessed.")},
+         .help = Text::tr("The date of the photos. The profile counts as measured as long as swell "
+                          "and growth have the values from the photos.")},
         {.path = QStringLiteral("measured.water_temperature_c"),
-         .label = Text::tr("Water, °C"),
-         .help = Text::tr("How warm the water was."),
+         .label = Text::tr("Water temperature, °C"),
+         .help = Text::tr("The temperature of the water in the photos."),
          .absent = Text::tr("Not given"),
          .whenPresent = 25},
         {.path = QStringLiteral("measured.swell"),
-         .label = Text::tr("Swell found"),
-         .help = Text::tr("The swell that the photos gave. 0: none."),
+         .label = Text::tr("Measured swell"),
+         .help = Text::tr("The swell measured from the photos. 0: not measured."),
          .unit = Unit::Ratio,
          .parts = {Text::tr("W", "width"), Text::tr("H", "height")}},
         {.path = QStringLiteral("measured.swell_off"),
-         .label = Text::tr("… and off by"),
-         .help = Text::tr("How far that swell may be off, at 95 %."),
+         .label = Text::tr("Swell error"),
+         .help = Text::tr("Uncertainty of the measured swell, at 95 %."),
          .unit = Unit::Ratio,
          .parts = {Text::tr("W", "width"), Text::tr("H", "height")}},
         {.path = QStringLiteral("measured.growth_per_s"),
-         .label = Text::tr("Growth found"),
-         .help = Text::tr("The growth that the photos gave."),
+         .label = Text::tr("Measured growth"),
+         .help = Text::tr("The growth measured from the photos."),
          .unit = Unit::ShareRate,
          .absent = Text::tr("Not given"),
          .whenPresent = 0},
         {.path = QStringLiteral("measured.growth_limit"),
-         .label = Text::tr("… at most"),
-         .help = Text::tr("The growth's limit that the photos gave."),
+         .label = Text::tr("Growth limit"),
+         .help = Text::tr("The limit of the growth, measured from the photos."),
          .unit = Unit::Share,
          .absent = Text::tr("Not given"),
          .whenPresent = 0},
         {.path = QStringLiteral("measured.relaxation_time_s"),
-         .label = Text::tr("Relaxation found"),
-         .help = Text::tr("The relaxation time that photos of a dipped part gave."),
+         .label = Text::tr("Measured relaxation"),
+         .help = Text::tr("The relaxation time measured from photos of a dipped part."),
          .unit = Unit::Time,
          .absent = Text::tr("Not given"),
          .whenPresent = 0},
         {.path = QStringLiteral("measured.residual_mm"),
          .label = Text::tr("Residual"),
-         .help = Text::tr("How far the corners in the photos lie from where these figures have "
-                          "them, on the average."),
+         .help = Text::tr("Average distance between the corners in the photos and the corners "
+                          "computed from these values."),
          .unit = Unit::Length},
         {.path = QStringLiteral("measured.photos"),
          .label = Text::tr("Photos"),
-         .help = Text::tr("The SHA-256 of the photos' files, by which they can be known again.")}};
+         .help = Text::tr("The SHA-256 checksums of the photo files, to identify them.")}};
     return measured;
 }
 
@@ -148,17 +148,17 @@ PropertySection filmPackage() {
     film.specs.push_back(
         {.path = QStringLiteral("feed"),
          .label = Text::tr("Feed"),
-         .help = Text::tr("The edge that goes into the printer first: a film swells more along "
-                          "its web."),
+         .help =
+             Text::tr("The edge that enters the printer first. Film swells more along its web."),
          .words = {{QStringLiteral("short edge first"), Text::tr("Short edge first")},
                    {QStringLiteral("long edge first"), Text::tr("Long edge first")}}});
     film.specs.push_back(
         {.path = QStringLiteral("lot"),
          .label = Text::tr("Lot"),
-         .help = Text::tr("The maker's number: another lot may swell otherwise.")});
+         .help = Text::tr("The manufacturer's lot number. Another lot may swell differently.")});
     film.specs.push_back({.path = QStringLiteral("expiry"),
                           .label = Text::tr("Use before"),
-                          .help = Text::tr("A date such as 2027-03-31, or nothing.")});
+                          .help = Text::tr("A date such as 2027-03-31. May be empty.")});
     return film;
 }
 
@@ -175,21 +175,21 @@ std::vector<PropertySection> filmSections() {
         material("contact_distance_mm"),
         {.path = QStringLiteral("soak_time_s"),
          .label = Text::tr("Soak time"),
-         .help = Text::tr("From the water to the activator."),
+         .help = Text::tr("Time from laying the film on the water to the activator."),
          .unit = Unit::Time},
         {.path = QStringLiteral("activator_time_s"),
          .label = Text::tr("Activator time"),
-         .help = Text::tr("From the activator to the dip."),
+         .help = Text::tr("Time from the activator to the dip."),
          .unit = Unit::Time},
         {.path = QStringLiteral("flash_time_s"),
          .label = Text::tr("Flash time"),
-         .help = Text::tr("From the dip to the rinse."),
+         .help = Text::tr("Time from the dip to the rinse."),
          .unit = Unit::Time,
          .absent = Text::tr("Not given"),
          .whenPresent = 60},
         {.path = QStringLiteral("drying_time_s"),
          .label = Text::tr("Drying time"),
-         .help = Text::tr("From the rinse until the body may be touched, or dipped again."),
+         .help = Text::tr("Time from the rinse until the part may be touched or dipped again."),
          .unit = Unit::Time,
          .absent = Text::tr("Not given"),
          .whenPresent = 3600}};
@@ -199,7 +199,7 @@ std::vector<PropertySection> filmSections() {
             {Text::tr("Sides"),
              {material("edges.left"), material("edges.right"), material("edges.top"),
               material("edges.bottom")}},
-            {Text::tr("Advanced: laws without measurement"),
+            {Text::tr("Advanced: laws that are not measured"),
              {material("overhang_deg"), material("grip_fade_deg"), material("tear_stretch"),
               material("gathering_stretch")}}};
 }
@@ -208,18 +208,18 @@ std::vector<PropertySection> tankSections() {
     PropertySection tank{{}, {nameSpec()}};
     tank.specs.push_back({.path = QStringLiteral("size_mm"),
                           .label = Text::tr("Size"),
-                          .help = Text::tr("Width and length of the water."),
+                          .help = Text::tr("Width and length of the water surface."),
                           .unit = Unit::Length,
                           .parts = {Text::tr("W", "width"), Text::tr("L", "length")}});
     tank.specs.push_back({.path = QStringLiteral("water_level_mm"),
                           .label = Text::tr("Water level"),
-                          .help = Text::tr("How far the water stands under the tank's rim."),
+                          .help = Text::tr("Distance from the tank's rim down to the water."),
                           .unit = Unit::Length});
     tank.specs.push_back(
         {.path = QStringLiteral("mark_distance_mm"),
-         .label = Text::tr("Marks"),
-         .help = Text::tr("Between the tank's marks, across and along, which the sheet's "
-                          "registration marks are laid to. 0: there are none."),
+         .label = Text::tr("Mark spacing"),
+         .help = Text::tr("Distance between the tank's marks, across and along. The sheet's "
+                          "registration marks are aligned with them. 0: no marks."),
          .unit = Unit::Length,
          .parts = {Text::tr("X"), Text::tr("Y")}});
     return {tank,

@@ -1,4 +1,4 @@
-// How every value of a profile is called and explained.
+// Labels and explains every value of a profile.
 #pragma once
 
 #include "settings/Profile.h"
@@ -6,7 +6,7 @@
 
 namespace dipwright {
 
-// All values but a printer's ICC profile, which is a file to choose.
+// All values except a printer's ICC profile, which is a file.
 std::vector<PropertySection> profileSections(ProfileKind kind);
 
 } // namespace dipwright

@@ -48,7 +48,7 @@ QLabel* heading(const QString& text) {
 QString colourSpace(const PrinterProfile& printer) {
     const std::unique_ptr<PrinterColour> colour = printerColour(printer);
     if (!colour) {
-        return ProfilesDialog::tr("None: the printer is sent sRGB");
+        return ProfilesDialog::tr("None (the printer receives sRGB)");
     }
     return colour->isCmyk() ? ProfilesDialog::tr("%1 (CMYK)").arg(colour->description())
                             : ProfilesDialog::tr("%1 (RGB)").arg(colour->description());
@@ -62,7 +62,7 @@ ProfilesDialog::ProfilesDialog(const ProfileLibrary& library, LengthUnit unit, Q
       copy_(new QPushButton(icon(QStringLiteral("copy")), tr("Copy…"))),
       remove_(new QPushButton(icon(QStringLiteral("remove")), tr("Remove"))),
       export_(new QPushButton(icon(QStringLiteral("export")), tr("Export…"))),
-      use_(new QPushButton(tr("&Use in Project"))) {
+      use_(new QPushButton(tr("&Use in project"))) {
     setWindowTitle(tr("Profiles"));
     setObjectName(QStringLiteral("profilesDialog"));
     editor_->setWidgetResizable(true);
@@ -76,8 +76,8 @@ ProfilesDialog::ProfilesDialog(const ProfileLibrary& library, LengthUnit unit, Q
     splitter->setStretchFactor(1, 1);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     buttons->addButton(use_, QDialogButtonBox::ActionRole);
-    use_->setToolTip(tr("The project takes its values over and keeps a copy, so that it prints "
-                        "the same when the profile has since changed."));
+    use_->setToolTip(tr("Copies the profile and its values into the project. Later changes to the "
+                        "profile do not affect the project."));
     connect(use_, &QPushButton::clicked, this, [this] {
         if (keep()) {
             emit useAsked(*chosen_);
@@ -132,7 +132,7 @@ QWidget* ProfilesDialog::makeList() {
 
 QWidget* ProfilesDialog::makeButtons() {
     auto* import = new QPushButton(icon(QStringLiteral("document-open")), tr("Import…"));
-    copy_->setToolTip(tr("Makes a profile of your own from this one."));
+    copy_->setToolTip(tr("Makes your own copy of this profile."));
     connect(copy_, &QPushButton::clicked, this, &ProfilesDialog::askCopy);
     connect(remove_, &QPushButton::clicked, this, [this] { attempt([this] { removeChosen(); }); });
     connect(import, &QPushButton::clicked, this, &ProfilesDialog::askImport);
@@ -145,7 +145,7 @@ QWidget* ProfilesDialog::makeButtons() {
     grid->addWidget(import, 1, 0);
     grid->addWidget(export_, 1, 1);
     for (QPushButton* button : {copy_, remove_, import, export_, use_}) {
-        button->setAutoDefault(false); // Return ends the typing of a value
+        button->setAutoDefault(false); // Return must only end the typing of a value
     }
     return box;
 }
@@ -176,7 +176,7 @@ void ProfilesDialog::fillList() {
         group->setExpanded(true);
     }
     list_->resizeColumnToContents(0);
-    list_->setMinimumWidth(std::min(400, list_->columnWidth(0) + 24)); // names in full
+    list_->setMinimumWidth(std::min(400, list_->columnWidth(0) + 24)); // shows names in full
     const QTreeWidgetItem* current = list_->currentItem();
     remove_->setEnabled(current && current->data(0, OwnRole).toBool());
 }
@@ -187,7 +187,7 @@ void ProfilesDialog::allowUse(bool allowed) {
 
 void ProfilesDialog::choose(ProfileKind kind, const QString& name) {
     for (QTreeWidgetItemIterator item(list_); *item; ++item) {
-        const QVariant entry = (*item)->data(0, NameRole); // none: the heading of a kind
+        const QVariant entry = (*item)->data(0, NameRole); // invalid for the heading of a kind
         if (entry.isValid() && entry == name && (*item)->data(0, KindRole).toInt() == int(kind)) {
             list_->setCurrentItem(*item);
         }
@@ -240,7 +240,7 @@ void ProfilesDialog::addIccRow(QFormLayout& form) {
     }
     choose->setAccessibleName(tr("Choose an ICC profile"));
     none->setAccessibleName(tr("No ICC profile"));
-    // Queued: the buttons go with the page that is made anew.
+    // Queued: the buttons are deleted when the page is rebuilt.
     connect(choose, &QPushButton::clicked, this, &ProfilesDialog::askIcc, Qt::QueuedConnection);
     connect(
         none, &QPushButton::clicked, this,
@@ -280,7 +280,7 @@ bool ProfilesDialog::keep() {
             throw Error(tr("A profile needs a name"), storedName_);
         }
         if (name != storedName_ && library_.contains(kind, name)) {
-            throw Error(tr("There is a profile of this name already, choose another"), name);
+            throw Error(tr("A profile with this name already exists; choose another name"), name);
         }
         std::visit([&](auto& profile) { profile.name = name; }, *chosen_);
         if (!store(name == storedName_ ? known_ : std::nullopt)) {
@@ -296,7 +296,7 @@ bool ProfilesDialog::keep() {
         storedName_ = name;
         changed_ = false;
         kept = true;
-        // Not from within a signal of the list itself.
+        // Queued: a signal of the list may be in progress.
         QMetaObject::invokeMethod(this, &ProfilesDialog::fillList, Qt::QueuedConnection);
     });
     return kept;
@@ -307,13 +307,14 @@ bool ProfilesDialog::store(const std::optional<Profile>& known) {
         library_.save(*chosen_, known);
         return true;
     } catch (const ChangedFile&) {
-        QMessageBox question(QMessageBox::Warning, tr("Profile Changed Elsewhere"),
-                             tr("Another program has changed the profile “%1” meanwhile.")
+        QMessageBox question(QMessageBox::Warning, tr("Profile changed by another program"),
+                             tr("Another program has changed the profile “%1” in the meantime.")
                                  .arg(shownName(nameOf(*chosen_))),
                              QMessageBox::NoButton, this);
         question.setObjectName(QStringLiteral("changedQuestion"));
-        QPushButton* theirs = question.addButton(tr("Show the Other’s"), QMessageBox::AcceptRole);
-        QPushButton* mine = question.addButton(tr("Keep &Mine"), QMessageBox::DestructiveRole);
+        QPushButton* theirs =
+            question.addButton(tr("Load the other version"), QMessageBox::AcceptRole);
+        QPushButton* mine = question.addButton(tr("Keep &mine"), QMessageBox::DestructiveRole);
         question.setDefaultButton(theirs);
         question.setEscapeButton(theirs);
         question.exec();
@@ -324,7 +325,7 @@ bool ProfilesDialog::store(const std::optional<Profile>& known) {
     }
     changed_ = false;
     chosen_ = known_ = library_.profile(kindOf(*chosen_), storedName_);
-    // Not while one of the fields that go with it is telling that it was left.
+    // Queued: one of the fields to be deleted may be emitting its signal.
     QMetaObject::invokeMethod(this, &ProfilesDialog::showChosen, Qt::QueuedConnection);
     return false;
 }
@@ -357,7 +358,8 @@ void ProfilesDialog::exportFile(const QString& path) const {
 void ProfilesDialog::setIccFile(const QString& path) {
     auto printer = std::get<PrinterProfile>(*chosen_);
     printer.iccProfile = readSmallFile(path, mostProfileBytes);
-    PrinterColour(printer.iccProfile, printer.intent, printer.blackPoint, path); // or throws
+    // Throws if the profile cannot be used.
+    PrinterColour(printer.iccProfile, printer.intent, printer.blackPoint, path);
     chosen_ = printer;
     changed_ = true;
     keep();
@@ -369,7 +371,8 @@ void ProfilesDialog::copyAs(const QString& name) {
     Profile copy = *chosen_;
     std::visit([&](auto& profile) { profile.name = name.simplified(); }, copy);
     if (library_.contains(kindOf(copy), nameOf(copy))) {
-        throw Error(tr("There is a profile of this name already, choose another"), nameOf(copy));
+        throw Error(tr("A profile with this name already exists; choose another name"),
+                    nameOf(copy));
     }
     library_.save(copy, std::nullopt);
     fillList();
@@ -377,10 +380,11 @@ void ProfilesDialog::copyAs(const QString& name) {
 }
 
 void ProfilesDialog::tell(const QString& sentence) {
-    message_->setText(sentence.isEmpty()
-                          ? tr("Changes are kept at once. Profiles in italics come with the "
-                               "program; a changed one is yours, and Remove brings the first back.")
-                          : sentence);
+    message_->setText(
+        sentence.isEmpty()
+            ? tr("Changes are saved at once. Profiles in italics come with the program. If you "
+                 "change one, your copy is used; “Remove” restores the original.")
+            : sentence);
 }
 
 void ProfilesDialog::attempt(const std::function<void()>& action) {
@@ -393,14 +397,14 @@ void ProfilesDialog::attempt(const std::function<void()>& action) {
 
 void ProfilesDialog::askImport() {
     const QString path =
-        QFileDialog::getOpenFileName(this, tr("Import Profile"), {}, profileFilter());
+        QFileDialog::getOpenFileName(this, tr("Import profile"), {}, profileFilter());
     if (!path.isEmpty()) {
         attempt([&] { importFile(path); });
     }
 }
 
 void ProfilesDialog::askExport() {
-    QFileDialog dialog(this, tr("Export Profile"), {}, profileFilter());
+    QFileDialog dialog(this, tr("Export profile"), {}, profileFilter());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(QStringLiteral("json"));
     dialog.selectFile(storedName_ + QStringLiteral(".json"));
@@ -410,8 +414,8 @@ void ProfilesDialog::askExport() {
 }
 
 void ProfilesDialog::askCopy() {
-    const QString name = QInputDialog::getText(this, tr("Copy Profile"), tr("Name of the copy:"),
-                                               QLineEdit::Normal, tr("%1, own").arg(storedName_));
+    const QString name = QInputDialog::getText(this, tr("Copy profile"), tr("Name of the copy:"),
+                                               QLineEdit::Normal, tr("%1, copy").arg(storedName_));
     if (!name.simplified().isEmpty()) {
         attempt([&] { copyAs(name); });
     }

@@ -1,5 +1,5 @@
-// The profiles of printers, films and tanks: looked at, changed, made, imported and exported.
-// Changes are kept at once; a profile of the program's own is kept as one of the user's.
+// Lists the profiles of printers, films and tanks: view, edit, copy, import and export. Changes are
+// saved at once. A change to a shipped profile is saved as the user's own copy.
 #pragma once
 
 #include "project/ProfileLibrary.h"
@@ -22,11 +22,11 @@ class ProfilesDialog : public QDialog {
 public:
     ProfilesDialog(const ProfileLibrary& library, LengthUnit unit, QWidget* parent = nullptr);
 
-    void allowUse(bool allowed); // whether there is a project to use a profile in
+    void allowUse(bool allowed); // true if a project is open
     void choose(ProfileKind kind, const QString& name);
     const std::optional<Profile>& chosen() const { return chosen_; }
 
-    // What the buttons do once a file or a name is there. Throw Error.
+    // What the buttons do once the user has chosen a file or a name. Throw Error.
     void importFile(const QString& path);
     void exportFile(const QString& path) const;
     void setIccFile(const QString& path);
@@ -42,8 +42,9 @@ private:
     void showChosen();
     void addIccRow(QFormLayout& form);
     void edit(const QString& path, const QJsonValue& value);
-    bool keep(); // what was changed; false: refused, and said why
-    // Under its name, where `known` stands. Else the user is asked; false: the other's stays.
+    bool keep(); // saves the changes; false: refused, with a message
+    // Saves under the profile's name if the file still equals `known`. Otherwise asks the user;
+    // false: the other version stays.
     bool store(const std::optional<Profile>& known);
     void removeChosen();
     void tell(const QString& sentence);
@@ -56,8 +57,8 @@ private:
     ProfileLibrary library_;
     LengthUnit unit_;
     std::optional<Profile> chosen_;
-    std::optional<Profile> known_; // the chosen one as it was read
-    QString storedName_;           // under which the chosen one stands in the library
+    std::optional<Profile> known_; // the chosen profile as it was read
+    QString storedName_;           // the chosen profile's name in the library
     bool changed_ = false;
     QTreeWidget* list_;
     QScrollArea* editor_;

@@ -17,7 +17,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(FilmFacts)
 };
 
-// Of a dip with so many points, by one that was measured.
+// Expected time of a dip with `points` film points, scaled from a measured one.
 double expectedSeconds(const DippedFilm& measured, std::size_t points) {
     const double ratio = double(points) / double(measured.grid.pointCount());
     return measured.wallSeconds * std::pow(ratio, 1.5);

@@ -1,5 +1,4 @@
-// How fine the film of each immersion will be, about how long its dip will take, and what of it was
-// measured.
+// Describes the film of each dip: its fineness, the expected time, and what was measured.
 #pragma once
 
 #include "geometry/SurfaceQuery.h"
@@ -12,13 +11,13 @@ namespace dipwright {
 
 class FilmFacts {
 public:
-    // A line an immersion, and one on what was measured. The time is told from `result`, the last
-    // run's, which may be null: work grows with the points and with the steps, which grow as the
-    // cells get smaller.
+    // One line for each dip and one on measurements. `result`, the last run, may be null. The
+    // expected time is scaled from it. Work grows with the number of points and of steps; smaller
+    // cells need more steps.
     QString text(const Project& project, const JobResult* result, LengthUnit unit);
 
 private:
-    std::shared_ptr<const TexturedMesh> model_; // of which `query_` is
+    std::shared_ptr<const TexturedMesh> model_; // the model of `query_`
     std::unique_ptr<const SurfaceQuery> query_;
 };
 

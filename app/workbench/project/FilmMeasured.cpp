@@ -49,7 +49,7 @@ QString measuredText(const Project& project) {
 }
 
 void addFilmProfiles(QComboBox& box, const QString& chosen) {
-    box.addItem(Text::tr("None: a film that was not measured"), QString());
+    box.addItem(Text::tr("None (film not measured)"), QString());
     const ProfileLibrary library;
     for (const ProfileEntry& entry : library.profiles(ProfileKind::Film)) {
         try {
@@ -57,7 +57,7 @@ void addFilmProfiles(QComboBox& box, const QString& chosen) {
             box.addItem(Text::tr("%1 (%2)").arg(shownName(entry.name),
                                                 measuredText(std::get<FilmProfile>(profile))),
                         entry.name);
-        } catch (const Error&) { // where profiles are kept, it is said what is wrong with it
+        } catch (const Error&) { // the profiles dialog reports damaged files
         }
     }
     box.setCurrentIndex(std::max(0, box.findData(chosen)));

@@ -1,4 +1,4 @@
-// What of a film was measured by photos and what is a guess, in words.
+// Says which values of a film were measured from photos and which are guesses.
 #pragma once
 
 #include <QString>
@@ -12,12 +12,12 @@ struct Project;
 
 // "measured on 2026-11-02" or "not measured".
 QString measuredText(const FilmProfile& film);
-// The same of the numbers that a project's film is dipped with: "Swell measured on 2026-11-02;
-// growth, relaxation not measured".
+// The same for the film values of a project: "Swell measured on 2026-11-02; growth, relaxation not
+// measured".
 QString measuredText(const Project& project);
 
-// Adds "None" and the film profiles at hand, each marked so, the name as its data, and shows
-// `chosen` if it is there. Files that are damaged are passed over.
+// Adds "None" and all film profiles with their measuredText(); each item's data is the name.
+// Selects `chosen` if it exists. Skips damaged files.
 void addFilmProfiles(QComboBox& box, const QString& chosen);
 
 } // namespace dipwright

@@ -8,15 +8,15 @@ namespace dipwright {
 
 JoinFields::JoinFields(LengthUnit unit, QWidget* parent)
     : MarkFields(QStringLiteral("joinBrush"), unit, parent),
-      face_(new QCheckBox(tr("The whole face"))) {
+      face_(new QCheckBox(tr("Whole face"))) {
     kind().addItem({}, int(ShareMarkKind::First));
     kind().addItem({}, int(ShareMarkKind::Second));
-    kind().addItem(tr("Keeps the join away"), int(ShareMarkKind::Avoid));
-    kind().addItem(tr("Lets the join run there"), int(ShareMarkKind::Allow));
+    kind().addItem(tr("Keeps the seam away"), int(ShareMarkKind::Avoid));
+    kind().addItem(tr("Allows the seam"), int(ShareMarkKind::Allow));
     kind().setToolTip(
-        tr("What a click or a drag on the body in the view marks there. Give places "
-           "to the other dip to move the join. With Run Live the join follows at once."));
-    face_->setToolTip(tr("Marks the flat face that is clicked, up to its edges."));
+        tr("What a click or a drag on the part in the view marks. Assign areas to the other dip to "
+           "move the seam. With “Run live” the seam is updated at once."));
+    face_->setToolTip(tr("Marks the whole flat face that you click, up to its edges."));
     form().insertRow(radiusRow + 1, face_);
     connect(face_, &QCheckBox::toggled, this, [this](bool whole) {
         setRadiusEnabled(!whole);
@@ -34,7 +34,7 @@ MarkBrush JoinFields::brush() const {
 
 void JoinFields::setDips(const QString& first, const QString& second) {
     const auto name = [&](ShareMarkKind mark, const QString& dip) {
-        kind().setItemText(kind().findData(int(mark)), tr("Gives the place to %1").arg(dip));
+        kind().setItemText(kind().findData(int(mark)), tr("Assigns the place to %1").arg(dip));
     };
     name(ShareMarkKind::First, first);
     name(ShareMarkKind::Second, second);

@@ -1,4 +1,4 @@
-// What the next click on the body marks for the join of two dips.
+// Chooses what the next click on the body marks for the seam of two dips.
 #pragma once
 
 #include "workbench/widgets/MarkFields.h"

@@ -27,7 +27,7 @@ namespace dipwright {
 
 namespace {
 
-constexpr int readDelay = 300; // ms after the last letter
+constexpr int readDelay = 300; // ms after the last typed letter
 
 enum class Template { One, TopAndBottom, LeftAndRight, Paper };
 
@@ -66,41 +66,44 @@ NewProjectDialog::NewProjectDialog(const QString& model, const Preferences& pref
       byEdge_(new QRadioButton(tr("The longest edge is"))), edge_(new NumberBox),
       film_(new QComboBox), filmProfile_(new QComboBox), template_(new QComboBox),
       extent_(new QLabel) {
-    setWindowTitle(tr("New Project"));
+    setWindowTitle(tr("New project"));
     setObjectName(QStringLiteral("newProjectDialog"));
     setMinimumWidth(540);
     model_->setPlaceholderText(tr("Choose a file: %1").arg(modelFormatNames()));
     model_->setAccessibleName(tr("Model"));
     texture_->setAccessibleName(tr("Texture"));
-    model_->setToolTip(tr("The file of the body that is to be dipped."));
-    texture_->setPlaceholderText(tr("The model's own"));
-    texture_->setToolTip(tr("A picture to wear in place of the model's own texture, or nothing."));
+    model_->setToolTip(tr("The model file of the part to dip."));
+    texture_->setPlaceholderText(tr("The model's own texture"));
+    texture_->setToolTip(tr("A picture that replaces the model's own texture. Leave it empty to "
+                            "keep the model's texture."));
     for (const QString& name : filmSizeNames()) {
         film_->addItem(name);
     }
     film_->setCurrentText(preferences.filmPreset);
-    film_->setToolTip(tr("The size in which the film comes and is printed."));
+    film_->setToolTip(tr("The size of the film as it is delivered and printed."));
     addFilmProfiles(*filmProfile_, preferences.filmProfile);
     filmProfile_->setObjectName(QStringLiteral("filmProfile"));
     filmProfile_->setMinimumContentsLength(30);
     filmProfile_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    filmProfile_->setToolTip(tr("What is known of the film: how it swells, grows and tears."));
+    filmProfile_->setToolTip(
+        tr("The measured properties of the film: how it swells, grows and tears."));
     template_->addItem(tr("One dip"), int(Template::One));
     template_->addItem(tr("Two dips: bottom and top"), int(Template::TopAndBottom));
     template_->addItem(tr("Two dips: left and right"), int(Template::LeftAndRight));
-    template_->addItem(tr("One dip with the film model of 2020, to compare"), int(Template::Paper));
-    template_->setToolTip(tr("How often and from where the body is dipped. All of it can be "
-                             "changed later."));
+    template_->addItem(tr("One dip with the film model of 2020, for comparison"),
+                       int(Template::Paper));
+    template_->setToolTip(
+        tr("How many times the part is dipped, and from which sides. You can change this later."));
 
     auto* form = new QFormLayout;
     form->setVerticalSpacing(10);
-    form->addRow(tr("&Model"), makeFileRow(model_, tr("Choose a Model"), modelFileFilter()));
+    form->addRow(tr("&Model"), makeFileRow(model_, tr("Choose a model"), modelFileFilter()));
     form->addRow(tr("Te&xture"),
-                 makeFileRow(texture_, tr("Choose a Texture"), pictureFileFilter()));
+                 makeFileRow(texture_, tr("Choose a texture"), pictureFileFilter()));
     form->addRow(tr("Size"), makeSizeRow());
     form->addRow(tr("Film &profile"), filmProfile_);
     form->addRow(tr("&Film"), film_);
-    form->addRow(tr("&Begin with"), template_);
+    form->addRow(tr("&Dips"), template_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     create_ = buttons->addButton(tr("Create"), QDialogButtonBox::AcceptRole);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -151,12 +154,11 @@ QWidget* NewProjectDialog::makeSizeRow() {
     edge_->setValue(90 * factor);
     edge_->setEnabled(false);
     edge_->setAccessibleName(tr("Longest edge"));
-    edge_->setToolTip(tr("The model is made larger or smaller until its longest edge measures "
-                         "this."));
+    edge_->setToolTip(tr("Scales the model so that its longest edge has this length."));
     byEdge_->setToolTip(edge_->toolTip());
     unit_->setAccessibleName(tr("Unit of the file"));
-    unit_->setToolTip(tr("In which unit the model's file gives its coordinates. The file does not "
-                         "say."));
+    unit_->setToolTip(
+        tr("The unit of the coordinates in the model file. The file itself does not state it."));
     byUnit_->setToolTip(unit_->toolTip());
     byUnit_->setChecked(true);
     connect(byEdge_, &QRadioButton::toggled, edge_, &QWidget::setEnabled);
@@ -192,7 +194,8 @@ void NewProjectDialog::updateButtons() {
     delay_.start();
 }
 
-// In the file's units. What cannot be read is told when the project is made of it.
+// Reads the model's sizes in the file's units. Errors are reported later, when the project is
+// created.
 void NewProjectDialog::readSizes() {
     jobs_.cancelAll();
     const QString path = model_->text();
@@ -225,11 +228,11 @@ void NewProjectDialog::showExtent() {
         *sizes_ * (options.longestEdge ? options.longestEdge->value() / sizes_->maxCoeff()
                                        : options.unitMillimetres);
     const QString text =
-        tr("The body is %1 × %2 × %3")
+        tr("The part measures %1 × %2 × %3")
             .arg(shownLength(size.x(), lengthUnit_), shownLength(size.y(), lengthUnit_),
                  shownLength(size.z(), lengthUnit_));
     extent_->setText(guesses_ && byUnit_->isChecked()
-                         ? text + QStringLiteral("; ") + tr("the unit is a guess by its size.")
+                         ? text + QStringLiteral("; ") + tr("the unit was guessed from the size.")
                          : text + QStringLiteral("."));
 }
 
@@ -260,7 +263,7 @@ std::function<void(Project&)> NewProjectDialog::completion() const {
                 applyProfile(project, *profile);
             }
         }
-        const QSizeF size = filmSize(film); // whatever the profile's is
+        const QSizeF size = filmSize(film); // overrides the size in the profile
         resizeFilm(project.film, Millimetres(size.width()), Millimetres(size.height()));
         switch (chosen) {
         case Template::One:

@@ -1,4 +1,4 @@
-// What a new project needs: a model, its size, the film and how often it is dipped.
+// Asks for what a new project needs: model, size, film and number of dips.
 #pragma once
 
 #include "import/trusted/ImportModel.h"
@@ -28,7 +28,7 @@ public:
 
     QString model() const;
     ImportOptions importOptions() const;
-    // Gives a project film, preset and immersions as chosen; outlives the dialog.
+    // Returns a function that applies film, preset and dips to a project. It outlives the dialog.
     std::function<void(Project&)> completion() const;
 
 private:
@@ -47,14 +47,14 @@ private:
     QComboBox* unit_;
     QRadioButton* byEdge_;
     QDoubleSpinBox* edge_;
-    QComboBox* film_; // its size
+    QComboBox* film_; // the size
     QComboBox* filmProfile_;
     QComboBox* template_;
     QLabel* extent_;
     QPushButton* create_;
     QTimer delay_;                         // while a name is typed
-    std::optional<Eigen::Vector3d> sizes_; // of the model in its file's units, once it is read
-    bool guesses_ = true;                  // as long as the user has not chosen
+    std::optional<Eigen::Vector3d> sizes_; // of the model in the file's unit, once it was read
+    bool guesses_ = true;                  // until the user chooses
     JobRunner jobs_;
 };
 

@@ -26,36 +26,37 @@ PrintFields::PrintFields(LengthUnit unit, Millimetres mostDeeper, QWidget* paren
     form->setContentsMargins(0, 0, 0, 0);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     dips_->setObjectName(QStringLiteral("printDips"));
-    dips_->setAccessibleName(tr("Shown"));
+    dips_->setAccessibleName(tr("Show"));
     dips_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     dips_->setMinimumContentsLength(8);
     dips_->addItem({}, 2);
     dips_->addItem({}, 1);
-    form->addRow(tr("Shown"), dips_);
+    form->addRow(tr("Show"), dips_);
     connect(dips_, &QComboBox::currentIndexChanged, this, &PrintFields::changed);
     const double shown = shownPerStored(Unit::Length, unit);
     const QString length = unitSuffix(Unit::Length, unit);
     const int decimals = unitDecimals(Unit::Length, unit);
     const double shift = mostShift * shown;
     across_ = add(*form, {QStringLiteral("slipX"), tr("Shift X"),
-                          tr("How far the second film lies off along X."), -shift, shift,
+                          tr("How far the second film is displaced along X."), -shift, shift,
                           0.1 * shown, length, decimals});
-    down_ = add(*form, {QStringLiteral("slipZ"), tr("Shift Z"), tr("How far it lies off along Z."),
-                        -shift, shift, 0.1 * shown, length, decimals});
-    turn_ = add(*form,
-                {QStringLiteral("slipTurn"), tr("Turn"), tr("How far it is turned, from X to Z."),
-                 -mostTurn, mostTurn, 0.5, QStringLiteral("°"), 1});
+    down_ = add(*form, {QStringLiteral("slipZ"), tr("Shift Z"),
+                        tr("How far the second film is displaced along Z."), -shift, shift,
+                        0.1 * shown, length, decimals});
+    turn_ = add(*form, {QStringLiteral("slipTurn"), tr("Turn"),
+                        tr("How far the second film is turned, from X towards Z."), -mostTurn,
+                        mostTurn, 0.5, QStringLiteral("°"), 1});
     swell_ = add(*form, {QStringLiteral("slipSwell"), tr("Swell"),
-                         tr("How much more it has grown than the sheet reckons with."), -mostSwell,
-                         mostSwell, 0.5, QStringLiteral(" %"), 1});
+                         tr("How much more the second film has swollen than the sheet assumes."),
+                         -mostSwell, mostSwell, 0.5, QStringLiteral(" %"), 1});
     deeper_ =
-        add(*form, {QStringLiteral("slipDepth"), tr("Deeper"),
-                    tr("How much deeper the body is dipped, less deep if negative: what stays "
-                       "over the water gets no ink. A body that is dipped whole cannot go "
-                       "deeper."),
-                    -mostDepth * shown, mostDeeper.value() * shown, 0.5 * shown, length, decimals});
-    auto* reset = new QPushButton(tr("In its Place"));
-    reset->setToolTip(tr("The second film where it belongs."));
+        add(*form,
+            {QStringLiteral("slipDepth"), tr("Extra depth"),
+             tr("How much deeper the part is dipped; negative values are less deep. Surface that "
+                "stays above the water gets no ink. A part that is dipped whole cannot go deeper."),
+             -mostDepth * shown, mostDeeper.value() * shown, 0.5 * shown, length, decimals});
+    auto* reset = new QPushButton(tr("Reset"));
+    reset->setToolTip(tr("Puts the second film back in its intended place."));
     form->addRow(reset);
     connect(reset, &QPushButton::clicked, this, [this] {
         for (QDoubleSpinBox* box : {across_, down_, turn_, swell_, deeper_}) {

@@ -1,5 +1,5 @@
-// What the view shows of the print on the body: after which dip, and how far the second film is to
-// lie off, to see what that does.
+// Chooses the print that the view shows on the body: after which dip, and with which displacement
+// of the second film.
 #pragma once
 
 #include "results/Results.h"
@@ -13,7 +13,7 @@ class QFormLayout;
 
 namespace dipwright {
 
-// The print after so many of the dips, of which the second lies off by a slip.
+// The print after the first `dips` dips, with the second film displaced by `slip`.
 struct ShownPrint {
     std::size_t dips = 2;
     FilmSlip slip = {};
@@ -24,7 +24,7 @@ class PrintFields : public QWidget {
     Q_OBJECT
 
 public:
-    // `mostDeeper`: how much deeper it can be shown as dipped.
+    // `mostDeeper`: largest extra depth that can be shown.
     PrintFields(LengthUnit unit, Millimetres mostDeeper, QWidget* parent = nullptr);
 
     ShownPrint print() const;
@@ -34,10 +34,10 @@ signals:
     void changed();
 
 private:
-    // One number, as a slider and a field of its unit.
+    // One number, shown as a slider and a field with its unit.
     struct Row {
         QString name, label, help;
-        double least = 0, most = 0; // as shown
+        double least = 0, most = 0; // in the shown unit
         double step = 0;
         QString suffix;
         int decimals = 1;

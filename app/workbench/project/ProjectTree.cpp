@@ -144,10 +144,10 @@ void ProjectTree::contextMenuEvent(QContextMenuEvent* event) {
     QMenu menu;
     const ProjectNode node = selectedNode();
     const std::size_t count = document_->project().immersions.size();
-    QAction* add = menu.addAction(icon(QStringLiteral("add")), tr("Add a second immersion"));
+    QAction* add = menu.addAction(icon(QStringLiteral("add")), tr("Add second dip"));
     add->setEnabled(count < 2);
     connect(add, &QAction::triggered, this, &ProjectTree::addImmersionAsked);
-    QAction* remove = menu.addAction(icon(QStringLiteral("remove")), tr("Remove this immersion"));
+    QAction* remove = menu.addAction(icon(QStringLiteral("remove")), tr("Remove this dip"));
     remove->setEnabled(count > 1 && node.part == ProjectPart::Immersion);
     connect(remove, &QAction::triggered, this,
             [this, node] { emit removeImmersionAsked(node.immersion); });

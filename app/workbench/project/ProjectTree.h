@@ -1,4 +1,4 @@
-// The project's parts: model, film, dip, immersions, sheet, ink and tolerances, each with the state
+// The tree of a project: model, film, dipping, dips, sheet, ink and tolerances, each with the state
 // of its result.
 #pragma once
 
@@ -12,7 +12,7 @@ enum class ProjectPart { Project, Model, Film, Process, Immersion, Share, Sheet,
 
 struct ProjectNode {
     ProjectPart part = ProjectPart::Project;
-    std::size_t immersion = 0; // of ProjectPart::Immersion
+    std::size_t immersion = 0; // for ProjectPart::Immersion
     bool operator==(const ProjectNode&) const = default;
 };
 

@@ -30,13 +30,13 @@ QHBoxLayout* makeRow(QWidget* owner) {
     return row;
 }
 
-// Tells of a number once it has been typed, and is as wide as a usual one.
+// Reports a number once it has been typed. Its width fits a usual number.
 class PropertyNumberBox : public NumberBox {
 public:
     explicit PropertyNumberBox(QWidget* parent) : NumberBox(parent) {
         setKeyboardTracking(false);
         setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-        // What has been taken over is no longer being typed.
+        // An accepted value is no longer being typed.
         connect(this, &QDoubleSpinBox::editingFinished, this,
                 [this] { lineEdit()->setText(lineEdit()->text()); });
     }
@@ -151,9 +151,9 @@ private:
     double factor_;
     bool whole_, nullable_;
     QCheckBox* absent_ = nullptr;
-    QToolButton* link_ = nullptr; // null: the parts have nothing to do with each other
+    QToolButton* link_ = nullptr; // null: the components are independent
     std::vector<QDoubleSpinBox*> boxes_;
-    std::vector<double> stored_; // what is shown may have fewer digits
+    std::vector<double> stored_; // the shown numbers may have fewer digits
     QJsonValue shown_;
 };
 
@@ -164,7 +164,7 @@ public:
         makeRow(this)->addWidget(box_);
         box_->setFocusPolicy(Qt::StrongFocus);
         box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        // As wide as its words, as far as the panel goes: the row wraps where that is too much.
+        // As wide as its words, up to the panel's width; beyond that the row wraps.
         qsizetype letters = 6;
         for (const QString& word : rule.choices) {
             const QString text = spec.words.value(word, word);
@@ -247,7 +247,7 @@ private:
         });
         row.addWidget(swatch_);
     }
-    // Of no colour: an empty frame.
+    // An invalid colour gives an empty frame.
     QIcon swatchOf(const QColor& colour) const {
         QPixmap picture(QSize(14, 14) * devicePixelRatio());
         picture.setDevicePixelRatio(devicePixelRatio());
@@ -260,10 +260,11 @@ private:
     }
 
     QLineEdit* line_;
-    QToolButton* swatch_ = nullptr; // null: no colour
+    QToolButton* swatch_ = nullptr; // null: the text is not a colour
 };
 
-// Undo takes back what is being typed; where nothing is, it takes back the project's last change.
+// Undo first reverts the text being typed; without such text it reverts the last change of the
+// project.
 bool isForTheProject(QObject& editor, const QKeyEvent& key) {
     auto* line = qobject_cast<QLineEdit*>(&editor);
     line = line ? line : editor.findChild<QLineEdit*>();

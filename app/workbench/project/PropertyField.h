@@ -1,5 +1,5 @@
-// One value of a project or a profile as an editor: spin boxes, a choice, a tick or a line of text,
-// made from the rule that its schema gives for it.
+// Edits one value of a project or profile with a spin box, a choice, a tick or a line of text. The
+// value's schema rule decides which.
 #pragma once
 
 #include "project/Field.h"
@@ -13,21 +13,21 @@ namespace dipwright {
 
 struct Project;
 
-// How a value of the schema is called and explained to the user.
+// Label, explanation and unit of a schema value.
 struct PropertySpec {
     QString path;
     QString label;
-    QString help; // a sentence or two: what it is and what it does
+    QString help; // one or two sentences
     Unit unit = Unit::None;
-    QStringList parts = {};            // short names where the value has several: "X", "Y"
+    QStringList parts = {};            // short names of the components: "X", "Y"
     QMap<QString, QString> words = {}; // the schema's choices in the user's language
-    QString absent = {};               // what no value means, where there may be none: "Elastic"
-    double whenPresent = 1;            // the value when the user asks for one
+    QString absent = {};               // what a missing value means: "Elastic"
+    double whenPresent = 1;            // the value when the user sets one
     std::function<bool(const Project&)> relevant = {}; // empty: always shown
-    // Of several parts that usually are one number: typing one of them sets all, as long as the
-    // user does not unlink them.
+    // The components usually have the same value. Typing one sets all, unless the user unlinks
+    // them.
     bool linked = false;
-    bool isColour = false; // of a text: "#rrggbb", which a dialog may choose as well
+    bool isColour = false; // a text such as "#rrggbb", with a colour dialog
 };
 
 class PropertyField : public QWidget {
@@ -42,12 +42,12 @@ public:
 
 signals:
     void edited(const QJsonValue& value);
-    void left();                           // the user has turned to something else
-    void refused(const QString& sentence); // what was typed was not accepted
+    void left();                           // the focus went elsewhere
+    void refused(const QString& sentence); // the typed value was not accepted
 
 protected:
     PropertyField(const PropertySpec& spec, QWidget* parent) : QWidget(parent), spec_(spec) {}
-    // Names and explains an editor, and watches it being left.
+    // Names and explains an editor, and watches when it loses the focus.
     void adopt(QWidget* editor, const QString& name, const QString& range);
     bool eventFilter(QObject* watched, QEvent* event) override;
 

@@ -60,7 +60,7 @@ void PropertyPanel::showNode(const ProjectNode& node) {
 }
 
 void PropertyPanel::rebuild() {
-    setProperty("part", int(node_.part)); // by which the guide is opened at the right place
+    setProperty("part", int(node_.part)); // tells the guide where to open
     refreshers_.clear();
     emit brushChanged({});
     emit shownPrintChanged({});
@@ -78,13 +78,13 @@ void PropertyPanel::rebuild() {
             addSolver(*form);
         } else if (node_.part == ProjectPart::Film) {
             addProfile(*form, ProfileKind::Film, tr("Film profile"),
-                       tr("A film that was measured once: size, swell, relaxation and sides."));
+                       tr("The measured values of one film: size, swell, relaxation and sides."));
             addProfile(*form, ProfileKind::Tank, tr("Tank profile"),
-                       tr("A tank: its barriers hold the film's sides."));
+                       tr("The values of one tank. Its barriers hold the sides of the film."));
         } else if (node_.part == ProjectPart::Sheet) {
             addProfile(*form, ProfileKind::Printer, tr("Printer profile"),
-                       tr("A printer that was measured once: its scale, margins, colours, ink "
-                          "limit and resolution."));
+                       tr("The measured values of one printer: scale, margins, colours, ink limit "
+                          "and resolution."));
         }
         for (const PropertySection& section : propertySections(node_)) {
             addSection(*form, section);
@@ -100,7 +100,7 @@ void PropertyPanel::rebuild() {
     }
     setWidget(page);
     refresh();
-    // It scrolls down only: nothing is cut off at the side.
+    // Nothing may be cut off at the side: the panel scrolls only vertically.
     setMinimumWidth(std::max(leastWidth, page->minimumSizeHint().width() +
                                              verticalScrollBar()->sizeHint().width()));
 }
@@ -108,7 +108,7 @@ void PropertyPanel::rebuild() {
 void PropertyPanel::showField(const QString& path) {
     for (PropertyField* field : widget()->findChildren<PropertyField*>()) {
         if (field->spec().path == path) {
-            widget()->layout()->activate(); // it may have been made just now
+            widget()->layout()->activate(); // the field may be new
             field->setFocus(Qt::ShortcutFocusReason);
             ensureWidgetVisible(field);
         }
@@ -121,7 +121,7 @@ void PropertyPanel::refresh() {
     }
     if (node_.part == ProjectPart::Immersion &&
         node_.immersion >= document_->project().immersions.size()) {
-        return; // the tree is about to select something else
+        return; // the tree will select another node
     }
     for (const auto& refresher : refreshers_) {
         refresher();
@@ -161,7 +161,7 @@ void PropertyPanel::addField(QFormLayout& form, const PropertySpec& spec) {
     label->setBuddy(field);
     label->setToolTip(spec.help);
     QWidget* row = field;
-    if (spec.parts.size() > 1) { // its boxes take the panel's whole width
+    if (spec.parts.size() > 1) { // its boxes need the panel's whole width
         row = new QWidget;
         auto* stack = new QVBoxLayout(row);
         stack->setContentsMargins(0, 0, 0, 0);
@@ -225,7 +225,7 @@ void PropertyPanel::addModelFacts(QFormLayout& form) {
                 tr("Texture of %1 × %2 pixels").arg(texture.width()).arg(texture.height()));
         }
         if (model.textures.empty()) {
-            lines.append(tr("No texture: drop a picture on the window to put one on"));
+            lines.append(tr("No texture (drop a picture on the window to add one)"));
         }
         if (!project.modelOrigin.remarks.isEmpty()) {
             lines.append(project.modelOrigin.remarks);
@@ -240,14 +240,15 @@ void PropertyPanel::addModelFacts(QFormLayout& form) {
         connect(button, &QPushButton::clicked, this, asked);
         form.addRow(button);
     };
-    addButton(QStringLiteral("reload"), tr("Reload from Disk"),
+    addButton(QStringLiteral("reload"), tr("Reload from disk"),
               tr("Reads the model's file again and keeps all settings."),
               &PropertyPanel::reloadModelAsked);
-    addButton(QStringLiteral("replace"), tr("Replace Model…"),
-              tr("Takes another model. Rotations and offsets start anew."),
+    addButton(QStringLiteral("replace"), tr("Replace model…"),
+              tr("Loads another model. Rotations and offsets are reset."),
               &PropertyPanel::replaceModelAsked);
-    addButton(QStringLiteral("texture"), tr("Replace Texture…"),
-              tr("Puts another picture on the model."), &PropertyPanel::replaceTextureAsked);
+    addButton(QStringLiteral("texture"), tr("Replace texture…"),
+              tr("Replaces the texture of the model with another picture."),
+              &PropertyPanel::replaceTextureAsked);
 }
 
 void PropertyPanel::addModelSize(QFormLayout& form) {
@@ -259,7 +260,7 @@ void PropertyPanel::addModelSize(QFormLayout& form) {
     edge->setRange(leastLongestEdge.value() * shown, mostLongestEdge.value() * shown);
     edge->setSuffix(unitSuffix(Unit::Length, lengthUnit_));
     edge->setKeyboardTracking(false);
-    edge->setToolTip(tr("Makes the body larger or smaller, with what is marked on it."));
+    edge->setToolTip(tr("Scales the part and the marks on it."));
     form.addRow(tr("Longest edge"), edge);
     connect(edge, &QDoubleSpinBox::valueChanged, this,
             [this, shown](double value) { resizeModel(*document_, Millimetres(value / shown)); });
@@ -299,7 +300,7 @@ void PropertyPanel::addMarkFields(QFormLayout& form, const QString& heading, Mar
 
 void PropertyPanel::addJoinFields(QFormLayout& form) {
     auto* fields = new JoinFields(lengthUnit_);
-    addMarkFields<ShareMark>(form, tr("Where the join runs"), *fields);
+    addMarkFields<ShareMark>(form, tr("Marks for the seam"), *fields);
     refreshers_.push_back([this, fields] {
         const Project& project = document_->project();
         if (project.immersions.size() > 1) {
@@ -312,23 +313,23 @@ void PropertyPanel::addJoinFields(QFormLayout& form) {
 
 void PropertyPanel::addZoneFields(QFormLayout& form) {
     auto* fields = new ZoneFields(lengthUnit_);
-    addMarkFields<ZoneMark>(form, tr("Zones on the body"), *fields);
+    addMarkFields<ZoneMark>(form, tr("Zones on the part"), *fields);
     refreshers_.push_back(
         [this, fields] { fields->setMarkCount(document_->project().tolerance.marks.size()); });
 }
 
 void PropertyPanel::addTellTolerances(QFormLayout& form) {
-    auto* tell = new QPushButton(icon(QStringLiteral("tolerance")), tr("Tell Tolerances…"));
+    auto* tell = new QPushButton(icon(QStringLiteral("tolerance")), tr("Compute tolerances…"));
     tell->setObjectName(QStringLiteral("tellTolerances"));
-    tell->setToolTip(tr("Dips with everything off, one by one and all at once, and says how far "
-                        "the colours land off their places."));
+    tell->setToolTip(tr("Simulates dips with the expected deviations, each alone and all at once. "
+                        "Shows how far the colours land from their intended places."));
     connect(tell, &QPushButton::clicked, this, &PropertyPanel::tolerancesAsked);
     form.addRow(tell);
 }
 
 void PropertyPanel::addPrintFields(QFormLayout& form) {
-    addHeading(form, tr("The print, and if the second film lies off"));
-    auto* note = new QLabel(tr("Shown with “Print on the Body”; changes no sheet."));
+    addHeading(form, tr("Print with a misplaced second film"));
+    auto* note = new QLabel(tr("Visible with “Finished part”. The sheets do not change."));
     note->setWordWrap(true);
     form.addRow(note);
     const bool isDippedWhole = !document_->project().process.depth;
@@ -360,7 +361,7 @@ void PropertyPanel::addPreset(QFormLayout& form) {
     connect(box, &QComboBox::activated, this, [this, box](int index) {
         const QString preset = box->itemData(index).toString();
         if (!preset.isEmpty()) {
-            edit(tr("Apply Preset"), {},
+            edit(tr("Apply preset"), {},
                  [&preset](Project& project) { applyPreset(project, preset); });
         }
         refresh();
@@ -426,7 +427,7 @@ void PropertyPanel::listSolvers(QComboBox& box, const std::vector<SolverInfo>& s
     box.clear();
     box.addItem(tr("Best available"), QStringLiteral("auto"));
     for (const SolverInfo& solver : solvers) {
-        const bool mayRun = solver.available || solver.reason.isEmpty(); // or is not known yet
+        const bool mayRun = solver.available || solver.reason.isEmpty(); // true while it is unknown
         const QString name = shownName(solver.name);
         box.addItem(mayRun ? name : tr("%1 (not available)").arg(name), solver.id);
         box.setItemData(box.count() - 1, mayRun ? solver.device : shownName(solver.reason),
@@ -439,8 +440,8 @@ void PropertyPanel::addSolver(QFormLayout& form) {
     box->setObjectName(QStringLiteral("process.solver"));
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(8);
-    const QString help = tr("What computes the dip. “Best available” takes a GPU where there is "
-                            "one.");
+    const QString help =
+        tr("The program that simulates the dip. “Best available” uses a GPU if there is one.");
     box->setToolTip(help);
     box->setWhatsThis(help);
     box->setAccessibleName(tr("Solver"));
@@ -448,13 +449,13 @@ void PropertyPanel::addSolver(QFormLayout& form) {
     label->setBuddy(box);
     form.addRow(label, box);
     connect(box, &QComboBox::activated, this, [this, box](int index) {
-        edit(tr("Choose Solver"), {}, [&](Project& project) {
+        edit(tr("Choose solver"), {}, [&](Project& project) {
             setValueAt(project, QStringLiteral("process.solver"), box->itemData(index).toString());
         });
     });
     const auto refresh = [this, box] {
         if (!document_) {
-            return; // this page is about to go
+            return; // this page is about to be deleted
         }
         const QString id = document_->project().process.solver;
         if (box->findData(id) < 0) {

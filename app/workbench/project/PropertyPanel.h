@@ -1,4 +1,4 @@
-// The values of what is selected in the project tree, each with unit, range and explanation.
+// Edits the values of the entry selected in the project tree, with unit, range and explanation.
 #pragma once
 
 #include "project/ProfileLibrary.h"
@@ -25,13 +25,13 @@ class PropertyPanel : public QScrollArea {
     Q_OBJECT
 
 public:
-    // The registry names the solvers to choose from; it must outlive the panel.
+    // Offers the registry's solvers; the registry must outlive the panel.
     explicit PropertyPanel(const SolverRegistry& registry, QWidget* parent = nullptr);
 
     void setDocument(Document* document); // may be null
     void setLengthUnit(LengthUnit unit);
     void showNode(const ProjectNode& node);
-    void showField(const QString& path); // of the node that is shown: scrolls to it
+    void showField(const QString& path); // scrolls to a field of the shown node
     void refresh();                      // profiles have changed
 
 signals:
@@ -39,7 +39,7 @@ signals:
     void reloadModelAsked();
     void replaceModelAsked();
     void replaceTextureAsked();
-    // How far the second film lies off, in the view only.
+    // How far the second film is displaced, in the view only.
     void shownPrintChanged(const dipwright::ShownPrint& print);
     // What a click on the body marks.
     void brushChanged(const dipwright::MarkBrush& brush);
@@ -72,7 +72,7 @@ private:
     Document* document_ = nullptr;
     LengthUnit lengthUnit_ = LengthUnit::Millimetre;
     ProjectNode node_;
-    std::vector<std::function<void()>> refreshers_; // of what is shown now
+    std::vector<std::function<void()>> refreshers_; // for the fields that are shown
 };
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// How every value of the schema is called and explained, by the part of the project it belongs to.
+// Labels and explains every value of the schema, grouped by the parts of a project.
 #pragma once
 
 #include "project/FilmFields.h"
@@ -17,12 +17,12 @@ struct PropertySection {
 // Describes the field of the film's material at `path`.
 PropertySpec specOf(const QString& path, const FieldWords& words);
 
-// "Film", "Dipping"; of the project and of an immersion: their own names.
+// "Film", "Dipping"; for the project and for dips, their own names.
 QString partName(const ProjectNode& node, const Project& project);
 
 std::vector<PropertySection> propertySections(const ProjectNode& node);
 
-// Where the field of this path stands; nothing where no part shows it.
+// The node that shows the field `path`; nothing if no node shows it.
 std::optional<ProjectNode> nodeOfField(const QString& path);
 
 } // namespace dipwright

@@ -75,7 +75,7 @@ StartPage::StartPage(QWidget* parent)
       recentHint_(new QLabel(tr("Projects that you open or save appear here."))),
       samplesTitle_(makeTitle(tr("Samples"))) {
     setObjectName(QStringLiteral("startPage"));
-    setMinimumSize(270, 400); // less than it would like: it shares its place with the view
+    setMinimumSize(270, 400); // small, because the view shares this place
     recent_->setContextMenuPolicy(Qt::ActionsContextMenu);
     auto* forget = new QAction(tr("Remove from this list"), recent_);
     connect(forget, &QAction::triggered, this, [this] {
@@ -95,7 +95,7 @@ StartPage::StartPage(QWidget* parent)
     right->addSpacing(8);
     right->addWidget(makeTitle(tr("Recent projects")));
     right->addWidget(recentHint_);
-    right->addWidget(recent_, 1000); // all there is, where it is shown
+    right->addWidget(recent_, 1000); // takes all the space when it is shown
     right->addStretch(1);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(40, 32, 32, 20);
@@ -107,7 +107,7 @@ StartPage::StartPage(QWidget* parent)
 
 QWidget* StartPage::makeActions() {
     auto* column = new QWidget;
-    column->setFixedWidth(actionsWidth); // so that wrapped texts know their height
+    column->setFixedWidth(actionsWidth); // wrapped texts need a fixed width to get their height
     auto* actions = new QVBoxLayout(column);
     actions->setContentsMargins(0, 0, 0, 0);
     auto* logo = new QLabel;
@@ -116,7 +116,7 @@ QWidget* StartPage::makeActions() {
     QFont large = title->font();
     large.setPointSizeF(large.pointSizeF() * 2.4);
     title->setFont(large);
-    auto* subtitle = new QLabel(tr("From a textured model to a film that can be printed."));
+    auto* subtitle = new QLabel(tr("From a textured model to a printable film."));
     subtitle->setWordWrap(true);
     actions->addWidget(logo);
     actions->addSpacing(4);
@@ -132,11 +132,11 @@ QWidget* StartPage::makeActions() {
         connect(button, &QCommandLinkButton::clicked, this, asked);
         actions->addWidget(button);
     };
-    addButton(tr("New Project…"), tr("Start from a textured model: %1.").arg(anyModelFormat()),
+    addButton(tr("New project…"), tr("Start from a textured model: %1.").arg(anyModelFormat()),
               QStringLiteral("document-new"), &StartPage::newAsked);
-    addButton(tr("Open Project…"), tr("Continue with a project that was saved."),
+    addButton(tr("Open project…"), tr("Continue with a saved project."),
               QStringLiteral("document-open"), &StartPage::openAsked);
-    addButton(tr("Quick Tour"), tr("What is where, in six steps."), QStringLiteral("help"),
+    addButton(tr("Quick tour"), tr("Shows the window in six steps."), QStringLiteral("help"),
               &StartPage::tourAsked);
     actions->addStretch(1);
     auto* drop = new QLabel(tr("Models and projects can also be dropped on the window."));

@@ -1,4 +1,4 @@
-// What a window shows without a project: how to begin, the projects opened last, and the samples.
+// What a window shows without a project: how to begin, the recent projects, and the samples.
 #pragma once
 
 #include <QWidget>
@@ -15,14 +15,14 @@ class StartPage : public QWidget {
 public:
     explicit StartPage(QWidget* parent = nullptr);
 
-    void refresh(); // the projects, and all colours
+    void refresh(); // the recent projects, and all colours
 
 signals:
     void newAsked();
     void openAsked();
     void tourAsked();
     void projectChosen(const QString& path);
-    void sampleChosen(const QString& path); // to be opened as a copy
+    void sampleChosen(const QString& path); // open it as a copy
 
 private:
     QWidget* makeActions();

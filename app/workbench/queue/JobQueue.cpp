@@ -16,13 +16,13 @@ namespace dipwright {
 
 namespace {
 
-constexpr double leastShare = 0.05; // of the one that runs, to judge by how fast it is
+constexpr double leastShare = 0.05; // share done before the run time is extrapolated
 constexpr double readShare = 0.02;
 
-// One of them on the worker thread.
+// Runs one project on the worker thread.
 class QueuedJob : public Job {
 public:
-    using Run = std::function<QString(const Progress&)>; // returns what came of it
+    using Run = std::function<QString(const Progress&)>; // returns the outcome
     using Ended = std::function<void(QueuedState, const QString&)>;
 
     QueuedJob(const QString& title, Run run, Ended ended)
@@ -44,8 +44,8 @@ private:
 };
 
 QString outcomeOf(const JobResult& result) {
-    const QString painted = JobQueue::tr("%1 % of the body painted")
-                                .arg(QLocale().toString(100 * result.coverageTotal, 'f', 1));
+    const QString painted =
+        JobQueue::tr("Coverage %1 %").arg(QLocale().toString(100 * result.coverageTotal, 'f', 1));
     QStringList words{adviceText(adviceOf(result)), painted};
     for (const JobReason& reason : reasonsOf(result)) {
         if (reason.reason.advice > Advice::Print) {
@@ -64,7 +64,7 @@ JobQueue::JobQueue(const SolverRegistry& registry, QObject* parent)
 }
 
 void JobQueue::add(const QStringList& projects, const QString& folder) {
-    QStringList all; // those of before, too, so that no two have one folder
+    QStringList all; // includes the earlier ones, so that no two share a folder
     for (const QueuedProject& earlier : projects_) {
         if (QFileInfo(earlier.folder).path() == folder) {
             all.append(earlier.project);
@@ -91,7 +91,7 @@ void JobQueue::start(const QueuedProject& project, Entry& entry) {
         if (keeps) {
             try {
                 cacheDips(result, path);
-            } catch (const Error&) { // its results are written all the same
+            } catch (const Error&) { // the results are written anyway
             }
         }
         return outcomeOf(result);
@@ -147,7 +147,7 @@ void JobQueue::end(int key, QueuedState state, const QString& text) {
 void JobQueue::cancel(std::size_t number) {
     QueuedProject& project = projects_[number];
     entries_[number].cancelToken.cancel();
-    if (project.state == QueuedState::Waiting) { // and it need not wait for its turn to be so
+    if (project.state == QueuedState::Waiting) { // cancelled at once, without waiting for its turn
         project.state = QueuedState::Cancelled;
     } else if (project.state == QueuedState::Running) {
         project.text = tr("Cancelling …");
@@ -175,7 +175,7 @@ void JobQueue::removeEnded() {
 std::optional<double> JobQueue::secondsLeft() const {
     double seconds = 0;
     int known = 0, waiting = 0;
-    double running = 0; // share left of the one that runs
+    double running = 0; // remaining share of the running project
     for (std::size_t number = 0; number < projects_.size(); ++number) {
         const QueuedProject& project = projects_[number];
         if (project.state == QueuedState::Done) {
@@ -201,7 +201,8 @@ void JobQueue::tellEnd() {
                              [state](const auto& project) { return project.state == state; });
     };
     const auto failed = count(QueuedState::Failed), cancelled = count(QueuedState::Cancelled);
-    QString sentence = tr("The queue has ended. Projects done: %1").arg(count(QueuedState::Done));
+    QString sentence =
+        tr("The queue has finished. Projects done: %1").arg(count(QueuedState::Done));
     if (failed > 0) {
         sentence += tr(", failed: %1").arg(failed);
     }

@@ -1,5 +1,6 @@
-// Projects that are run one after the other, as they are saved, while their user goes on working:
-// each into a folder of its own, and one that fails leaves the others alone. UI thread only.
+// Runs projects one after the other in the background. Uses the saved version of each project and
+// writes its results to its own folder. A failed project does not affect the others. UI thread
+// only.
 #pragma once
 
 #include "solver/SolverRegistry.h"
@@ -15,11 +16,11 @@ namespace dipwright {
 enum class QueuedState { Waiting, Running, Done, Failed, Cancelled };
 
 struct QueuedProject {
-    QString project, folder; // its file, and where its results go
+    QString project, folder; // the project file, and the folder for its results
     QueuedState state = QueuedState::Waiting;
-    double share = 0;   // 0 … 1, of the one that runs
-    QString text = {};  // what it is at; then what came of it, or a sentence why it failed
-    double seconds = 0; // it took; 0: it has not ended
+    double share = 0;   // 0 … 1, while it runs
+    QString text = {};  // progress; later the result, or the reason of a failure
+    double seconds = 0; // run time; 0: not ended yet
 };
 
 class JobQueue : public QObject {
@@ -28,26 +29,28 @@ class JobQueue : public QObject {
 public:
     explicit JobQueue(const SolverRegistry& registry, QObject* parent = nullptr);
 
-    // Behind those that wait. `folder`: in it each has its own (resultFolders()).
+    // Adds projects at the end of the queue. Each gets its own folder in `folder`
+    // (resultFolders()).
     void add(const QStringList& projects, const QString& folder);
-    void cancel(std::size_t number); // nothing where it has ended
+    void cancel(std::size_t number); // no effect if it has ended
     void cancelAll();
     void removeEnded();
-    // Whether the dips are kept beside the projects, for who opens them (pipeline/DipCache.h).
+    // Whether dips are cached beside the projects, to be reused when a project is opened
+    // (pipeline/DipCache.h).
     void setKeepsDips(bool keeps) { keepsDips_ = keeps; }
 
     const std::vector<QueuedProject>& projects() const { return projects_; }
     bool isBusy() const { return jobs_.isBusy(); }
-    // Until all are done, from how long those before took; nothing while that is not known.
+    // Estimated time until all are done, from the run times so far. Nothing while that is unknown.
     std::optional<double> secondsLeft() const;
 
 signals:
-    void changed();                      // of projects(), however little
-    void ended(const QString& sentence); // nothing waits any more: what has come of them
+    void changed();                      // any change of projects()
+    void ended(const QString& sentence); // the queue is empty; a summary
 
 private:
     struct Entry {
-        int key = 0; // rows go, keys stay
+        int key = 0; // stays the same when rows are removed
         CancelToken cancelToken;
         std::chrono::steady_clock::time_point begun;
     };
@@ -60,10 +63,10 @@ private:
 
     const SolverRegistry& registry_;
     std::vector<QueuedProject> projects_;
-    std::vector<Entry> entries_; // of each project
+    std::vector<Entry> entries_; // one for each project
     int lastKey_ = 0, runningKey_ = 0;
     bool keepsDips_ = false;
-    JobRunner jobs_; // ends before what it reports to
+    JobRunner jobs_; // destroyed first: jobs report to the members above
 };
 
 } // namespace dipwright

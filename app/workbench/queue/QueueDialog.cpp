@@ -57,7 +57,7 @@ QueueDialog::QueueDialog(JobQueue& queue, QWidget* parent)
     : QDialog(parent), queue_(queue), table_(new QTableWidget(0, Columns)), folder_(new QLineEdit),
       sum_(new QLabel) {
     setObjectName(QStringLiteral("jobQueue"));
-    setWindowTitle(tr("Job Queue"));
+    setWindowTitle(tr("Job queue"));
     table_->setAccessibleName(tr("Projects in the queue"));
     table_->setHorizontalHeaderLabels({tr("Project"), tr("State"), tr("Result"), tr("Duration")});
     table_->verticalHeader()->hide();
@@ -78,15 +78,15 @@ QueueDialog::QueueDialog(JobQueue& queue, QWidget* parent)
         connect(made, &QPushButton::clicked, this, what);
         return made;
     };
-    button("addToQueue", tr("&Add Projects…"), [this] { addProjects(); });
-    cancel_ = button("cancelQueued", tr("&Cancel Chosen"), [this] {
+    button("addToQueue", tr("&Add projects…"), [this] { addProjects(); });
+    cancel_ = button("cancelQueued", tr("&Cancel selected"), [this] {
         for (const std::size_t row : chosenRows()) {
             queue_.cancel(row);
         }
     });
-    cancelAll_ = button("cancelQueue", tr("Cancel A&ll"), [this] { queue_.cancelAll(); });
-    remove_ = button("removeEnded", tr("&Remove Ended"), [this] { queue_.removeEnded(); });
-    open_ = button("openQueued", tr("&Open Project"),
+    cancelAll_ = button("cancelQueue", tr("Cancel a&ll"), [this] { queue_.cancelAll(); });
+    remove_ = button("removeEnded", tr("&Remove finished"), [this] { queue_.removeEnded(); });
+    open_ = button("openQueued", tr("&Open project"),
                    [this] { emit projectAsked(queue_.projects()[chosenRows().front()].project); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QueueDialog::reject);
     connect(table_, &QTableWidget::itemSelectionChanged, this, &QueueDialog::showChosen);
@@ -108,10 +108,10 @@ QLayout* QueueDialog::makeFolderRow() {
     folder_->setObjectName(QStringLiteral("queueFolder"));
     folder_->setAccessibleName(tr("Folder for the results"));
     folder_->setText(QDir::toNativeSeparators(QDir::homePath()));
-    folder_->setToolTip(tr("Each project that is added has a folder with its name in this one."));
+    folder_->setToolTip(tr("Each added project gets a subfolder with its name here."));
     auto* choose = new QPushButton(tr("C&hoose…"));
     connect(choose, &QPushButton::clicked, this, &QueueDialog::askFolder);
-    auto* label = new QLabel(tr("Results &into"));
+    auto* label = new QLabel(tr("Resul&ts folder"));
     label->setBuddy(folder_);
     auto* where = new QHBoxLayout;
     where->addWidget(label);
@@ -127,7 +127,7 @@ void QueueDialog::propose(const QString& project) {
 }
 
 void QueueDialog::addProjects() {
-    QFileDialog dialog(this, tr("Add Projects"), QDir::fromNativeSeparators(folder_->text()),
+    QFileDialog dialog(this, tr("Add projects"), QDir::fromNativeSeparators(folder_->text()),
                        projectFileFilter());
     dialog.setFileMode(QFileDialog::ExistingFiles);
     if (dialog.exec() == QDialog::Accepted) {
@@ -137,7 +137,7 @@ void QueueDialog::addProjects() {
 
 void QueueDialog::askFolder() {
     const QString folder = QFileDialog::getExistingDirectory(
-        this, tr("Folder for the Results"), QDir::fromNativeSeparators(folder_->text()));
+        this, tr("Folder for the results"), QDir::fromNativeSeparators(folder_->text()));
     if (!folder.isEmpty()) {
         folder_->setText(QDir::toNativeSeparators(folder));
     }
@@ -194,11 +194,11 @@ void QueueDialog::showChosen() {
     remove_->setEnabled(ended > 0);
     open_->setEnabled(rows.size() == 1 && rows.front() < projects.size());
     if (projects.empty()) {
-        sum_->setText(tr("Add projects: they are run one after the other as they are saved, and "
-                         "their results written."));
+        sum_->setText(tr("Add projects. The last saved version of each is run, one after the "
+                         "other, and the results are written to the folder."));
         return;
     }
-    QString sum = tr("%1 of %2 ended").arg(ended).arg(projects.size());
+    QString sum = tr("%1 of %2 finished").arg(ended).arg(projects.size());
     if (const auto left = queue_.secondsLeft(); left && queue_.isBusy()) {
         sum += tr(", about %1 left").arg(timeText(*left));
     }
@@ -207,12 +207,12 @@ void QueueDialog::showChosen() {
 
 void QueueDialog::reject() {
     if (queue_.isBusy()) {
-        QMessageBox question(QMessageBox::Question, tr("Job Queue"),
-                             tr("Projects are still being run. Stop them?"), QMessageBox::Cancel,
+        QMessageBox question(QMessageBox::Question, tr("Job queue"),
+                             tr("Projects are still running. Stop them?"), QMessageBox::Cancel,
                              this);
         question.setObjectName(QStringLiteral("stopQuestion"));
-        question.setInformativeText(tr("What is done is kept."));
-        QPushButton* stop = question.addButton(tr("&Stop Them"), QMessageBox::DestructiveRole);
+        question.setInformativeText(tr("Finished results are kept."));
+        QPushButton* stop = question.addButton(tr("&Stop"), QMessageBox::DestructiveRole);
         question.setDefaultButton(QMessageBox::Cancel);
         question.exec();
         if (question.clickedButton() != stop) {

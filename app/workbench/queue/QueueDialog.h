@@ -1,5 +1,5 @@
-// The queue of projects: filled, watched and cancelled. It stays when the windows are closed, until
-// it is closed itself.
+// The window of the job queue: add, watch and cancel projects. It stays open when the main windows
+// close.
 #pragma once
 
 #include "workbench/queue/JobQueue.h"
@@ -19,14 +19,14 @@ class QueueDialog : public QDialog {
 public:
     explicit QueueDialog(JobQueue& queue, QWidget* parent = nullptr);
 
-    // With what is to be in it first, such as the project that is open.
+    // Opens the window; `project`, such as the open one, is proposed to be added first.
     void propose(const QString& project);
 
 signals:
     void projectAsked(const QString& path);
 
 protected:
-    void reject() override; // asks before what runs is cancelled
+    void reject() override; // asks before it cancels a running project
 
 private:
     QLayout* makeFolderRow();

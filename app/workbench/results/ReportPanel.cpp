@@ -20,7 +20,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(ReportPanel)
 };
 
-constexpr std::size_t mostPlaces = 8; // not reached, that are listed one by one
+constexpr std::size_t mostPlaces = 8; // unreached places that are listed one by one
 
 class Table {
 public:
@@ -56,29 +56,29 @@ QString shareHtml(const JobResult& result, LengthUnit unit) {
                                              percent(squareMillimetres / share.areas.total()));
     };
     Table table;
-    table.row(Text::tr("Painted by %1 alone").arg(result.immersions[0].immersion.name),
+    table.row(Text::tr("Painted by %1 only").arg(result.immersions[0].immersion.name),
               area(share.areas.first));
-    table.row(Text::tr("Painted by %1 alone").arg(result.immersions[1].immersion.name),
+    table.row(Text::tr("Painted by %1 only").arg(result.immersions[1].immersion.name),
               area(share.areas.second));
-    table.row(Text::tr("In the overlap, by both"), area(share.areas.both));
-    table.row(Text::tr("Reached by neither"), area(share.areas.none));
+    table.row(Text::tr("Overlap, painted by both"), area(share.areas.both));
+    table.row(Text::tr("Reached by neither dip"), area(share.areas.none));
     table.row(Text::tr("Width of the overlap"), Text::tr("%1 to %2")
                                                     .arg(shownLength(share.overlap.least, unit),
                                                          shownLength(share.overlap.most, unit)));
-    table.row(Text::tr("Overlap that is too narrow for %1 off")
+    table.row(Text::tr("Overlap too narrow for a registration error of %1")
                   .arg(shownLength(result.project.share.registrationError.value(), unit)),
               percent(share.narrow));
-    table.row(Text::tr("Length of the join"), shownLength(share.cost.length, unit));
+    table.row(Text::tr("Length of the seam"), shownLength(share.cost.length, unit));
     const std::size_t listed = std::min(share.unpainted.size(), mostPlaces);
     for (const UnpaintedPlace& place : std::span(share.unpainted).first(listed)) {
         table.row(Text::tr("Not reached at %1").arg(shownPlace(place.place, unit)),
                   shownArea(place.area, unit));
     }
     if (listed < share.unpainted.size()) {
-        table.row(Text::tr("Smaller places not reached"),
+        table.row(Text::tr("Smaller areas not reached"),
                   QLocale().toString(qulonglong(share.unpainted.size() - listed)));
     }
-    return heading(Text::tr("Join")) + table.html();
+    return heading(Text::tr("Seam")) + table.html();
 }
 
 QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
@@ -91,10 +91,10 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
     }
     const QLocale locale;
     Table table;
-    table.row(Text::tr("Body painted"), percent(result.coverage->share));
+    table.row(Text::tr("Coverage"), percent(result.coverage->share));
     const Coverage& coverage = *result.coverage;
     table.row(
-        Text::tr("Of that, by marked film"),
+        Text::tr("Part of it from torn, released or unconverged film"),
         QStringLiteral("%1 · %2").arg(
             shownArea(coverage.marked.any, unit),
             percent(coverage.paintedArea > 0 ? coverage.marked.any / coverage.paintedArea : 0)));
@@ -103,7 +103,7 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
             table.row(markText(mark), shownArea(coverage.marked.of(mark), unit));
         }
     }
-    table.row(Text::tr("Film points on the body"),
+    table.row(Text::tr("Film points on the part"),
               Text::tr("%1 of %2")
                   .arg(locale.toString(qulonglong(adhered)),
                        locale.toString(qulonglong(film.states.size()))));
@@ -111,34 +111,34 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
               QStringLiteral("%1 · %2").arg(number(stretch.mean, 3), number(stretch.maximum, 3)));
     table.row(Text::tr("Area stretch, smallest and largest"),
               QStringLiteral("%1 · %2").arg(number(area.minimum, 3), number(area.maximum, 3)));
-    table.row(Text::tr("Texture read back, mean and 95 %"),
+    table.row(Text::tr("Read-back error, mean and 95 %"),
               QStringLiteral("%1 · %2").arg(shownLength(result.readBack.mean, unit),
                                             shownLength(result.readBack.percentile95, unit)));
     table.row(Text::tr("Film triangles across texture seams"),
               locale.toString(qulonglong(result.texture->seamTriangles)));
-    table.row(Text::tr("Colour short of ink"),
+    table.row(Text::tr("Too pale for lack of ink"),
               shownArea(result.inkShortfall.value_or(result.texture->shortfallArea), unit));
-    table.row(Text::tr("Air trapped"), shownArea(result.coverage->trappedAir.area, unit));
+    table.row(Text::tr("Trapped air"), shownArea(result.coverage->trappedAir.area, unit));
     table.row(Text::tr("Simulated in"), Text::tr("%1 s").arg(number(film.wallSeconds, 2)));
     table.row(Text::tr("Steps"), locale.toString(qlonglong(film.steps)));
-    table.row(Text::tr("Steps without equilibrium"),
+    table.row(Text::tr("Steps that did not converge"),
               locale.toString(qlonglong(film.equilibrium.stepsWithout)));
     return heading(result.immersion.name) + table.html();
 }
 
-// Nothing where none would do.
+// Empty if no smaller film is large enough.
 QString smallerFilmHtml(const JobResult& result, LengthUnit unit) {
     const std::optional<SmallerFilm> smaller = smallerFilm(result);
     if (!smaller) {
         return {};
     }
-    constexpr int fewer = -2; // decimals: a format's size is known
+    constexpr int fewer = -2; // fewer decimals: the size of a format is known exactly
     return QStringLiteral("<p>%1 <a href='smaller-film'>%2</a></p>")
-        .arg(Text::tr("Most of the film stays empty: %1, %2 × %3, is enough.")
+        .arg(Text::tr("Most of the film stays empty. %1 (%2 × %3) is large enough.")
                  .arg(smaller->format, shownLength(smaller->width.value(), unit, fewer),
                       shownLength(smaller->height.value(), unit, fewer))
                  .toHtmlEscaped(),
-             Text::tr("Take this film").toHtmlEscaped());
+             Text::tr("Use this film").toHtmlEscaped());
 }
 
 } // namespace
@@ -179,7 +179,7 @@ void ReportPanel::show() {
         return;
     }
     Table whole;
-    whole.row(tr("Body painted altogether"), percent(result_->coverageTotal));
+    whole.row(tr("Total coverage"), percent(result_->coverageTotal));
     whole.row(tr("Film used"), percent(filmUsed(*result_)));
     whole.row(tr("Solver"), shownName(result_->solver.name));
     whole.row(tr("Device"), result_->solver.device);

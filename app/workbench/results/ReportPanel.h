@@ -1,4 +1,4 @@
-// The figures of the last run, as tables.
+// Shows the figures of the last run as tables.
 #pragma once
 
 #include "pipeline/JobResult.h"
@@ -18,11 +18,11 @@ public:
     explicit ReportPanel(QWidget* parent = nullptr);
 
     void setResult(std::shared_ptr<const JobResult> result, LengthUnit unit); // null: none yet
-    // Of how far colours may land off their places, a sentence a zone; empty where not told.
+    // Sentences on how far handling may move the colours, one for each zone. Empty: not computed.
     void setTolerances(const QStringList& sentences);
 
 signals:
-    void smallerFilmTaken(); // the one that smallerFilm() finds for the result shown
+    void smallerFilmTaken(); // the film that smallerFilm() finds for the shown result
 
 private:
     void show();
@@ -31,7 +31,7 @@ private:
     LengthUnit unit_ = LengthUnit::Millimetre;
     QStringList tolerances_;
     QTextBrowser* text_;
-    QLabel* hint_; // instead of the text, before the first run
+    QLabel* hint_; // shown instead of the text before the first run
 };
 
 } // namespace dipwright

@@ -13,11 +13,11 @@ namespace dipwright {
 
 namespace {
 
-constexpr int leastWidth = 350;                // a window of 1024 pixels has room for all panels
-constexpr double proofPixelsPerMillimetre = 8; // the proof has no size of its own
-constexpr double sharesOpacity = 0.6;          // over the sheet, which is to be seen below
+constexpr int leastWidth = 350;                // all panels fit into a window of 1024 pixels
+constexpr double proofPixelsPerMillimetre = 8; // the proof has no given resolution
+constexpr double sharesOpacity = 0.6;          // the sheet stays visible below
 
-// The page with the shares of the two dips over its film.
+// Draws the shares of the two dips over the film on the page.
 QImage sharedSheet(const SheetPreview& sheet, const JobResult& result, std::size_t immersion) {
     const double perMillimetre = sheet.page.width() / sheet.size.width();
     const QRectF film(sheet.film.topLeft() * perMillimetre, sheet.film.size() * perMillimetre);
@@ -33,7 +33,7 @@ QString sharesLegend(const JobResult& result) {
     QStringList lines;
     for (const ShareLine& line : shareLines(*result.share, {result.immersions[0].immersion.name,
                                                             result.immersions[1].immersion.name})) {
-        // What is bare would not be seen on a bright window.
+        // The colour of bare surface would be invisible on a bright window.
         const bool bare = line.colour == painterColour(Painter::None);
         lines.append(bare ? QStringLiteral("□ ") + line.text.toHtmlEscaped()
                           : QStringLiteral("<span style='color:%1'>■</span> %2")
@@ -47,22 +47,22 @@ QString sharesLegend(const JobResult& result) {
 ResultsPanel::ResultsPanel(QWidget* parent)
     : QTabWidget(parent), certainty_(new CertaintyPanel), stretch_(new StretchPanel),
       texture_(new PicturePanel(tr("Reverse texture"),
-                                tr("Run the dip to see the image that goes on the film."))),
-      proof_(new PicturePanel(tr("Proof"), tr("Run the dip to see the body as it will come out."))),
-      sheet_(new PicturePanel(tr("Sheet"), tr("Run the dip to see the page as it prints."))),
+                                tr("Run the dip to see the image for the film."))),
+      proof_(new PicturePanel(tr("Proof"), tr("Run the dip to see the finished part."))),
+      sheet_(
+          new PicturePanel(tr("Sheet"), tr("Run the dip to see the page as it will be printed."))),
       report_(new ReportPanel) {
     setObjectName(QStringLiteral("results"));
     setDocumentMode(true);
     setUsesScrollButtons(true);
     setMinimumWidth(leastWidth);
     sheet_->offerTrueSize();
-    proofShares_ = offer(*proof_, tr("Who Paints What"), QStringLiteral("proofShares"),
-                         tr("The shares of the two dips, from six sides and on both films"));
-    sheetShares_ = offer(*sheet_, tr("Who Paints What"), QStringLiteral("sheetShares"),
-                         tr("The shares of the two dips, over the sheet of this one"));
-    proofWithoutWhite_ =
-        offer(*proof_, tr("Without White"), QStringLiteral("proofWithoutWhite"),
-              tr("The ink on the part's own colour, as it were without the white"));
+    proofShares_ = offer(*proof_, tr("Shares of the dips"), QStringLiteral("proofShares"),
+                         tr("Shows which areas each dip paints, from six sides and on both films"));
+    sheetShares_ = offer(*sheet_, tr("Shares of the dips"), QStringLiteral("sheetShares"),
+                         tr("Shows which areas each dip paints, over the sheet of this dip"));
+    proofWithoutWhite_ = offer(*proof_, tr("Without white"), QStringLiteral("proofWithoutWhite"),
+                               tr("Shows the ink on the part's own colour, without the white"));
     connect(proofShares_, &QAction::toggled, this, &ResultsPanel::showProof);
     connect(proofWithoutWhite_, &QAction::toggled, this, &ResultsPanel::showProof);
     connect(sheetShares_, &QAction::toggled, this, &ResultsPanel::showSheet);
@@ -72,11 +72,11 @@ ResultsPanel::ResultsPanel(QWidget* parent)
     addTab(proof_, tr("Proof"));
     addTab(sheet_, tr("Sheet"));
     addTab(report_, tr("Report"));
-    setTabToolTip(0, tr("Whether to print the sheet, and where to look first"));
+    setTabToolTip(0, tr("Whether to print the sheet, and which places to check first"));
     setTabToolTip(1, tr("How much the film has stretched, and where"));
-    setTabToolTip(2, tr("The reverse texture: the image that goes on the film"));
-    setTabToolTip(3, tr("The body as it will come out"));
-    setTabToolTip(4, tr("The page as it prints"));
+    setTabToolTip(2, tr("The reverse texture: the image for the film"));
+    setTabToolTip(3, tr("The finished part"));
+    setTabToolTip(4, tr("The page as it will be printed"));
     setTabToolTip(5, tr("The figures of the last run"));
 
     connect(certainty_, &CertaintyPanel::placeChosen, this, &ResultsPanel::placeChosen);

@@ -1,5 +1,5 @@
-// The results of the last dip in tabs: the verdict, stretch, reverse texture, proof, sheet and
-// report, with one cursor that is shown in all of them.
+// Shows the results of the last dip in tabs: verdict, stretch, reverse texture, proof, sheet and
+// report. One linked cursor is shown in all of them.
 #pragma once
 
 #include "workbench/dip/DipJob.h"
@@ -23,21 +23,21 @@ class ResultsPanel : public QTabWidget {
 public:
     explicit ResultsPanel(QWidget* parent = nullptr);
 
-    void setOutcome(const DipOutcome& outcome, std::size_t immersion); // may hold none
+    void setOutcome(const DipOutcome& outcome, std::size_t immersion); // may be empty
     void setLengthUnit(LengthUnit unit);
-    void setFreshness(const Freshness& freshness); // marks the tabs
+    void setFreshness(const Freshness& freshness); // marks the outdated tabs
     void showReading(const std::optional<FilmReadoutPoint>& point);
-    // Buttons over the pictures.
+    // Adds a button over the picture.
     void addTextureAction(QAction* action);
     void addSheetAction(QAction* action);
     StretchPanel& stretch() { return *stretch_; }
     ReportPanel& report() { return *report_; }
 
 signals:
-    void hovered(Eigen::Vector2f rest); // a place on the floating film
+    void hovered(Eigen::Vector2f rest); // a place on the floating film (rest position)
     void hoverLeft();
-    void placeChosen(Eigen::Vector2f rest); // to be led to
-    void fieldChosen(const QString& path);  // of the project, to be shown
+    void placeChosen(Eigen::Vector2f rest); // show this place in the view
+    void fieldChosen(const QString& path);  // show this field of the project
 
 private:
     void hoverShare(double across, double down);
@@ -54,7 +54,7 @@ private:
     PicturePanel* texture_;
     PicturePanel* proof_;
     QAction* proofWithoutWhite_;
-    QAction* proofShares_; // who paints what, in place of the proof …
+    QAction* proofShares_; // the shares of the dips, in place of the proof …
     PicturePanel* sheet_;
     QAction* sheetShares_; // … and over the sheet
     ReportPanel* report_;

@@ -38,13 +38,13 @@ std::vector<StateFigure> stateFigures(const QJsonObject& measures, LengthUnit un
         return StateFigure{name, value.isDouble() ? std::optional(value.toDouble()) : std::nullopt,
                            words, isMoreBetter};
     };
-    return {figure(Text::tr("Body painted altogether"), "painted", true,
+    return {figure(Text::tr("Total coverage"), "painted", true,
                    [](double share) {
                        return Text::tr("%1 %").arg(QLocale().toString(100 * share, 'f', 1));
                    }),
-            figure(Text::tr("Largest stretch of 95 % of the film on the body"), "stretch", false,
-                   [](double stretch) { return QLocale().toString(stretch, 'f', 3); }),
-            figure(Text::tr("Area that is not certain"), "uncertain_mm2", false,
+            figure(Text::tr("Stretch below which 95 % of the film on the part stays"), "stretch",
+                   false, [](double stretch) { return QLocale().toString(stretch, 'f', 3); }),
+            figure(Text::tr("Area with too large a numerical error"), "uncertain_mm2", false,
                    [unit](double area) { return shownArea(area, unit); })};
 }
 

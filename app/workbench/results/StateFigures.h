@@ -1,4 +1,4 @@
-// Figures by which two states of a project, or two poses, are compared.
+// Figures for comparing two states of a project, or two poses.
 #pragma once
 
 #include "project/Project.h"
@@ -10,23 +10,22 @@ namespace dipwright {
 
 struct StateFigure {
     QString name;
-    std::optional<double> value; // none: there is no result yet
+    std::optional<double> value; // none: no result yet
     std::function<QString(double)> words;
     bool isMoreBetter = true;
 
     QString text() const;
 };
 
-// A state with what is known of it before it is dipped. Two that are compared have the same
-// figures.
+// A state and its known figures. Two compared states have the same list of figures.
 struct ComparedState {
     QString title;
     Project project;
     std::vector<StateFigure> figures;
 };
 
-// By how much the second is more, and whether that is better: "−3.0 %, worse"; empty where there is
-// nothing to compare.
+// The difference of the second value to the first, and whether it is better: "−3.0 %, worse". Empty
+// if there is nothing to compare.
 QString differenceText(const StateFigure& first, const StateFigure& second);
 
 // Lists the figures that workbench/document/SnapshotEdits.h measures. They have no values where

@@ -30,9 +30,9 @@ QDoubleSpinBox* rangeBox(const QString& name) {
 }
 
 constexpr double shownPixels = 900;  // the map's longer edge
-constexpr int exportedPixels = 2400; // the same in a file
+constexpr int exportedPixels = 2400; // the map's longer edge in a file
 
-// The spacing of isolines that divides the range into about ten.
+// Spacing of isolines that divides the range into about ten parts.
 double isolineStep(const HeatScale& scale) {
     for (const double step : {0.01, 0.02, 0.05, 0.1, 0.2, 0.5}) {
         if ((scale.high - scale.low) / step <= 12) {
@@ -76,20 +76,23 @@ void StretchPanel::fillFields() {
     quantityBox_->addItem(tr("Area stretch"), int(FilmQuantity::Area));
     quantityBox_->addItem(tr("Largest stretch"), int(FilmQuantity::Larger));
     quantityBox_->addItem(tr("Smallest stretch"), int(FilmQuantity::Smaller));
+    quantityBox_->setItemData(0,
+                              tr("Length of the film's threads after the dip over their length "
+                                 "before it, averaged around each point."),
+                              Qt::ToolTipRole);
     quantityBox_->setItemData(
-        0, tr("Length of the film's threads after the dip over before: the mean round each point."),
+        1, tr("Area after the dip over area before it. The ink thins by this factor."),
         Qt::ToolTipRole);
-    quantityBox_->setItemData(1, tr("Area after over before. Ink thins by as much."),
-                              Qt::ToolTipRole);
-    quantityBox_->setItemData(2, tr("The stretch in the direction in which it is largest."),
+    quantityBox_->setItemData(2, tr("The stretch in the direction of the largest stretch."),
                               Qt::ToolTipRole);
     quantityBox_->setItemData(
-        3, tr("The stretch in the direction in which it is smallest. Below 1 the film wrinkles."),
+        3, tr("The stretch in the direction of the smallest stretch. Below 1, the film wrinkles."),
         Qt::ToolTipRole);
     quantityBox_->setAccessibleName(tr("Quantity"));
     quantityBox_->setToolTip(tr("What the map shows."));
-    automaticBox_->setToolTip(tr("The colours span what occurs on the body. Without it they span "
-                                 "the two numbers on the right, so that maps can be compared."));
+    automaticBox_->setToolTip(
+        tr("Fits the colours to the values on the part. If off, the colours span the two numbers "
+           "on the right, so that you can compare maps."));
     limitTick_->setToolTip(tr("Shows all film over the limit in one warning colour."));
     isolineTick_->setToolTip(tr("Lines of equal value on the map."));
     for (const QString& map : colourMaps()) {
@@ -198,7 +201,7 @@ void StretchPanel::redraw() {
     const Distribution& spread = reading_->spread(quantity());
     const auto number = [this](double value) { return locale().toString(value, 'f', 3); };
     summary_->setText(
-        tr("On the body: mean %1 · 95 % below %2 · largest %3")
+        tr("On the part: mean %1 · 95 % below %2 · largest %3")
             .arg(number(spread.mean), number(spread.percentile95), number(spread.maximum)));
     emit scaleChanged();
 }

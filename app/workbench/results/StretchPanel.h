@@ -1,4 +1,4 @@
-// The stretch of the film as a map over the flat film, with its scale, its histogram and exports.
+// Shows the stretch of the film as a map over the flat film, with scale, histogram and export.
 #pragma once
 
 #include "workbench/dip/FilmReadout.h"
@@ -27,13 +27,13 @@ public:
     void setReading(std::shared_ptr<const FilmReadout> reading);
     FilmQuantity quantity() const;
     const HeatScale& scale() const { return scale_; }
-    // The map as it is shown, with isolines and key, large enough to print.
+    // The map as shown, with isolines and key, large enough to print.
     QImage picture() const;
-    // The linked cursor; nullopt: nowhere.
+    // Shows the linked cursor; nullopt hides it.
     void showReading(const std::optional<FilmReadoutPoint>& point);
 
 signals:
-    void scaleChanged(); // quantity, map, range or limit
+    void scaleChanged(); // quantity, colour map, range or limit
     void hovered(Eigen::Vector2f rest);
     void hoverLeft();
     void exportAsked(const QString& suffix); // "png", "csv" or "vtp"

@@ -17,10 +17,10 @@ namespace dipwright {
 
 namespace {
 
-constexpr double playSeconds = 4; // a whole dip, however long it took
+constexpr double playSeconds = 4; // for the whole dip, whatever its real duration
 constexpr int ticksPerSecond = 30;
 
-// A press beside the handle takes it there, as in players of films.
+// A press beside the handle moves it there, as in media players.
 class JumpStyle : public QProxyStyle {
 public:
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
@@ -32,11 +32,11 @@ public:
 };
 
 constexpr int markHeight = 5; // pixels, at the slider's lower edge
-constexpr int markReach = 4;  // pixels to each side of a mark that belong to it
+constexpr int markReach = 4;  // pixels to each side of a mark that count as the mark
 
 } // namespace
 
-// A slider with ticks at the moments that are worth a look, each told of under the cursor.
+// A slider with a tick at each notable moment; its tooltip describes the moment.
 class MarkedSlider : public QSlider {
 public:
     MarkedSlider() : QSlider(Qt::Horizontal) {}
@@ -78,7 +78,7 @@ protected:
     }
 
 private:
-    // Where the handle's middle is at the mark's position.
+    // The x of the handle's centre at the mark's position.
     int placeOf(const TimelineMark& mark) const {
         QStyleOptionSlider option;
         initStyleOption(&option);
@@ -111,7 +111,7 @@ Timeline::Timeline(QWidget* parent)
     depth_->setMinimumWidth(
         depth_->fontMetrics().horizontalAdvance(QStringLiteral("  000.00 mm  ")));
     depth_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    depth_->setToolTip(tr("How far the lowest point of the body is under the waterline"));
+    depth_->setToolTip(tr("Depth of the part's lowest point below the waterline"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(6, 2, 8, 2);
     layout->addWidget(startButton_);

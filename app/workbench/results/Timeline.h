@@ -13,7 +13,7 @@ class QToolButton;
 
 namespace dipwright {
 
-// A moment that is worth a look, at a position of the timeline.
+// A notable moment at a position of the timeline.
 struct TimelineMark {
     int position = 0;
     QColor colour;
@@ -28,9 +28,9 @@ class Timeline : public QWidget {
 public:
     explicit Timeline(QWidget* parent = nullptr);
 
-    // Position 0 is before the dip, `frames` is its end; 0 frames: nothing recorded.
+    // Position 0 is before the dip, `frames` is its end. 0 frames: nothing was recorded.
     void setFrames(int frames);
-    void setMarks(const std::vector<TimelineMark>& marks); // until the frames are set again
+    void setMarks(const std::vector<TimelineMark>& marks); // valid until the frames are set again
     int frames() const;
     int position() const;
     void setPosition(int position); // emits positionChanged when it differs

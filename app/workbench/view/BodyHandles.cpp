@@ -9,7 +9,7 @@ namespace dipwright {
 
 namespace {
 
-// As the project file has them (core/project/Schema.cpp).
+// The limits of the project file (core/project/Schema.cpp).
 constexpr double mostOffset = 5000, leastDepth = 0.1, mostDepth = 5000;
 
 Millimetres placed(double millimetres, double least, double most) {
@@ -59,11 +59,11 @@ void BodyHandles::hold() {
 
 void BodyHandles::turn(int axis, double degrees) {
     hold();
-    session_.document()->edit(tr("Turn Body"), QStringLiteral("turn"), [&](Project& project) {
+    session_.document()->edit(tr("Turn part"), QStringLiteral("turn"), [&](Project& project) {
         project.immersions[session_.immersion()].rotation =
             turned(*before_, axis, degrees).rotation;
     });
-    emit told(tr("Turned by %1° about %2; with Shift by steps of %3°")
+    emit told(tr("Turned by %1° about %2 (hold Shift for steps of %3°)")
                   .arg(QLocale().toString(degrees, 'f', 1), axisName(axis),
                        QLocale().toString(ringStep)));
 }
@@ -76,9 +76,9 @@ void BodyHandles::move(int axis, double millimetres) {
         if (depthBefore_) {
             const Millimetres depth =
                 placed(depthBefore_->value() - millimetres, leastDepth, mostDepth);
-            document.edit(tr("Change Depth"), QStringLiteral("depth"),
+            document.edit(tr("Change depth"), QStringLiteral("depth"),
                           [&](Project& project) { project.process.depth = depth; });
-            emit told(tr("Dipped %1 deep; with Shift by steps of %2")
+            emit told(tr("Depth %1 (hold Shift for steps of %2)")
                           .arg(shownLength(depth.value(), unit_), steps));
         }
         return;
@@ -86,10 +86,10 @@ void BodyHandles::move(int axis, double millimetres) {
     const std::size_t part = axis == 0 ? 0 : 1;
     const Millimetres offset =
         placed(before_->offset[part].value() + millimetres, -mostOffset, mostOffset);
-    document.edit(tr("Move Body"), QStringLiteral("move"), [&](Project& project) {
+    document.edit(tr("Move part"), QStringLiteral("move"), [&](Project& project) {
         project.immersions[session_.immersion()].offset[part] = offset;
     });
-    emit told(tr("Moved to %1 along %2; with Shift by steps of %3")
+    emit told(tr("Moved to %1 along %2 (hold Shift for steps of %3)")
                   .arg(shownLength(offset.value(), unit_), axisName(axis), steps));
 }
 

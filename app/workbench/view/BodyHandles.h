@@ -1,4 +1,4 @@
-// The body turned by its rings and moved by its arrows: a drag is one step to undo.
+// Turns the body by the rings and moves it by the arrows of the view. A drag is one undo step.
 #pragma once
 
 #include "dip/Pose.h"
@@ -10,27 +10,27 @@
 
 namespace dipwright {
 
-// `immersion` with its body turned further by so many degrees about the world's X, Y or Z, its
-// angles rounded to tenths.
+// `immersion` with its body turned by `degrees` about the world's X, Y or Z. Its angles are rounded
+// to tenths of a degree.
 Immersion turned(const Immersion& immersion, int axis, double degrees);
 
-// `immersion` with a face down, `outward` (model coordinates) its normal: turned no farther than it
-// must be, its angles rounded to tenths.
+// `immersion` turned so that the face with the normal `outward` (model coordinates) points down.
+// Uses the smallest rotation; the angles are rounded to tenths of a degree.
 Immersion laidDown(const Immersion& immersion, const Eigen::Vector3d& outward);
 
 class BodyHandles : public QObject {
     Q_OBJECT
 
 public:
-    // For the immersion that the session looks at. Along X and Z its offset is moved, along Y the
-    // depth of the dips, where the project has one.
+    // Changes the immersion that the session shows. The arrows along X and Z change its offset. The
+    // arrow along Y changes the depth of the dips, if the project has one.
     BodyHandles(const DipSession& session, const DipView& view, QObject* parent = nullptr);
 
     void setLengthUnit(LengthUnit unit) { unit_ = unit; }
 
 signals:
-    void held(bool isHeld);         // as long as a ring or an arrow is dragged
-    void told(const QString& text); // how far it has been dragged
+    void held(bool isHeld);         // while a ring or an arrow is dragged
+    void told(const QString& text); // how far it was dragged
 
 private:
     void turn(int axis, double degrees);
@@ -40,7 +40,7 @@ private:
 
     const DipSession& session_;
     LengthUnit unit_ = LengthUnit::Millimetre;
-    // As they were when the drag began.
+    // The values at the start of the drag.
     std::optional<Immersion> before_;
     std::optional<Millimetres> depthBefore_;
 };

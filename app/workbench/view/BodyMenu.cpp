@@ -30,9 +30,9 @@ void BodyMenu::show(const ViewRay& ray, const QPoint& place) {
         action->setObjectName(QLatin1String(name));
         action->setEnabled(spot.has_value());
     };
-    add("layFaceDown", tr("&Lay This Face Down"),
+    add("layFaceDown", tr("&Lay this face down"),
         [this](const SurfacePoint& point) { layDown(point.triangle); });
-    add("faceMustBeGood", tr("This Face Must Be &Good (Zone A)"),
+    add("faceMustBeGood", tr("Mark this face as &zone A"),
         [this](const SurfacePoint& point) { markGood(point); });
     menu->addSeparator();
     menu->addMenu(tr("&Turn"))->addActions(turns_.actions());
@@ -49,14 +49,14 @@ void BodyMenu::edit(const QString& text, const std::function<void(Immersion&)>& 
 
 void BodyMenu::turn(const QAction& action) {
     const auto step = action.data().value<BodyStep>();
-    edit(tr("Turn Body"), [&](Immersion& immersion) {
+    edit(tr("Turn part"), [&](Immersion& immersion) {
         immersion = turned(immersion, step.axis, step.way * ringStep);
     });
 }
 
 void BodyMenu::move(const QAction& action) {
     const auto step = action.data().value<BodyStep>();
-    edit(tr("Move Body"), [&](Immersion& immersion) {
+    edit(tr("Move part"), [&](Immersion& immersion) {
         Millimetres& offset = immersion.offset[step.axis == 0 ? 0 : 1];
         if (step.way == 0) {
             immersion.offset = {};
@@ -69,7 +69,7 @@ void BodyMenu::move(const QAction& action) {
 void BodyMenu::layDown(std::uint32_t triangle) {
     const Eigen::Vector3d outward = triangleNormal(scene_.model()->mesh, triangle).cast<double>();
     if (!outward.isZero()) {
-        edit(tr("Lay Face Down"),
+        edit(tr("Lay face down"),
              [&](Immersion& immersion) { immersion = laidDown(immersion, outward); });
     }
 }

@@ -1,5 +1,5 @@
-// What is done to the body by its menu and by keys: turned and moved by steps, a face laid down or
-// marked as one that must be good. Each is one step to undo.
+// Edits the body from its context menu and by keys: turn and move it by steps, lay a face down, or
+// mark a face as zone A. Each is one undo step.
 #pragma once
 
 #include "workbench/actions/BodyStep.h"
@@ -15,8 +15,8 @@ class BodyMenu : public QObject {
     Q_OBJECT
 
 public:
-    // For the immersion that the session looks at. The menu of `view` has what is done to the face
-    // under the cursor, and the actions of both groups, whose data are BodySteps.
+    // Changes the immersion that the session shows. The context menu of `view` edits the face under
+    // the cursor and contains the actions of both groups. The actions' data are BodySteps.
     BodyMenu(DipView& view, const DipScene& scene, const DipSession& session, QActionGroup& turns,
              QActionGroup& moves, QObject* parent = nullptr);
 

@@ -18,7 +18,7 @@ struct Text {
 
 QString textOf(DipEvent event) {
     return event == DipEvent::FirstContact ? Text::tr("First contact")
-           : event == DipEvent::AirCaught  ? Text::tr("Air is trapped under the body")
+           : event == DipEvent::AirCaught  ? Text::tr("Air is trapped under the part")
            : event == DipEvent::Torn       ? Text::tr("Film tears")
                                            : Text::tr("Film is released at an overhang");
 }
@@ -37,7 +37,7 @@ QColor colourOf(DipEvent event) {
     return markColour(solver::PointMark::LetGo);
 }
 
-constexpr int liveInterval = 33;           // ms between pictures of a running dip
+constexpr int liveInterval = 33;           // ms between two pictures of a running dip
 constexpr std::size_t coarsePoints = 6000; // of the moving film, without a GPU
 constexpr std::size_t finePoints = 60000;
 
@@ -74,7 +74,7 @@ void DipPlayback::showProject() {
     const Document& document = *session_.document();
     scene_.setProject(document.project(), session_.immersion());
     if (!document.isFresh(JobStep::Dip, session_.immersion()) && !session_.isRunning()) {
-        timeline_.setPosition(0); // the body as it is set up now
+        timeline_.setPosition(0); // the body in its current pose
     }
     emit momentShown();
 }
@@ -91,7 +91,7 @@ void DipPlayback::showLiveFrame() {
     const auto frame = recording ? recording->latest() : nullptr;
     if (frame && frame != shownFrame_) {
         shownFrame_ = frame;
-        // Where drawing is slow, most of the time stays free for what the user does.
+        // If drawing is slow, this leaves most of the time for the user's input.
         liveTimer_.setInterval(std::max(liveInterval, 2 * view_.pictureTime()));
         scene_.showFrame(recording, *frame);
         showDepth();
@@ -104,7 +104,7 @@ void DipPlayback::showResults() {
     const auto recording = session_.recording();
     scene_.setResult(reading ? session_.outcome().result : nullptr, reading);
     const QSignalBlocker quiet(&timeline_);
-    // Dips that were kept have an end and no way there.
+    // Cached dips have only their end.
     const bool isRecorded = recording && recording->size() > 0;
     timeline_.setFrames(isRecorded ? int(recording->size()) : reading ? 1 : 0);
     if (isRecorded && reading) {
@@ -125,7 +125,7 @@ void DipPlayback::showMarks(const DipRecording& recording, const ImmersionResult
     timeline_.setMarks(marks);
 }
 
-// Position 0 is before the dip, the last one its end with the whole film.
+// Position 0 is before the dip. The last position is its end, with the whole film.
 void DipPlayback::showMoment(int position) {
     const auto recording = session_.recording();
     if (position > 0 && position < timeline_.frames()) {

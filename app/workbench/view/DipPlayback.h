@@ -1,4 +1,4 @@
-// Shows the dip in the view: while it runs, and afterwards the moment that the timeline says.
+// Shows the dip in the view: live while it runs, then at the position of the timeline.
 #pragma once
 
 #include "workbench/dip/DipSession.h"
@@ -18,14 +18,14 @@ public:
     DipPlayback(DipSession& session, DipView& view, DipScene& scene, Timeline& timeline,
                 QObject* parent = nullptr);
 
-    // To be called when the session has another document.
+    // Call this when the session has another document.
     void showDocument();
     void setLengthUnit(LengthUnit unit) { unit_ = unit; }
-    // Of the film that is to be recorded: as many as can be shown moving.
+    // The largest number of film points that can be drawn while they move.
     std::size_t mostPoints() const;
 
 signals:
-    void momentShown(); // body and film may be somewhere else now
+    void momentShown(); // body and film may have moved
 
 private:
     void showProject();
@@ -42,7 +42,7 @@ private:
     Timeline& timeline_;
     LengthUnit unit_ = LengthUnit::Millimetre;
     QTimer liveTimer_;
-    std::shared_ptr<const RecordedFrame> shownFrame_; // of the dip that runs
+    std::shared_ptr<const RecordedFrame> shownFrame_; // the dip in progress
 };
 
 } // namespace dipwright

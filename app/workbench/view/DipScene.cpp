@@ -26,7 +26,7 @@ QSize pictureSize(const solver::FilmGrid& grid) {
     return (QSizeF(grid.width, grid.depth) * pixels).toSize();
 }
 
-// The film as it comes, with a line every centimetre, so that its deformation can be seen.
+// Draws plain film with a line every centimetre, so that its deformation is visible.
 QImage linedFilm(const solver::FilmGrid& grid) {
     QImage picture(pictureSize(grid), QImage::Format_RGB32);
     picture.fill(bareFilm);
@@ -56,10 +56,10 @@ QImage onBareFilm(const QImage& printed, const solver::FilmGrid& grid) {
     return picture;
 }
 
-// How long a triangle's side may be for the triangle to be drawn: a quick test for drawing, not the
-// measure of torn film (PrincipalStretch::isTorn). Live frames are drawn while the solver runs, and
-// thinned, so that the triangles drawn are not the film's own; and what hangs between film let go
-// of and film on the body is to be hidden too.
+// Longest side of a triangle that is drawn. This is a quick test for drawing, not the measure of
+// torn film (PrincipalStretch::isTorn). Live frames are drawn while the solver runs, from a thinned
+// film whose triangles differ from the real ones. Triangles between released film and film on the
+// body must be hidden too.
 float longestDrawnSide(const solver::FilmGrid& grid, const ThinnedFilm& film, double tearStretch) {
     const auto rest = [&](int column, int row) {
         return restPosition(grid, film.points[std::size_t(row * film.columns + column)]);
@@ -207,14 +207,14 @@ void DipScene::placeBody(const Immersion& immersion, double descent) {
     const BoundingBox box = boundingBox(project_.model->mesh);
     const Eigen::Vector3f centre = (modelToWorld_ * box.center().cast<double>()).cast<float>();
     const double radius = 0.58 * double(box.diagonal().norm());
-    const bool isHeld = handles_ && moment_ == Moment::Setup; // as long as it can be placed
+    const bool isHeld = handles_ && moment_ == Moment::Setup; // while it can be placed
     view_.setRotationRings(isHeld, centre, radius);
     view_.setMoveArrows({isHeld, isHeld && project_.process.depth.has_value(), isHeld}, centre,
                         1.08 * radius, 1.4 * radius);
     setBodyRoom(Eigen::Translation3d(poseToWorld(immersion, 0)) * pose);
 }
 
-// From where it stands over the film to as far below the water.
+// From the start above the film to the same distance below the water.
 void DipScene::setBodyRoom(const Eigen::Isometry3d& modelToSetup) {
     BoundingBox room;
     const BoundingBox box = boundingBox(project_.model->mesh);
@@ -303,7 +303,7 @@ void DipScene::showEnd() {
 }
 
 std::vector<FilmTriangle> DipScene::shownTriangles(const LaidFilm& laid) const {
-    if (bodyLook_ != BodyLook::Own) { // floating film would lie over the body
+    if (bodyLook_ != BodyLook::Own) { // floating film would hide the body
         return {};
     }
     const FilmContact& contact = laid.contact();
@@ -444,7 +444,7 @@ void DipScene::updateFilm() {
     view_.setFilmPicture(linedFilm(shapeGrid_));
 }
 
-// The mean stretch of the threads of the thinned film, which is what can be told on the way.
+// Colours by the mean stretch of the thinned film's threads, the only measure known during the dip.
 std::vector<QRgb> DipScene::frameColours() const {
     std::vector<QRgb> colours(shape_.points.size());
     const auto at = [this](int column, int row) {
@@ -516,7 +516,7 @@ void DipScene::slip(FilmAppearance& film) {
         film.laid = deeper_;
         return;
     }
-    film.slip.deeper = Millimetres(0); // until it is there
+    film.slip.deeper = Millimetres(0); // until that film is computed
     if (result_->project.process.depth && std::exchange(asksForDeeper_, false)) {
         emit deeperFilmWanted(result_);
     }

@@ -47,7 +47,7 @@ void FilmProbe::show(const std::optional<FilmReadoutPoint>& point) {
 }
 
 QString FilmProbe::describeBody(const Eigen::Vector3f& place) const {
-    return tr("Body at %1, %2, %3")
+    return tr("Part at %1, %2, %3")
         .arg(shownLength(double(place.x()), unit_), shownLength(double(place.y()), unit_),
              shownLength(double(place.z()), unit_));
 }
@@ -59,7 +59,7 @@ QString FilmProbe::describe(const FilmReadoutPoint& point) const {
     return tr("Sheet %1, %2 · %3 · stretch %4 by %5, area %6")
         .arg(shownLength((double(point.rest.x()) / grid.width + 0.5) * film.width.value(), unit_),
              shownLength((double(point.rest.y()) / grid.depth + 0.5) * film.height.value(), unit_),
-             point.adhered ? tr("on the body") : tr("on the water"), number(point.stretch.larger),
+             point.adhered ? tr("on the part") : tr("on the water"), number(point.stretch.larger),
              number(point.stretch.smaller), number(point.stretch.area()));
 }
 

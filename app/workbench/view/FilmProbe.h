@@ -1,4 +1,4 @@
-// Reads off the film under the cursor, in the view and over the results, and says what is there.
+// Reads values from the film under the cursor, in the view and in the results, and describes them.
 #pragma once
 
 #include "workbench/dip/DipSession.h"
@@ -17,11 +17,12 @@ public:
               ResultsPanel& results, QObject* parent = nullptr);
 
     void setLengthUnit(LengthUnit unit) { unit_ = unit; }
-    // Looks at the body where film that rested there lies, and reads it; the end is to be shown.
+    // Points the camera at the place on the body where film with rest position `rest` lies, and
+    // reads it there. The end of the dip must be shown.
     void leadTo(const Eigen::Vector2f& rest);
 
 signals:
-    void read(const QString& description); // empty: there is nothing under the cursor
+    void read(const QString& description); // empty: nothing under the cursor
 
 private:
     void readAlong(const ViewRay& ray);

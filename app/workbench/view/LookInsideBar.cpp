@@ -13,7 +13,7 @@ namespace dipwright {
 
 namespace {
 
-constexpr int steps = 1000;                                           // of the plane's way
+constexpr int steps = 1000; // of the slider along the axis
 constexpr int leastOpacity = 5, usualOpacity = 45, mostOpacity = 100; // per cent
 
 QSlider* slider(int least, int most, int value, const char* name, const QString& text) {
@@ -39,10 +39,10 @@ QHBoxLayout* rowOf(QWidget* half) {
 LookInsideBar::LookInsideBar(QWidget* parent)
     : QWidget(parent), axis_(new QComboBox),
       section_(slider(0, steps, steps / 2, "sectionPlace",
-                      tr("Where body and film are cut open; the frame in the view can be dragged, "
-                         "too"))),
+                      tr("Position of the section through part and film. You can also drag its "
+                         "frame in the view."))),
       opacity_(slider(leastOpacity, mostOpacity, usualOpacity, "filmOpacity",
-                      tr("How much the film covers of what lies behind it"))),
+                      tr("How opaque the film is. At 100 % it hides everything behind it."))),
       after_(new QToolButton), place_(new QLabel), percent_(new QLabel),
       sectionHalf_(makeSection()), opacityHalf_(makeOpacity()) {
     auto* row = new QHBoxLayout(this);
@@ -55,7 +55,7 @@ LookInsideBar::LookInsideBar(QWidget* parent)
 
 QWidget* LookInsideBar::makeSection() {
     axis_->setObjectName(QStringLiteral("sectionAxis"));
-    axis_->addItems({tr("Across X"), tr("Level, across Y"), tr("Across Z")});
+    axis_->addItems({tr("Across X"), tr("Horizontal, across Y"), tr("Across Z")});
     axis_->setCurrentIndex(2); // the front is cut away
     axis_->setAccessibleName(tr("Direction of the section"));
     axis_->setToolTip(tr("Direction of the section"));
@@ -83,7 +83,7 @@ QWidget* LookInsideBar::makeSection() {
 QWidget* LookInsideBar::makeOpacity() {
     auto* half = new QWidget;
     QHBoxLayout* row = rowOf(half);
-    row->addWidget(new QLabel(tr("Film covers")));
+    row->addWidget(new QLabel(tr("Film opacity")));
     row->addWidget(opacity_, 1);
     row->addWidget(percent_);
     percent_->setMinimumWidth(percent_->fontMetrics().horizontalAdvance(QStringLiteral("100 %")));

@@ -1,5 +1,5 @@
-// How deep the view looks inside: where a plane cuts body and film open, and how much is seen
-// through the film. Each half is shown when it is wanted.
+// Controls for looking inside: the section plane through body and film, and the opacity of the
+// film. Each half can be hidden.
 #pragma once
 
 #include <QWidget>
@@ -20,13 +20,13 @@ public:
     void setSectionShown(bool shown);
     void setOpacityShown(bool shown);
 
-    // The plane: across which axis of the world, how far along what is to be cut (0 … 1), and
-    // whether what lies after it is left.
+    // The section plane: its world axis, its position along the axis (0 … 1), and whether the side
+    // after it is drawn.
     int axis() const;
     double share() const;
     bool isAfter() const;
-    void setShare(double share);        // and tells
-    void setPlace(const QString& text); // where that is, for the user
+    void setShare(double share);        // and emits sectionChanged()
+    void setPlace(const QString& text); // the position as text
     double filmOpacity() const;         // 0 … 1
 
 signals:

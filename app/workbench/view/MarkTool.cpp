@@ -3,9 +3,9 @@
 namespace dipwright {
 namespace {
 
-constexpr double marksApart = 0.6; // of the brush's radius, along a stroke
+constexpr double marksApart = 0.6; // times the brush's radius, along a stroke
 
-// How far round its place a mark reaches, mm; 0: as far as what it was pressed on goes.
+// Radius of a mark in mm. 0: it marks a whole face or material.
 double reach(const ShareMark& mark) {
     return mark.radius.value();
 }
@@ -23,7 +23,7 @@ MarkTool::MarkTool(DipView& view, const DipScene& scene, const DipSession& sessi
     connect(&view, &DipView::strokeFinished, this, &MarkTool::finish);
 }
 
-// Beside the body a drag turns the camera.
+// A drag beside the body turns the camera.
 bool MarkTool::begins(const ViewRay& ray) {
     if (std::holds_alternative<std::monostate>(brush_) || !session_.document() ||
         !scene_.modelPoint(ray)) {
@@ -40,7 +40,7 @@ void MarkTool::stroke(const ViewRay& ray) {
     }
     const auto add = [&]<typename Mark>(Mark mark) {
         if constexpr (!std::is_same_v<Mark, std::monostate>) {
-            // One face a stroke: a face is what was pressed, not what the cursor slid over.
+            // A stroke marks only the pressed face, not the faces that the cursor passes later.
             const double apart = marksApart * reach(mark);
             if (last_ && (apart <= 0 || double((*place - *last_).norm()) < apart)) {
                 return;

@@ -1,4 +1,4 @@
-// Marks on the body, where the user clicks or drags: for the join of two dips, or of zones.
+// Sets marks on the body where the user clicks or drags, for the seam of two dips or for zones.
 #pragma once
 
 #include "workbench/dip/DipSession.h"
@@ -14,11 +14,11 @@ public:
     MarkTool(DipView& view, const DipScene& scene, const DipSession& session,
              QObject* parent = nullptr);
 
-    // None: presses on the body are somebody else's.
+    // Without a brush, presses on the body are left to others.
     void setBrush(const MarkBrush& brush) { brush_ = brush; }
 
 signals:
-    void begun(); // a stroke, which is one step to undo
+    void begun(); // a stroke; it is one undo step
     void ended();
 
 private:

@@ -29,7 +29,7 @@ void MeasureTool::click(const ViewRay& ray) {
     places_.push_back(*place);
     model_ = scene_.model();
     show();
-    messages_.say(places_.size() < 2 ? tr("Click the second place on the body")
+    messages_.say(places_.size() < 2 ? tr("Click the second place on the part")
                                      : tr("Distance %1").arg(distance()),
                   0);
 }

@@ -14,15 +14,15 @@ public:
     MeasureTool(DipView& view, const DipScene& scene, Messages& messages,
                 QObject* parent = nullptr);
 
-    void setActive(bool active); // begins anew
+    void setActive(bool active); // starts a new measurement
     void setLengthUnit(LengthUnit unit);
-    // The marks stay on the body wherever it goes, and go with it: to be called when the body has
-    // moved or is another one.
+    // Updates the marks, which move with the body. Call this when the body has moved or was
+    // replaced.
     void show();
 
 private:
     void click(const ViewRay& ray);
-    QString distance() const; // empty before the second place
+    QString distance() const; // empty until there are two places
 
     DipView& view_;
     const DipScene& scene_;

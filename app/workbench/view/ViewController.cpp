@@ -44,13 +44,13 @@ void ViewController::connectCamera(const WindowActions& actions) {
 
 void ViewController::connectDisplay(const WindowActions& actions) {
     auto* endMeasure = new QShortcut(Qt::Key_Escape, &window_);
-    endMeasure->setEnabled(false); // the key is somebody else's then
+    endMeasure->setEnabled(false); // others may use the key then
     connect(actions.measure, &QAction::toggled, endMeasure, &QShortcut::setEnabled);
     connect(endMeasure, &QShortcut::activated, actions.measure,
             [&actions] { actions.measure->setChecked(false); });
     connect(actions.rings, &QAction::toggled, &scene_, &DipScene::setShowHandles);
     connect(actions.body, &QAction::toggled, &view_, &DipView::setBodyVisible);
-    // Colours are to be judged, or told apart, without water over them.
+    // Water is hidden so that it does not change the colours of the body.
     const auto showLooks = [this, &actions] {
         const BodyLook look = actions.coverage->isChecked()    ? BodyLook::Coverage
                               : actions.bodyPrint->isChecked() ? BodyLook::Print
@@ -62,7 +62,7 @@ void ViewController::connectDisplay(const WindowActions& actions) {
     };
     connect(actions.water, &QAction::toggled, this, showLooks);
     const QList<QAction*> looks{actions.coverage, actions.bodyPrint, actions.zones};
-    for (QAction* shown : looks) { // one of them, or none
+    for (QAction* shown : looks) { // at most one is checked
         connect(shown, &QAction::toggled, this, [showLooks, shown, looks](bool on) {
             for (QAction* other : looks) {
                 const QSignalBlocker quiet(other);
@@ -130,7 +130,7 @@ void ViewController::setFilmLook(FilmLook look) {
         return;
     }
     const QString path =
-        QFileDialog::getOpenFileName(&window_, tr("Picture on the Film"), {}, pictureFileFilter());
+        QFileDialog::getOpenFileName(&window_, tr("Picture on the film"), {}, pictureFileFilter());
     if (!path.isEmpty()) {
         showPicture(path);
     }
@@ -138,7 +138,7 @@ void ViewController::setFilmLook(FilmLook look) {
 
 void ViewController::showPicture(const QString& path) {
     startJob(
-        jobs_, messages_, tr("Reading the picture"), tr("Picture on the Film"),
+        jobs_, messages_, tr("Reading the picture"), tr("Picture on the film"),
         [path](const Progress&) { return readPictureFile(path); },
         [this](const QImage& picture) { scene_.setFilmLook(FilmLook::Picture, picture); });
 }

@@ -1,4 +1,4 @@
-// Camera and display of the 3D view, by their actions.
+// Controls camera and display of the 3D view by their actions.
 #pragma once
 
 #include "workbench/document/Preferences.h"
@@ -18,7 +18,7 @@ class ViewController : public QObject {
     Q_OBJECT
 
 public:
-    // The film wears its stretch as `stretch` shows it; the view looks inside as `inside` says.
+    // `stretch` gives the film's colours, `inside` the section and the opacity.
     ViewController(const WindowActions& actions, DipView& view, DipScene& scene,
                    LookInsideBar& inside, const StretchPanel& stretch, JobRunner& jobs,
                    Messages& messages, QWidget& window);

@@ -13,7 +13,7 @@ namespace dipwright {
 namespace {
 
 constexpr int tableSize = 256;
-constexpr QRgb warningColour = 0xffd81b60; // apart from every map here, for all kinds of vision
+constexpr QRgb warningColour = 0xffd81b60; // differs from all maps in all kinds of colour vision
 
 std::vector<QRgb> colourTable(const QString& map) {
     std::vector<QRgb> table(tableSize);
@@ -23,13 +23,14 @@ std::vector<QRgb> colourTable(const QString& map) {
     return table;
 }
 
-// Where a picture's pixels lie in a row or column of values: the value before, and how far past it.
+// Where a pixel lies in a row or column of values: the value before it, and the fraction to the
+// next.
 struct Place {
     int before;
     float past;
 };
 
-// `lineAt`: columnAt() or rowAt() of the film's grid, which has so many.
+// `lineAt`: columnAt() or rowAt() of the film's grid, which has `count` lines.
 std::vector<Place> placesOf(const solver::FilmGrid& film, int pixels, int count,
                             double (*lineAt)(const solver::FilmGrid&, double)) {
     std::vector<Place> places;
@@ -98,7 +99,7 @@ QList<QLineF> isolines(const std::vector<float>& values, const solver::FilmGrid&
         for (int column = 0; column + 1 < columns; ++column) {
             const double left = film.restX(column) + film.width / 2, width = film.spacingX(column);
             const std::size_t first = std::size_t(row) * std::size_t(columns) + std::size_t(column);
-            // Round the cell: upper left, upper right, lower right, lower left.
+            // Around the cell: upper left, upper right, lower right, lower left.
             const std::array<double, 4> corner{values[first], values[first + 1],
                                                values[first + std::size_t(columns) + 1],
                                                values[first + std::size_t(columns)]};

@@ -11,7 +11,8 @@ namespace {
 
 constexpr int barCount = 80;
 
-// 1, 2 or 5 times a power of ten that divides `range` into about `wanted` parts.
+// The step of the form 1, 2 or 5 times a power of ten that divides `range` into about `wanted`
+// parts.
 double roundStep(double range, double wanted) {
     const double raw = range / wanted;
     const double power = std::pow(10, std::floor(std::log10(raw)));
@@ -63,10 +64,10 @@ void Histogram::paint(QPainter& painter, const QRectF& place, const QColor& ink)
         const double share = (value - scale_.low) / (scale_.high - scale_.low);
         return key.left() + std::clamp(share, 0.0, 1.0) * key.width();
     };
-    // The unstretched film would hide everything else: heights go by the square root.
+    // Heights are square roots; otherwise the unstretched film would hide everything else.
     const double most = std::sqrt(double(*std::max_element(counts_.begin(), counts_.end())));
     const double barWidth = key.width() / barCount;
-    QPolygonF outline; // bars of the ground's colour show too
+    QPolygonF outline; // makes bars in the background colour visible
     for (int bar = 0; bar < barCount; ++bar) {
         const double value = std::lerp(scale_.low, scale_.high, (bar + 0.5) / barCount);
         const QColor colour = scale_.colour(value);

@@ -1,4 +1,4 @@
-// How often each value occurs, drawn in the colours of the scale: key and statistics in one.
+// Draws how often each value occurs, in the colours of the scale. It also serves as the colour key.
 #pragma once
 
 #include "workbench/widgets/HeatScale.h"
@@ -15,7 +15,7 @@ public:
 
     void setValues(const std::vector<float>& values, const HeatScale& scale);
     void setMark(const std::optional<double>& value); // the value under the cursor
-    // Draws it with the painter's font; nothing where there are no values.
+    // Draws it with the painter's font; draws nothing without values.
     void paint(QPainter& painter, const QRectF& place, const QColor& ink) const;
 
     QSize sizeHint() const override { return {320, 96}; }
@@ -25,7 +25,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    std::vector<int> counts_; // from low to high
+    std::vector<int> counts_; // from low to high values
     HeatScale scale_;
     std::optional<double> mark_;
 };

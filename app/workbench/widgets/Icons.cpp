@@ -12,7 +12,7 @@ namespace dipwright {
 
 namespace {
 
-// The colours in which the files are drawn stand for these roles.
+// Replaces the colours of the files, which stand for these roles.
 QByteArray recoloured(QByteArray svg, QIcon::Mode mode) {
     const QPalette palette = QGuiApplication::palette();
     const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;

@@ -6,7 +6,8 @@
 
 namespace dipwright {
 
-// `name` as the file in resources/icons, without .svg. Follows light and dark, any size and scale.
+// `name`: a file in resources/icons, without .svg. The icon follows the theme and scales to any
+// size.
 QIcon icon(const QString& name);
 
 } // namespace dipwright

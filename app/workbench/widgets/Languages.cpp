@@ -18,7 +18,7 @@ void installLanguage(QCoreApplication& application, const QString& code) {
     if (!code.isEmpty()) {
         QLocale::setDefault(locale);
     }
-    // Qt's own words (buttons, file dialogs) first, so that ours are asked before them.
+    // Qt's own texts (buttons, file dialogs) come first, so that our translations take precedence.
     auto* qt = new QTranslator(&application);
     if (qt->load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
                  QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {

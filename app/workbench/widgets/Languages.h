@@ -1,4 +1,4 @@
-// The languages that the program speaks.
+// The languages of the program.
 #pragma once
 
 #include <QString>
@@ -14,7 +14,7 @@ struct Language {
 };
 std::vector<Language> languages();
 
-// Before any window is made. An empty code: the system's language, else English.
+// Call this before any window is created. An empty code: the system's language, else English.
 void installLanguage(QCoreApplication& application, const QString& code);
 
 } // namespace dipwright

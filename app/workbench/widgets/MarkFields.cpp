@@ -17,10 +17,10 @@ constexpr double leastRadius = 0.5, mostRadius = 200, usualRadius = 5; // mm
 
 MarkFields::MarkFields(const QString& name, LengthUnit unit, QWidget* parent)
     : QWidget(parent), unit_(unit), form_(new QFormLayout(this)), kind_(new QComboBox),
-      radius_(new NumberBox), count_(new QLabel), removeLast_(new QPushButton(tr("Remove Last"))),
-      removeAll_(new QPushButton(tr("Remove All"))) {
+      radius_(new NumberBox), count_(new QLabel), removeLast_(new QPushButton(tr("Remove last"))),
+      removeAll_(new QPushButton(tr("Remove all"))) {
     kind_->setObjectName(name);
-    kind_->setAccessibleName(tr("A click on the body"));
+    kind_->setAccessibleName(tr("A click on the part"));
     kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     kind_->setMinimumContentsLength(8);
     kind_->addItem(tr("Marks nothing"), noKind);
@@ -31,7 +31,7 @@ MarkFields::MarkFields(const QString& name, LengthUnit unit, QWidget* parent)
     radius_->setRange(leastRadius * shown, mostRadius * shown);
     radius_->setValue(usualRadius * shown);
     radius_->setSuffix(unitSuffix(Unit::Length, unit));
-    radius_->setToolTip(tr("How far round the click the mark reaches, along the surface."));
+    radius_->setToolTip(tr("Radius of the mark around the click, along the surface."));
     count_->setWordWrap(true);
 
     form_->setContentsMargins(0, 0, 0, 0);
@@ -60,7 +60,7 @@ void MarkFields::setRadiusEnabled(bool enabled) {
 }
 
 void MarkFields::setMarkCount(std::size_t count) {
-    count_->setText(tr("Marks on the body: %1").arg(count));
+    count_->setText(tr("Marks on the part: %1").arg(count));
     removeLast_->setEnabled(count > 0);
     removeAll_->setEnabled(count > 0);
 }

@@ -1,4 +1,5 @@
-// What a click on the body in the view marks, how far round it, and the marks that there are.
+// Chooses what a click on the body in the view marks, and with which radius. Lists and removes the
+// marks.
 #pragma once
 
 #include "workbench/document/MarkEdits.h"
@@ -18,7 +19,7 @@ class MarkFields : public QWidget {
     Q_OBJECT
 
 public:
-    // `name` is the start of the fields' object names.
+    // `name`: prefix of the fields' object names.
     MarkFields(const QString& name, LengthUnit unit, QWidget* parent);
 
     virtual MarkBrush brush() const = 0;
@@ -30,15 +31,15 @@ signals:
     void removeAllAsked();
 
 protected:
-    // What a click marks; its first entry, which is there already, is nothing.
+    // The kinds of marks. The first entry is already there and marks nothing.
     QComboBox& kind() { return *kind_; }
     const QComboBox& kind() const { return *kind_; }
     static constexpr int noKind = -1; // the first entry's data
     Millimetres radius() const;
     void setRadiusEnabled(bool enabled);
-    // Fields between the kind and the radius, or without a name below it.
+    // The layout, for more fields between the kind and the radius, or unlabelled ones below it.
     QFormLayout& form() { return *form_; }
-    static constexpr int radiusRow = 1; // as long as nothing was put in between
+    static constexpr int radiusRow = 1; // unless rows were inserted above it
 
 private:
     LengthUnit unit_;

@@ -1,4 +1,4 @@
-// A line over the view that tells something about the last run until it is read and closed.
+// A line above the view with a notice about the last run. It stays until the user closes it.
 #pragma once
 
 #include <QFrame>
@@ -13,7 +13,7 @@ class NoticeBar : public QFrame {
 public:
     explicit NoticeBar(QWidget* parent = nullptr);
 
-    void say(const QString& text); // empty: nothing
+    void say(const QString& text); // empty: hides the bar
     void dismiss() { hide(); }
     QString text() const;
 

@@ -15,7 +15,7 @@
 
 namespace dipwright {
 
-// A value, or why there is none.
+// A value, or the reason why there is none.
 struct NumberBox::Reading {
     std::optional<double> value;
     QString refusal;
@@ -38,19 +38,22 @@ NumberBox::Reading NumberBox::read(const QString& text) const {
     if (!typed.unknownUnit.isEmpty()) {
         return {{},
                 unit.isEmpty()
-                    ? tr("“%1” has a unit, and this field has none; type the number alone").arg(own)
-                    : tr("“%1” is in no unit of this field; type a number in %2").arg(own, unit)};
+                    ? tr("“%1” has a unit, but this field has none; type only the number").arg(own)
+                    : tr("“%1” has a unit that does not fit this field; type a number in %2")
+                          .arg(own, unit)};
     }
     if (typed.values.empty()) {
-        return {{}, own.isEmpty() ? tr("There is no number") : tr("“%1” is no number").arg(own)};
+        return {{},
+                own.isEmpty() ? tr("The field has no number")
+                              : tr("“%1” is not a number").arg(own)};
     }
     return readingOf(own, typed.values);
 }
 
-// Which of the values, written `own`, the field takes.
+// Chooses the value that the field accepts among `values`, which were typed as `own`.
 NumberBox::Reading NumberBox::readingOf(const QString& own,
                                         const std::vector<double>& values) const {
-    constexpr double rounding = 1e-9; // of a limit that is shown in another unit
+    constexpr double rounding = 1e-9; // for limits converted to the shown unit
     QLocale plain = locale();
     plain.setNumberOptions(QLocale::OmitGroupSeparator);
     const auto shown = [&plain](double value) { return plain.toString(value, 'g', 12); };
@@ -63,7 +66,7 @@ NumberBox::Reading NumberBox::readingOf(const QString& own,
     }
     if (within.empty()) {
         return {{},
-                tr("“%1” is not within %2 to %3%4")
+                tr("“%1” is outside the range %2 to %3%4")
                     .arg(own, shown(minimum()), shown(maximum()), suffix())};
     }
     if (within.size() > 1) {
@@ -72,12 +75,12 @@ NumberBox::Reading NumberBox::readingOf(const QString& own,
                     .arg(own, shown(within[0]), shown(within[1]))};
     }
     if (decimals() == 0 && within[0] != std::round(within[0])) {
-        return {{}, tr("“%1” is no whole number").arg(own)};
+        return {{}, tr("“%1” is not a whole number").arg(own)};
     }
     return {within[0], {}};
 }
 
-// Whatever is typed stays until it is read as a whole.
+// Any text stays until it is read as a whole.
 QValidator::State NumberBox::validate(QString& text, int&) const {
     constexpr int longest = 60;
     if (text.size() > longest + prefix().size() + suffix().size()) {
@@ -90,14 +93,14 @@ double NumberBox::valueFromText(const QString& text) const {
     return read(text).value.value_or(value());
 }
 
-// Called when the field is left with what it does not take; the value then stays.
+// Called when the field loses the focus with invalid text; the value then stays.
 void NumberBox::fixup(QString& text) const {
     const QString refusal = read(text).refusal;
     if (refusal.isEmpty()) {
         return;
     }
     emit refused(refusal);
-    // Tool tips go when the focus does, which is still on its way.
+    // Tooltips close when the focus moves, which has not happened yet.
     QTimer::singleShot(0, this, [this, refusal] {
         if (isVisible()) {
             constexpr int shownFor = 10'000; // ms

@@ -1,4 +1,4 @@
-// A field for a number, as all windows have it.
+// The number field that all windows use.
 #pragma once
 
 #include <QDoubleSpinBox>
@@ -6,12 +6,12 @@
 
 namespace dipwright {
 
-// Reads what is typed when it is left or Enter is pressed, in any unit of what its suffix measures
-// (TypedNumber.h): "2in" in a field in mm is 50.8. A comma and a point are the decimal sign in any
-// language, and may stand between groups of digits. What cannot be read, has two meanings within
-// the limits or lies beyond them is red while it is typed and is refused then, with a sentence; the
-// value stays. No digit is cut off. Shows no more decimals than there are. Takes the wheel only
-// while it has the focus, so that scrolling what it stands in changes no value.
+// Reads the text when the field loses the focus or Enter is pressed. Accepts any unit of the
+// suffix's quantity (TypedNumber.h): "2in" in a field in mm is 50.8. Comma and point are accepted
+// as decimal signs in any language, and as separators between groups of digits. Text that cannot be
+// read, is ambiguous, or lies outside the limits is red while it is typed. It is then refused with
+// a message, and the value stays. Keeps all typed digits; shows no more decimals than needed. The
+// wheel changes the value only while the field has the focus, so scrolling a page changes nothing.
 class NumberBox : public QDoubleSpinBox {
     Q_OBJECT
 
@@ -23,7 +23,8 @@ public:
     void fixup(QString& text) const override;
 
 signals:
-    // What was typed was not accepted: why, and what would be. The field shows it, too.
+    // The typed text was not accepted. The sentence says why and what would be accepted; the field
+    // shows it too.
     void refused(const QString& sentence) const;
 
 protected:

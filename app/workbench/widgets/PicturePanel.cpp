@@ -80,7 +80,7 @@ void PicturePanel::offerTrueSize() {
     bar_->addWidget(zoomLabel_);
 }
 
-// Unlike those of a window's tool bars, its buttons stand in no menu.
+// Its buttons take the focus, because unlike those of the window's tool bars they are in no menu.
 void PicturePanel::takeFocus(QAction* action) {
     bar_->widgetForAction(action)->setFocusPolicy(Qt::TabFocus);
 }

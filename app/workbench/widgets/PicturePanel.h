@@ -1,4 +1,4 @@
-// A picture with its zoom buttons, and the buttons of what can be done with it.
+// A picture with zoom buttons and buttons for its actions.
 #pragma once
 
 #include "workbench/widgets/PictureView.h"
@@ -18,9 +18,9 @@ public:
     PictureView& view() { return *view_; }
     void setPicture(const QImage& picture, QSizeF millimetres);
     void clear();
-    // Under the picture; rich text, empty: none.
+    // Shown under the picture; rich text; empty: none.
     void setLegend(const QString& text);
-    // Placed right of the zoom buttons; enabled while there is a picture.
+    // Adds a button to the right of the zoom buttons. It is enabled while there is a picture.
     void addButton(QAction* action);
     void offerTrueSize();
 

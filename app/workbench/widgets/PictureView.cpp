@@ -12,7 +12,7 @@ namespace dipwright {
 
 namespace {
 
-constexpr double margin = 8; // pixels round a picture that fits
+constexpr double margin = 8; // pixels around a fitted picture
 
 void paintTransparency(QPainter& painter, const QRectF& rect, const QPalette& palette) {
     QPixmap tile(16, 16);
@@ -136,7 +136,7 @@ void PictureView::paintEvent(QPaintEvent*) {
     if (picture_.hasAlphaChannel()) {
         paintTransparency(painter, shown.intersected(QRectF(rect())), palette());
     }
-    // A picture drawn smaller than it is gets averaged, one drawn larger shows its pixels.
+    // A picture drawn smaller than its size is averaged; one drawn larger shows its pixels.
     const double scale = shown.width() * devicePixelRatioF() / picture_.width();
     painter.setRenderHint(QPainter::SmoothPixmapTransform, scale < 3);
     painter.drawImage(shown,

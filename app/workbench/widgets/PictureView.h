@@ -1,4 +1,4 @@
-// A picture of known size in millimetres that can be zoomed, shifted and read under the cursor.
+// Shows a picture of known size in millimetres: zoom, shift and read under the cursor.
 #pragma once
 
 #include <QImage>
@@ -16,9 +16,9 @@ class PictureView : public QWidget {
 public:
     explicit PictureView(QWidget* parent = nullptr);
 
-    // Keeps zoom and place when the size stays the same.
+    // Keeps zoom and place if the size stays the same.
     void setPicture(const QImage& picture, QSizeF millimetres);
-    void clear(const QString& hint); // what to do to get a picture
+    void clear(const QString& hint); // `hint` tells how to get a picture
     bool isEmpty() const { return picture_.isNull(); }
     const QImage& picture() const { return picture_; }
 
@@ -28,7 +28,7 @@ public:
     void setCursorAt(const std::optional<QPointF>& place);
 
     void zoomToFit();
-    void zoomToTrueSize(); // a millimetre on the screen is one of the picture
+    void zoomToTrueSize(); // 1 mm of the picture is 1 mm on the screen
     void zoomBy(double factor, const std::optional<QPointF>& fixed = {});
     double zoom() const { return pixelsPerMillimetre_; }
 
@@ -41,7 +41,7 @@ signals:
     void zoomChanged();
 
 protected:
-    // What lies over the picture, in the widget's coordinates.
+    // Draws over the picture, in the widget's coordinates.
     virtual void paintOver(QPainter&) {}
     QPointF pictureAt(QPointF inWidget) const; // in the picture's millimetres
     QPointF widgetAt(QPointF millimetres) const;
@@ -57,10 +57,10 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    QRectF shownRect() const; // of the whole picture in the widget
+    QRectF shownRect() const; // the whole picture in the widget
     void fitNow();
 
-    // The picture at a size smaller than its own, averaged.
+    // The picture reduced to a smaller size by averaging.
     const QImage& shrunk(QSize pixels);
 
     QImage picture_;
@@ -70,7 +70,7 @@ private:
     QList<QLineF> lines_;
     std::optional<QPointF> cursor_;
     double pixelsPerMillimetre_ = 1;
-    QPointF middle_; // of the view, in millimetres of the picture
+    QPointF middle_; // centre of the view, in millimetres of the picture
     bool fits_ = true;
     QPointF dragged_;
 };

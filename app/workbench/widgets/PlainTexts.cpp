@@ -16,8 +16,8 @@ void makePlain(QObject* object) {
     }
 }
 
-// Asked for every object that a screen reader is to be told of, which can be before it is polished;
-// makes nothing itself, so that Qt goes on and asks its own.
+// Called for every object that a screen reader is told about, perhaps before it is polished.
+// Returns nothing, so that Qt goes on and asks its own factories.
 QAccessibleInterface* makePlainBeforeItIsRead(const QString& /*className*/, QObject* object) {
     makePlain(object);
     return nullptr;

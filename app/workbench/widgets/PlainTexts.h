@@ -1,8 +1,7 @@
-// No text from elsewhere is HTML. Names, paths and sentences that quote them come from files of
-// strangers, and a label that guesses what it was given would take them for rich text: it then
-// reads any picture or style sheet that they name, within our process, and shows links. So labels
-// guess no more. Everything else that the window shows text with is plain by itself, or is told to
-// be rich.
+// Keeps text from other sources from being shown as HTML. Names, paths and sentences that quote
+// them may come from untrusted files. By default a label guesses its text format. Rich text could
+// read pictures and style sheets that it names, within our process, and show links. So labels must
+// not guess. All other widgets with text are plain by default, or are explicitly set to rich text.
 #pragma once
 
 #include <QObject>
@@ -11,13 +10,13 @@ class QApplication;
 
 namespace dipwright {
 
-// While it lives, every label of the application is plain that has not been told its format: those
-// of boxes and dialogs that Qt makes and every tool tip, which is a label too, be it of a widget,
-// of an item or of an action. A label becomes so before it is first laid out or told to a screen
-// reader, which is when Qt reads what rich text names; until then it only keeps the text.
+// While this object exists, labels without an explicit format are plain. This includes labels in
+// Qt's own boxes and dialogs, and tooltips of widgets, items and actions, which are labels too. A
+// label becomes plain before its first layout and before a screen reader sees it. Only then would
+// Qt read what rich text names.
 //
-// What is rich on purpose says so, QLabel::setTextFormat(Qt::RichText), and escapes in it whatever
-// is not its own. Tool tips cannot; their lines are broken where their text is (inLines()).
+// A label with intended rich text sets QLabel::setTextFormat(Qt::RichText) and escapes foreign
+// text. Tooltips cannot do that; inLines() breaks their lines.
 class PlainTexts : public QObject {
 public:
     explicit PlainTexts(QApplication& application);
@@ -27,7 +26,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
-// The words of a long tool tip in lines that are easily read.
+// Breaks the text of a long tooltip into readable lines.
 QString inLines(const QString& text);
 
 } // namespace dipwright

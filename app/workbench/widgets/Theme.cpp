@@ -12,7 +12,7 @@ namespace dipwright {
 
 namespace {
 
-// Fusion with a few habits of the desktop programs of today.
+// Fusion, adapted to habits of current desktop programs.
 class WorkbenchStyle : public QProxyStyle {
 public:
     WorkbenchStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
@@ -25,11 +25,11 @@ public:
     }
     int pixelMetric(PixelMetric metric, const QStyleOption* option,
                     const QWidget* widget) const override {
-        constexpr int roomInTabs = 14; // five tabs side by side in a dock, in any language
+        constexpr int roomInTabs = 14; // fits five tabs side by side in a dock, in any language
         return metric == PM_TabBarTabHSpace ? roomInTabs
                                             : QProxyStyle::pixelMetric(metric, option, widget);
     }
-    // The signs of message boxes, from our own set.
+    // Message boxes use our own icons.
     QIcon standardIcon(StandardPixmap sign, const QStyleOption* option,
                        const QWidget* widget) const override {
         switch (sign) {
@@ -43,7 +43,7 @@ public:
             return QProxyStyle::standardIcon(sign, option, widget);
         }
     }
-    // On a dark window Fusion's own outlines can hardly be seen.
+    // Fusion's own outlines are hardly visible on a dark window.
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override {
         QProxyStyle::drawPrimitive(element, option, painter, widget);
@@ -109,7 +109,7 @@ QPalette themePalette(bool dark) {
 }
 
 void applyTheme(QApplication& application, Theme theme) {
-    static const bool desktopIsDark = isDark(); // before a palette of ours is set
+    static const bool desktopIsDark = isDark(); // read before our palette is set
     application.setStyle(new WorkbenchStyle);   // NOLINT: it is the application's own now
     application.setPalette(
         themePalette(theme == Theme::Dark || (theme == Theme::System && desktopIsDark)));

@@ -1,4 +1,4 @@
-// Light and dark: one palette each, checked for contrast.
+// Light and dark themes, each with one palette that is checked for contrast.
 #pragma once
 
 #include <QPalette>
@@ -12,6 +12,6 @@ enum class Theme { System, Light, Dark };
 
 QPalette themePalette(bool dark);
 void applyTheme(QApplication& application, Theme theme);
-bool isDark(); // of the palette in use
+bool isDark(); // of the current palette
 
 } // namespace dipwright

@@ -10,9 +10,9 @@
 namespace dipwright {
 namespace {
 
-// Of a unit: what it measures, and how many of the quantity's base unit it is.
+// A unit's dimension and its size in the base unit.
 struct Measure {
-    int metres = 0, seconds = 0; // the powers of length and time
+    int metres = 0, seconds = 0; // exponents of length and time
     double size = 1;             // in mm, s or mm/s
 };
 
@@ -64,7 +64,7 @@ std::optional<Measure> measureOf(const QString& unit) {
     return time == times().cend() ? std::nullopt : std::optional(Measure{0, 1, *time});
 }
 
-// From a number in `typed` to one in `own`; none: they measure different things.
+// The factor from a number in `typed` to one in `own`; none if their dimensions differ.
 std::optional<double> factor(const QString& typed, const QString& own) {
     if (typed.isEmpty() || typed == own) {
         return 1;
@@ -77,7 +77,7 @@ std::optional<double> factor(const QString& typed, const QString& own) {
     return from->size / to->size;
 }
 
-// Digits in groups of three, with one sign between them all.
+// Whether the digits are in groups of three, all separated by the same sign.
 bool isGrouped(const QString& whole) {
     static const QRegularExpression groups(
         QStringLiteral("^\\d{1,3}(?<sign>[.,'’ \\x{00a0}\\x{202f}])\\d{3}(?:\\k<sign>\\d{3})*$"));
@@ -89,7 +89,8 @@ QString digitsOf(QString number) {
     return number.remove(others);
 }
 
-// Of digits with signs between them, without a sign in front; none where they make no number.
+// The possible values of digits with separators, without a leading sign. None if they are not a
+// number.
 std::vector<double> readings(const QString& number, const QLocale& locale) {
     static const QRegularExpression whole(QStringLiteral("^\\d+$"));
     const auto sign =

@@ -1,5 +1,5 @@
-// Reads a number as people type it: in any of the units of its field's quantity, with the decimal
-// signs and the groups of digits of the languages of the window.
+// Reads a number as typed by the user: in any unit of the field's quantity, with the decimal signs
+// and digit groups of the window's languages.
 #pragma once
 
 #include <QLocale>
@@ -8,18 +8,18 @@
 
 namespace dipwright {
 
-// What a typed text can mean. `values` are in the field's own unit: usually one; none where the
-// text is no number or its unit none of the quantity's; two where a sign that is not the language's
-// decimal sign may be one or stand between groups of digits, as in the English "1,234": the decimal
-// reading first.
+// The possible meanings of a typed text. `values` are in the field's unit. There is usually one.
+// There is none if the text is not a number or its unit does not fit the quantity. There are two,
+// the decimal reading first, if a sign may be a decimal sign or separate groups of digits, as in
+// the English "1,234".
 struct TypedNumber {
     std::vector<double> values;
-    QString unknownUnit; // as it was typed; empty: none, or one that is known
+    QString unknownUnit; // as typed; empty: no unit, or a known one
 };
 
-// `unit`: of the field, without spaces, such as "mm". Lengths are read in mm, cm, m, µm, in and ft,
-// speeds in these by s or min, times in ms, s, min and h; other quantities in their field's unit
-// alone. A number without a unit is in the field's.
+// `unit`: the field's unit without spaces, such as "mm". Lengths are read in mm, cm, m, µm, in and
+// ft; speeds in these per s or min; times in ms, s, min and h. Other quantities are read only in
+// the field's unit. A number without a unit is in the field's unit.
 TypedNumber typedNumber(const QString& text, const QString& unit, const QLocale& locale);
 
 } // namespace dipwright

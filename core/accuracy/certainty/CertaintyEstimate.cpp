@@ -16,9 +16,9 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Certainty)
 };
 
-constexpr int leastCells = 4; // a side, of a film that still tells something
+constexpr int leastCells = 4; // per side; fewer cells tell nothing
 
-// The production film's steps follow its cells by themselves: they are given in cells.
+// The steps of the production film are given in cells, so they double too.
 FilmSettings withDoubleSpacing(FilmSettings film) {
     film.refinement /= 2;
     return film;
@@ -78,7 +78,7 @@ CoarserFilms coarserFilms(const std::shared_ptr<const PosedBody>& body, const Di
         dipSetup(*body, filled, immersion, withDoubleSpacing(film), withDoubleTimeStep(process));
     if (std::min(dips[0].setup.film.columns, dips[0].setup.film.rows) <= leastCells) {
         coarser.failure =
-            Text::tr("the film has too few points to be compared with one of half as many");
+            Text::tr("the film has too few points to be compared with a film of half as many");
         return coarser;
     }
     dips[1].setup = dipSetup(*body, filled, immersion, film, withDoubleStep(process));
@@ -92,7 +92,7 @@ CoarserFilms coarserFilms(const std::shared_ptr<const PosedBody>& body, const Di
     for (const solver::BatchItem& dip : dips) {
         DippedFilm dipped = dippedFilm(dip, immersion);
         if (!isStable(dipped, dip.setup.motion.travel) || !hasLaidFilm(dipped)) {
-            coarser.failure = Text::tr("a coarser film does not follow the body at all");
+            coarser.failure = Text::tr("the film with coarser cells does not follow the part");
             return coarser;
         }
         laid.push_back(layFilm(body, std::move(dipped), process));
@@ -142,7 +142,7 @@ std::vector<float> offByAt(const CertaintyEstimate& estimate, const LaidFilm& ow
     parallelFor(std::size_t(0), estimate.pointsOffBy.empty() ? 0 : places.size(), [&](auto i) {
         if (const std::optional<FilmPlace> place = own.place(places[i])) {
             for (const std::uint32_t corner : own.triangles()[place->triangle]) {
-                offBy[i] = std::fmax(offBy[i], estimate.pointsOffBy[corner]); // passes NaN over
+                offBy[i] = std::fmax(offBy[i], estimate.pointsOffBy[corner]); // fmax ignores NaN
             }
         }
     });

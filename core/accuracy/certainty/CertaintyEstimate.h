@@ -1,5 +1,5 @@
-// How far a sheet may be off for numerical reasons, estimated from two coarser dips that together
-// take no longer than the dip itself (docs/film-validation.md, "The verdict").
+// Estimates the numerical error of a sheet from two coarser dips. Together they take no longer than
+// the dip itself (docs/film-validation.md, "The verdict").
 #pragma once
 
 #include "accuracy/certainty/SheetChange.h"
@@ -10,48 +10,48 @@
 
 namespace dipwright {
 
-// The same dip with film cells, and steps with them, twice as wide, and with steps twice as long on
-// the same cells; located on the body.
+// The films of two coarser dips, laid on the body. One has cells and steps twice as long, the other
+// has steps twice as long on the same cells.
 struct CoarserFilms {
-    std::shared_ptr<const LaidFilm> doubleSpacing, doubleStep; // null where `failure` says why
-    QString
-        failure; // a sentence for the user: a film too coarse to be halved, a solver that failed
+    std::shared_ptr<const LaidFilm> doubleSpacing, doubleStep; // null if `failure` is set
+    QString failure; // why there are none, for the user: too few cells, or a solver failed
 };
 
-// Simulates both as a batch, with what the film itself is dipped with. A dip that fails is a
-// failure of the comparison and not of the job. Any thread; throws Cancelled soon after
-// `isCancelled`, which is asked from one thread at a time, has said so.
+// Simulates both dips as a batch, with the settings of the dip itself. If one fails, only the
+// comparison fails, not the job. Any thread. `isCancelled` is called from one thread at a time;
+// throws Cancelled soon after it returns true.
 CoarserFilms coarserFilms(const std::shared_ptr<const PosedBody>& body, const DistanceField& field,
                           const Immersion& immersion, const FilmSettings& film,
                           const ProcessSettings& process, const solver::SolverModule& module,
                           const std::function<bool()>& isCancelled);
 
-// What of the change to a coarser dip is to be expected when the same is made finer: half of it for
-// the cells, an error of first order, and all of it for the step, whose error shows no order on
-// bodies with limbs. Ours, measured; docs/film-validation.md, "The verdict".
+// Ratio of the change expected from a finer dip to the change measured with a coarser one. Half for
+// the cells, whose error is of first order. One for the step, whose error shows no order on bodies
+// with limbs. Chosen by measurement; docs/film-validation.md, "The verdict".
 inline constexpr double halfSpacingShare = 0.5;
 inline constexpr double halfStepShare = 1;
 
+// The estimated numerical error of one sheet.
 struct CertaintyEstimate {
     SheetChange doubleSpacing, doubleStep; // as measured
-    // How far the sheet may be off: the larger of both changes, which for an error of first order
-    // is the distance to the sheet of an infinitely fine film. mm, over points spread evenly over
-    // the body, where all three dips paint.
+    // Numerical error in mm: the larger of both changes. For an error of first order it is the
+    // distance to the sheet of an infinitely fine film. Sampled at points spread evenly over the
+    // body, where all three dips paint.
     Distribution offBy;
-    // The same of each film point that lies on the body; NaN where not all dips paint, 0 elsewhere.
+    // Numerical error of each film point on the body; NaN where not all dips paint, 0 off the body.
     std::vector<float> pointsOffBy;
-    QString failure; // where nothing could be compared, and all else is empty
+    QString failure; // why nothing could be compared; all else is then empty
 
-    // What half the cell and half the step are expected to change.
+    // The changes expected from cells and steps half as long.
     SheetChange halfSpacing() const;
     SheetChange halfStep() const;
 };
 
-// Of the film `own`. All cores, deterministic.
+// Estimates the numerical error of the film `own`. All cores, deterministic.
 CertaintyEstimate certaintyEstimate(const LaidFilm& own, const CoarserFilms& coarser);
 
-// How far the sheet may be off at each of `places` of the body, mm; 0 where `own` does not paint or
-// nothing is known. All cores.
+// Returns the numerical error at each of `places` on the body, in mm. 0 where `own` does not paint
+// or nothing is known. All cores.
 std::vector<float> offByAt(const CertaintyEstimate& estimate, const LaidFilm& own,
                            const std::vector<SurfacePoint>& places);
 

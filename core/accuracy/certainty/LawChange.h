@@ -1,4 +1,4 @@
-// How much a sheet depends on one of the laws that no measurement stands behind
+// Tells how much a sheet depends on one film law that was assumed, not measured
 // (docs/film-model.md, "Constants of ours").
 #pragma once
 
@@ -8,23 +8,23 @@
 
 namespace dipwright {
 
-// What a sheet changes when such a law's value is varied to either side.
+// How a sheet changes when the value of a law is decreased and increased.
 struct LawChange {
-    QString setting;                      // its path in the project: "process.overhang_deg"
-    double value = 0, less = 0, more = 0; // as set, and what it was varied to
-    // mm: the larger move of both, over points spread evenly over the body that all three paint.
+    QString setting;                      // path in the project: "process.overhang_deg"
+    double value = 0, less = 0, more = 0; // the value in use, and the two variations
+    // The larger of both moves in mm, over evenly spread points that all three films paint.
     Distribution distance;
-    // Of the painted area, each with one of the variations at least:
-    double moved = 0; // moves by more than a certain sheet does (certainHalfSpacing)
-    double lost = 0;  // is not painted any more
+    // Shares of the painted area for which at least one variation has this effect:
+    double moved = 0; // moves farther than the limit certainHalfSpacing
+    double lost = 0;  // is no longer painted
 
-    double dependent() const { return moved + lost; } // no place is both
+    double dependent() const { return moved + lost; } // no place counts in both
 };
 
-// Fills in what is measured. The films are of one body in one pose. All cores, deterministic.
+// Fills in the measured values. The films are of one body in one pose. All cores, deterministic.
 void measureLaw(LawChange& change, const LaidFilm& own, const LaidFilm& less, const LaidFilm& more);
 
-// For the user: "Overhang, 16 to 24 in place of 20: …". `length` words a length given in mm.
+// A sentence for the user: "Overhang (°) varied from 16 to 24 …". `length` formats mm.
 QString lawText(const LawChange& change, const std::function<QString(double)>& length);
 
 } // namespace dipwright

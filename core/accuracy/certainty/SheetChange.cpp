@@ -8,7 +8,7 @@
 namespace dipwright {
 namespace {
 
-constexpr double wantedSamples = 40'000; // of the body
+constexpr double wantedSamples = 40'000; // over the body
 
 float move(const LaidFilm& own, const LaidFilm& other, const SurfacePoint& place) {
     const auto before = own.place(place);

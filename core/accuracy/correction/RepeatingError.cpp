@@ -14,11 +14,13 @@ namespace dipwright {
 namespace {
 
 constexpr double samePlace = 0.01;     // mm on the model
-constexpr double leastScatter = 0.005; // mm: no photo tells less
-constexpr std::size_t fewPlaces = 150; // are enough to choose reach and sizes by
-constexpr std::array<double, 5> reaches{0.2, 0.33, 0.55, 0.9, 1.5}; // of how far the places reach
-constexpr std::array<double, 6> sizes{0.25, 0.5, 1, 2, 4, 8}; // of what repeats, of what is seen
-// Of one part, whose scatter nobody has seen: shares of what is seen.
+constexpr double leastScatter = 0.005; // mm: photos resolve no less
+constexpr std::size_t fewPlaces = 150; // enough to choose reach and size
+// Candidates for the reach, relative to the extent of the places.
+constexpr std::array<double, 5> reaches{0.2, 0.33, 0.55, 0.9, 1.5};
+// Candidates for the size of the repeating error, relative to the measured errors.
+constexpr std::array<double, 6> sizes{0.25, 0.5, 1, 2, 4, 8};
+// Candidates for the scatter if there is only one part, relative to the measured errors.
 constexpr std::array<double, 5> guessedScatters{0.03, 0.06, 0.12, 0.25, 0.5};
 
 struct PartError {
@@ -30,8 +32,8 @@ Eigen::Vector2d vectorOf(const std::array<Millimetres, 2>& place) {
     return {place[0].value(), place[1].value()};
 }
 
-// What Gaussian processes are made of (C. E. Rasmussen and C. K. I. Williams, "Gaussian Processes
-// for Machine Learning", 2.2): how alike errors at two places are, over their variance.
+// Correlation of the errors at two places: the squared exponential kernel of a Gaussian process
+// (C. E. Rasmussen and C. K. I. Williams, "Gaussian Processes for Machine Learning", 2.2).
 double alike(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double reach) {
     return std::exp(-(a - b).squaredNorm() / (2 * reach * reach));
 }
@@ -41,7 +43,7 @@ struct Chosen {
     double likelihood = -std::numeric_limits<double>::infinity();
 };
 
-// The covariance of the means of places, of a field with such variance.
+// Returns the covariance of the places' mean errors for the chosen parameters.
 Eigen::MatrixXd covarianceOf(const std::vector<RepeatedPlace>& places, const Chosen& chosen) {
     const auto count = Eigen::Index(places.size());
     Eigen::MatrixXd covariance(count, count);
@@ -64,7 +66,7 @@ Eigen::MatrixX2d offsOf(const std::vector<RepeatedPlace>& places, const Eigen::V
     return offs;
 }
 
-// Logarithm of how likely the means are, but for a constant; both axes alike.
+// Returns the log-likelihood of the means, up to a constant; both axes share the parameters.
 double likelihood(const std::vector<RepeatedPlace>& places, const Eigen::MatrixX2d& offs,
                   const Chosen& chosen) {
     const Eigen::LLT<Eigen::MatrixXd> factors(covarianceOf(places, chosen));
@@ -108,7 +110,7 @@ void RepeatingError::gather(const AsBuilt& built, int dip) {
     }
     parts_ = int(parts.size());
     double squares = 0, freedom = 0;
-    std::map<int, std::pair<Eigen::Vector2d, int>> ofParts; // sum of what is off from the means
+    std::map<int, std::pair<Eigen::Vector2d, int>> ofParts; // sum and number of deviations
     for (const auto& [key, errors] : byPlace) {
         RepeatedPlace& place = places_.emplace_back();
         place.parts = int(errors.size());
@@ -134,7 +136,7 @@ void RepeatingError::gather(const AsBuilt& built, int dip) {
     if (freedom == 0) {
         return;
     }
-    // Of all that scatters, what a part is off as a whole is no scatter of its places.
+    // A shift of a whole part is not scatter of its places; it is subtracted.
     double whole = 0, seen = 0;
     for (const auto& [part, off] : ofParts) {
         whole += off.first.squaredNorm() / off.second;
@@ -150,7 +152,7 @@ void RepeatingError::fit() {
     for (const RepeatedPlace& place : places_) {
         mean_ += place.mean / double(places_.size());
     }
-    // A mean no larger than what parts scatter as a whole is none (W. James and C. Stein, 1961).
+    // A mean no larger than the scatter of whole parts counts as 0 (W. James and C. Stein, 1961).
     const double ofMean = partScatter_ * partScatter_ / parts_ +
                           scatter_ * scatter_ / (parts_ * double(places_.size()));
     const double square = mean_.squaredNorm() / 2;
@@ -172,7 +174,7 @@ void RepeatingError::fit() {
     }
     Chosen best;
     for (const double scatter : scatters) {
-        // Nothing but scatter is a choice, too.
+        // Size 0 stands for scatter without a repeating error.
         for (const double size :
              {0.0, sizes[0], sizes[1], sizes[2], sizes[3], sizes[4], sizes[5]}) {
             for (const double reach : reaches) {

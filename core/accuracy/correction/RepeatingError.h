@@ -1,4 +1,4 @@
-// What the parts of a job are off again and again, told from what is off in each of them by chance
+// Separates the error that repeats in all parts of a job from the scatter between parts
 // (docs/inspection.md, "As built").
 #pragma once
 
@@ -10,30 +10,31 @@
 
 namespace dipwright {
 
-// A place that was seen on some of the parts. mm on the sheet.
+// A place that was measured on one or more parts. Lengths are mm on the sheet.
 struct RepeatedPlace {
-    Eigen::Vector2d sheet{0, 0}, mean{0, 0};
-    double scatter = 0; // root mean square, along each axis; 0 of one part
-    int parts = 0;
+    Eigen::Vector2d sheet{0, 0}, mean{0, 0}; // the place, and its mean error over the parts
+    double scatter = 0;                      // root mean square along each axis; 0 for one part
+    int parts = 0;                           // parts that it was measured on
 };
 
-// Of one dip: a smooth displacement of the sheet. Immutable; any thread may read.
+// The repeating error of one dip, as a smooth displacement of the sheet. Immutable; any thread may
+// read it.
 class RepeatingError {
 public:
-    // `dip` from 1. Nothing where no part has a place of that dip.
+    // Fits the error to the places of dip `dip`, counted from 1. Without places it isNothing().
     RepeatingError(const AsBuilt& built, int dip);
 
     bool isNothing() const { return places_.empty(); }
-    // Film that is printed at `sheet` lies where film of at(sheet) farther on is meant to lie; mm.
+    // Returns the error at a place of the sheet, in mm. Film printed at `sheet` lands where film
+    // from sheet + at(sheet) was meant to land.
     Eigen::Vector2d at(const Eigen::Vector2d& sheet) const;
 
     const std::vector<RepeatedPlace>& places() const { return places_; }
-    // Along each axis: of single places from part to part, of parts as a whole, and of what
-    // repeats.
-    double scatter() const { return scatter_; }
-    double partScatter() const { return partScatter_; }
-    double repeating() const { return repeating_; }
-    double reach() const { return reach_; } // mm over which what repeats is alike
+    // Standard deviations along each axis, in mm.
+    double scatter() const { return scatter_; }         // of single places, between parts
+    double partScatter() const { return partScatter_; } // of whole parts
+    double repeating() const { return repeating_; }     // of the repeating error
+    double reach() const { return reach_; }             // its correlation length, mm
     int parts() const { return parts_; }
 
 private:
@@ -44,7 +45,7 @@ private:
     int parts_ = 0;
     double scatter_ = 0, partScatter_ = 0, repeating_ = 0, reach_ = 1;
     Eigen::Vector2d mean_{0, 0};
-    Eigen::MatrixX2d weights_; // a place each
+    Eigen::MatrixX2d weights_; // one row for each place
 };
 
 } // namespace dipwright

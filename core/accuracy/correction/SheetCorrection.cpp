@@ -19,9 +19,9 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::SheetCorrection)
 };
 
-constexpr double stepsInReach = 8; // so that what lies between them is off by a five hundredth
+constexpr double stepsInReach = 8; // interpolation is then accurate to 1/500
 
-// The error on a grid over the sheet, bilinear between.
+// The error on a grid over the sheet, interpolated bilinearly.
 class DenseError {
 public:
     DenseError(const RepeatingError& error, double width, double height)
@@ -34,7 +34,7 @@ public:
         });
     }
 
-    // Shares of the width and height, 0 … 1.
+    // `right` and `down` are fractions of the width and height, 0 … 1.
     Eigen::Vector2d at(double right, double down) const {
         const double x = std::clamp(right, 0.0, 1.0) * columns_;
         const double y = std::clamp(down, 0.0, 1.0) * rows_;
@@ -56,12 +56,12 @@ private:
     std::vector<Eigen::Vector2d> values_;
 };
 
-// Colours of an image between its pixels, where there is nothing past its edges.
+// Interpolates the colours of an image; it is transparent beyond its edges.
 class Between {
 public:
     explicit Between(const QImage& image) : image_(image), code_(image) {}
 
-    // Writes the pixel for a place, in pixels from the corner.
+    // Writes the pixel for a place given in pixels from the top left corner.
     void write(uchar* pixel, double x, double y) const {
         const int column = int(std::floor(x - 0.5)), row = int(std::floor(y - 0.5));
         const double u = x - 0.5 - column, v = y - 0.5 - row;
@@ -96,7 +96,7 @@ private:
     PixelCode code_;
 };
 
-// On a picture of the sheet.
+// Draws an arrow on the picture of the sheet, in pixels.
 void arrow(QPainter& painter, const QPointF& from, const QPointF& by, const QColor& colour,
            double thickness) {
     painter.setPen(QPen(colour, thickness, Qt::SolidLine, Qt::RoundCap));
@@ -147,7 +147,7 @@ QImage correctedImage(const QImage& filmImage, Millimetres width, Millimetres he
 
 Eigen::Vector2d printedAt(const Eigen::Vector2d& place, const RepeatingError& error,
                           double strength) {
-    constexpr int rounds = 20; // each a tenth of the one before, of an error as smooth as it is
+    constexpr int rounds = 20; // the error is smooth: each round changes a tenth of the last
     Eigen::Vector2d at = place;
     for (int round = 0; round < rounds; ++round) {
         at = place - strength * error.at(at);
@@ -164,16 +164,15 @@ QString repeatingSentence(const RepeatingError& error, int dip) {
         most = std::max(most, error.at(place.sheet).norm());
     }
     if (error.parts() < 2) {
-        return Text::tr(
-                   "Dip %1: %2 places on one part, off by up to %3 mm. What of this repeats is "
-                   "told by three parts or more.")
+        return Text::tr("Dip %1: %2 places measured on one part, errors up to %3 mm. Measure three "
+                        "parts or more to see which errors repeat.")
             .arg(dip)
             .arg(error.places().size())
             .arg(number(most, 2));
     }
     return Text::tr(
-               "Dip %1: %2 places on %3 parts. Up to %4 mm repeat, much the same within %5 mm; "
-               "a place scatters by %6 mm, a whole part by %7 mm.")
+               "Dip %1: %2 places measured on %3 parts. The repeating error is up to %4 mm; it is "
+               "similar within %5 mm. Scatter: %6 mm for single places, %7 mm for whole parts.")
         .arg(dip)
         .arg(error.places().size())
         .arg(error.parts())
@@ -183,7 +182,7 @@ QString repeatingSentence(const RepeatingError& error, int dip) {
 
 QImage correctionPicture(const RepeatingError& error, Millimetres width, Millimetres height,
                          double strength, int pixels) {
-    const double scale = 0.88 * pixels / height.value(); // pixels a millimetre of the sheet
+    const double scale = 0.88 * pixels / height.value(); // pixels per mm of the sheet
     const double unit = pixels / 100.0;
     QImage picture(int(width.value() * scale + 8 * unit), pixels, QImage::Format_RGB32);
     picture.fill(Qt::white);
@@ -219,11 +218,11 @@ QImage correctionPicture(const RepeatingError& error, Millimetres width, Millime
     painter.setFont(font);
     painter.setPen(QColor(40, 44, 50));
     painter.drawText(QPointF(4 * unit, 4 * unit),
-                     Text::tr("Red: how far off, the mean of parts measured (%1), %2 times as long")
+                     Text::tr("Red: mean measured error (parts: %1), enlarged %2 times")
                          .arg(error.parts())
                          .arg(QLocale().toString(times, 'f', 0)));
     painter.drawText(QPointF(4 * unit, 6.8 * unit),
-                     Text::tr("Blue: what the next sheet is corrected by"));
+                     Text::tr("Blue: correction of the next sheet, to the same scale"));
     return picture;
 }
 

@@ -1,4 +1,4 @@
-// The next sheet, printed so that what the parts before it were off does not come again
+// Corrects the next sheet for the error that repeats in the parts made so far
 // (docs/inspection.md, "As built").
 #pragma once
 
@@ -10,24 +10,24 @@
 
 namespace dipwright {
 
-// Whether the sheet of a dip, from 1, is another one for it.
+// Whether the sheet of a dip, counted from 1, is corrected.
 bool isCorrected(const AsBuilt& built, int dip);
 
-// The film image of a sheet of `width` × `height`, each pixel in the colour that the film as it was
-// made has `strength` times the error farther on; between pixels in linear light. RGBA8888, or wide
-// as it is. All cores, deterministic.
+// Returns the corrected film image of a sheet of `width` × `height`. Each pixel takes its colour
+// from `strength` times the error away, interpolated in linear light. RGBA8888; a wide image keeps
+// its format. All cores, deterministic.
 QImage correctedImage(const QImage& filmImage, Millimetres width, Millimetres height,
                       const RepeatingError& error, double strength);
 
-// Where the film of `place` is printed on a corrected sheet, mm.
+// Returns where the film of `place` is printed on a corrected sheet, in mm.
 Eigen::Vector2d printedAt(const Eigen::Vector2d& place, const RepeatingError& error,
                           double strength);
 
-// What repeats in the parts, a sentence for the user. Of something.
+// Describes the repeating error to the user. `error` must not be isNothing().
 QString repeatingSentence(const RepeatingError& error, int dip);
 
-// Arrows on the sheet from each place to where its film is meant to lie, enlarged, over the smooth
-// error that the correction takes; `height` pixels. Needs a QGuiApplication.
+// Draws the measured errors on the sheet as enlarged arrows, over the smooth error that the
+// correction uses. The picture is `pixels` high. Needs a QGuiApplication.
 QImage correctionPicture(const RepeatingError& error, Millimetres width, Millimetres height,
                          double strength, int pixels);
 

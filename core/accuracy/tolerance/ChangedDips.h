@@ -1,4 +1,4 @@
-// Dips that are off, done many at once.
+// Simulates many dips that deviate from the nominal one.
 #pragma once
 
 #include "accuracy/tolerance/Contributors.h"
@@ -10,19 +10,19 @@
 
 namespace dipwright {
 
-// What is dipped, and as it is meant to be.
+// The body and its nominal dip.
 struct DippedBody {
     const TexturedMesh& model; // as imported, mm
     const Immersion& immersion;
     const ProcessSettings& process;
-    std::shared_ptr<const PosedBody> body; // of the model in that immersion
+    std::shared_ptr<const PosedBody> body; // the model in the pose of `immersion`
 };
 
-// Each in its turn, as soon as it is there.
+// Receives each film in order, as soon as it is laid.
 using DipLaid = std::function<void(std::size_t number, std::shared_ptr<const LaidFilm> laid)>;
 
 // Simulates the dips in batches and lays their films. All cores; deterministic; `done` is called
-// from the calling thread. Throws Error when the solver fails or a film does not follow the body,
+// from the calling thread. Throws Error if the solver fails or a film does not follow the body, or
 // Cancelled.
 void layDips(const DippedBody& body, const std::vector<ChangedDip>& dips,
              const solver::SolverModule& module, const Progress& progress, const DipLaid& done);

@@ -16,9 +16,9 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Tolerance)
 };
 
-constexpr double percent = 0.01; // of what is told in per cent
+constexpr double percent = 0.01;
 
-// Turned further by a rotation about fixed axes, to the last digit.
+// Returns `angles` followed by the rotation `by` about fixed axes, exactly.
 std::array<Degrees, 3> turned(const std::array<Degrees, 3>& angles, const Eigen::Matrix3d& by) {
     const Eigen::Vector3d zyx = (by * rotationMatrix(angles)).eulerAngles(2, 1, 0);
     const auto degrees = [](double angle) { return Degrees(angle * 180 / pi); };
@@ -35,8 +35,8 @@ void scale(solver::FilmGrid& grid, double factor) {
     }
 }
 
-// Turns the body about the centre of its bounding box, which goes the same way as ever. So the dip
-// begins earlier or later where the body's lowest point is lower or higher.
+// Turns the body about the centre of its bounding box. The centre keeps its path, so the dip begins
+// earlier or later if the body's lowest point is lower or higher.
 void turn(ChangedDip& dip, const TriangleMesh& body, const Eigen::Vector3d& degrees) {
     const double angle = degrees.norm() * pi / 180;
     if (angle == 0) {
@@ -90,15 +90,15 @@ double toleranceOf(const ToleranceSettings& settings, Contributor contributor) {
 QString contributorText(Contributor contributor) {
     switch (contributor) {
     case Contributor::PositionX:
-        return Text::tr("Body along X");
+        return Text::tr("Part along X");
     case Contributor::PositionZ:
-        return Text::tr("Body along Z");
+        return Text::tr("Part along Z");
     case Contributor::TurnX:
-        return Text::tr("Body about X");
+        return Text::tr("Part about X");
     case Contributor::TurnY:
-        return Text::tr("Body about Y");
+        return Text::tr("Part about Y");
     case Contributor::TurnZ:
-        return Text::tr("Body about Z");
+        return Text::tr("Part about Z");
     case Contributor::FilmPositionX:
         return Text::tr("Film along X");
     case Contributor::FilmPositionZ:
@@ -195,7 +195,7 @@ ChangedDip changed(const NominalDip& dip, const DipChange& change) {
     setup.motion.start[2] += z;
     turn(result, dip.model.mesh,
          {of(change, Freedom::TurnX), of(change, Freedom::TurnY), of(change, Freedom::TurnZ)});
-    // As long as the body comes down at all.
+    // The body must come down to the water at least.
     setup.motion.travel =
         std::max(setup.motion.travel + of(change, Freedom::WaterLevel), startHeight);
     scale(setup.film, 1 + of(change, Freedom::Swell));

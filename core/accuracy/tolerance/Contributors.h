@@ -1,4 +1,4 @@
-// What may be off in a dip, each by its own tolerance, and what that does to it.
+// Names the quantities that may deviate in a dip, their tolerances, and what each does to the dip.
 #pragma once
 
 #include "model/TexturedMesh.h"
@@ -33,29 +33,29 @@ inline constexpr Contributor contributorAt(std::size_t number) {
     return Contributor(number);
 }
 
-// In its own unit: mm, degrees or per cent.
+// Returns the tolerance in the contributor's unit: mm, degrees or per cent.
 double toleranceOf(const ToleranceSettings& settings, Contributor contributor);
-// For the user: "Body along X", "mm".
+// The name and the unit for the user: "Part along X", "mm".
 QString contributorText(Contributor contributor);
 QString contributorUnit(Contributor contributor);
-// For files: "position_x".
+// The key for files: "position_x".
 QString contributorKey(Contributor contributor);
 
-// The ways in which a dip can be another one. Film that lies off its place is no way of its own:
-// nothing holds it but itself, so it is the body that lies off it the other way round.
+// The independent ways in which a dip can deviate. A displaced film is not a separate way: nothing
+// else holds the film, so the body is displaced the opposite way instead.
 enum class Freedom : std::uint8_t {
-    X, // of the body against the film, mm
+    X, // body relative to the film, mm
     Z,
-    TurnX, // of the body about the centre of its bounding box, about fixed axes; degrees
+    TurnX, // body about the centre of its bounding box, fixed axes; degrees
     TurnY,
     TurnZ,
-    Swell,      // share of the film's length
+    Swell,      // fraction of the film's length
     WaterLevel, // mm that the body goes deeper
-    Speed,      // share
-    Relaxation, // share
+    Speed,      // fraction
+    Relaxation, // fraction
 };
 inline constexpr std::size_t freedomCount = 9;
-// How far a dip is off, a Freedom each.
+// The deviation of a dip, one value for each Freedom.
 using DipChange = Eigen::Matrix<double, int(freedomCount), 1>;
 inline double& of(DipChange& change, Freedom freedom) {
     return change[int(freedom)];
@@ -64,25 +64,26 @@ inline double of(const DipChange& change, Freedom freedom) {
     return change[int(freedom)];
 }
 
-// What being off by one of its unit makes of a dip. Linear: turns are small. The film turns about
-// its own middle, and so the body, which may stand beside that, moves as well.
+// Returns the deviation caused by one unit of a contributor. Linear, as turns are small. The film
+// turns about its own centre; a body away from that centre therefore moves as well.
 DipChange changeBy(Contributor contributor, const Immersion& immersion);
 
-// What a dip is, and on which film.
+// A dip as planned, and its film.
 struct NominalDip {
     const TexturedMesh& model; // as imported, mm
     const Immersion& immersion;
-    const solver::DipSetup& setup; // that it was done with
+    const solver::DipSetup& setup; // of its simulation
 };
 
-// A dip that is off.
+// A dip that deviates from the nominal one.
 struct ChangedDip {
-    Immersion immersion;    // in which the film is on the body
-    solver::DipSetup setup; // on the same film points
+    Immersion immersion;    // the pose in which its film lies on the body
+    solver::DipSetup setup; // with the same film points
 };
+// Applies a deviation to a dip.
 ChangedDip changed(const NominalDip& dip, const DipChange& change);
 
-// Whether it changes a dip at all if this is off.
+// Whether a deviation of this kind changes the dip at all.
 bool matters(Freedom freedom, const solver::Settings& settings);
 
 } // namespace dipwright

@@ -1,16 +1,16 @@
-// How far everything is off at once, at random, for a few dips that stand for all.
+// Draws random deviations of all quantities at once, for a few dips that represent all dips.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace dipwright {
 
-// A row a dip, a column a quantity: normally distributed with mean 0 and variance 1, drawn from
-// `seed`. Dips come in pairs that are off by as much to either side, and the rows are turned and
-// stretched until all means are 0 and all variances 1 with no correlation, exactly: what is linear
-// in the quantities comes out as if all dips that there are had been done. That takes at least two
-// dips a quantity; `dips` is raised to that, and to an even number. The same on every machine but
-// for rounding.
+// Returns one row for each dip and one column for each quantity: normally distributed values with
+// mean 0 and variance 1, drawn from `seed`. Dips come in pairs with opposite deviations. The values
+// are transformed so that means, variances and correlations are exactly 0, 1 and 0. The result of
+// anything linear in the quantities is therefore exact. That needs at least two dips for each
+// quantity; `dips` is raised to that, and to an even number. Equal on all machines except for
+// rounding.
 Eigen::MatrixXd evenDraws(int dips, int quantities, int seed);
 
 } // namespace dipwright

@@ -21,9 +21,9 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Tolerance)
 };
 
-constexpr double wantedPlaces = 40'000; // of the body, and pieces that it is cut into
-constexpr double deviations = 2;        // that a tolerance stands for
-constexpr double leastEffect = 1e-12;   // mm, degrees or shares: less is exact, and has no square
+constexpr double wantedPlaces = 40'000; // on the body, and pieces of its mesh
+constexpr double deviations = 2;        // standard deviations in a tolerance
+constexpr double leastEffect = 1e-12;   // mm, degrees or fractions: smaller effects count as 0
 constexpr std::size_t mostWorst = 5;
 constexpr float worstApart = 10; // mm
 
@@ -31,8 +31,8 @@ bool isFinite(const Eigen::Vector2f& film) {
     return std::isfinite(film.x());
 }
 
-// What each contributor's tolerance is to each way in which a dip can be off: a column a
-// contributor, a row a Freedom; all 0 where that changes nothing.
+// The deviation by each contributor's tolerance: one column per contributor, one row per Freedom.
+// Rows that do not change the dip are 0.
 using Effects = Eigen::Matrix<double, int(freedomCount), Eigen::Dynamic>;
 
 // The film that the places touch in other dips.
@@ -44,7 +44,7 @@ public:
 
     const solver::Settings& settings() const { return setup_.settings; }
 
-    // Of each of the changes, in their order, as soon as it is there: done(number, touched film).
+    // Simulates the changes and calls done(number, touched film) for each, in their order.
     template <typename Done>
     void run(const std::vector<DipChange>& changes, const Progress& progress,
              const Done& done) const {
@@ -68,10 +68,10 @@ private:
     solver::DipSetup setup_;
 };
 
-// What happens to the colours when a dip is off in one way.
+// How the colours react to one kind of deviation.
 struct Sensitivity {
-    std::vector<Eigen::Vector3f> shifts; // a place each, mm, for as much as was tried
-    std::size_t lost = 0, gained = 0;    // places, the larger of both ways
+    std::vector<Eigen::Vector3f> shifts; // of each place, mm, for the deviation tried
+    std::size_t lost = 0, gained = 0;    // number of places, the larger of both ways
 };
 
 Sensitivity sensitivity(const ColourPlaces& places, std::size_t compared,
@@ -134,8 +134,8 @@ Effects effectsOf(const std::vector<Contribution>& contributions, const Immersio
     return (effects.array().abs() < leastEffect).select(0, effects);
 }
 
-// Off by as much as all contributors together make it, each way; one that makes nothing of it is
-// left alone.
+// Tries each Freedom in both ways, by the deviation `steps` of all contributors together. A step of
+// 0 is skipped.
 std::vector<Sensitivity> sensitivities(const OtherDips& dips, const ColourPlaces& places,
                                        std::size_t compared, const DipChange& steps,
                                        const Progress& progress) {
@@ -163,7 +163,7 @@ std::vector<Sensitivity> sensitivities(const OtherDips& dips, const ColourPlaces
     return found;
 }
 
-// What each of the contributors does, each off by its tolerance.
+// The linear effect of each contributor, deviating by its tolerance.
 class Linear {
 public:
     Linear(const std::vector<Sensitivity>& sensitivities, const Effects& effects,
@@ -184,7 +184,7 @@ public:
         }
         return sum;
     }
-    // Numbers of places.
+    // Adds the numbers of places lost and gained at the border.
     void border(std::size_t contribution, double& lost, double& gained) const {
         each(contribution, [&](const Sensitivity& sensitivity, double part) {
             lost += std::abs(part) * double(sensitivity.lost);
@@ -208,7 +208,7 @@ private:
     const DipChange& steps_;
 };
 
-// Fills in all but the worst places and the samples. `area`: mm² that a place stands for.
+// Fills in everything except the worst places and the samples. `area`: mm² for each place.
 DipTolerances combined(const ColourPlaces& places, std::size_t compared, std::size_t filmPoints,
                        const Linear& linear, std::vector<Contribution> contributions, double area) {
     DipTolerances result;
@@ -290,7 +290,7 @@ SampledSpread sampled(const OtherDips& dips, const ColourPlaces& places,
     for (Eigen::Index row = 0; row < draws.rows(); ++row) {
         changes.emplace_back(effects * draws.row(row).transpose());
     }
-    std::vector<float> sums(linear.size(), 0.0f); // below 0: not painted in one of them
+    std::vector<float> sums(linear.size(), 0.0f); // below 0: some dip does not paint the place
     dips.run(changes, progress, [&](std::size_t, const std::vector<Eigen::Vector2f>& touched) {
         parallelFor(std::size_t(0), sums.size(), [&](std::size_t place) {
             if (linear[place] < 0 || sums[place] < 0) {
@@ -386,9 +386,11 @@ DipTolerances dipTolerances(const TolerancedDip& dip, const ToleranceSettings& s
 QString sampledText(const SampledSpread& sampled, const std::function<QString(double)>& length) {
     const QString text =
         sampled.agrees()
-            ? Text::tr("%1 dips with everything off at once come to ±%2 in place of ±%3.")
-            : Text::tr("%1 dips with everything off at once come to ±%2 in place of ±%3: what the "
-                       "contributors do cannot simply be added here.");
+            ? Text::tr("Check: %1 dips with all deviations at once give ±%2; the sum of the "
+                       "contributors gives ±%3. Both agree.")
+            : Text::tr("Check: %1 dips with all deviations at once give ±%2; the sum of the "
+                       "contributors gives ±%3. They differ: the contributors do not simply add "
+                       "up here.");
     return text.arg(sampled.dips).arg(length(sampled.percentile95), length(sampled.linear));
 }
 

@@ -1,5 +1,5 @@
-// How far the colours of one dip may be off for what is off in it: contributions, worst places and
-// a check with dips in which all is off at once (docs/film-model.md, "Tolerances").
+// Computes how far colours of one dip may land from their places within the handling tolerances:
+// contributions, worst places, and a check by sampled dips (docs/film-model.md, "Tolerances").
 #pragma once
 
 #include "accuracy/tolerance/Contributors.h"
@@ -21,73 +21,72 @@ struct Spread {
 };
 Spread spreadOf(std::vector<float> values);
 
-// What one contributor does by itself, off by its tolerance.
+// The effect of one contributor alone, deviating by its tolerance.
 struct Contribution {
     Contributor contributor = Contributor::PositionX;
     double tolerance = 0; // in its unit
-    double share = 0;     // of the mean square of all; these add up to 1
+    double share = 0;     // of the total mean square; all shares add up to 1
     Spread spread;
-    double lost = 0;   // mm² at the border that are not painted any more, the larger of both ways
-    double gained = 0; // and that are painted besides
+    double lost = 0;   // mm² at the border that are no longer painted, the larger of both ways
+    double gained = 0; // mm² at the border that are painted additionally, likewise
 };
 
 struct WorstPlace {
     Eigen::Vector3f place = Eigen::Vector3f::Zero();  // model coordinates, mm
     double spread = 0;                                // mm
-    Contributor contributor = Contributor::PositionX; // that has the largest part in it
+    Contributor contributor = Contributor::PositionX; // the largest contributor
 };
 
-// The same by dips in which everything is off at once.
+// The spread from sampled dips, in which everything deviates at once.
 struct SampledSpread {
     int dips = 0;
-    double percentile95 = 0; // mm …
-    double linear = 0;       // … and what the contributions come to at the same places
-    bool agrees() const;     // to a tenth
+    double percentile95 = 0; // mm
+    double linear = 0;       // mm: the spread by contributions, at the same places
+    bool agrees() const;     // whether both agree within sampledTolerance
 };
 
-// Two standard deviations of where each colour comes to lie: of 100 dips it lies no farther off in
-// 95 (all is off along one line) to 98 (alike in all directions).
+// The spread of each place: two standard deviations of where its colour lands. Of 100 dips, 95
+// (deviation along one line) to 98 (equal in all directions) land within it.
 struct DipTolerances {
     std::vector<Contribution> contributions; // those with a tolerance, in the enumeration's order
-    std::vector<float> places;               // a compared place each, mm; unpaintedPlace
-    // A compared place each: squares of what each contributor does there, mm²; in the order of the
-    // contributions.
+    std::vector<float> places;               // spread of each compared place, mm, or unpaintedPlace
+    // For each contribution, in order: its squared effect at each compared place, mm².
     std::vector<std::vector<float>> squares;
-    std::vector<float> pieces;     // a triangle of toleranceMesh() each, mm; unpaintedPlace
-    std::vector<float> filmPoints; // a film point each, mm; 0 where it does not paint
+    std::vector<float> pieces; // spread of each triangle of toleranceMesh(), mm, or unpaintedPlace
+    std::vector<float> filmPoints; // spread of each film point, mm; 0 where it does not paint
     Spread spread;
     std::vector<WorstPlace> worst;        // apart from each other, the worst first
-    std::optional<SampledSpread> sampled; // none where no dips are to be done for it
+    std::optional<SampledSpread> sampled; // none if no samples were asked for
 };
 inline constexpr float unpaintedPlace = -1;
-// One of the compared places, which lies at `position`.
+// Describes the compared place `place`, which lies at `position`.
 WorstPlace worstAt(const DipTolerances& tolerances, std::size_t place,
                    const Eigen::Vector3f& position);
-inline constexpr double sampledTolerance = 0.1; // by which the dips with all off may differ
+inline constexpr double sampledTolerance = 0.1; // greatest relative difference of sampled dips
 
-// For the user, whether that is what the contributions come to. `length` words a length given in
-// mm.
+// Tells the user whether the sampled dips agree with the contributions. `length` formats mm.
 QString sampledText(const SampledSpread& sampled, const std::function<QString(double)>& length);
 
+// The input of dipTolerances().
 struct TolerancedDip {
     const TexturedMesh& model; // as imported, mm
     const Immersion& immersion;
     const FilmSettings& film;
     const ProcessSettings& process;
     const DistanceField& field;
-    std::shared_ptr<const LaidFilm> own; // as it is to be
-    // The places that are this dip's to paint; empty: all that it reaches.
+    std::shared_ptr<const LaidFilm> own; // the film of the nominal dip
+    // Whether this dip should paint a place; empty: it paints all that it reaches.
     std::function<bool(const SurfacePoint&)> isPainted;
     const solver::SolverModule& module;
 };
 
-// The places of the body that tolerances are told of: spread evenly, each standing for as much.
+// Returns the compared places: spread evenly, each stands for the same area.
 std::vector<SurfacePoint> tolerancePlaces(const TexturedMesh& model);
-// The body cut finely, to mark zones on and to show tolerances by.
+// Returns a finely divided mesh of the body, for marking zones and showing tolerances.
 RefinedMesh toleranceMesh(const TexturedMesh& model);
 
-// Dips twice for each way in which a dip can be off, and settings.samples times more. All cores;
-// deterministic. Throws Error when the solver fails, Cancelled.
+// Computes the tolerances of a dip. Simulates two dips for each Freedom and settings.samples more.
+// All cores; deterministic. Throws Error if the solver fails, or Cancelled.
 DipTolerances dipTolerances(const TolerancedDip& dip, const ToleranceSettings& settings,
                             const Progress& progress);
 

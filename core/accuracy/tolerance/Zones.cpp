@@ -18,7 +18,7 @@ QString percent(double share) {
     return QLocale().toString(100 * share, 'f', 1);
 }
 
-// The dip in which a place is off the most; none where no dip paints it.
+// Returns the dip with the largest spread at a place; none where no dip paints it.
 std::optional<std::size_t> worstDip(const std::vector<const DipTolerances*>& dips,
                                     std::size_t place) {
     std::optional<std::size_t> worst;
@@ -32,7 +32,7 @@ std::optional<std::size_t> worstDip(const std::vector<const DipTolerances*>& dip
     return worst;
 }
 
-// What is told of a zone, place by place.
+// Collects the places of a zone.
 struct ZoneSum {
     std::vector<float> spread, together;
     std::size_t unpainted = 0, within = 0;
@@ -164,10 +164,10 @@ QString zoneText(const ZoneVerdict& verdict, const std::function<QString(double)
     }
     const QString text =
         verdict.holds()
-            ? Text::tr("Zone %1 keeps its limit: %2 % of what is painted is within ±%3, 95 % "
-                       "within ±%4. Most of it comes from: %5.")
-            : Text::tr("Zone %1 does not keep its limit: %2 % of what is painted is within ±%3, "
-                       "95 % only within ±%4. Most of it comes from: %5.");
+            ? Text::tr("Zone %1 keeps its limit of ±%3: %2 % of the painted area is within it, "
+                       "95 % is within ±%4. Largest contributor: %5.")
+            : Text::tr("Zone %1 exceeds its limit of ±%3: only %2 % of the painted area is within "
+                       "it, 95 % is within ±%4. Largest contributor: %5.");
     return text.arg(zoneName(verdict.zone), percent(verdict.within), length(verdict.limit),
                     length(verdict.together), contributorText(verdict.contributor));
 }

@@ -1,4 +1,4 @@
-// Which part of the body is in which zone, and whether it keeps its limit.
+// Assigns the body's surface to zones A, B and C and tells whether each zone keeps its limit.
 #pragma once
 
 #include "accuracy/tolerance/Tolerances.h"
@@ -13,12 +13,12 @@ class ZonedBody {
 public:
     explicit ZonedBody(std::shared_ptr<const TexturedMesh> model);
 
-    // Only what is new is computed where the marks begin as those before do.
+    // Replaces the marks. Only the new ones are computed if the list begins with the old ones.
     void setMarks(const std::vector<ZoneMark>& marks);
 
     const RefinedMesh& mesh() const { return fine_; }         // toleranceMesh()
-    const std::vector<Zone>& zones() const { return zones_; } // a triangle of it each
-    Zone at(const SurfacePoint& place) const;                 // of the model
+    const std::vector<Zone>& zones() const { return zones_; } // of each triangle of mesh()
+    Zone at(const SurfacePoint& place) const;                 // at a place of the model
 
 private:
     void obey(const ZoneMark& mark);
@@ -31,25 +31,26 @@ private:
     std::vector<Zone> zones_;
 };
 
-// A zone keeps its limit where this share of its painted area does.
+// A zone keeps its limit if at least this share of its painted area does.
 inline constexpr double zoneShareWithin = 0.95;
 
+// How well a zone keeps its limit.
 struct ZoneVerdict {
     Zone zone = Zone::C;
     double limit = 0;     // mm
-    double area = 0;      // mm² that are painted …
-    double unpainted = 0; // … and that are not
-    double within = 0;    // share of what is painted that keeps the limit, both together
-    Spread spread;
-    double together = 0; // mm that 95 % keep to of the spread and the numerical error, added up
+    double area = 0;      // painted area, mm²
+    double unpainted = 0; // unpainted area, mm²
+    double within = 0;    // share of the painted area where spread + numerical error keep the limit
+    Spread spread;        // without the numerical error
+    double together = 0;  // mm: 95 % of the painted area has no larger spread + numerical error
     WorstPlace worst;
-    Contributor contributor = Contributor::PositionX; // with the largest part in the zone
+    Contributor contributor = Contributor::PositionX; // the largest contributor in the zone
     bool holds() const { return within >= zoneShareWithin; }
 };
 
-// Of the zones that there are, A first. `dips`: of one body, each told at tolerancePlaces(); where
-// several paint one, the worst counts. `numericalErrors`: of each dip at the same places, mm; empty
-// where a dip's is not known.
+// Returns the verdict on each existing zone, A first. `dips` are the tolerances of one body's dips;
+// where several dips paint a place, the worst counts. `numericalErrors`: of each dip at
+// tolerancePlaces(), mm; empty for a dip whose error is not known.
 std::vector<ZoneVerdict> zoneVerdicts(std::shared_ptr<const TexturedMesh> model,
                                       const std::vector<const DipTolerances*>& dips,
                                       const std::vector<std::vector<float>>& numericalErrors,
@@ -57,7 +58,7 @@ std::vector<ZoneVerdict> zoneVerdicts(std::shared_ptr<const TexturedMesh> model,
 
 // "A"
 QString zoneName(Zone zone);
-// For the user: "Zone A keeps its limit: …". `length` words a length given in mm.
+// A sentence for the user: "Zone A keeps its limit: …". `length` formats mm.
 QString zoneText(const ZoneVerdict& verdict, const std::function<QString(double)>& length);
 
 } // namespace dipwright

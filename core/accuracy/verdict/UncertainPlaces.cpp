@@ -15,7 +15,7 @@ double area(const FilmContact& contact, const FilmTriangle& corners) {
     return double((b - a).cross(c - a).norm()) / 2;
 }
 
-// Which film points hang together, joined two at a time.
+// Connected sets of film points (union–find).
 class Parts {
 public:
     explicit Parts(std::size_t points) : parent_(points) {
@@ -30,7 +30,7 @@ public:
     void join(std::uint32_t a, std::uint32_t b) {
         const std::uint32_t one = of(a), other = of(b);
         parent_[std::max(one, other)] = std::min(one, other);
-        parent_[a] = parent_[b] = std::min(one, other); // short ways from here on
+        parent_[a] = parent_[b] = std::min(one, other); // shortens later searches
     }
 
 private:
@@ -41,7 +41,7 @@ struct Piece {
     double offBy = 0, area = 0;
 };
 
-// A piece of painted film that is to be looked at.
+// A triangle of painted film that needs a check.
 struct UncertainPiece {
     FilmTriangle corners;
     double area = 0, limit = 0;
@@ -155,7 +155,7 @@ private:
         return Zone::C;
     }
 
-    // What is not known counts for nothing: the border is told of by itself.
+    // An unknown error counts as 0: Kind::Border covers the border of the paint.
     double offBy(std::uint32_t point) const {
         return offBy_.empty() || std::isnan(offBy_[point]) ? 0 : double(offBy_[point]);
     }

@@ -1,5 +1,5 @@
-// The painted film by how far it may be off for numerical reasons, zone by zone, and the places of
-// it to look at. Private to this folder: a Verdict has what comes of it.
+// Summarises the numerical error of the painted film by zone and finds the places to check. Private
+// to this folder: a Verdict holds the result.
 #pragma once
 
 #include "accuracy/tolerance/Zones.h"
@@ -10,23 +10,23 @@
 
 namespace dipwright {
 
-// How far the painted film of a zone may be off.
+// The numerical error of the painted film in a zone.
 struct ZoneError {
     Zone zone = Zone::C;
     double limit = 0;        // of the zone, mm
     double area = 0;         // mm² of the body that are painted and compared
-    double percentile95 = 0; // of that area, mm
-    double far = 0;          // share of that area that may be off by more than the limit
+    double percentile95 = 0; // numerical error that 95 % of that area do not exceed, mm
+    double far = 0;          // share of that area whose numerical error exceeds the limit
 };
 
 struct UncertainPlaces {
-    std::vector<ZoneError> zones; // those that are painted, A first
+    std::vector<ZoneError> zones; // only painted zones, A first
     std::vector<UncertainPlace> places;
-    double area = 0; // of all such places, mm²
+    double area = 0; // of all places to check, mm²
 };
 
-// `pointsOffBy`: as CertaintyEstimate has it; empty: nothing is known of it. `zones` null: all of
-// the body is in zone C.
+// `pointsOffBy`: CertaintyEstimate::pointsOffBy; empty if the error is not known. `zones`: null if
+// the whole body is in zone C.
 UncertainPlaces uncertainPlaces(const LaidFilm& laid, const std::vector<float>& pointsOffBy,
                                 const ZonedBody* zones, const ToleranceSettings& settings);
 

@@ -12,8 +12,8 @@ using Kind = VerdictReason::Kind;
 
 const std::vector<float> nothingKnown;
 
-// Why a zone is farther off than it may be: what longer steps change, or what wider cells do, and
-// then the cell that would do if the error goes on falling as the cells do.
+// Tells whether the steps or the cells cause a zone's numerical error. For cells, it proposes the
+// size that would suffice if the error shrinks in proportion to the cells.
 VerdictReason tooFarOff(const ZoneError& error, const CertaintyEstimate& estimate,
                         const solver::FilmGrid& grid) {
     const double allowed = numericalShare * error.limit;
@@ -31,7 +31,7 @@ VerdictReason tooFarOff(const ZoneError& error, const CertaintyEstimate& estimat
     return reason;
 }
 
-// What the numerical error does to a zone.
+// Adds the reasons that follow from the numerical error in a zone.
 void objectToZone(Objections& found, const ZoneError& error, const CertaintyEstimate& estimate,
                   const solver::FilmGrid& grid, std::optional<Zone> named) {
     if (error.percentile95 > numericalShare * error.limit) {
@@ -93,7 +93,7 @@ void objectToNumerics(Objections& found, const JudgedDip& dip,
     }
 }
 
-// How far the painted film stays from the edge of the flat film, mm.
+// Returns the distance of the painted film from the edge of the flat film, in mm.
 double edgeDistance(const LaidFilm& laid) {
     const Eigen::AlignedBox2f used = usedFilm(laid);
     const solver::FilmGrid& grid = laid.film().grid;
@@ -187,7 +187,7 @@ namespace {
 
 struct KindWords {
     const char* key;
-    const char* limit; // the field of the project
+    const char* limit; // the project's field
 };
 
 // In the order of VerdictReason::Kind.

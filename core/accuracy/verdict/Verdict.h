@@ -1,6 +1,6 @@
-// What is to be done with a job's sheets: print them, look at them first, or not print them, and
-// every reason for it (docs/film-validation.md, "The verdict"). The one place that decides so;
-// window, command line, report, traveller and print dialog all show what stands here.
+// Decides whether to print a job's sheets, check them first, or not print them, and gives every
+// reason (docs/film-validation.md, "The verdict"). Window, command line, report, traveller and
+// print dialog all show this verdict.
 #pragma once
 
 #include "accuracy/certainty/CertaintyEstimate.h"
@@ -12,86 +12,87 @@
 
 namespace dipwright {
 
+// One reason for a verdict.
 struct VerdictReason {
     enum class Kind : std::uint8_t {
-        // Of one dip.
-        NotAsked,     // nothing was compared, as the job wanted it
-        NotCompared,  // nothing could be compared: `text` says why
+        // About one dip. Shares in `value` are 0 … 1.
+        NotAsked,     // the job did not ask for an estimate of the numerical error
+        NotCompared,  // the numerical error could not be estimated: `text` says why
         Unpainted,    // the film paints nothing of the body
-        NothingAlike, // nothing is painted alike by this dip and by coarser ones
-        Certain,      // 95 % of it may be off by `value` mm at most
-        OffBy,        // 95 % of it may be off by `value` mm; `most` the cell over the body to be
-                      // tried, mm, of a graded film, 0 of one of evenly spaced points
-        OffByMuch,    // the same, too far to tell which cell would do
+        NothingAlike, // this dip and the coarser dips paint no place in common
+        Certain,      // numerical error: 95 % of the painted area is within `value` mm
+        OffBy,        // the same, above the limit; `most`: cell to try, mm; 0 if not a graded film
+        OffByMuch,    // the same, too large to tell which cell would suffice
         Step,         // the same, and longer steps change more than wider cells
-        FarOffPlaces, // `value` of the painted area may be off by more than `limit` mm
-        Border,       // `value` of the body is painted by one of the dips only
-        Unbalanced,   // `value` steps ended without equilibrium, `most` the worst force left in one
-        Air,          // `value` of the body's surface is kept dry by trapped air
-        Pale,         // `value` of the painted area will look too pale
-        Damaged,      // `value` of the painted area wears film that tore or was let go of
-        FilmEdge,     // the painted film comes to `value` mm of the film's edge
-        // Of all dips together.
-        Unreached,    // `value` of the body's surface is painted by neither dip
-        Narrow,       // `value` of the overlap is too narrow
-        ZoneBare,     // `value` of the zone is not painted
-        ZoneExceeded, // what is off in handling and the numerical error together: 95 % of the zone
-                      // within `value` mm only
+        FarOffPlaces, // the error exceeds `limit` mm on the share `value` of the painted area
+        Border,       // only one of the compared dips paints the share `value` of the body
+        Unbalanced,   // `value` steps ended without equilibrium; `most`: the largest residual
+        Air,          // trapped air keeps the share `value` of the body's surface dry
+        Pale,         // the share `value` of the painted area will be too pale
+        Damaged,      // film tore or was released on the share `value` of the painted area
+        FilmEdge,     // the painted film comes within `value` mm of the film's edge
+        // About all dips together.
+        Unreached,    // neither dip paints the share `value` of the body's surface
+        Narrow,       // the share `value` of the overlap is too narrow
+        ZoneBare,     // the share `value` of the zone is not painted
+        ZoneExceeded, // handling and numerical error together: 95 % of the zone's painted area is
+                      // within `value` mm, which exceeds `limit`
         NoPicture,    // the model has one plain colour
-        ChangedModel, // `text`: what was put right, or is missing
-        GuessedFilm,  // nobody has measured the film's swell
+        ChangedModel, // `text`: what the import repaired, or what is missing
+        GuessedFilm,  // the film's swell was not measured
     };
     Kind kind;
-    Advice advice = Advice::Print; // what this reason alone would come to
+    Advice advice = Advice::Print; // the verdict if this were the only reason
     double value = 0;
-    double limit = 0; // that `value` is held against; 0: none
+    double limit = 0; // for `value`; 0: none
     QString text = {};
     double most = 0;
-    std::optional<Zone> zone = {}; // where only one of several is meant
+    std::optional<Zone> zone = {}; // set if the reason is about one zone
 };
 
-// A connected part of the painted film that may be off by more than the numerical error may be in
-// its zone, or lies where a step has ended without equilibrium.
+// A connected part of the painted film to check: its numerical error exceeds the limit of its zone,
+// or a step ended there without equilibrium.
 struct UncertainPlace {
-    Eigen::Vector2f rest;  // the worst film point of it, on the flat film; mm
-    Eigen::Vector3f place; // and where that lies on the body, in model coordinates; mm
-    double area = 0;       // mm² of the body, all of which may be off by more than …
-    double limit = 0;      // … this, mm
-    double offBy = 0;      // at the worst point, mm
+    Eigen::Vector2f rest;  // its worst point on the flat film, mm
+    Eigen::Vector3f place; // that point on the body, model coordinates, mm
+    double area = 0;       // mm² of the body
+    double limit = 0;      // numerical error allowed there, mm
+    double offBy = 0;      // numerical error at the worst point, mm
 };
 
+// The verdict on one dip, or on all dips together.
 struct Verdict {
     Advice advice = Advice::NotJudged;
     std::vector<VerdictReason> reasons; // the worst first
-    // The largest first, at most mostPlaces, each of leastPlaceArea or more.
+    // The largest first; at most mostPlaces, each of at least leastPlaceArea.
     std::vector<UncertainPlace> places;
-    double uncertainArea = 0; // of all such places, mm² of the body
+    double uncertainArea = 0; // of all places to check, mm² of the body
 };
 
-// The numerical error may take so much of a zone's tolerance, so that handling has the rest: 95 %
-// of what is painted of the zone keeps it, and no more than this share of it exceeds the whole.
+// The share of a zone's limit that the numerical error may use; handling has the rest. 95 % of the
+// zone's painted area must keep this share, and at most mostFarOffArea may exceed the whole limit.
 inline constexpr double numericalShare = 1.0 / 3;
 inline double allowedError(Zone zone, const ToleranceSettings& tolerance) {
     return numericalShare * tolerance.limits[std::size_t(zone)].value();
 }
 inline constexpr double mostFarOffArea = 0.01;
 inline constexpr double spoiltPaintedOnce = 0.15; // of the body's surface
-// No cell is named that is smaller than this, over the film's own: an error that large need not
-// fall as the cells do.
+// The smallest cell that a reason proposes, relative to the film's own. An error so large that it
+// needs smaller cells need not shrink in proportion to them.
 inline constexpr double finestCellNamed = 0.15;
 inline constexpr std::size_t mostPlaces = 12;
-inline constexpr double leastPlaceArea = 1; // mm², that somebody can look at
+inline constexpr double leastPlaceArea = 1; // mm²: smaller places cannot be inspected
 
-// A dip and what is known of it.
+// A dip and all that its verdict needs.
 struct JudgedDip {
     const LaidFilm& laid;
     const Coverage& coverage;
-    const CertaintyEstimate* certainty = nullptr; // null: none was asked for
-    double paleArea = 0;                          // mm² of the body that are short of ink
-    const ZonedBody* zones = nullptr;             // null: all of the body is in zone C
+    const CertaintyEstimate* certainty = nullptr; // null: not asked for
+    double paleArea = 0;                          // mm² of the body with too little ink
+    const ZonedBody* zones = nullptr;             // null: the whole body is in zone C
 };
 
-// Of one dip, by its `limits`.
+// Judges one dip by `tolerance` and `limits`.
 Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
                 const VerdictSettings& limits);
 
@@ -99,33 +100,33 @@ Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
 class Objections {
 public:
     void add(VerdictReason reason);
-    // A share above its limit is to be looked at, spoiltTimes above it not to be printed; below it
-    // nothing is said.
+    // Adds a reason if the share exceeds its limit: check first, or do not print above spoiltTimes
+    // the limit.
     void addShare(VerdictReason::Kind kind, double share, double limit,
                   std::optional<Zone> zone = {});
     bool isEmpty() const { return reasons_.empty(); }
-    // The worst first, in the order in which they came. Nothing was found wrong: `Print`.
+    // Sorts the reasons, the worst first and otherwise as added. Without reasons: `Print`.
     Verdict verdict() &&;
 
 private:
     std::vector<VerdictReason> reasons_;
 };
 
-// Of several together: the worst; not judged where one was not and nothing else is the matter.
+// Returns the worse of two; NotJudged if one is not judged and the other says print.
 Advice worst(Advice one, Advice other);
 
-// For the user: "Print it", and why, in a sentence. `length` words a length given in mm.
-QString adviceText(Advice advice);
+// Texts for the user. `length` and `area` format mm and mm².
+QString adviceText(Advice advice); // "Print it"
 using LengthText = std::function<QString(double)>;
 QString millimetres(double length); // "0.12 mm"
 QString reasonText(const VerdictReason& reason, const LengthText& length);
 QString placeText(const UncertainPlace& place, const LengthText& length, const LengthText& area);
-// All of it in a line: "Top: Print it. 95 % of the sheet is off by …".
+// The whole verdict in one line: "Top: Print it. 95 % of the sheet is within …".
 QString verdictText(const QString& immersion, const Verdict& verdict);
-// "print", "look_first", "do_not_print", "not_judged"; and of a kind of reason: "air".
+// Keys for files: "print", "look_first", "do_not_print" or "not_judged"; and "air" and so on.
 QString adviceKey(Advice advice);
 QString reasonKey(VerdictReason::Kind kind);
-// The field of the project that holds the limit of such a reason, "verdict.air"; empty: none does.
+// The project's field that holds the limit of such a reason, "verdict.air"; empty if none does.
 QString limitField(VerdictReason::Kind kind);
 
 } // namespace dipwright

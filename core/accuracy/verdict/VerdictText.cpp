@@ -23,39 +23,41 @@ QString errorText(const VerdictReason& reason, const LengthText& length) {
     case Kind::NotCompared:
         return Text::tr("The numerical error could not be estimated: %1.").arg(reason.text);
     case Kind::NothingAlike:
-        return Text::tr("No place is painted both by this dip and by coarser ones.");
+        return Text::tr("The numerical error is not known: this dip and the coarser dips for "
+                        "comparison paint no place in common. Set smaller cells (Film > Cells).");
     case Kind::Certain:
         return Text::tr("95 % of the sheet is within %1 (numerical error).")
             .arg(length(reason.value));
     case Kind::OffBy:
         return reason.most > 0
                    ? Text::tr("Numerical error: 95 % of the painted area is within %1; the limit "
-                              "is %2. Set Film > Cells to %3, turn the body, or dip it twice.")
+                              "is %2. Set Film > Cells to %3, turn the part, or dip it twice.")
                          .arg(length(reason.value), length(reason.limit), length(reason.most))
                    : Text::tr("Numerical error: 95 % of the painted area is within %1; the limit "
-                              "is %2. Set more points (Film > Points), turn the body, or dip it "
+                              "is %2. Set more points (Film > Points), turn the part, or dip it "
                               "twice.")
                          .arg(length(reason.value), length(reason.limit));
     case Kind::OffByMuch:
         return Text::tr("Numerical error: 95 % of the painted area is within %1; the limit is %2. "
-                        "Turn the body, dip it twice, or set much smaller cells or more points "
+                        "Turn the part, dip it twice, or set much smaller cells or more points "
                         "(Film > Cells).")
             .arg(length(reason.value), length(reason.limit));
     case Kind::Step:
         return Text::tr("Numerical error: 95 % of the painted area is within %1; the limit is %2. "
-                        "Most of it comes from the steps: set a smaller Dipping > Step.")
+                        "The steps cause most of it: set a smaller step (Dipping > Step).")
             .arg(length(reason.value), length(reason.limit));
     case Kind::FarOffPlaces:
-        return Text::tr("Numerical error: %1 % of the painted area may be off by more than %2. "
-                        "Check the places in the list.")
+        return Text::tr("The numerical error may exceed %2 on %1 % of the painted area. Check the "
+                        "places in the list.")
             .arg(percent(reason.value), length(reason.limit));
     case Kind::Border:
-        return Text::tr("The border of the paint is uncertain: only finer or only coarser dips "
-                        "paint %1 % of the body. Set smaller cells (Film > Cells).")
+        return Text::tr("The border of the painted area is uncertain: with other cells or steps, "
+                        "%1 % of the part changes between painted and bare. Set smaller cells "
+                        "(Film > Cells).")
             .arg(percent(reason.value));
     case Kind::Unbalanced:
-        return Text::tr("%1 steps of the dip did not reach equilibrium; up to %2 % of the elastic "
-                        "force remained. Set smaller cells (Film > Cells).")
+        return Text::tr("In %1 steps of the dip, the film did not converge; the residual force was "
+                        "up to %2 % of the elastic force. Set smaller cells (Film > Cells).")
             .arg(QLocale().toString(qlonglong(reason.value)), percent(reason.most));
     default:
         return {};
@@ -65,50 +67,50 @@ QString errorText(const VerdictReason& reason, const LengthText& length) {
 QString paintText(const VerdictReason& reason, const LengthText& length) {
     switch (reason.kind) {
     case Kind::Unpainted:
-        return Text::tr("The film paints nothing of the body. Check the model's unit, its place "
-                        "over the film, and the depth of the dip.");
+        return Text::tr("The film does not paint the part. Check the model's unit, its place over "
+                        "the film, and the depth of the dip.");
     case Kind::Air:
-        return Text::tr("Trapped air keeps %1 % of the body dry; the limit is %2 %. Turn the body "
+        return Text::tr("Trapped air keeps %1 % of the part dry; the limit is %2 %. Turn the part "
                         "so that the air escapes, or drill a vent hole.")
             .arg(percent(reason.value), percent(reason.limit));
     case Kind::Pale:
         return Text::tr("%1 % of the painted area will be too pale; the limit is %2 %. The film "
-                        "stretches more than Ink > Ink limit can compensate. Turn the body, or "
-                        "choose lighter colours.")
+                        "stretches more than the ink limit (Ink > Ink limit) can compensate. Turn "
+                        "the part, or choose lighter colours.")
             .arg(percent(reason.value), percent(reason.limit));
     case Kind::Damaged:
         return Text::tr("The film tore or was released on %1 % of the painted area; the limit is "
-                        "%2 %. Turn the body, or dip it twice.")
+                        "%2 %. Turn the part, or dip it twice.")
             .arg(percent(reason.value), percent(reason.limit));
     case Kind::FilmEdge:
         return Text::tr("The painted film comes within %1 of the film's edge; at least %2 are "
-                        "required. Use a larger film, or move the body to the film's centre.")
+                        "required. Use a larger film, or move the part to the film's centre.")
             .arg(length(reason.value), length(reason.limit));
     default:
         return {};
     }
 }
 
-// Sentences about the job as a whole.
+// Reasons about all dips together.
 QString jobText(const VerdictReason& reason, const LengthText& length) {
     switch (reason.kind) {
     case Kind::Unreached:
-        return Text::tr("Neither dip reaches %1 % of the body; the limit is %2 %. Turn one of the "
-                        "poses.")
+        return Text::tr("%1 % of the part is painted by neither dip; the limit is %2 %. Turn the "
+                        "part in one of the dips.")
             .arg(percent(reason.value), percent(reason.limit));
     case Kind::Narrow:
-        return Text::tr("%1 % of the overlap is too narrow; the limit is %2 %. The second film "
-                        "shows there if it is misplaced. Widen Join > Overlap, or turn one of the "
-                        "poses.")
+        return Text::tr("%1 % of the overlap is too narrow; the limit is %2 %. A small placement "
+                        "error of the second film shows there. Widen the overlap (Seam > Overlap), "
+                        "or turn the part in one of the dips.")
             .arg(percent(reason.value), percent(reason.limit));
     case Kind::ZoneBare:
-        return Text::tr("%1 % is not painted; the limit is %2 %. Turn the body so that film "
+        return Text::tr("%1 % is not painted; the limit is %2 %. Turn the part so that film "
                         "reaches it.")
             .arg(percent(reason.value), percent(reason.limit));
     case Kind::ZoneExceeded:
         return Text::tr("Handling and numerical error together: 95 % of the painted area is "
-                        "within ±%1; the limit is ±%2. Tighten the largest contributor, or turn "
-                        "the body.")
+                        "within ±%1; the limit is ±%2. Reduce the largest contributor, or turn "
+                        "the part.")
             .arg(length(reason.value), length(reason.limit));
     case Kind::NoPicture:
         return Text::tr("The model has no texture and no artwork: one plain colour is printed.");
@@ -149,7 +151,7 @@ QString reasonText(const VerdictReason& reason, const LengthText& length) {
 }
 
 QString placeText(const UncertainPlace& place, const LengthText& length, const LengthText& area) {
-    return Text::tr("%1 may be off by more than %2, at most by %3")
+    return Text::tr("%1: numerical error up to %3; the limit is %2")
         .arg(area(place.area), length(place.limit), length(place.offBy));
 }
 

@@ -28,7 +28,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
 };
 
-// A file in memory, as assimp reads it.
+// A file in memory, for assimp.
 class FileStream : public Assimp::MemoryIOStream {
 public:
     explicit FileStream(QByteArray bytes)
@@ -37,18 +37,18 @@ public:
           bytes_(std::move(bytes)) {}
 
 private:
-    QByteArray bytes_; // shares its data with the one given
+    QByteArray bytes_; // shares its data with the constructor's argument
 };
 
-// The names in one of an OBJ file's "mtllib a.mtl b.mtl". Those may hold spaces, too.
+// Returns the file names in a line "mtllib a.mtl b.mtl" of an OBJ file. Names may contain spaces.
 QStringList materialFileNames(const QString& line) {
     static const QRegularExpression between(QStringLiteral("(?<=\\.mtl)\\s+"),
                                             QRegularExpression::CaseInsensitiveOption);
     return line.split(between, Qt::SkipEmptyParts);
 }
 
-// All that assimp sees of the disk: the model file and those that it names, of which it remembers
-// the missing and what is wrong with them.
+// The only files that assimp can see: the model file and the files that it names. Records which are
+// missing and what is wrong with them.
 class ModelFileSystem : public Assimp::IOSystem {
 public:
     ModelFileSystem(const ModelSource& source, std::string modelName, QByteArray modelBytes)
@@ -62,11 +62,12 @@ public:
             return model_ = new FileStream(modelBytes_);
         }
         const auto bytes = isModel ? std::optional(modelBytes_) : find(name);
-        if (modelName_.ends_with(".obj")) { // names its materials' files as it likes
+        // An OBJ file may list several material files as one name.
+        if (modelName_.ends_with(".obj")) {
             return openMaterials(QString::fromUtf8(name), bytes);
         }
         if (!bytes) {
-            remember(QString::fromUtf8(name));
+            rememberMissing(QString::fromUtf8(name));
         }
         return bytes ? new FileStream(*bytes) : nullptr;
     }
@@ -76,20 +77,20 @@ public:
     }
 
     const QStringList& missing() const { return missing_; }
-    const QString& fault() const { return fault_; } // empty: none
+    const QString& fault() const { return fault_; } // empty if there is none
     const QStringList& warnings() const { return warnings_; }
     const PicturePlacements& placements() const { return placements_; }
 
 private:
-    // One file, or all those there that the name is made of.
+    // Opens one material file, or all files that the name lists.
     Assimp::IOStream* openMaterials(const QString& name, const std::optional<QByteArray>& whole) {
         QByteArray materials;
-        const QByteArray between(8, '\n'); // assimp refuses shorter files
+        const QByteArray between(8, '\n'); // keeps files above the minimum size that assimp accepts
         bool isThere = false;
         for (const QString& part : whole ? QStringList{name} : materialFileNames(name)) {
             const auto bytes = whole ? whole : find(part.toUtf8().constData());
             if (!bytes) {
-                remember(part);
+                rememberMissing(part);
                 continue;
             }
             isThere = true;
@@ -100,14 +101,14 @@ private:
                 placements_[material] = placement;
             }
             warnings_ += file.warnings;
-            warnings_.removeDuplicates(); // a file may be named again and again
+            warnings_.removeDuplicates(); // a file may be named several times
         }
         return isThere && fault_.isEmpty() ? new FileStream(materials) : nullptr;
     }
 
-    void remember(const QString& name) {
+    void rememberMissing(const QString& name) {
         const QString missing = QFileInfo(name).fileName();
-        // Having failed with the name in the model, readers also try the model's own name.
+        // If the name in the model fails, loaders also try the model's own name.
         const bool isSecondTry =
             !missing_.isEmpty() &&
             QFileInfo(missing).completeBaseName() == QFileInfo(source_.path).completeBaseName();
@@ -116,7 +117,7 @@ private:
         }
     }
 
-    // Loaders ask whether a file is there and then open it.
+    // Cached, because loaders check whether a file exists and then open it.
     std::optional<QByteArray> find(const char* name) const {
         const auto known = found_.find(name);
         return known != found_.end()
@@ -132,7 +133,7 @@ private:
     QStringList missing_, warnings_;
     PicturePlacements placements_;
     QString fault_;
-    Assimp::IOStream* model_ = nullptr; // while it is open: it may name itself as another file
+    Assimp::IOStream* model_ = nullptr; // while it is open; a model may name itself as another file
 };
 
 QByteArray bytesForAssimp(const QString& format, const ModelSource& source, QStringList& warnings) {
@@ -157,7 +158,7 @@ private:
     const Progress& progress_;
 };
 
-// assimp's name for the loader of a format; null where none is allowed.
+// Returns assimp's name for the loader of a format; null if the format is not allowed.
 const char* loaderOf(const QString& format) {
     static const std::map<QString, const char*> loaders{
         {QStringLiteral("obj"), "Wavefront Object Importer"},
@@ -180,7 +181,7 @@ void keepOnly(const char* loader, Assimp::Importer& importer) {
     }
 }
 
-// Before assimp cuts polygons into triangles, and before anything goes down its nodes.
+// Checks limits before assimp triangulates polygons and before anything recurses through the nodes.
 void checkScene(const aiScene& scene, const ModelSource& source) {
     for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
         const aiMesh& mesh = *scene.mMeshes[m];
@@ -205,17 +206,18 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
                           const Progress& progress) {
     const char* loader = loaderOf(format);
     if (!loader) {
-        source.throwDamaged(Text::tr("its format is none of those that are read"));
+        source.throwDamaged(Text::tr("its format is not supported"));
     }
     const Progress readingPart = progress.part(0, 0.8);
     Assimp::Importer importer;
     keepOnly(loader, importer);
-    // By a name without a place, with which assimp finds the loader and a material file beside it.
+    // A name without a folder. From it assimp finds the loader, and the name of a material file
+    // beside the model.
     const std::string name =
         (QFileInfo(source.path).completeBaseName() + u'.' + format).toStdString();
     auto* files = new ModelFileSystem(source, name, bytesForAssimp(format, source, warnings));
-    importer.SetIOHandler(files);                                  // takes this over
-    importer.SetProgressHandler(new ReadingProgress(readingPart)); // and this
+    importer.SetIOHandler(files);                                  // takes ownership
+    importer.SetProgressHandler(new ReadingProgress(readingPart)); // takes ownership, too
     const aiScene* scene = importer.ReadFile(name, 0);
     if (scene) {
         checkScene(*scene, source);
@@ -223,7 +225,7 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
     }
     progress.cancelToken.throwIfCancelled();
     if (!scene && std::string(importer.GetErrorString()) == std::bad_alloc().what()) {
-        throw std::bad_alloc(); // of which it only tells
+        throw std::bad_alloc(); // assimp reports it only as text
     }
     if (!files->fault().isEmpty() || !scene) {
         source.throwDamaged(files->fault().isEmpty()

@@ -1,4 +1,4 @@
-// The formats that assimp reads for us. Private to this folder.
+// Reads models by assimp. Private to this folder.
 #pragma once
 
 #include "base/Progress.h"
@@ -8,8 +8,8 @@
 
 namespace dipwright {
 
-// `format`: "obj", "stl", "gltf", "glb", "dae", "fbx" or "3ds"; others are refused. Of assimp's
-// fifty loaders, which it would try one after the other, only the one for this format is there.
+// `format` is "obj", "stl", "gltf", "glb", "dae", "fbx" or "3ds"; others are refused. Only the
+// assimp loader of that format is registered; assimp would otherwise try its fifty loaders in turn.
 // Throws Error.
 TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStringList& warnings,
                           const Progress& progress);

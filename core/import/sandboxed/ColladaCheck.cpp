@@ -16,7 +16,7 @@ struct Text {
 
 struct Accessor {
     QString array;
-    double end = 0; // values of the array that it needs; may be absurd
+    double end = 0; // number of array values that it needs; may be absurd
 };
 
 double number(const QXmlStreamAttributes& attributes, const char* name, double otherwise) {
@@ -41,10 +41,10 @@ bool isWholeNumbers(const QString& text, bool areSigned) {
     });
 }
 
-// Elements that hold indices; at another word assimp reads on for ever.
+// Elements that hold indices. At any other word in them, assimp loops for ever.
 const QStringList indexLists{QStringLiteral("p"), QStringLiteral("h"), QStringLiteral("v"),
                              QStringLiteral("vcount")};
-// The one of them, of weights, where −1 means a value and not a mistake.
+// The one of them (vertex weights) in which −1 is a valid value.
 const QString signedIndexList = QStringLiteral("v");
 
 } // namespace
@@ -54,7 +54,7 @@ bool isCollada(const QByteArray& begin) {
 }
 
 void checkCollada(const ModelSource& source) {
-    QHash<QString, double> lengths; // of arrays, by name
+    QHash<QString, double> lengths; // array lengths by name
     std::vector<Accessor> accessors;
     QXmlStreamReader xml(source.bytes);
     while (!xml.atEnd()) {
@@ -62,9 +62,9 @@ void checkCollada(const ModelSource& source) {
             continue;
         }
         const QXmlStreamAttributes attributes = xml.attributes();
-        // assimp makes room for so many at once.
+        // assimp allocates this many at once.
         if (number(attributes, "count", 0) > double(source.bytes.size())) {
-            source.throwDamaged(Text::tr("it counts more values than it can hold, in line %1")
+            source.throwDamaged(Text::tr("line %1 declares more values than the file can hold")
                                     .arg(xml.lineNumber()));
         }
         if (xml.name().endsWith(QLatin1String("_array"))) {
@@ -76,8 +76,8 @@ void checkCollada(const ModelSource& source) {
             const bool areSigned = xml.name() == signedIndexList;
             if (!isWholeNumbers(xml.readElementText(QXmlStreamReader::SkipChildElements),
                                 areSigned)) {
-                source.throwDamaged(Text::tr("there is no number where one should be, in line %1")
-                                        .arg(xml.lineNumber()));
+                source.throwDamaged(
+                    Text::tr("line %1 has no number where one is expected").arg(xml.lineNumber()));
             }
         } else if (xml.name() == QLatin1String("accessor")) {
             accessors.push_back(
@@ -91,8 +91,8 @@ void checkCollada(const ModelSource& source) {
     }
     for (const Accessor& accessor : accessors) {
         if (!(accessor.end >= 0 && accessor.end <= lengths.value(accessor.array))) {
-            source.throwDamaged(
-                Text::tr("its array %1 has fewer values than are read").arg(accessor.array));
+            source.throwDamaged(Text::tr("its array %1 has fewer values than an accessor reads")
+                                    .arg(accessor.array));
         }
     }
 }

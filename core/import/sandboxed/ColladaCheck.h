@@ -1,17 +1,16 @@
-// Damage to Collada files (.dae) at which assimp 5.2.5 reads something else without a word: it
-// reads past the end of an array, takes an index below 0 for 0, and ignores a count. Private to
-// this folder.
+// Finds damage to Collada files (.dae) that assimp 5.2.5 misreads silently: it reads past the end
+// of an array, takes a negative index for 0, and ignores a count. Private to this folder.
 #pragma once
 
 #include "import/sandboxed/ModelSource.h"
 
 namespace dipwright {
 
-// Whether a file that begins like this is Collada, which is XML.
+// Whether a file with this beginning is Collada, which is XML.
 bool isCollada(const QByteArray& begin);
-// Throws Error where the file is not well-formed, counts more than it can hold, has indices that
-// are no numbers or, where no −1 is meant, below 0, or an accessor that reads past the end of its
-// array.
+// Throws Error if the file is not well-formed XML or declares more values than it can hold. Throws
+// for indices that are not numbers or are negative; −1 is allowed where the format gives it a
+// meaning. Throws for an accessor that reads past the end of its array.
 void checkCollada(const ModelSource& source);
 
 } // namespace dipwright

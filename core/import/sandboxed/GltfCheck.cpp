@@ -22,8 +22,8 @@ struct Text {
 const QString draco = QStringLiteral("KHR_draco_mesh_compression");
 const QString textureTransform = QStringLiteral("KHR_texture_transform");
 
-// A binary file (glTF 2.0, "Binary glTF Layout") begins with three numbers, and then a chunk with
-// its length and kind, which is the JSON.
+// A binary file (glTF 2.0, "Binary glTF Layout") begins with three numbers. Then comes the JSON
+// chunk, with its length and kind.
 constexpr qsizetype fileHead = 12, chunkHead = 8; // bytes
 
 QByteArray jsonOf(const QByteArray& file) {
@@ -33,13 +33,13 @@ QByteArray jsonOf(const QByteArray& file) {
     return file.mid(fileHead + chunkHead, qFromLittleEndian<quint32>(file.constData() + fileHead));
 }
 
-// The file with another document in place of its own.
+// Returns the file with its JSON document replaced.
 QByteArray withDocument(const QByteArray& file, const QJsonObject& document) {
     QByteArray json = QJsonDocument(document).toJson(QJsonDocument::Compact);
     if (!file.startsWith("glTF") || file.size() < fileHead + chunkHead) {
         return json;
     }
-    json.append((4 - json.size() % 4) % 4, ' '); // chunks end on a whole word
+    json.append((4 - json.size() % 4) % 4, ' '); // chunks are padded to 4 bytes
     const QByteArray further = file.mid(fileHead + chunkHead + jsonOf(file).size());
     QByteArray whole = file.left(fileHead + chunkHead) + json + further;
     qToLittleEndian(quint32(whole.size()), whole.data() + fileHead - 4);
@@ -57,7 +57,8 @@ QJsonObject documentOf(const ModelSource& source) {
     return document.object();
 }
 
-// Those of materials add light and gloss; colours and where they lie are read without them.
+// Material extensions add light and gloss. Colours and texture coordinates can be read without
+// them.
 bool isRead(const QString& extension) {
     return extension.startsWith(QStringLiteral("KHR_materials_")) ||
            extension == QStringLiteral("KHR_lights_punctual") || extension == textureTransform ||
@@ -65,16 +66,16 @@ bool isRead(const QString& extension) {
 }
 
 [[noreturn]] void throwNotRead(const ModelSource& source, const QString& extension) {
-    source.throwDamaged(
-        Text::tr("it needs the glTF extension %1, which is not read (export it without that)")
-            .arg(extension));
+    source.throwDamaged(Text::tr("it needs the glTF extension %1, which is not supported (export "
+                                 "it without that extension)")
+                            .arg(extension));
 }
 
 QJsonObject accessor(const QJsonObject& model, const QJsonValue& index) {
     return model[u"accessors"].toArray().at(index.toInt(-1)).toObject();
 }
 
-// What shows a material's colour as a picture; empty for none.
+// Returns the texture of a material's colour; empty if there is none.
 QJsonObject textureOf(const QJsonObject& material) {
     const QJsonObject usual = material[u"pbrMetallicRoughness"].toObject();
     const QJsonObject older =
@@ -83,8 +84,8 @@ QJsonObject textureOf(const QJsonObject& material) {
     return texture.isObject() ? texture.toObject() : older[u"diffuseTexture"].toObject();
 }
 
-// Of a primitive: where its points and the places of its picture are. There may be more texture
-// coordinates, for light or gloss.
+// Returns the attributes of a primitive that are used: its points, normals and the texture
+// coordinates of its colour. Others may serve light or gloss.
 QStringList placesOf(const QJsonObject& primitive, const QJsonObject& model) {
     const QJsonValue material = model[u"materials"].toArray().at(primitive[u"material"].toInt(-1));
     const int set = textureOf(material.toObject())[u"texCoord"].toInt();
@@ -100,11 +101,11 @@ void checkPrimitive(const QJsonObject& primitive, const QJsonObject& model,
     for (const QString& place : placesOf(primitive, model)) {
         if (accessor(model, attributes[place])[u"componentType"].toInt(floats) != floats) {
             source.throwDamaged(
-                Text::tr("its points or texture coordinates are whole numbers, which are not read "
-                         "(export it with float coordinates, without quantization)"));
+                Text::tr("its points or texture coordinates are stored as integers, which is not "
+                         "supported (export it with float coordinates, without quantization)"));
         }
     }
-    // assimp 5.2 unpacks these indices and then forgets them.
+    // assimp 5.2 decodes these indices and then drops them.
     if (primitive[u"extensions"].toObject().contains(draco) &&
         accessor(model, primitive[u"indices"])[u"componentType"].toInt() == wideIndices) {
         throwNotRead(source, draco);
@@ -116,8 +117,8 @@ bool lacksPicture(const QJsonObject& texture, const QJsonObject& model) {
     return named.isObject() && !named.toObject().contains(u"source");
 }
 
-// assimp 5.2 follows an offset, turns and scales about another point than is meant, and does not
-// go to other texture coordinates.
+// Whether assimp 5.2 would misplace a texture. It applies an offset correctly, but rotates and
+// scales about the wrong point and ignores a change of texture coordinates.
 bool isMovedOtherwise(const QJsonObject& texture) {
     const QJsonObject transform = texture[u"extensions"].toObject()[textureTransform].toObject();
     const QJsonArray scale = transform[u"scale"].toArray();
@@ -138,20 +139,19 @@ void checkTextures(const QJsonObject& model, const ModelSource& source, QStringL
         throwNotRead(source, textureTransform);
     }
     if (isMoved) {
-        warnings.push_back(
-            Text::tr("The model scales or turns a texture (KHR_texture_transform), which is not "
-                     "followed rightly; apply that to the texture coordinates in a modelling "
-                     "program"));
+        warnings.push_back(Text::tr(
+            "The model scales or rotates a texture (KHR_texture_transform), which is not shown "
+            "correctly; apply the transform to the texture coordinates in a modelling program"));
     }
     if (lacks) {
         warnings.push_back(
-            Text::tr("A texture of the model is without a picture or in a format that is not read, "
-                     "and its material's colour is used instead; export it with PNG or JPEG"));
+            Text::tr("A texture of the model has no picture or is in an unsupported format, so its "
+                     "material's colour is used instead; export the texture as PNG or JPEG"));
     }
 }
 
-// The document with skins that have no bind matrices taken off the nodes that wear them; nothing
-// where there are none. Other skins change nothing either: points are read as they are stored.
+// Returns the document without skins that have no bind matrices; nothing if there are none.
+// Removing them loses nothing, because points are read as stored, with any skin.
 std::optional<QJsonObject> withoutUnboundSkins(const QJsonObject& model) {
     const QJsonArray skins = model[u"skins"].toArray();
     QJsonArray nodes;
@@ -194,10 +194,9 @@ QByteArray gltfForAssimp(const ModelSource& source, QStringList& warnings) {
     if (!changed) {
         return withoutByteOrderMark(source.bytes);
     }
-    warnings.push_back(
-        Text::tr("The model has a skin without bind matrices: its points are taken as they are "
-                 "stored, not as the joints place them; where they lie wrong, apply the armature "
-                 "in a modelling program"));
+    warnings.push_back(Text::tr(
+        "The model has a skin without bind matrices, so its points stay as stored and the joints "
+        "do not move them; if the shape is wrong, apply the armature in a modelling program"));
     return withDocument(source.bytes, *changed);
 }
 

@@ -1,16 +1,16 @@
-// What glTF files (.gltf, .glb) need that assimp does not have, or reads as something else without
-// a word. Private to this folder.
+// Checks glTF files (.gltf, .glb) for features that assimp lacks or misreads silently. Private to
+// this folder.
 #pragma once
 
 #include "import/sandboxed/ModelSource.h"
 
 namespace dipwright {
 
-// Throws Error where a file cannot be read without an extension that is not read, or keeps places
-// as whole numbers, which assimp 5.2 takes for floating-point ones; warns of pictures that are not
-// read or lie otherwise than is meant. What is no JSON is left to assimp to refuse. Returns the
-// file's bytes for assimp: without a byte order mark, and without skins that have no bind matrices,
-// which glTF 2.0 allows ("Skins") and at which assimp 5.2.5 crashes; that is warned of, too.
+// Returns the file's bytes for assimp, without a byte order mark. Also removes skins without bind
+// matrices, at which assimp 5.2.5 crashes though glTF 2.0 allows them ("Skins"), and warns.
+// Throws Error if the file requires an unsupported extension, or stores coordinates as integers,
+// which assimp 5.2 takes for floating-point numbers. Warns of pictures that are not read or that
+// are placed wrongly. Invalid JSON is left to assimp to refuse.
 QByteArray gltfForAssimp(const ModelSource& source, QStringList& warnings);
 
 } // namespace dipwright

@@ -25,8 +25,9 @@ bool startsWithAny(QByteArrayView line, std::initializer_list<const char*> words
     });
 }
 
-// At pictures, and what physically based materials have beside their colours, assimp needs a
-// material; all else it passes over, a heading such as "Alias OBJ Material File" too.
+// Whether assimp needs a current material at this line. It does for pictures and for the values of
+// physically based materials. It skips anything else, also a heading such as "Alias OBJ Material
+// File".
 bool needsMaterial(QByteArrayView line) {
     return startsWithAny(line, {"map_", "bump", "disp", "decal", "refl", "norm"},
                          Qt::CaseInsensitive) ||
@@ -38,7 +39,7 @@ QByteArrayView firstWord(QByteArrayView line) {
                                        [](char byte) { return byte == ' ' || byte == '\t'; })};
 }
 
-// A line that is one, and no heading that begins like it.
+// Whether the line names a picture. A heading may begin alike, so the whole first word counts.
 bool isPicture(QByteArrayView line) {
     const QByteArray word = firstWord(line).toByteArray().toLower();
     return word.startsWith("map_") || word == "bump" || word == "disp" || word == "decal" ||
@@ -49,7 +50,7 @@ bool endsLine(char byte) {
     return byte == '\n' || byte == '\r' || byte == '\f' || byte == '\0';
 }
 
-// Words that assimp knows in this case only, and that some programs write in another.
+// Keywords that assimp knows in this case only, but that some programs write differently.
 constexpr const char* knownWords[] = {"newmtl", "map_Kd", "Kd"};
 
 QByteArray inKnownCase(QByteArrayView word) {
@@ -61,7 +62,7 @@ QByteArray inKnownCase(QByteArrayView word) {
     return QByteArray();
 }
 
-// The words of a line, as parts of it.
+// Returns the words of a line, as views into it.
 std::vector<QByteArrayView> wordsOf(QByteArrayView line) {
     const auto isSpace = [](char byte) { return byte == ' ' || byte == '\t'; };
     std::vector<QByteArrayView> words;
@@ -79,15 +80,15 @@ std::optional<double> numberIn(QByteArrayView word) {
     return isNumber && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-// What stands between the first word of a line and the name of its picture.
+// The options between the first word of a line and the name of its picture.
 struct PictureOptions {
-    std::size_t end = 1; // the first word of the name
+    std::size_t end = 1; // index of the first word of the name
     PicturePlacement placement;
-    QByteArrayList notFollowed;
+    QByteArrayList ignored;
 };
 
-// Takes in the options of a picture, one after the other ("MTL material format", Alias Wavefront,
-// "Options for texture map statements"). At least one word is left for the name.
+// Parses the options of a picture one by one ("MTL material format", Alias Wavefront, "Options for
+// texture map statements"). Leaves at least one word for the name.
 class OptionReader {
 public:
     explicit OptionReader(const std::vector<QByteArrayView>& words) : words_(words) {}
@@ -99,7 +100,7 @@ public:
     }
 
 private:
-    // False where the name begins.
+    // Returns false where the name begins.
     bool readOption() {
         const QByteArray option = words_[options_.end].toByteArray().toLower();
         if (option == "-s" || option == "-o" || option == "-t") {
@@ -108,14 +109,14 @@ private:
         } else if (option == "-mm") { // base and gain of the picture's values
             ++options_.end;
             const auto [base, gain, depth] = numbers(2, {0, 1, 0});
-            notFollowedUnless(base == 0 && gain == 1, option);
+            markIgnoredUnless(base == 0 && gain == 1, option);
         } else if (option == "-clamp") {
-            notFollowedUnless(words_[options_.end + 1].compare("on", Qt::CaseInsensitive) != 0,
+            markIgnoredUnless(words_[options_.end + 1].compare("on", Qt::CaseInsensitive) != 0,
                               option);
             skip(2);
         } else if (const QByteArrayList others{"-blendu", "-blendv", "-cc", "-boost", "-texres",
                                                "-bm", "-imfchan", "-type"};
-                   others.contains(option)) { // they change no colour
+                   others.contains(option)) { // these change no colour
             skip(2);
         } else {
             return false;
@@ -127,18 +128,18 @@ private:
         const float usual = option == "-s" ? 1 : 0;
         const auto [u, v, w] = numbers(3, {usual, usual, usual});
         const Eigen::Vector2f vector(u, v);
-        if (option == "-t") { // noise
-            notFollowedUnless(vector.isZero() && w == 0, option);
+        if (option == "-t") { // turbulence
+            markIgnoredUnless(vector.isZero() && w == 0, option);
         } else if (option == "-o") {
             options_.placement.offset = vector;
         } else if (u != 0 && v != 0) {
             options_.placement.scale = vector;
         } else {
-            notFollowedUnless(false, option);
+            markIgnoredUnless(false, option);
         }
     }
 
-    // Up to so many numbers, the others as usual.
+    // Reads up to `most` numbers into `found`; the rest keep their values.
     std::array<float, 3> numbers(std::size_t most, std::array<float, 3> found) {
         for (std::size_t i = 0; i < most && options_.end + 1 < words_.size(); ++i) {
             const auto number = numberIn(words_[options_.end]);
@@ -155,9 +156,9 @@ private:
         options_.end = std::min(options_.end + words, words_.size() - 1);
     }
 
-    void notFollowedUnless(bool isUsual, const QByteArray& option) {
-        if (!isUsual && !options_.notFollowed.contains(option)) {
-            options_.notFollowed.push_back(option);
+    void markIgnoredUnless(bool isUsual, const QByteArray& option) {
+        if (!isUsual && !options_.ignored.contains(option)) {
+            options_.ignored.push_back(option);
         }
     }
 
@@ -180,7 +181,8 @@ public:
             begin = next + 1;
         }
         if (hasPicture_ || (firstMaterial_ < 0 && hasAny_)) {
-            file_.fault = Text::tr("%1 describes a material before it names any").arg(name_);
+            file_.fault =
+                Text::tr("%1 sets material properties before its first material").arg(name_);
         }
         if (firstMaterial_ > 0) {
             file_.bytes = file_.bytes.mid(firstMaterial_);
@@ -209,16 +211,16 @@ private:
         }
     }
 
-    // Leaves of the line, which begins `at`, the first word and the picture's name.
+    // Reads the options of a line that begins `at`, and blanks them out of it.
     void readPicture(qsizetype at, QByteArrayView line) {
         const std::vector<QByteArrayView> words = wordsOf(line);
         const PictureOptions options = OptionReader(words).read();
         file_.placements[material_] = options.placement;
-        if (!options.notFollowed.isEmpty() && file_.warnings.isEmpty()) {
+        if (!options.ignored.isEmpty() && file_.warnings.isEmpty()) {
             file_.warnings.push_back(
-                Text::tr("Options that %1 gives a texture are not followed: %2; apply them to the "
-                         "picture in a modelling program")
-                    .arg(name_, QString::fromLatin1(options.notFollowed.join(", "))));
+                Text::tr("Some texture options in %1 are ignored: %2; apply them to the picture in "
+                         "a modelling program")
+                    .arg(name_, QString::fromLatin1(options.ignored.join(", "))));
         }
         if (options.end > 1) {
             const qsizetype begin = words[1].data() - line.data();
@@ -228,10 +230,10 @@ private:
     }
 
     MaterialFile file_;
-    QString material_; // the one being described
+    QString material_; // the current one
     QString name_;
-    qsizetype firstMaterial_ = -1;             // where it begins
-    bool hasPicture_ = false, hasAny_ = false; // before that
+    qsizetype firstMaterial_ = -1;             // where it begins in the file
+    bool hasPicture_ = false, hasAny_ = false; // before the first material
 };
 
 } // namespace

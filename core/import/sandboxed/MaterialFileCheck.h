@@ -1,5 +1,5 @@
-// OBJ's material files (.mtl), made such that assimp reads them and survives. Private to this
-// folder.
+// Prepares OBJ material files (.mtl) so that assimp reads them correctly and does not crash.
+// Private to this folder.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 
 namespace dipwright {
 
-// Where a material's picture lies: at the model's texture coordinates, scaled and then moved.
+// Placement of a material's picture: texture coordinates are scaled, then shifted.
 struct PicturePlacement {
     Eigen::Vector2f scale = Eigen::Vector2f::Ones();
     Eigen::Vector2f offset = Eigen::Vector2f::Zero();
@@ -18,25 +18,26 @@ struct PicturePlacement {
         return coordinate.cwiseProduct(scale) + offset;
     }
 };
-using PicturePlacements = std::map<QString, PicturePlacement>; // by the material's name
+using PicturePlacements = std::map<QString, PicturePlacement>; // by name of the material
 
 struct MaterialFile {
     QByteArray bytes;     // for assimp
-    QString fault;        // empty where it can be read
-    QStringList warnings; // of what is not followed, in sentences for the user
+    QString fault;        // empty if the file can be read
+    QStringList warnings; // options that are ignored, in sentences for the user
     PicturePlacements placements;
 };
 
-// The file of this name from its first material on, without a byte-order mark, and with the words
-// for colours in the case in which assimp knows them. The options before the name of a colour's
-// picture are read here and blanked out, as assimp 5.2.5 wants three numbers after -s, -o and -t,
-// where the format asks for one to three, and takes none of them. Refused is a picture, or a value
-// of physically based materials, that belongs to none, at which assimp 5.2.5 crashes or which it
-// drops without a word: a picture before the first material, either where there is no material at
-// all.
+// Returns the file from its first material on, without a byte order mark, and with colour keywords
+// in the case that assimp expects. Options before the name of a colour's picture are parsed here
+// and blanked out. After -s, -o and -t the format allows one to three numbers. assimp 5.2.5 wants
+// three, and then ignores them.
+// Reports a fault for a picture, or a value of physically based materials, that belongs to no
+// material. assimp 5.2.5 crashes at it or drops it silently. A picture is checked if it is before
+// the first material. In a file without materials, such values are checked, too.
 MaterialFile materialFile(const QByteArray& bytes, const QString& name);
 
-// A text that begins with a byte-order mark as UTF-8 without it, any other as it is.
+// Converts a text with a byte order mark to UTF-8 and removes the mark. Returns other texts
+// unchanged.
 QByteArray withoutByteOrderMark(const QByteArray& text);
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// What the readers of the formats are given. Private to this folder.
+// The input of the format readers. Private to this folder.
 #pragma once
 
 #include "import/sandboxed/PictureReader.h"
@@ -10,25 +10,27 @@
 
 namespace dipwright {
 
-// A reader fills a TexturedMesh with all triangles in the file's units, unwelded and unchecked but
-// with indices that exist, and only the materials in use; it leaves the charts to others.
+// A reader fills a TexturedMesh with all triangles in the file's units and with the materials in
+// use. The mesh is not welded or checked, but its indices are valid. Readers do not fill the
+// charts.
 struct ModelSource {
-    QString path;            // of the model file, as the user named it, for messages
-    QByteArray bytes;        // what is in it
-    UntrustedFiles& files;   // those that it names
-    PictureReader& pictures; // of all its pictures
-    bool withTextures;       // false: another picture will replace the model's own
+    QString path;            // of the model file, as the user gave it; for messages
+    QByteArray bytes;        // content of the model file
+    UntrustedFiles& files;   // the files that the model names
+    PictureReader& pictures; // decodes all its pictures
+    bool withTextures;       // false if another picture will replace the model's own
 
-    // A picture that the model names; null, and a warning, where it is not there.
+    // Returns a picture that the model names. If it is missing, returns a null image and adds a
+    // warning.
     QImage readPicture(const QString& name, QStringList& warnings) const;
 
-    // Throws Error.
+    // Both throw Error.
     [[noreturn]] void throwDamaged(const QString& reason) const;
     void checkTriangleCount(std::size_t count) const;
 };
 
-// Whether what is left behind the last row of a binary file may be further rows, each of so many
-// bytes, which its header does not count. Bytes of no meaning are common there; zeros are no row.
+// Whether the bytes after the last row of a binary file may be further rows that its header does
+// not count. Meaningless bytes are common there; zeros are not a row.
 bool areFurtherRows(QByteArrayView left, qsizetype rowBytes);
 
 // Texture coordinates of a triangle that has none.

@@ -10,7 +10,8 @@ namespace {
 
 enum Tag : quint16 { ExifFolder = 0x8769, Taken = 0x9003, FocalLength35 = 0xa405 };
 
-// The TIFF structure in which the tags are: a TIFF file itself, or a segment of a JPEG.
+// Returns the TIFF structure that contains the tags: a TIFF file itself, or a segment of a JPEG
+// file.
 QByteArray tagsOf(const QByteArray& file) {
     if (file.startsWith("II") || file.startsWith("MM")) {
         return file;
@@ -32,7 +33,7 @@ public:
     explicit Tags(QByteArray bytes)
         : bytes_(std::move(bytes)), isLittle_(bytes_.startsWith("II")) {}
 
-    // 0 where the bytes end before it does, or begin after it.
+    // Returns 0 if the number is not entirely within the bytes.
     template <typename Number>
     Number number(qint64 at) const {
         if (at < 0 || at + qint64(sizeof(Number)) > bytes_.size()) {
@@ -42,7 +43,8 @@ public:
                          : qFromBigEndian<Number>(bytes_.constData() + at);
     }
 
-    // Where the value of that tag of a folder is, or the place of a longer one; -1: nowhere.
+    // Returns the position of the value of a tag in a folder, or of the offset of a longer value;
+    // −1 if there is none.
     qint64 value(qint64 folder, Tag tag) const {
         const int entries = folder > 0 ? number<quint16>(folder) : 0;
         for (qint64 at = folder + 2; at < folder + 2 + 12LL * entries; at += 12) {

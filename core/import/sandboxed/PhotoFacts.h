@@ -1,12 +1,12 @@
-// What a camera has written into its photo, from bytes that nobody has looked at yet.
+// Reads what a camera has written into its photo, from untrusted bytes.
 #pragma once
 
 #include "import/trusted/ReaderMessages.h"
 
 namespace dipwright {
 
-// Of JPEG and TIFF files, by their EXIF tags (CIPA DC-008, EXIF 2.3). What is missing, broken or
-// out of range is left out. Throws nothing.
+// Reads the EXIF tags (CIPA DC-008, EXIF 2.3) of a JPEG or TIFF file. Leaves out tags that are
+// missing, broken or out of range. Does not throw.
 PhotoFacts photoFacts(const QByteArray& file);
 
 } // namespace dipwright

@@ -35,13 +35,13 @@ constexpr qsizetype largestProfile = 16 << 20; // bytes
 }
 
 [[noreturn]] void throwNotFit(const QString& where) {
-    throw Error(Text::tr("The picture's ICC profile is damaged or not for its pixels; save it "
-                         "anew, as sRGB"),
+    throw Error(Text::tr("The picture's ICC profile is damaged or does not match its pixels; save "
+                         "the picture anew as sRGB"),
                 where);
 }
 
-// PNG (ISO/IEC 15948), chunk iCCP: name, 0, method 0, zlib stream. libpng drops one of RGB in a
-// grey picture, which is read here.
+// PNG (ISO/IEC 15948), chunk iCCP: name, 0, method 0, zlib stream. Read here because libpng drops
+// an RGB profile in a grey picture.
 QByteArray profileOfPng(const QByteArray& file, const QString& where) {
     qsizetype at = 8;
     while (at + 12 <= file.size()) {
@@ -53,7 +53,7 @@ QByteArray profileOfPng(const QByteArray& file, const QString& where) {
         if (kind == "iCCP") {
             const QByteArray chunk = file.mid(at + 8, length);
             const qsizetype stream = chunk.indexOf('\0') + 2;
-            // Qt wants the length beforehand, of which it takes more where that is not enough.
+            // Qt wants a length first; it allocates more if that is too small.
             QByteArray packed(4, '\0');
             qToBigEndian(quint32(4096), packed.data());
             const QByteArray profile =
@@ -69,7 +69,7 @@ QByteArray profileOfPng(const QByteArray& file, const QString& where) {
 }
 
 // JPEG, segments APP2 (ICC.1, annex B.4): "ICC_PROFILE", 0, number from 1, count, part. Some
-// programs number from 0 or give no count, which libjpeg refuses.
+// programs number from 0 or give no count; libjpeg refuses such files.
 QByteArray profileOfJpeg(const QByteArray& file, const QString& where) {
     std::map<int, QByteArray> parts;
     int count = 0;
@@ -94,13 +94,13 @@ QByteArray profileOfJpeg(const QByteArray& file, const QString& where) {
     return profile;
 }
 
-// WebP, which says at its begin whether it has a profile.
+// WebP, whose header says whether it has a profile.
 QByteArray profileOfWebp(const QByteArray& file, const QString& where) {
     const WebPData data{reinterpret_cast<const uchar*>(file.constData()), std::size_t(file.size())};
     const std::unique_ptr<WebPDemuxer, decltype(&WebPDemuxDelete)> webp(WebPDemux(&data),
                                                                         WebPDemuxDelete);
     if (!webp || (WebPDemuxGetI(webp.get(), WEBP_FF_FORMAT_FLAGS) & ICCP_FLAG) == 0) {
-        return {}; // what is damaged Qt refuses, which reads by the same library
+        return {}; // Qt refuses damaged files later, with the same library
     }
     WebPChunkIterator profile;
     if (WebPDemuxGetChunk(webp.get(), "ICCP", 1, &profile) == 0) {
@@ -113,7 +113,7 @@ QByteArray profileOfWebp(const QByteArray& file, const QString& where) {
 class TiffFile {
 public:
     explicit TiffFile(const QByteArray& bytes) : bytes_(bytes) {
-        TIFFSetErrorHandler(nullptr); // what is wrong with a file is told in our words
+        TIFFSetErrorHandler(nullptr); // errors are reported by this program instead
         TIFFSetWarningHandler(nullptr);
         tiff_.reset(TIFFClientOpen("picture", "rm", this, read, write, seek, close, size, nullptr,
                                    nullptr));
@@ -122,7 +122,7 @@ public:
     TiffFile& operator=(const TiffFile&) = delete;
 
     TIFF* get() const { return tiff_.get(); }
-    // A tag of one number; 0 where the file is none or does not say.
+    // Returns a tag of one number; 0 if the file is not TIFF or has no such tag.
     template <typename Number>
     Number number(ttag_t tag) const {
         Number value = 0;
@@ -171,8 +171,8 @@ QByteArray profileOfTiff(const QByteArray& file) {
     return {static_cast<const char*>(profile), qsizetype(length)};
 }
 
-// Whether the first directory of a TIFF file (TIFF 6.0, section 2) has the profile's tag, of which
-// libtiff makes nothing where what it points to is not there.
+// Whether the first directory of a TIFF file (TIFF 6.0, section 2) has the profile's tag. libtiff
+// ignores the tag if its data is missing.
 bool claimsProfile(const QByteArray& file) {
     const bool isLittle = file.startsWith('I');
     const auto number = [&]<typename Number>(qsizetype at, Number) -> Number {
@@ -197,8 +197,8 @@ bool isTiff(const QByteArray& file) {
            file.startsWith(QByteArrayView("MM\0*", 4));
 }
 
-// Of a picture of 8 or 16 bits in rows, its size; none where it is kept otherwise or has fewer
-// samples a pixel than `least`.
+// Returns the size of a picture of 8 or 16 bits in rows. Returns nothing if it is stored otherwise
+// or has fewer than `least` samples per pixel.
 std::optional<QSize> rowsOf(const TiffFile& tiff, int least) {
     const auto samples = tiff.number<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL);
     const auto bits = tiff.number<std::uint16_t>(TIFFTAG_BITSPERSAMPLE);
@@ -211,8 +211,8 @@ std::optional<QSize> rowsOf(const TiffFile& tiff, int least) {
     return size.isEmpty() ? std::nullopt : std::optional(size);
 }
 
-// Calls take(samples) of each pixel with its samples in 16 bits, those of 8 bits times 257. False
-// where the file ends before its picture.
+// Calls take(samples) for each pixel with its samples in 16 bits; 8-bit samples are multiplied by
+// 257. Returns false if the file ends too early.
 template <typename Take>
 bool forTiffPixels(const TiffFile& tiff, QSize size, const Take& take) {
     const std::size_t samples = tiff.number<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL);
@@ -231,7 +231,7 @@ bool forTiffPixels(const TiffFile& tiff, QSize size, const Take& take) {
             for (std::size_t sample = 0; sample < samples; ++sample) {
                 const std::size_t at = x * samples + sample;
                 if (bits == 16) {
-                    std::memcpy(&pixel[sample], &row[2 * at], 2); // libtiff has turned the bytes
+                    std::memcpy(&pixel[sample], &row[2 * at], 2); // libtiff has swapped the bytes
                 } else {
                     pixel[sample] = quint16(row[at] * 257);
                 }
@@ -262,8 +262,8 @@ bool isLab(int photometric) {
     return photometric == PHOTOMETRIC_CIELAB || photometric == PHOTOMETRIC_ICCLAB;
 }
 
-// a* or b* of TIFF 6.0, section 23 (signed), or of the supplement's ICCLab (128 more), from sixteen
-// bits.
+// Returns a* or b* from a 16-bit sample, of CIELab (TIFF 6.0, section 23; signed) or of the
+// supplement's ICCLab (offset by 128).
 float chromaOf(quint16 number, int bits, bool isIcc) {
     if (bits == 8) {
         const int byte = number / 257;
@@ -273,12 +273,12 @@ float chromaOf(quint16 number, int bits, bool isIcc) {
 }
 
 struct JpegErrors {
-    jpeg_error_mgr manager; // first: libjpeg knows no more of it
+    jpeg_error_mgr manager; // must be first, as libjpeg only knows this part
     std::jmp_buf back;
 };
 
-// Nothing here needs to be taken down by a destructor when libjpeg jumps out. Photoshop and all
-// after it write inks the other way round and say that they do by a marker of their own.
+// Has no local objects with destructors, since libjpeg may jump out. Photoshop and programs like it
+// write inverted inks and mark the file with an Adobe marker.
 bool decodeInks(jpeg_decompress_struct& jpeg, JpegErrors& errors, const QByteArray& file,
                 InkPicture& picture, std::vector<uchar>& row) {
     if (setjmp(errors.back)) { // NOLINT(cert-err52-cpp): the only way that libjpeg has
@@ -307,7 +307,7 @@ bool decodeInks(jpeg_decompress_struct& jpeg, JpegErrors& errors, const QByteArr
             }
         }
     }
-    return jpeg.err->num_warnings == 0; // a file that is cut off goes on in grey
+    return jpeg.err->num_warnings == 0; // an incomplete file continues in grey, with a warning
 }
 
 std::optional<InkPicture> inksOfJpeg(const QByteArray& file) {
@@ -335,7 +335,7 @@ struct DeleteTransform {
 using ProfileHandle = std::unique_ptr<void, CloseProfile>;
 using Transform = std::unique_ptr<void, DeleteTransform>;
 
-// What a picture becomes. Open: the wide space's colours and those beyond it, below 0 or above 1.
+// Colour space of the result. Open keeps colours beyond wide, as values below 0 or above 1.
 enum class Target { Srgb, Wide, Open };
 
 ProfileHandle profileFrom(const QByteArray& bytes) {
@@ -371,7 +371,7 @@ QImage emptyTexture(QSize size, Target target) {
     if (texture.isNull()) {
         throw std::bad_alloc();
     }
-    texture.fill(Qt::white); // lcms2 writes colours and leaves alpha as it is
+    texture.fill(Qt::white); // lcms2 writes colours and leaves alpha unchanged
     if (wide) {
         texture.setColorSpace(wideSpace());
     }
@@ -388,7 +388,7 @@ cmsUInt32Number numbersOf(const LabPicture&, const QByteArray&) {
     return TYPE_Lab_FLT;
 }
 
-// One row at a time: a large picture is not held once more in sixteen bits.
+// Converts one row at a time, to avoid a second copy of a large picture in 16 bits.
 void convertRow(cmsHTRANSFORM transform, const InkPicture& picture, int y, QImage& row, Target) {
     const auto width = std::size_t(row.width());
     cmsDoTransform(transform, &picture.inks[std::size_t(y) * width], row.bits(),
@@ -410,7 +410,7 @@ void convertRow(cmsHTRANSFORM transform, const QImage& picture, int y, QImage& r
     }
     uchar* to = row.bits();
     cmsDoTransform(transform, numbers.data(), to, cmsUInt32Number(width));
-    for (std::size_t x = 0; x < width; ++x) { // lcms2 writes colours and leaves alpha
+    for (std::size_t x = 0; x < width; ++x) { // lcms2 leaves alpha unchanged
         const quint16 alpha = pixel[4 * x + 3];
         if (target == Target::Wide) {
             reinterpret_cast<quint16*>(to)[4 * x + 3] = alpha;
@@ -420,7 +420,7 @@ void convertRow(cmsHTRANSFORM transform, const QImage& picture, int y, QImage& r
     }
 }
 
-// Numbers of one colour alone would be taken for grey.
+// Throws if the profile is for grey but the picture is not.
 void requireKind(const QImage& picture, const QByteArray& profile, const QString& where) {
     if (spaceOf(profile) == "GRAY" && !picture.allGray()) {
         throwNotFit(where);
@@ -437,8 +437,8 @@ QSize sizeOf(const LabPicture& picture) {
     return picture.size;
 }
 
-// A row in floating point, for what comes out beyond a space; nothing of pictures whose colours
-// cannot be far beyond: inks and grey.
+// A row in floating point, to find colours beyond a colour space. Empty for inks and grey, whose
+// colours cannot be far beyond.
 struct OpenRow {
     cmsUInt32Number numbers = 0;
     std::vector<float> values;
@@ -466,7 +466,7 @@ OpenRow openRow(const QImage& picture, const QByteArray& profile, int y) {
     return row;
 }
 
-// Whether any colour came out at an end of the wide space's range: only these can be beyond it.
+// Whether any colour is at an end of the wide space's range. Only such colours can be beyond it.
 bool touchesWideEnds(const QImage& texture, int y) {
     const auto* pixel = reinterpret_cast<const quint16*>(texture.constScanLine(y));
     for (int x = 0; x < texture.width(); ++x, pixel += 4) {
@@ -478,11 +478,11 @@ bool touchesWideEnds(const QImage& texture, int y) {
     return false;
 }
 
-// Share of the pixels of a wide texture whose colour lies beyond it by more than the eye forgives.
+// Returns the share of pixels of a wide texture whose colours were visibly beyond its space.
 template <typename Picture>
 double clippedShare(const Picture& picture, const QByteArray& profile, const QImage& texture,
                     const QString& where) {
-    constexpr float visible = 0.02F; // of a channel's range, by the curve of the space
+    constexpr float visible = 0.02F; // share of a channel's range, gamma-encoded
     const cmsUInt32Number numbers = openRow(picture, profile, 0).numbers;
     if (numbers == 0) {
         return 0;
@@ -518,7 +518,7 @@ QImage converted(const Picture& picture, const QByteArray& profile, const QStrin
     return texture;
 }
 
-// Only colours that come out at an end of sRGB's range can be beyond it.
+// Whether any colour is at an end of sRGB's range. Only such colours can be beyond it.
 bool touchesEnds(const uchar* row, int width) {
     for (const uchar* pixel = row; pixel < row + qsizetype(width) * 4; pixel += 4) {
         const auto [least, most] = std::minmax({pixel[0], pixel[1], pixel[2]});
@@ -538,7 +538,7 @@ QImage widerWhereNeeded(const Picture& picture, const QByteArray& profile, const
         if (touchesEnds(texture.constScanLine(y), texture.width())) {
             convertRow(toWide.get(), picture, y, row, Target::Wide);
             if (!isHeldBySrgb(row)) {
-                texture = QImage(); // first, for there is not room for much
+                texture = QImage(); // freed first, as memory is scarce
                 texture = converted(picture, profile, where, Target::Wide);
                 const ColourNote note{false, clippedShare(picture, profile, texture, where)};
                 return note.isEmpty() ? texture : withColourNote(texture, note);
@@ -567,7 +567,8 @@ QByteArray embeddedProfile(const QByteArray& file, const QString& where) {
     }
     if (profile.size() > largestProfile) {
         throw Error(
-            Text::tr("The picture's ICC profile is larger than %1 MB; save it anew, as sRGB")
+            Text::tr(
+                "The picture's ICC profile is larger than %1 MB; save the picture anew as sRGB")
                 .arg(largestProfile >> 20),
             where);
     }
@@ -596,7 +597,7 @@ std::optional<LabPicture> readLab(const QByteArray& file) {
     }
     const int bits = tiff.number<std::uint16_t>(TIFFTAG_BITSPERSAMPLE);
     const bool isIcc = tiff.number<std::uint16_t>(TIFFTAG_PHOTOMETRIC) == PHOTOMETRIC_ICCLAB;
-    const float full = isIcc && bits == 16 ? 65280 : 65535; // of L*
+    const float full = isIcc && bits == 16 ? 65280 : 65535; // value of L* = 100
     LabPicture picture{*size, {}};
     picture.colours.reserve(std::size_t(size->width()) * std::size_t(size->height()));
     const bool whole = forTiffPixels(tiff, *size, [&](const std::vector<quint16>& samples) {
@@ -621,7 +622,7 @@ QImage textureOf(const InkPicture& picture, const QByteArray& profile, const QSt
 }
 
 QImage textureOf(const QImage& picture, const QByteArray& profile, const QString& where) {
-    if (profile == wideSpace().iccProfile()) { // a texture that was stored as it is
+    if (profile == wideSpace().iccProfile()) { // a texture that was stored in wide colour
         QImage texture = picture.convertToFormat(QImage::Format_RGBA64);
         texture.setColorSpace(wideSpace());
         return texture;

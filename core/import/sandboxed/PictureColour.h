@@ -1,5 +1,5 @@
-// Colours of pictures that say what their numbers mean: by an ICC profile, grey, RGB and CMYK; by
-// themselves, CIE L*a*b*.
+// Converts the colours of pictures with a defined colour space: grey, RGB and CMYK with an ICC
+// profile, and CIE L*a*b*.
 #pragma once
 
 #include <QByteArray>
@@ -11,21 +11,21 @@
 
 namespace dipwright {
 
-// The ICC profile in a PNG, JPEG, TIFF or WebP file; empty where there is none. Throws Error,
-// naming `where`, for a file that says it has one which is damaged, not whole or beyond all
-// measure.
+// Returns the ICC profile in a PNG, JPEG, TIFF or WebP file; empty if there is none. Throws Error,
+// naming `where`, if the profile is damaged, incomplete or far too large.
 QByteArray embeddedProfile(const QByteArray& file, const QString& where);
 
-// Pixels in four inks, row by row without gaps: cyan, magenta, yellow, black, 0 none … 65535 full.
+// Pixels in four inks, row by row without gaps: cyan, magenta, yellow, black; 0 is no ink, 65535
+// full ink.
 struct InkPicture {
     QSize size;
     std::vector<std::array<quint16, 4>> inks;
 };
 
-bool isOfInks(const QByteArray& profile); // of CMYK, by its header
+bool isOfInks(const QByteArray& profile); // whether it is for CMYK, by its header
 
-// The pixels of a JPEG or TIFF file that holds CMYK (or YCCK); none for any other file, and for one
-// that is damaged or kept in a way that is not read (tiles, planes).
+// Returns the pixels of a JPEG or TIFF file in CMYK (or YCCK). Returns nothing for any other file,
+// and for a file that is damaged or stored in an unsupported way (tiles, planes).
 std::optional<InkPicture> readInks(const QByteArray& file);
 
 // Pixels in CIE L*a*b* (D50), row by row without gaps: L* 0 … 100, a* and b*.
@@ -34,20 +34,21 @@ struct LabPicture {
     std::vector<std::array<float, 3>> colours;
 };
 
-bool isOfLab(const QByteArray& file); // a TIFF file in CIE L*a*b*, as it says
-// Its pixels; none where it is damaged or kept in a way that is not read: tiles, planes, other bits
-// than 8 or 16.
+bool isOfLab(const QByteArray& file); // whether it is a TIFF file in CIE L*a*b*, by its tags
+// Returns its pixels. Returns nothing if it is damaged or stored in an unsupported way: tiles,
+// planes, or not 8 or 16 bits.
 std::optional<LabPicture> readLab(const QByteArray& file);
 
-// As textures have them, by lcms2, relative to white: RGBA8888 in sRGB where that holds the
-// colours, else wide (base/WideGamut.h). `profile` is that of the picture's own space: CMYK for
-// inks; grey or RGB for an image, whose own idea of its colour space is not asked. All throw Error,
-// naming `where`, for a profile that is damaged or of another kind than the pixels. Where colours
-// lie visibly beyond wide's primaries, the texture has a note of how many (base/ColourNote.h).
+// Converts to a texture by lcms2, relative colorimetric: RGBA8888 in sRGB if that holds the
+// colours, otherwise wide (base/WideGamut.h). `profile` describes the picture's own space: CMYK for
+// inks, grey or RGB for an image. An image's own colour space is ignored.
+// All throw Error, naming `where`, if the profile is damaged or does not match the pixels. If
+// colours lie visibly outside wide's primaries, the texture has a note of how many
+// (base/ColourNote.h).
 QImage textureOf(const LabPicture& picture, const QString& where);
 QImage textureOf(const InkPicture& picture, const QByteArray& profile, const QString& where);
 QImage textureOf(const QImage& picture, const QByteArray& profile, const QString& where);
-// RGBA8888 in sRGB, what that cannot show at its nearest there.
+// Converts to RGBA8888 in sRGB; colours outside sRGB become the nearest ones in it.
 QImage srgbOf(const QImage& picture, const QByteArray& profile, const QString& where);
 
 } // namespace dipwright

@@ -29,7 +29,7 @@ Number numberAt(const QByteArray& file, qsizetype at) {
     return qFromLittleEndian<Number>(file.constData() + at);
 }
 
-// The last row's gap to a multiple of four bytes is left out by some writers.
+// Some programs omit the padding of the last row to a multiple of four bytes.
 bool isBmpCutOff(const QByteArray& file) {
     constexpr qsizetype fileHeader = 14, longHeader = 40, shortHeader = 12;
     if (file.size() < fileHeader + shortHeader) {
@@ -43,14 +43,15 @@ bool isBmpCutOff(const QByteArray& file) {
     constexpr quint32 withRuns8 = 1, withRuns4 = 2;
     const quint32 packing = isShort ? 0 : numberAt<quint32>(file, 30);
     if (packing == withRuns8 || packing == withRuns4) {
-        return false; // no length is known beforehand
+        return false; // its length cannot be known in advance
     }
     const qint64 width = isShort ? numberAt<quint16>(file, 18) : numberAt<qint32>(file, 18);
     const qint64 height = isShort ? numberAt<quint16>(file, 20) : numberAt<qint32>(file, 22);
     const qint64 rowBits = width * numberAt<quint16>(file, isShort ? 24 : 28);
     const qint64 begin = std::max(qint64(numberAt<quint32>(file, 10)), fileHeader + header);
     const qint64 gaplessRow = (rowBits + 7) / 8, row = (rowBits + 31) / 32 * 4;
-    const double rows = double(row) * double(std::abs(height) - 1); // absurd ones, too
+    // Double, as the header may be absurd.
+    const double rows = double(row) * double(std::abs(height) - 1);
     return double(begin + gaplessRow) + rows > double(file.size());
 }
 
@@ -66,7 +67,7 @@ std::optional<JpegMarker> nextJpegMarker(const QByteArray& file, qsizetype at) {
             break;
         }
         const int kind = byte(at++);
-        if (kind == 0) { // a byte 0xff of the bits
+        if (kind == 0) { // an escaped byte 0xff of the scan
             continue;
         }
         if (standsAlone(kind)) {

@@ -23,7 +23,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Texture)
 };
 
-// A picture that only states a gamma near 2.2 means sRGB, as every program shows it.
+// A picture that only states a gamma near 2.2 means sRGB; every program shows it so.
 bool isAsGoodAsSRgb(const QColorSpace& space) {
     return !space.isValid() || space == QColorSpace::SRgb ||
            (space.primaries() == QColorSpace::Primaries::SRgb &&
@@ -31,7 +31,7 @@ bool isAsGoodAsSRgb(const QColorSpace& space) {
             std::abs(space.gamma() - 2.2F) < 0.05F);
 }
 
-// `profile`: what the file says of its numbers, which Qt reads of RGB only; may be empty.
+// `profile` is the file's ICC profile, which Qt reads for RGB only; may be empty.
 QImage asTexture(QImage image, const QByteArray& profile, const QString& where,
                  PictureReader::Turned turned) {
     if (!profile.isEmpty() && image.colorSpace() != QColorSpace(QColorSpace::SRgb)) {
@@ -49,10 +49,10 @@ QImage asTexture(QImage image, const QByteArray& profile, const QString& where,
     return image;
 }
 
-const QByteArray heif = "heif"; // that Qt reads where a plugin for it is installed
+const QByteArray heif = "heif"; // Qt reads it if a plugin is installed
 
-// Qt's name for the format, by the first bytes; empty for all that is not read. A name in a model
-// says nothing: an SVG called .png would draw what it likes, from wherever it likes.
+// Returns Qt's name for the format from the first bytes; empty for formats that are not supported.
+// The file name cannot be trusted: an SVG named .png could load and draw other files.
 QByteArray formatOf(const QByteArray& bytes) {
     if (bytes.startsWith("\x89PNG\r\n\x1a\n")) {
         return "png";
@@ -79,12 +79,12 @@ void requireWhole(const QByteArray& bytes, const QString& where, PictureReader::
     if (!isCutOff(bytes)) {
         return;
     }
-    throw Error(turned == PictureReader::Turned::Upright
-                    ? Text::tr("The photo is cut off in the middle; copy it from the camera "
-                               "again")
-                    : Text::tr("The picture is cut off before its end; save it anew, or copy it "
-                               "again from where it came"),
-                where);
+    throw Error(
+        turned == PictureReader::Turned::Upright
+            ? Text::tr("The photo is incomplete; copy it from the camera again")
+            : Text::tr(
+                  "The picture file is incomplete; save it anew, or copy it again from its source"),
+        where);
 }
 
 } // namespace
@@ -106,7 +106,8 @@ void PictureReader::count(const QSize& size, qint64 fileBytes, const QString& wh
 }
 
 QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned turned) {
-    // Qt's own limit refuses 8192 × 8192; ours is the size checked before anything is decoded.
+    // Qt's default limit would refuse 8192 × 8192. Instead, the size is checked before anything is
+    // decoded.
     constexpr int mostBytesPerPixel = 8;
     QImageReader::setAllocationLimit(
         int(mostOf(Budget::Pixels, bytes.size()) * mostBytesPerPixel >> 20));
@@ -120,8 +121,8 @@ QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned
     reader.setFormat(format);
     reader.setDevice(&buffer);
     if (format == heif && !reader.canRead()) {
-        throw Error(Text::tr("Pictures in HEIF are not read here; save it as JPEG, or let the "
-                             "camera write JPEG"),
+        throw Error(Text::tr("HEIF pictures cannot be read on this computer; save the picture as "
+                             "JPEG, or set the camera to JPEG"),
                     where);
     }
     if (format.isEmpty() || !reader.canRead()) {
@@ -133,12 +134,12 @@ QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned
         count(announced, bytes.size(), where);
     }
     requireWhole(bytes, where, turned);
-    if (isOfLab(bytes)) { // Qt would take it for RGB
+    if (isOfLab(bytes)) { // Qt would read it as RGB
         const QImage texture = readInLab(bytes, announced, where);
         return turned == Turned::Upright ? inSrgb(texture) : texture;
     }
     const QByteArray profile = embeddedProfile(bytes, where);
-    if (!profile.isEmpty() && turned == Turned::AsStored) { // photos are looked at, not printed
+    if (!profile.isEmpty() && turned == Turned::AsStored) { // photos are viewed, not printed
         if (const auto inks = readInks(bytes)) {
             if (!announced.isValid()) {
                 count(inks->size, bytes.size(), where);
@@ -146,8 +147,8 @@ QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned
             return textureOf(*inks, profile, where);
         }
         if (isOfInks(profile) && (format == "jpeg" || format == "tiff")) {
-            throw Error(Text::tr("The picture in CMYK is damaged, or kept in a way that is not "
-                                 "read; save it anew as JPEG, or as TIFF without tiles and planes"),
+            throw Error(Text::tr("The CMYK picture is damaged or stored in an unsupported way; "
+                                 "save it anew as JPEG, or as TIFF without tiles or planes"),
                         where);
         }
     }
@@ -164,14 +165,13 @@ QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned
     return assumesInks ? withColourNote(image, {.assumesInks = true}) : image;
 }
 
-// `announced`: by Qt; not valid where it does not say.
+// `announced` is the size that Qt reports; invalid if it reports none.
 QImage PictureReader::readInLab(const QByteArray& bytes, const QSize& announced,
                                 const QString& where) {
     const auto lab = readLab(bytes);
     if (!lab) {
-        throw Error(Text::tr("The picture in Lab is damaged, or kept in a way that is not read; "
-                             "save it anew as RGB, or as TIFF in 8 or 16 bits without tiles and "
-                             "planes"),
+        throw Error(Text::tr("The Lab picture is damaged or stored in an unsupported way; save it "
+                             "anew as RGB, or as TIFF in 8 or 16 bits without tiles or planes"),
                     where);
     }
     if (!announced.isValid()) {

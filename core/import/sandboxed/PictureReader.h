@@ -1,4 +1,4 @@
-// Pictures from bytes that nobody has looked at yet.
+// Decodes pictures from untrusted bytes.
 #pragma once
 
 #include <QByteArray>
@@ -7,23 +7,25 @@
 
 namespace dipwright {
 
-// Decodes one after the other and counts their pixels together, as often as each comes. One thread.
+// Decodes pictures one by one and counts all their pixels against one budget. A picture counts each
+// time that it is decoded. One thread.
 class PictureReader {
 public:
-    // Loads all libraries that reading pictures takes. They cannot be loaded later where files
-    // cannot be opened.
+    // Loads all libraries for pictures. In the sandbox no file can be opened, so they cannot be
+    // loaded later.
     static void prepare();
 
-    // To RGBA8888 in sRGB or, a texture with colours that this does not hold, wide. PNG, JPEG, BMP,
-    // TIFF and WebP by their content, and HEIF where Qt has a plugin for it; nothing else is tried.
-    // Throws Error, naming `where`, for what is no such picture, has no pixels or more than
-    // Budgets.h allows; nothing is decoded before its size is known to do. Upright: a photo, to be
-    // looked at; in sRGB, turned as the camera was held, where the file says how.
+    // Decodes to RGBA8888 in sRGB, or to wide for a texture with colours outside sRGB. Reads PNG,
+    // JPEG, BMP, TIFF and WebP by their content, and HEIF if Qt has a plugin for it. Throws Error,
+    // naming `where`, if the bytes are no such picture, have no pixels or exceed Budgets.h. The
+    // size is checked before anything is decoded.
+    // `Upright` is for photos that people look at: always in sRGB, rotated as the file says that
+    // the camera was held.
     enum class Turned { AsStored, Upright };
     QImage read(const QByteArray& bytes, const QString& where, Turned turned = Turned::AsStored);
 
-    // Pixels that came in no file of their own: checks them as the others and brings them to
-    // RGBA8888.
+    // Takes pixels that were not in a file of their own. Checks them like other pictures and
+    // converts them to RGBA8888.
     QImage take(QImage image, const QString& where);
 
 private:

@@ -39,7 +39,7 @@ std::optional<Type> typeNamed(QByteArrayView name) {
 struct Property {
     QByteArray name;
     Type type = Type::Float;
-    std::optional<Type> countType; // a list's
+    std::optional<Type> countType; // set for a list
 };
 
 struct Element {
@@ -47,7 +47,7 @@ struct Element {
     quint64 count = 0;
     std::vector<Property> properties;
 
-    // The place of the first of these properties, or −1.
+    // Returns the index of the first property with one of these names, or −1.
     int find(std::initializer_list<QByteArrayView> names) const {
         for (std::size_t i = 0; i < properties.size(); ++i) {
             if (std::find(names.begin(), names.end(), properties[i].name) != names.end()) {
@@ -64,15 +64,16 @@ struct Header {
     QStringList pictures;
 };
 
-// Takes a file apart into lines of the header and numbers of the body.
+// Splits a file into lines of the header and numbers of the body.
 class Scanner {
 public:
     explicit Scanner(const ModelSource& source) : rest_(source.bytes), source_(source) {
-        const QByteArrayView byteOrderMark = "\xef\xbb\xbf"; // that editors put before texts
+        const QByteArrayView byteOrderMark = "\xef\xbb\xbf"; // added by some text editors
         if (rest_.startsWith(byteOrderMark)) {
             rest_ = rest_.sliced(byteOrderMark.size());
         }
-        // Of the first line alone: after another a number's byte may look like half of an end.
+        // Only the first line decides: after the header, a byte of a binary number may look like
+        // part of a line end.
         const auto end = std::find_if(rest_.begin(), rest_.end(),
                                       [](char byte) { return byte == '\r' || byte == '\n'; });
         const QByteArrayView fromEnd(end, rest_.end());
@@ -187,7 +188,8 @@ public:
     }
 
 private:
-    using Row = std::vector<std::vector<double>>; // a property's numbers; one where it is no list
+    // Per property: its numbers; one if it is not a list.
+    using Row = std::vector<std::vector<double>>;
 
     void readHeader() {
         if (scanner_.line() != "ply") {
@@ -267,7 +269,7 @@ private:
         }
     }
 
-    // `row` is used again and again, so that nothing is allocated for each line.
+    // `row` is reused, so that nothing is allocated per line.
     void readRow(const Element& element, Row& row) {
         row.resize(element.properties.size());
         for (std::size_t i = 0; i < row.size(); ++i) {
@@ -309,7 +311,7 @@ private:
         if (header_.encoding == Encoding::Ascii
                 ? scanner_.hasWordsLeft()
                 : endsWithFaces && areFurtherRows(scanner_.left(), lastRowBytes_)) {
-            source_.throwDamaged(Text::tr("it holds more than its header counts"));
+            source_.throwDamaged(Text::tr("it holds more data than its header declares"));
         }
     }
 
@@ -353,8 +355,8 @@ private:
         });
     }
 
-    // Each corner makes a triangle with the two before it, every other one turned round; −1 begins
-    // a new strip. A corner that is repeated only leads the strip on.
+    // Each corner forms a triangle with the two before it; every second triangle is reversed. −1
+    // begins a new strip. A repeated corner only continues the strip.
     void readStrips(const Element& element) {
         constexpr double newStrip = -1;
         const int corners = element.find({"vertex_indices", "vertex_index"});
@@ -416,7 +418,7 @@ private:
     }
 
     [[noreturn]] void throwUnknownPoint() const {
-        source_.throwDamaged(Text::tr("a face names a point that is not there"));
+        source_.throwDamaged(Text::tr("a face refers to a point that does not exist"));
     }
 
     void finish() {
@@ -433,9 +435,8 @@ private:
             }
         }
         if (hasColours_ && header_.pictures.empty()) {
-            warnings_.push_back(
-                Text::tr("The colours of the model's points are not used; bake them into "
-                         "a texture to print them"));
+            warnings_.push_back(Text::tr(
+                "The model's vertex colours are not used; bake them into a texture to print them"));
         }
     }
 
@@ -445,7 +446,7 @@ private:
     Scanner scanner_;
     Header header_;
     TexturedMesh model_;
-    std::vector<Eigen::Vector2f> pointCoordinates_; // of all points, or none
+    std::vector<Eigen::Vector2f> pointCoordinates_; // per point; empty if there are none
     qsizetype lastRowBytes_ = 0;
     bool hasColours_ = false;
 };

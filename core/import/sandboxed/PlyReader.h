@@ -1,4 +1,4 @@
-// Polygon files. Private to this folder.
+// Reads PLY files. Private to this folder.
 #pragma once
 
 #include "base/Progress.h"
@@ -6,18 +6,20 @@
 
 namespace dipwright {
 
-// Reads PLY 1.0, ASCII or binary of either byte order: vertices with x, y, z and texture
-// coordinates (s, t or u, v or texture_u, texture_v), faces as lists of vertices (polygons are cut
-// from their first corner), triangle strips (tristrips, as scans have them), texture coordinates a
-// corner (texcoord), and pictures named by "comment TextureFile", chosen a face by texnumber. Lines
-// may end by CR, LF or both; a byte order mark before the file is skipped. Refused are a second
-// list of vertices, corners that are no whole numbers, and what stands after the last row: in
-// ASCII, all but white space; in binary, as many bytes as further faces would have. Throws Error.
+// Reads PLY 1.0, ASCII or binary of either byte order:
+// - vertices with x, y, z and texture coordinates (s, t or u, v or texture_u, texture_v)
+// - faces as lists of vertices; polygons are cut into a fan from their first corner
+// - triangle strips (tristrips), as scans have them
+// - texture coordinates per corner (texcoord)
+// - pictures named by "comment TextureFile" and chosen per face by texnumber
+// Lines may end with CR, LF or both. A byte order mark before the file is skipped. Refuses a second
+// list of vertices and corners that are not integers. Refuses data after the last row: in ASCII
+// anything but white space, in binary as many bytes as further faces would need. Throws Error.
 //
-// Why a reader of our own: assimp 5.2.5 keeps one texture coordinate a vertex, so that at a seam,
-// which scans store a corner (texcoord), the last face's overwrites the others'; of several
-// pictures it keeps the last name and not which face has which; and it never returns from most
-// files that end within their header. ImportModelTest has files of all three kinds.
+// assimp 5.2.5 is not used, because it keeps one texture coordinate per vertex. At a seam of the
+// texture, which scans store per corner (texcoord), the last face overwrites the others. Of several
+// pictures it keeps only the last name, without the choice per face. It also never returns from
+// most files that end within their header. ImportModelTest has files of all three kinds.
 TexturedMesh readPly(const ModelSource& source, QStringList& warnings,
                      const CancelToken& cancelToken);
 

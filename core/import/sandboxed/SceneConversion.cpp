@@ -26,7 +26,7 @@ int colourByte(float value, bool linear) {
     return int(std::lround(255 * toShow));
 }
 
-// The scene's materials and pictures as they are asked for, so that only those in use are kept.
+// Converts the scene's materials and pictures on demand, so that only those in use are kept.
 class MaterialReader {
 public:
     MaterialReader(const aiScene& scene, const ModelSource& source, const SceneMeaning& meaning,
@@ -34,8 +34,8 @@ public:
         : scene_(scene), source_(source), meaning_(meaning), model_(model), warnings_(warnings) {}
 
     struct Found {
-        std::uint16_t material; // index into the model's
-        unsigned channel;       // of texture coordinates in the scene's mesh
+        std::uint16_t material; // index into the model's materials
+        unsigned channel;       // of the texture coordinates in the scene's mesh
         PicturePlacement placement;
     };
 
@@ -54,7 +54,7 @@ public:
     }
 
 private:
-    // Adds the material to the model; returns the channel of its texture's coordinates.
+    // Adds the material to the model. Returns the channel of its texture coordinates.
     unsigned read(unsigned sceneMaterial) {
         Material& material = model_.materials.emplace_back();
         if (sceneMaterial >= scene_.mNumMaterials) {
@@ -148,18 +148,18 @@ public:
         model_.material.reserve(total_);
         readNode(*scene_.mRootNode, aiMatrix4x4());
         if (hasColours_) {
-            warnings_.push_back(
-                Text::tr("The colours of the model's points are not used; bake them into "
-                         "a texture to print them"));
+            warnings_.push_back(Text::tr(
+                "The model's vertex colours are not used; bake them into a texture to print them"));
         }
     }
 
 private:
-    // A small file can show one mesh many times.
+    // Counts first, because a small file can show one mesh many times.
     void count(const aiNode& node) {
         for (unsigned m = 0; m < node.mNumMeshes; ++m) {
             const aiMesh& mesh = *scene_.mMeshes[node.mMeshes[m]];
-            total_ += std::max(mesh.mNumFaces, mesh.mNumVertices / 3); // some may be in no face
+            // Some vertices may be in no face.
+            total_ += std::max(mesh.mNumFaces, mesh.mNumVertices / 3);
         }
         source_.checkTriangleCount(total_);
         for (unsigned child = 0; child < node.mNumChildren; ++child) {
@@ -192,7 +192,7 @@ private:
         hasColours_ |= mesh.HasVertexColors(0) && model_.materials[material].texture < 0;
         for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
             const aiFace& face = mesh.mFaces[f];
-            if (face.mNumIndices != 3) { // points and lines
+            if (face.mNumIndices != 3) { // skip points and lines
                 continue;
             }
             std::array<std::uint32_t, 3> corners{face.mIndices[0], face.mIndices[1],
@@ -213,7 +213,7 @@ private:
         auto& uv = model_.textureCoordinates.emplace_back(noCoordinates());
         for (int corner = 0; corner < 3; ++corner) {
             if (corners[corner] >= mesh.mNumVertices) {
-                source_.throwDamaged(Text::tr("a triangle names a point that is not there"));
+                source_.throwDamaged(Text::tr("a triangle refers to a point that does not exist"));
             }
             triangle[corner] = firstPosition + corners[corner];
             if (coordinates) {

@@ -1,4 +1,5 @@
-// From what assimp read to a textured mesh, not yet repaired. Private to this folder.
+// Converts a scene that assimp has read to a textured mesh, without repairs. Private to this
+// folder.
 #pragma once
 
 #include "base/Progress.h"
@@ -9,14 +10,14 @@ struct aiScene;
 
 namespace dipwright {
 
-// What the scene itself does not tell.
+// Facts that the scene itself does not contain.
 struct SceneMeaning {
     bool linearColours = false; // material colours are linear light (glTF), not sRGB
     PicturePlacements placements;
 };
 
-// All triangles of the scene, its nodes' transforms and its pictures' placements applied. Adds to
-// `warnings` what had to be left out. Throws Error.
+// Returns all triangles of the scene, with the transforms of its nodes and the placements of its
+// pictures applied. Adds what was left out to `warnings`. Throws Error.
 TexturedMesh convertScene(const aiScene& scene, const ModelSource& source,
                           const SceneMeaning& meaning, QStringList& warnings,
                           const Progress& progress);

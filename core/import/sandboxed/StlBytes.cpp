@@ -16,8 +16,9 @@ struct Text {
 
 constexpr qsizetype countPlace = 80, headerBytes = 84, triangleBytes = 50;
 
-// Of header and triangles of a binary file; nothing where it is none, however it begins: many begin
-// with "solid". In ASCII, four letters stand for a count that no file is long enough for.
+// Returns the size of header and triangles of a binary file; nothing if the file is not binary. The
+// first word does not decide, as many binary files begin with "solid". In an ASCII file, the four
+// letters at the place of the count give a number far too large for the file.
 std::optional<qsizetype> binarySize(const QByteArray& bytes) {
     if (bytes.size() < headerBytes) {
         return std::nullopt;
@@ -27,7 +28,7 @@ std::optional<qsizetype> binarySize(const QByteArray& bytes) {
     return size <= bytes.size() ? std::optional(size) : std::nullopt;
 }
 
-const QByteArrayView solid = "solid"; // begins an ASCII file
+const QByteArrayView solid = "solid"; // first word of an ASCII file
 
 bool isAscii(QByteArrayView text) {
     return text.first(std::min(text.size(), solid.size())).compare(solid, Qt::CaseInsensitive) == 0;
@@ -43,7 +44,7 @@ QByteArray stlForAssimp(const ModelSource& source) {
     const QByteArray& bytes = source.bytes;
     if (const auto size = binarySize(bytes)) {
         if (areFurtherRows(QByteArrayView(bytes).sliced(*size), triangleBytes)) {
-            source.throwDamaged(Text::tr("it holds more than its header counts"));
+            source.throwDamaged(Text::tr("it holds more data than its header declares"));
         }
         return QByteArray::fromRawData(bytes.constData(), *size);
     }

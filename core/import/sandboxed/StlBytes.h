@@ -1,16 +1,16 @@
-// STL files as assimp reads them. Private to this folder.
+// Prepares STL files for assimp. Private to this folder.
 #pragma once
 
 #include "import/sandboxed/ModelSource.h"
 
 namespace dipwright {
 
-// The bytes of an STL file as they are given to assimp 5.2.5. It takes a file for binary only where
-// the file ends with its last triangle, and an ASCII file only where its first line begins with
-// "solid"; it knows the words of ASCII in small letters alone. So a binary file loses what stands
-// after its triangles, an ASCII file the empty lines round its text, and words in capitals become
-// small. All else stays as it is. Throws Error where what stands after the triangles would be
-// further triangles. The bytes may be those of `source`, which has to outlive them.
+// Returns the bytes of an STL file for assimp 5.2.5. assimp takes a file for binary only if it ends
+// with the last triangle, and for ASCII only if it begins with "solid". It knows ASCII keywords in
+// small letters only. So bytes after the triangles of a binary file are removed. From an ASCII
+// file, empty lines round the text are removed, and capitals become small letters.
+// Throws Error if the bytes after the triangles may be further triangles. The result may share the
+// bytes of `source`, which must outlive it.
 QByteArray stlForAssimp(const ModelSource& source);
 
 } // namespace dipwright

@@ -36,7 +36,7 @@ public:
         requireWithin(Budget::Entries, zip_.getEntriesCount(), source.path);
     }
 
-    // Nothing where there is no such file; throws where it is damaged.
+    // Returns nothing if there is no such file; throws if it is damaged.
     std::optional<QByteArray> find(const QString& name) {
         const QString path = name.startsWith(u'/') ? name.sliced(1) : name;
         QuaZipFileInfo64 info;
@@ -51,8 +51,9 @@ public:
         QuaZipFile file(&zip_);
         QByteArray bytes;
         if (file.open(QIODevice::ReadOnly)) {
-            bytes = file.read(qint64(info.uncompressedSize) + 1); // no more, whatever there is
-            file.close(); // tells whether the checksum is right
+            // Never more, whatever the archive holds.
+            bytes = file.read(qint64(info.uncompressedSize) + 1);
+            file.close(); // checks the checksum
         }
         if (file.getZipError() != UNZ_OK || quint64(bytes.size()) != info.uncompressedSize) {
             source_.throwDamaged(Text::tr("%1 in it is damaged").arg(path));
@@ -64,7 +65,7 @@ private:
     const ModelSource& source_;
     QBuffer buffer_;
     QuaZip zip_;
-    qint64 unpacked_ = 0; // so far
+    qint64 unpacked_ = 0; // bytes so far
 };
 
 constexpr int noGroup = -1, noTexture = -1;
@@ -73,8 +74,8 @@ constexpr int noGroup = -1, noTexture = -1;
 struct PropertyGroup {
     std::vector<Material> materials;          // base materials and colours
     std::vector<Eigen::Vector2f> coordinates; // texture coordinates
-    int texture = noTexture;                  // what they belong to
-    QString picture;                          // its file
+    int texture = noTexture;                  // of the coordinates
+    QString picture;                          // file of that texture
 };
 
 struct ObjectTriangle {
@@ -105,7 +106,7 @@ struct Part {
     std::vector<Placement> build;
 };
 
-// In millimetres; nothing where there is no such unit.
+// Returns the unit in millimetres; nothing if it is unknown.
 std::optional<double> unitNamed(const QString& name) {
     static const std::map<QString, double> units{
         {QStringLiteral("micron"), 0.001},  {QStringLiteral("millimeter"), 1},
@@ -115,7 +116,7 @@ std::optional<double> unitNamed(const QString& name) {
     return found == units.end() ? std::nullopt : std::optional(found->second);
 }
 
-// Of the extensions that are read here, or that leave shape and colour as they are without them.
+// Whether an extension is supported here, or affects neither shape nor colour.
 bool isKnownNamespace(QStringView name) {
     static const QStringList known{
         QStringLiteral("http://schemas.microsoft.com/3dmanufacturing/core/2015/02"),
@@ -125,7 +126,7 @@ bool isKnownNamespace(QStringView name) {
     return known.contains(name);
 }
 
-// Parted by what is white space in XML, which is less than in Unicode.
+// Splits at XML white space, which has fewer characters than Unicode white space.
 QList<QStringView> wordsOf(QStringView text) {
     static const QRegularExpression space(QStringLiteral("[ \\t\\r\\n]+"));
     return text.split(space, Qt::SkipEmptyParts);
@@ -161,7 +162,7 @@ public:
     }
 
 private:
-    // Elements are known by their names alone: no two of those used here share one.
+    // Elements are identified by local name alone, which is unique among those used here.
     void readElement() {
         const QStringView name = xml_.name();
         if (name == u"vertex") {
@@ -224,22 +225,23 @@ private:
         }
         if (!isKnownNamespace(name)) {
             source_.throwDamaged(
-                Text::tr("it needs the 3MF extension %1, which is not read").arg(name));
+                Text::tr("it needs the 3MF extension %1, which is not supported").arg(name));
         }
     }
 
-    // A new resource of this kind. Those of two kinds may share a number: it is never ambiguous.
+    // Adds a new resource of this kind. Resources of different kinds may share an ID, since the
+    // kind is always known.
     template <typename Resource>
     Resource& added(std::map<int, Resource>& resources) {
         const auto [place, isNew] = resources.try_emplace(integer("id"));
         if (!isNew) {
-            source_.throwDamaged(Text::tr("two things in it have the number %1").arg(place->first));
+            source_.throwDamaged(Text::tr("two of its resources have the ID %1").arg(place->first));
         }
         return place->second;
     }
 
-    // The specification wants resources before those that name them. Here they may also stand after
-    // them, as what is meant is clear; but they have to be there.
+    // The specification wants resources before their uses. Here they may also come later, since the
+    // meaning is clear, but they must exist.
     void resolveReferences() {
         for (auto& [id, group] : part_.groups) {
             const auto picture = part_.pictures.find(group.texture);
@@ -257,7 +259,7 @@ private:
     }
 
     [[noreturn]] void throwNoSuchResource() const {
-        source_.throwDamaged(Text::tr("it names a material or texture that is not there"));
+        source_.throwDamaged(Text::tr("it refers to a material or texture that does not exist"));
     }
 
     void readObject() {
@@ -277,7 +279,7 @@ private:
         for (std::size_t i = 0; i < 3; ++i) {
             const int corner = integer(corners[i]);
             if (corner < 0 || std::size_t(corner) >= object().positions.size()) {
-                source_.throwDamaged(Text::tr("a triangle names a point that is not there"));
+                source_.throwDamaged(Text::tr("a triangle refers to a point that does not exist"));
             }
             triangle.corners[i] = std::uint32_t(corner);
             triangle.properties[i] = first < 0 ? objectProperty_ : integer(properties[i], first);
@@ -306,13 +308,14 @@ private:
 
     void requireTransform(bool isWhole) const {
         if (!isWhole) {
-            source_.throwDamaged(Text::tr("a transform in it is not twelve numbers"));
+            source_.throwDamaged(Text::tr("one of its transforms does not have twelve numbers"));
         }
     }
 
     Eigen::Affine3d transformNamed(const QString& text) const {
         const QList<QStringView> numbers = wordsOf(text);
-        bool isWhole = numbers.size() == 12; // four rows that a row vector is multiplied by
+        // A 4 × 3 matrix, multiplied by a row vector from the left.
+        bool isWhole = numbers.size() == 12;
         Eigen::Affine3d transform = Eigen::Affine3d::Identity();
         for (int i = 0; isWhole && i < 12; ++i) {
             const double number = numbers[i].toDouble(&isWhole);
@@ -337,8 +340,8 @@ private:
         return *openGroup_;
     }
 
-    // An attribute whatever its namespace: the production extension's path has one of its own. Null
-    // where there is none.
+    // Returns an attribute of any namespace, because the production extension's path has its own.
+    // Null if there is none.
     QString text(const char* name) const {
         for (const QXmlStreamAttribute& attribute : attributes_) {
             if (attribute.name() == QLatin1String(name)) {
@@ -373,15 +376,16 @@ private:
     QString name_;
     const ModelSource& source_;
     const CancelToken& cancelToken_;
-    QBuffer buffer_; // from which Qt reads in pieces: given all bytes, it decodes all at once
+    QBuffer buffer_; // Qt reads it in pieces; from a byte array it would decode everything at once
     QXmlStreamReader xml_;
-    QXmlStreamAttributes attributes_; // of the element being read: Qt makes a new list at each call
+    // Of the current element; cached, as Qt makes a new list per call.
+    QXmlStreamAttributes attributes_;
     Part part_;
     Object* openObject_ = nullptr;
     PropertyGroup* openGroup_ = nullptr;
     int objectGroup_ = noGroup, objectProperty_ = 0;
-    std::set<int> usedGroups_;     // that pid names
-    std::set<int> otherResources_; // of extensions that are not read, or not in full
+    std::set<int> usedGroups_;     // groups that pid attributes name
+    std::set<int> otherResources_; // of extensions that are not, or not fully, supported
 };
 
 class ThreeMfReader {
@@ -424,7 +428,7 @@ private:
         }
         const auto bytes = package_.find(name);
         if (!bytes) {
-            source_.throwDamaged(Text::tr("%1 is not in it").arg(name));
+            source_.throwDamaged(Text::tr("the file %1 is missing from the package").arg(name));
         }
         return parts_.emplace(name, PartReader(*bytes, name, source_, cancelToken_).read())
             .first->second;
@@ -434,13 +438,13 @@ private:
         const auto& objects = part(placement.part).objects;
         const auto found = objects.find(placement.object);
         if (found == objects.end()) {
-            source_.throwDamaged(Text::tr("it places an object that is not there"));
+            source_.throwDamaged(Text::tr("it places an object that does not exist"));
         }
         return found->second;
     }
 
-    // Of the object with its components. Counted before anything is placed, because components of
-    // components multiply: a small file can ask for more than any memory holds.
+    // Counts the triangles of an object with its components before anything is placed. Nested
+    // components multiply, so a small file can ask for more than any memory holds.
     std::size_t triangleCount(const Placement& placement, int depth) {
         const auto key = std::pair(placement.part, placement.object);
         const auto known = triangleCounts_.find(key);
@@ -449,7 +453,7 @@ private:
         }
         requireWithin(Budget::Nesting, depth, source_.path);
         const Object& placed = object(placement);
-        // Points count too: an object may have many that no triangle uses.
+        // Points count, too: an object may have many that no triangle uses.
         std::size_t count =
             placed.isSupport ? 0 : std::max(placed.triangles.size(), placed.positions.size() / 3);
         for (const Placement& component : placed.components) {
@@ -509,7 +513,7 @@ private:
         }
     }
 
-    // The model's material for a triangle; all of one picture share one.
+    // Returns the model's material for a triangle. All triangles of one picture share a material.
     std::uint16_t material(const Part& inPart, const QString& partName,
                            const ObjectTriangle& triangle) {
         const auto found = inPart.groups.find(triangle.group);

@@ -18,7 +18,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
 };
 
-// How a file begins says more than its name, where it says anything.
+// The beginning of a file is more reliable than its name, if it is conclusive.
 QString formatOf(const ModelSource& source) {
     constexpr qsizetype longestPrologue = 4096;
     const QByteArray begin = source.bytes.left(longestPrologue);

@@ -1,4 +1,4 @@
-// Reading models of all formats, from bytes that nobody has looked at yet.
+// Reads models of all formats from untrusted bytes.
 #pragma once
 
 #include "base/Progress.h"
@@ -6,10 +6,10 @@
 
 namespace dipwright {
 
-// Reads the model file `path` and what it names, all of it through `files`. `path` also tells the
-// format, where its content does not, and stands in messages. `withTextures`: false where another
-// picture will replace the model's own. Throws Error for what is no model, is damaged or asks for
-// more than Budgets.h allows.
+// Reads the model file `path` and the files that it names, all through `files`. `path` appears in
+// messages and also gives the format if the content does not. `withTextures` is false if another
+// picture will replace the model's own. Throws Error if the file is no model, is damaged or exceeds
+// Budgets.h.
 UntrustedModel readUntrustedModel(const QString& path, UntrustedFiles& files, bool withTextures,
                                   const Progress& progress);
 

@@ -22,9 +22,10 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
 };
 
-// mm; larger than any dip tank by far.
+// mm; far larger than any dip tank.
 constexpr double maximumEdge = 1e5;
-constexpr float maximumTextureCoordinate = 1e5F; // past it a float holds no place in a picture
+// Beyond it a float cannot resolve a place in a picture.
+constexpr float maximumTextureCoordinate = 1e5F;
 
 void checkOptions(const ImportOptions& options) {
     const double edge = options.longestEdge.value_or(Millimetres(1)).value();
@@ -55,7 +56,7 @@ void checkFile(const QString& path) {
     }
 }
 
-// Null without a file.
+// Returns a null image if there is no path.
 QImage replacementTexture(const QString& path) {
     return path.isEmpty() ? QImage() : readPictureFile(path);
 }
@@ -76,10 +77,11 @@ void checkPositions(const TriangleMesh& mesh, const QString& path) {
     }
 }
 
-// What is called while a model is repaired: throws where that is cancelled, or takes longer than a
-// busy machine needs for files of these many bytes.
-std::function<void()> goOnWith(const QString& path, qint64 fileBytes, const Progress& progress) {
-    constexpr int busyMachine = 2; // times the time to compute
+// Returns a function to call during repairs. It throws if they are cancelled, or take longer than a
+// busy machine needs for `fileBytes` bytes.
+std::function<void()> repairCheckpoint(const QString& path, qint64 fileBytes,
+                                       const Progress& progress) {
+    constexpr int busyMachine = 2; // factor on the computing time
     const qint64 patience = busyMachine * mostOf(Budget::Milliseconds, fileBytes);
     QElapsedTimer clock;
     clock.start();
@@ -91,22 +93,23 @@ std::function<void()> goOnWith(const QString& path, qint64 fileBytes, const Prog
     };
 }
 
-ModelRepairs repair(TexturedMesh& model, const QString& path, const std::function<void()>& goOn) {
+ModelRepairs repair(TexturedMesh& model, const QString& path,
+                    const std::function<void()>& checkpoint) {
     ModelRepairs repairs;
     weldPositions(model.mesh);
-    goOn();
+    checkpoint();
     repairs.joinedPoints = int(joinOpenSeams(model.mesh));
-    goOn();
+    checkpoint();
     repairs.removedTriangles = int(removeDegenerateTriangles(model));
-    // What is closed keeps triangles that are squeezed to lines: all of them may be.
+    // A closed mesh keeps triangles without area, and all its triangles may be such.
     if (surfaceArea(model.mesh) == 0) {
         throw Error(Text::tr("None of the model's triangles has an area; choose another model"),
                     path);
     }
-    goOn();
+    checkpoint();
     repairs.mergedTriangles = int(mergeDoubledTriangles(model));
     repairs.turnedTriangles = int(orientTriangles(model));
-    repairs.turnedParts = int(turnInsideOutParts(model, goOn));
+    repairs.turnedParts = int(turnInsideOutParts(model, checkpoint));
     return repairs;
 }
 
@@ -115,8 +118,8 @@ ModelRepairs repair(TexturedMesh& model, const QString& path, const std::functio
                 path);
 }
 
-// Coordinates have seven digits: so far away what is left of them for the body itself would crumple
-// it by a two-thousandth of its size.
+// Floats have seven digits. Farther away, rounding would distort the body by more than 1/2000 of
+// its size.
 void requireNearOrigin(const TriangleMesh& mesh, double longestEdge, const QString& path) {
     constexpr double farthest = 1e4; // longest edges
     const Eigen::AlignedBox3f box = boundingBox(mesh);
@@ -128,15 +131,16 @@ void requireNearOrigin(const TriangleMesh& mesh, double longestEdge, const QStri
 void scaleAsAsked(TriangleMesh& mesh, const ImportOptions& options, const QString& path) {
     const double edge = longestEdgeOf(mesh);
     if (edge == 0) {
-        throw Error(Text::tr("The model has no extent; choose another model"), path);
+        throw Error(Text::tr("All points of the model coincide; choose another model"), path);
     }
     requireNearOrigin(mesh, edge, path);
     const double factor =
         options.longestEdge ? options.longestEdge->value() / edge : options.unitMillimetres;
     if (edge * factor > maximumEdge) {
-        throw Error(Text::tr("The model's longest edge would be %1 mm; give the size it is to have")
-                        .arg(edge * factor),
-                    path);
+        throw Error(
+            Text::tr("The model's longest edge would be %1 mm; set the size that it should have")
+                .arg(edge * factor),
+            path);
     }
     scale(mesh, factor);
     if (!boundingBox(mesh).sizes().allFinite()) {
@@ -150,15 +154,13 @@ void describe(const TexturedMesh& model, ImportReport& report) {
     report.volume = volume(model.mesh);
     report.box = boundingBox(model.mesh);
     if (!report.closed) {
-        report.warnings.push_back(
-            Text::tr("The mesh is not closed: what is inside is judged by most of "
-                     "the directions from which it is seen"));
+        report.warnings.push_back(Text::tr("The mesh is not closed: whether a point is inside is "
+                                           "decided by the majority of several rays"));
     }
     if (const float edge = report.box.sizes().maxCoeff(); edge < 1) {
-        report.warnings.push_back(
-            Text::tr("The model's longest edge is only %1 mm; if its file is not "
-                     "in millimetres, give the size it is to have")
-                .arg(double(edge)));
+        report.warnings.push_back(Text::tr("The model's longest edge is only %1 mm; if its file is "
+                                           "not in millimetres, set the size that it should have")
+                                      .arg(double(edge)));
     }
 }
 
@@ -175,9 +177,8 @@ void dropUselessTextures(TexturedMesh& model, QStringList& warnings) {
     if (model.textures.empty() || hasAnyTextureCoordinates(model)) {
         return;
     }
-    warnings.push_back(
-        Text::tr("The model has no texture coordinates, so its texture cannot be placed "
-                 "and is not used; its materials' colours are"));
+    warnings.push_back(Text::tr("The model has no texture coordinates, so its texture cannot be "
+                                "placed; the colours of its materials are used instead"));
     model.textures.clear();
     for (Material& material : model.materials) {
         material.texture = -1;
@@ -210,7 +211,7 @@ void replaceTextures(TexturedMesh& model, const QImage& texture) {
     }
 }
 
-// Where files outside the folder were named, that is said, whatever else came of their lack.
+// Files outside the folder are reported first, whatever other errors their absence caused.
 UntrustedModel readModelFile(const QString& path, ModelFolder& folder, bool withTextures,
                              const Progress& progress) {
     const auto checkOutside = [&] {
@@ -249,7 +250,7 @@ ImportedModel import(const QString& path, const ImportOptions& options, const Pr
     progress(0.7, Text::tr("Checking the model"));
     checkPositions(model.mesh, path);
     dropUnusableCoordinates(model, report.warnings);
-    report.repaired = repair(model, path, goOnWith(path, folder.bytesRead(), progress));
+    report.repaired = repair(model, path, repairCheckpoint(path, folder.bytesRead(), progress));
     report.repairs = sentencesOf(report.repaired);
     scaleAsAsked(model.mesh, options, path);
     dropUselessTextures(model, report.warnings);
@@ -264,7 +265,7 @@ ImportedModel import(const QString& path, const ImportOptions& options, const Pr
 } // namespace
 
 double guessedUnit(double longestEdge) {
-    constexpr double smallest = 10, largest = 1000; // mm, of what is mostly dipped
+    constexpr double smallest = 10, largest = 1000; // mm; size of typical parts
     for (const double unit : {1.0, 10.0, 1000.0, millimetresPerInch}) {
         if (longestEdge * unit >= smallest && longestEdge * unit <= largest) {
             return unit;
@@ -274,11 +275,11 @@ double guessedUnit(double longestEdge) {
 }
 
 OutsideFiles::OutsideFiles(const QStringList& files, const QString& model)
-    : Error(
-          Text::tr("The model names files that do not belong to its folder, such as %1, and is not "
-                   "read; put them beside it, or allow it to read them (--allow-outside)")
-              .arg(QDir::toNativeSeparators(files.first())),
-          model),
+    : Error(Text::tr("The model was not read, because it names files that are hidden or outside "
+                     "its folder, such as %1; put them beside the model, or allow it to read them "
+                     "(--allow-outside)")
+                .arg(QDir::toNativeSeparators(files.first())),
+            model),
       files_(files) {}
 
 TexturedMesh withTexture(const TexturedMesh& model, const QString& path) {
@@ -297,7 +298,9 @@ ImportedModel importModel(const QString& path, const ImportOptions& options,
     try {
         return import(path, options, progress);
     } catch (const std::bad_alloc&) {
-        throw Error(Text::tr("The model needs more memory than there is; reduce it"), path);
+        throw Error(
+            Text::tr("The model needs more memory than this computer has; simplify the model"),
+            path);
     }
 }
 

@@ -1,4 +1,4 @@
-// Reading textured models from files and putting them right, or refusing them.
+// Imports textured models from files: reads, repairs or refuses them.
 #pragma once
 
 #include "base/Error.h"
@@ -13,20 +13,21 @@
 namespace dipwright {
 
 struct ImportOptions {
-    std::optional<Millimetres> longestEdge; // scale so that the bounding box's longest edge is this
-    double unitMillimetres = 1;             // else: one unit of the file in mm
-    QString texture;                        // a picture that replaces the model's own, or empty
-    // Files outside the model's folder that are read all the same: all, or these, absolute.
+    // If set, the bounding box's longest edge is scaled to this.
+    std::optional<Millimetres> longestEdge;
+    double unitMillimetres = 1; // otherwise: one unit of the file in mm
+    QString texture;            // path of a picture that replaces the model's own, or empty
+    // Files outside the model's folder that may be read: all, or these absolute paths.
     bool allowOutside = false;
     QStringList outsideFiles;
 };
 
-// mm in a unit of a model's file: of the usual ones, millimetres first, the one in which the
-// longest edge, so many units long, is as long as what is mostly dipped; 1 where none is.
+// Guesses the unit of a model's file, in mm. Returns the first usual unit, starting with
+// millimetres, in which `longestEdge` has the size of a typical part. Returns 1 if there is none.
 double guessedUnit(double longestEdge);
 
-// Thrown where a model names files that are there but do not belong to its folder: they lie outside
-// of it, by a link too, or are hidden. They have not been read.
+// Thrown if a model names existing files that do not belong to its folder. They are outside it,
+// possibly through a link, or hidden. They have not been read.
 class OutsideFiles : public Error {
 public:
     OutsideFiles(const QStringList& files, const QString& model);
@@ -36,17 +37,18 @@ private:
     QStringList files_;
 };
 
-// What was found, put right, or is still wrong, in sentences for the user.
+// What was found, repaired or is still wrong, in sentences for the user.
 struct ImportReport {
     std::size_t triangles = 0;
     bool closed = false;
     double volume = 0; // mm³
     BoundingBox box;
     ModelRepairs repaired;
-    QStringList repairs;  // the same in sentences: "Triangles without area that were removed: 12"
-    QStringList warnings; // "The mesh is not closed: …"
+    // The repairs as sentences, such as "Triangles without area that were removed: 12".
+    QStringList repairs;
+    QStringList warnings; // such as "The mesh is not closed: …"
 
-    // Both in a line, for ModelOrigin::remarks.
+    // Returns both lists in one line, for ModelOrigin::remarks.
     QString remarks() const { return (warnings + repairs).join(QStringLiteral("; ")); }
 };
 
@@ -55,17 +57,18 @@ struct ImportedModel {
     ImportReport report;
 };
 
-// Reads `path`, of one of modelFormats(), with textures beside it or embedded. Repairs: duplicate
-// positions welded, seams joined that rounding had opened, degenerate triangles and those given
-// twice dropped, unset normals recomputed, turned triangles and inside-out parts turned back.
-// Refuses with Error: unreadable, no triangles, coordinates
-// that are not finite, no extent, textures that are unreadable, or more than Budgets.h allows; with
-// OutsideFiles unless these are allowed.
+// Reads `path`, in one of modelFormats(), with textures beside it or embedded.
+// Repairs: welds duplicate positions, closes cracks that rounding has opened, removes degenerate
+// and duplicate triangles. Recomputes unset normals, and turns reversed triangles and inside-out
+// parts.
+// Throws Error if the model or its textures are unreadable, or if it exceeds Budgets.h. Throws
+// Error if it has no triangles, no extent, or coordinates that are not finite. Throws OutsideFiles
+// if it names such files and they are not allowed.
 ImportedModel importModel(const QString& path, const ImportOptions& options,
                           const Progress& progress);
 
-// The model with the picture of a file in place of all its own. Throws Error where the picture
-// cannot be read or the model has no texture coordinates.
+// Returns the model with all its pictures replaced by the picture of a file. Throws Error if the
+// picture cannot be read or the model has no texture coordinates.
 TexturedMesh withTexture(const TexturedMesh& model, const QString& path);
 
 } // namespace dipwright

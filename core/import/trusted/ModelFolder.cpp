@@ -11,7 +11,7 @@ namespace dipwright {
 
 namespace {
 
-// The entry of `folder` with this name, whatever its case; empty where there is none.
+// Returns the entry of `folder` with this name, in any case; empty if there is none.
 QString entryIgnoringCase(const QDir& folder, const QString& name) {
     for (const QString& entry : folder.entryList(QDir::AllEntries | QDir::NoDotAndDotDot)) {
         if (entry.compare(name, Qt::CaseInsensitive) == 0) {
@@ -21,8 +21,8 @@ QString entryIgnoringCase(const QDir& folder, const QString& name) {
     return QString();
 }
 
-// A path of a file on this computer; nothing of the network is looked at for a model, not even
-// whether it is there.
+// Whether a path is on this computer. For a model the network is never accessed, not even to check
+// whether a file exists.
 bool isLocal(const QString& path) {
     return !path.isEmpty() && !path.startsWith(QStringLiteral("//")) && !path.contains(QChar(0));
 }
@@ -39,7 +39,7 @@ std::optional<QByteArray> ModelFolder::fetch(const QString& name) {
     return path.isEmpty() ? std::nullopt : readFile(path);
 }
 
-// The path of an existing file that may be read, or empty.
+// Returns the path of an existing file that may be read, or an empty string.
 QString ModelFolder::find(const QString& name) {
     QString slashed = QString(name).replace(u'\\', u'/').trimmed();
     if (slashed.startsWith(QStringLiteral("file:"), Qt::CaseInsensitive)) {
@@ -92,10 +92,10 @@ bool ModelFolder::isAllowed(const QString& file) const {
     }
     const QString real = QFileInfo(file).canonicalFilePath();
     const QString within = QDir(place_).relativeFilePath(real);
-    if (real.isEmpty() || QDir::isAbsolutePath(within)) { // on another drive
+    if (real.isEmpty() || QDir::isAbsolutePath(within)) { // missing, or on another drive
         return false;
     }
-    const QStringList parts = within.split(u'/'); // ".." out of it begins with a dot, too
+    const QStringList parts = within.split(u'/'); // a leading ".." begins with a dot, too
     return std::none_of(parts.begin(), parts.end(),
                         [](const QString& part) { return part.startsWith(u'.'); });
 }

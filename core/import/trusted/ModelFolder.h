@@ -1,4 +1,4 @@
-// The files that a model file names, and which of them may be read. Private to this folder.
+// Finds the files that a model names and decides which of them may be read. Private to this folder.
 #pragma once
 
 #include "import/trusted/UntrustedFiles.h"
@@ -8,15 +8,14 @@
 
 namespace dipwright {
 
-// Finds files as models name them: with backslashes, percent codes or the wrong case, or by a path
-// on the computer where the model was made. What is found belongs to the folder of the model where
-// its real place, links followed, is in there and not hidden; of the rest is read what was allowed,
-// all or some.
+// Finds files by the names in models: with backslashes, percent codes, the wrong case, or a path on
+// the computer where the model was made. A file belongs to the model's folder if its real location,
+// after following links, is in there and not hidden. Other files are read only if allowed.
 class ModelFolder : public UntrustedFiles {
 public:
     ModelFolder(const QString& modelFile, bool allowOutside, const QStringList& allowedFiles);
 
-    // Files that are there, were asked for and not read because they lie outside; absolute.
+    // Existing files that were requested but not read because they are outside; absolute paths.
     const QStringList& outside() const { return outside_; }
 
 private:
@@ -27,12 +26,12 @@ private:
 
     QString modelFile_;
     QDir folder_;
-    QString place_; // the folder's, links followed
+    QString place_; // real path of the folder, after following links
     bool allowOutside_;
     QStringList allowedFiles_, outside_;
 };
 
-// The whole content of a plain file; nothing where it cannot be read. Throws Error where it is
+// Returns the whole content of a plain file; nothing if it cannot be read. Throws Error if it is
 // larger than Budgets.h allows.
 std::optional<QByteArray> readFile(const QString& path);
 

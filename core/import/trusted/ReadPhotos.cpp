@@ -19,7 +19,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::ReadPhotos)
 };
 
-// The one file, by the name that the user knows it by.
+// A single file, found by the path that the user chose.
 class OneFile : public UntrustedFiles {
 public:
     OneFile(QString name, QByteArray bytes) : name_(std::move(name)), bytes_(std::move(bytes)) {}

@@ -1,4 +1,4 @@
-// Photos of users, with what the camera has written into them.
+// Reads photos from files, with the camera's data in them.
 #pragma once
 
 #include "base/Progress.h"
@@ -14,16 +14,16 @@ struct Photo {
     QString where;                  // the file
     QImage picture;                 // upright, RGBA8888 in sRGB
     QString sha256;                 // of the file, hexadecimal
-    std::optional<QDateTime> taken; // by the camera's clock, to the second, of no time zone
-    // Of the lens, in half diagonals of the picture.
+    std::optional<QDateTime> taken; // by the camera's clock, to the second; no time zone
+    // Of the lens, in units of half the diagonal of the picture.
     std::optional<double> focalLength;
 };
 
-// For file dialogs: "*.jpg" and the like, of photos that can be read here.
+// Returns file patterns for dialogs, such as "*.jpg", of photos that this computer can read.
 QStringList photoPatterns();
 
-// From a file that the user has chosen, read by dipwright-reader in a process of its own.
-// Throws Error for what cannot be read or is more than Budgets.h allows; Cancelled.
+// Reads a file that the user has chosen, by the sandboxed process dipwright-reader. Throws Error if
+// it cannot be read or exceeds Budgets.h. Throws Cancelled.
 Photo readPhotoFile(const QString& path, const Progress& progress = {});
 
 } // namespace dipwright

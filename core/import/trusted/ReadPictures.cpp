@@ -17,7 +17,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
 };
 
-// Pictures in memory, by the names that the user knows them by.
+// Pictures in memory, found by PackedPicture::where.
 class PicturesInMemory : public UntrustedFiles {
 public:
     explicit PicturesInMemory(const std::vector<PackedPicture>& pictures) : pictures_(pictures) {}
@@ -44,7 +44,7 @@ void PictureCount::add(const QImage& picture, qint64 packedBytes, const QString&
 }
 
 std::vector<QImage> readPictures(const std::vector<PackedPicture>& pictures) {
-    QStringList names; // each once
+    QStringList names; // without duplicates
     for (const PackedPicture& picture : pictures) {
         if (!names.contains(picture.where)) {
             names << picture.where;

@@ -1,7 +1,7 @@
-// What this program and the process that reads foreign files (dipwright-reader) tell each other.
-//   to the reader:   one job, then an answer to each file that it asks for
-//   from the reader: files asked for, progress, and at the end either what was read or a failure
-// A message is its kind (u8), the length of what follows (u64, little-endian), and that.
+// Defines the messages between this program and dipwright-reader, which reads untrusted files.
+//   to the reader:   one job, then an answer to each file request
+//   from the reader: file requests, progress, and at the end either the result or a failure
+// A message consists of its kind (u8), the length of its data (u64, little-endian) and its data.
 #pragma once
 
 #include <QByteArray>
@@ -12,16 +12,17 @@ namespace dipwright {
 
 enum class ReaderMessage : quint8 {
     Job = 1,  // ReaderJob
-    File,     // the content of the file asked for
-    NoFile,   // it is not there or may not be read
-    Ask,      // name of a file, UTF-8
+    File,     // content of the requested file
+    NoFile,   // the file does not exist or may not be read
+    Ask,      // request for a file: its name, UTF-8
     Progress, // share (double), text
-    Photo,    // what a photo says of itself (PhotoFacts); then, as a message of its own kind, it
-    Picture,  // width, height (i32), dots per metre of both, wide (i32), colour note: assumed inks
-              // (i32), share that was clipped (double); rows without gaps
-    Model,    // warnings; then, as a message of its own kind, the mesh
-    Mesh,     // as StoredModel has it
-    Failed    // message and place, for an Error
+    Photo,    // metadata of a photo (PhotoFacts); a Picture message with the photo follows
+    // Width, height, dots per metre of both, wide, colour note: assumed inks (each i32), clipped
+    // share (double); then rows without gaps.
+    Picture,
+    Model, // warnings; a Mesh message follows
+    Mesh,  // as in StoredModel
+    Failed // message and place of an Error
 };
 
 constexpr qint64 readerHeaderBytes = 9;
@@ -29,22 +30,23 @@ constexpr qint64 readerHeaderBytes = 9;
 struct ReaderJob {
     enum class Kind : quint8 { Model, Pictures, Photos };
     Kind kind = Kind::Model;
-    QStringList names;        // of the model file, or what the user knows each picture by
-    bool withTextures = true; // of a model
-    QString language;         // "de", in which failures are told; empty: English
+    QStringList names;        // of the model file, or of each picture
+    bool withTextures = true; // for a model
+    QString language;         // of messages, such as "de"; empty is English
 };
 
-// What a camera writes into a photo (EXIF 2.3).
+// Data that a camera writes into a photo (EXIF 2.3).
 struct PhotoFacts {
-    QString taken; // "2026:11:22 14:03:07" as the camera's clock had it; empty: it says nothing
-    double focalLength = 0; // mm, as of a lens for pictures of 36 × 24 mm; 0: it says nothing
+    // By the camera's clock, such as "2026:11:22 14:03:07"; empty if unknown.
+    QString taken;
+    double focalLength = 0; // 35 mm equivalent (36 × 24 mm), mm; 0 if unknown
 };
 
-// Exit codes of the reader that has no time to say more.
+// Exit code of the reader when it runs out of time and cannot send a message.
 constexpr int readerOutOfTime = 3;
 
 QByteArray headerBytes(ReaderMessage kind, qint64 length);
-// Nothing is taken for granted of what came: kind and length are as sent.
+// Returns kind and length as sent. Neither can be trusted.
 std::pair<ReaderMessage, qint64> readHeader(const QByteArray& header);
 
 QByteArray jobBytes(const ReaderJob& job);
@@ -53,11 +55,11 @@ ReaderJob readJob(const QByteArray& bytes);
 QByteArray factsBytes(const PhotoFacts& facts);
 PhotoFacts readFacts(const QByteArray& bytes);
 
-// The part of a picture's message before its pixels.
+// Returns the part of a picture's message before its pixels.
 QByteArray pictureHeaderBytes(const QImage& picture);
 constexpr qint64 pictureHeaderLength = 32;
-// A picture of that size to be filled; null where there is none or no memory for it. Throws
-// nothing.
+// Returns an empty picture of the size in `header`; null if the size is invalid or memory is
+// insufficient. Does not throw.
 QImage emptyPicture(const QByteArray& header);
 
 } // namespace dipwright

@@ -23,11 +23,11 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::ReaderProcess)
 };
 
-constexpr qint64 chunk = 1 << 20;       // of a file on its way
-constexpr qint64 longestText = 1 << 16; // of names and sentences
-constexpr int pollInterval = 50;        // ms until it is asked whether all is cancelled
+constexpr qint64 chunk = 1 << 20;       // bytes of a file per write
+constexpr qint64 longestText = 1 << 16; // bytes of a name or message
+constexpr int pollInterval = 50;        // ms between checks for cancellation
 
-// Nothing of the user's surroundings goes along but what programs are found and tested by.
+// Passes on only the environment variables that are needed to find and test programs.
 QProcessEnvironment bareEnvironment() {
     const QProcessEnvironment all = QProcessEnvironment::systemEnvironment();
     QProcessEnvironment bare;
@@ -42,8 +42,8 @@ QProcessEnvironment bareEnvironment() {
     return bare;
 }
 
-// The sentence of another program, for people to read: one line, no escape bytes, not endless.
-QString plain(const QByteArray& text) {
+// Makes the text of another process safe to show: one line, no escape bytes, limited length.
+QString sanitized(const QByteArray& text) {
     return oneLine(QString::fromUtf8(text.left(longestText))).simplified().left(2000);
 }
 
@@ -51,7 +51,7 @@ class ReaderProcess {
 public:
     ReaderProcess(const QString& where, UntrustedFiles& files, const Progress& progress)
         : where_(where), files_(files), progress_(progress) {}
-    // It has handed everything back, or nothing is wanted any more.
+    // The process has returned everything, or its result is no longer needed.
     ~ReaderProcess() {
         process_.kill();
         process_.waitForFinished();
@@ -78,11 +78,12 @@ public:
         write(headerBytes(ReaderMessage::Job, bytes.size()) + bytes);
     }
 
-    // Until a message comes that is part of the result, whose length is left to be read.
+    // Handles messages until one is part of the result. Returns its kind and the length of the data
+    // that is still to be read.
     std::pair<ReaderMessage, qint64> nextResult() {
         while (true) {
             const auto [kind, length] = readHeader(read(readerHeaderBytes));
-            requireInTime(); // what talks without end is no better than what says nothing
+            requireInTime(); // a process that sends messages for ever hangs, too
             switch (kind) {
             case ReaderMessage::Ask:
                 answer(QString::fromUtf8(readShort(length)));
@@ -98,14 +99,14 @@ public:
             case ReaderMessage::Mesh:
                 return {kind, length};
             default:
-                throwNonsense();
+                throwInvalidData();
             }
         }
     }
 
     QByteArray read(qint64 length) {
         if (length > mostOf(Budget::Memory, files_.bytesRead())) {
-            throwNonsense();
+            throwInvalidData();
         }
         QByteArray bytes(length, Qt::Uninitialized);
         read(bytes.data(), length);
@@ -114,7 +115,7 @@ public:
 
     PhotoFacts readFacts(qint64 length) {
         PhotoFacts facts = dipwright::readFacts(readShort(length));
-        facts.taken = plain(facts.taken.toUtf8());
+        facts.taken = sanitized(facts.taken.toUtf8());
         return facts;
     }
 
@@ -131,15 +132,15 @@ public:
             picture = emptyPicture(header);
         }
         if (picture.isNull() || length != pictureHeaderLength + picture.sizeInBytes()) {
-            throwNonsense();
+            throwInvalidData();
         }
         read(reinterpret_cast<char*>(picture.bits()), picture.sizeInBytes());
         return picture;
     }
 
-    [[noreturn]] void throwNonsense() const {
-        throw Error(Text::tr("The file makes its reader hand back what cannot be, and is not read; "
-                             "save it anew"),
+    [[noreturn]] void throwInvalidData() const {
+        throw Error(Text::tr("The file was not read, because the file reader returned invalid data "
+                             "for it; save it anew"),
                     where_);
     }
 
@@ -169,7 +170,7 @@ private:
 
     QByteArray readShort(qint64 length) {
         if (length > longestText) {
-            throwNonsense();
+            throwInvalidData();
         }
         return read(length);
     }
@@ -191,14 +192,14 @@ private:
         QByteArray text;
         QDataStream stream(bytes);
         stream >> share >> text;
-        progress_(share >= 0 && share <= 1 ? share : 0, plain(text));
+        progress_(share >= 0 && share <= 1 ? share : 0, sanitized(text));
     }
 
     [[noreturn]] void fail(const QByteArray& bytes) {
         QByteArray message, where;
         QDataStream stream(bytes);
         stream >> message >> where;
-        throw Error(plain(message), plain(where));
+        throw Error(sanitized(message), sanitized(where));
     }
 
     void requireInTime() {
@@ -212,21 +213,21 @@ private:
         throw Error(sentenceOf(Budget::Milliseconds, files_.bytesRead()), where_);
     }
 
-    // While not all has come: whether there is still something to wait for.
+    // Throws if there is nothing to wait for any more.
     void checkAlive() {
         progress_.cancelToken.throwIfCancelled();
         requireInTime();
         if (process_.bytesAvailable() > 0) {
             return;
         }
-        const bool isOver = process_.state() == QProcess::NotRunning;
-        if (isOver && process_.exitStatus() == QProcess::NormalExit &&
+        const bool hasEnded = process_.state() == QProcess::NotRunning;
+        if (hasEnded && process_.exitStatus() == QProcess::NormalExit &&
             process_.exitCode() == readerOutOfTime) {
             throwOutOfTime();
         }
-        if (isOver) {
-            throw Error(Text::tr("The file makes its reader crash and is not read; save it anew, a "
-                                 "model as %1, a picture as PNG")
+        if (hasEnded) {
+            throw Error(Text::tr("The file was not read, because it made the file reader crash; "
+                                 "save it anew (a model as %1, a picture as PNG)")
                             .arg(anyModelFormat()),
                         where_);
         }
@@ -248,7 +249,7 @@ QString language() {
 } // namespace
 
 qint64 patienceWith(qint64 fileBytes) {
-    constexpr int busyMachine = 10; // times the time to compute
+    constexpr int busyMachine = 10; // factor on the computing time
     return busyMachine * mostOf(Budget::Milliseconds, fileBytes);
 }
 
@@ -266,15 +267,15 @@ UntrustedModel readModelInProcess(const QString& path, bool withTextures, Untrus
             const QByteArray warnings = reader.read(length);
             for (const QByteArray& warning : warnings.split('\n')) {
                 if (!warning.isEmpty()) {
-                    model.warnings << plain(warning);
+                    model.warnings << sanitized(warning);
                 }
             }
         } else if (kind != ReaderMessage::Mesh) {
-            reader.throwNonsense();
+            reader.throwInvalidData();
         } else {
             StoredModel stored = readUncheckedModel(reader.read(length), path);
             if (stored.pictures.size() != pictures.size()) {
-                reader.throwNonsense();
+                reader.throwInvalidData();
             }
             model.mesh = std::move(stored.model);
             model.mesh.textures = std::move(pictures);
@@ -294,7 +295,7 @@ std::vector<QImage> readPicturesInProcess(const QStringList& names, UntrustedFil
     while (qsizetype(pictures.size()) < names.size()) {
         const auto [kind, length] = reader.nextResult();
         if (kind != ReaderMessage::Picture) {
-            reader.throwNonsense();
+            reader.throwInvalidData();
         }
         pictures.push_back(reader.readPicture(length));
     }
@@ -308,7 +309,7 @@ ReadPhoto readPhotoInProcess(const QString& name, UntrustedFiles& files, const P
     const auto expect = [&](ReaderMessage expected) {
         const auto [kind, length] = reader.nextResult();
         if (kind != expected) {
-            reader.throwNonsense();
+            reader.throwInvalidData();
         }
         return length;
     };

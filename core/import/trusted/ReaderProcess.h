@@ -1,6 +1,5 @@
-// Starts dipwright-reader, a process of its own that may do nothing but compute, lets it read one
-// foreign model or some pictures, and looks at what it hands back before anything is made of it.
-// Private to this folder.
+// Runs dipwright-reader, a sandboxed process that reads one untrusted model or some pictures, and
+// checks its results. Private to this folder.
 #pragma once
 
 #include "base/Progress.h"
@@ -9,24 +8,24 @@
 
 namespace dipwright {
 
-// ms until what is computed for files of these many bytes counts as hanging, by the clock: their
-// budget of time, and more, as others may have the processor.
+// Returns the timeout in ms for files of `fileBytes` bytes. It is a multiple of their time budget,
+// since other programs may use the processor.
 qint64 patienceWith(qint64 fileBytes);
 
-// The model file and what it names come to the process through `files` alone. `path` names the
-// model for `files` and in messages. Throws Error for what the process refuses, and where it
-// breaks, runs out of memory or time, or hands back what cannot be; Cancelled, at once. Any thread,
-// and several at a time.
+// Reads a model. The process receives the model file and the files that it names only through
+// `files`. `path` names the model for `files` and in messages. Throws Error if the process refuses
+// the model, crashes, runs out of memory or time, or returns invalid data. Throws Cancelled
+// immediately. Any thread; several calls may run at once.
 UntrustedModel readModelInProcess(const QString& path, bool withTextures, UntrustedFiles& files,
                                   const Progress& progress);
 
-// Pictures, RGBA8888 in sRGB or wide (base/WideGamut.h); `files` knows them by the same names as
-// the user.
+// Reads pictures, as RGBA8888 in sRGB or as wide (base/WideGamut.h). `names` are their names in
+// `files` and in messages.
 std::vector<QImage> readPicturesInProcess(const QStringList& names, UntrustedFiles& files);
 
 struct ReadPhoto {
     QImage picture;   // upright
-    PhotoFacts facts; // within their limits, but of whatever sense
+    PhotoFacts facts; // within their limits, but not otherwise checked
 };
 ReadPhoto readPhotoInProcess(const QString& name, UntrustedFiles& files, const Progress& progress);
 

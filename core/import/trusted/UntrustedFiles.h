@@ -1,4 +1,4 @@
-// Models and files from elsewhere, as they come to the readers and from them.
+// Defines how untrusted files reach the readers, and how models leave them.
 #pragma once
 
 #include "model/TexturedMesh.h"
@@ -9,23 +9,23 @@
 
 namespace dipwright {
 
-// A model as read, neither welded nor repaired nor scaled: all triangles in the file's units, with
-// corners that exist, the materials and pictures in use, and no charts.
+// A model as read: not welded, repaired or scaled. It has all triangles in the file's units with
+// valid corners, the materials and pictures in use, and no charts.
 struct UntrustedModel {
     TexturedMesh mesh;
     QStringList warnings; // what was left out, in sentences for the user
 };
 
-// Where a model that is read finds the other files that it names: materials, buffers, pictures.
-// Whoever implements it decides what may be read; readers have no other way to a file. One thread.
+// Gives readers the model file and the files that it names: materials, buffers, pictures. The
+// implementation decides what may be read; readers have no other access to files. One thread.
 class UntrustedFiles {
 public:
     virtual ~UntrustedFiles() = default;
 
-    // The whole content of the file of this name, as it stands in the model; nothing where there
-    // is none. Throws Error where too many are asked for.
+    // Returns the whole content of a file by its name in the model; nothing if there is none.
+    // Throws Error if too many files are requested.
     std::optional<QByteArray> read(const QString& name);
-    // Of all files so far.
+    // Total size of all files read so far.
     qint64 bytesRead() const { return bytesRead_; }
 
 private:

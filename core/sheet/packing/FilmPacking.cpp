@@ -25,8 +25,8 @@ QString nameOf(const PieceToPack& piece) {
     return QStringLiteral("%1, %2").arg(piece.sheet.job.project, piece.sheet.job.immersion);
 }
 
-// The plates of all pieces, without their tints; white is the last before the four inks or after
-// them.
+// Collects the plates of all pieces, without their tints. White becomes the last plate before the
+// four inks or after them.
 std::vector<SheetPlate> platesOf(const std::vector<PieceToPack>& pieces) {
     std::vector<SheetPlate> plates;
     std::vector<SheetPlate> white;
@@ -43,8 +43,8 @@ std::vector<SheetPlate> platesOf(const std::vector<PieceToPack>& pieces) {
             if (known == kind.end()) {
                 kind.push_back(plate);
             } else if (known->first != plate.first || known->alternate != plate.alternate) {
-                throw Error(Text::tr("Its spot ink %1 is printed otherwise than that of another "
-                                     "job; give them one colour and order")
+                throw Error(Text::tr("This job's spot ink %1 differs in colour or printing order "
+                                     "from that of another job; give both the same")
                                 .arg(plate.name),
                             nameOf(piece));
             }
@@ -54,7 +54,8 @@ std::vector<SheetPlate> platesOf(const std::vector<PieceToPack>& pieces) {
     return plates;
 }
 
-// A printer lays its white before all colours or after them.
+// Throws Error if the jobs differ in their white: a printer lays white either before all colours or
+// after them.
 void refuseMixedWhite(const std::vector<PieceToPack>& pieces) {
     const Sheet* first = nullptr;
     for (const PieceToPack& piece : pieces) {
@@ -63,8 +64,8 @@ void refuseMixedWhite(const std::vector<PieceToPack>& pieces) {
         }
         if (first && (first->settings.white != piece.sheet.settings.white ||
                       first->settings.whiteName != piece.sheet.settings.whiteName)) {
-            throw Error(Text::tr("Its white is printed otherwise than that of %1; give them one "
-                                 "kind of white and one name for it")
+            throw Error(Text::tr("This job's white layer differs from that of %1; give both the "
+                                 "same kind of white and the same ink name")
                             .arg(first->job.project),
                         nameOf(piece));
         }
@@ -72,7 +73,7 @@ void refuseMixedWhite(const std::vector<PieceToPack>& pieces) {
     }
 }
 
-// How a piece is laid out round its picture, in pixels, upright.
+// The layout of an upright piece round its picture, in pixels.
 struct PieceLayout {
     QSize size;
     QRect picture;
@@ -85,7 +86,7 @@ public:
     double unit() const { return unit_; }
 
 private:
-    double unit_; // pixels a mm
+    double unit_; // pixels per mm
 };
 
 PieceLayout layoutOf(const PieceToPack& piece, QSize picture, const PackingFilm& film) {
@@ -104,8 +105,8 @@ void checkPieces(const std::vector<PieceToPack>& pieces) {
         count += piece.copies;
         if (piece.sheet.settings.resolution.value() !=
             pieces.front().sheet.settings.resolution.value()) {
-            throw Error(Text::tr("Its sheet has %1 dpi and that of %2 has %3; give them one "
-                                 "resolution")
+            throw Error(Text::tr("This job's sheet has %1 dpi, but the sheet of %2 has %3 dpi; "
+                                 "give both the same resolution")
                             .arg(piece.sheet.settings.resolution.value())
                             .arg(nameOf(pieces.front()))
                             .arg(pieces.front().sheet.settings.resolution.value()),
@@ -113,13 +114,14 @@ void checkPieces(const std::vector<PieceToPack>& pieces) {
         }
     }
     if (count < 1 || count > mostPieces) {
-        throw Error(
-            Text::tr("%1 pieces are to be packed; choose 1 to %2").arg(count).arg(mostPieces),
-            QStringLiteral("copies"));
+        throw Error(Text::tr("%1 pieces cannot be packed; choose 1 to %2 pieces")
+                        .arg(count)
+                        .arg(mostPieces),
+                    QStringLiteral("copies"));
     }
 }
 
-// The film's pixels where pieces may lie.
+// Returns the part of the film where pieces may lie, in pixels.
 QRect roomOf(const PackingFilm& film, QSize size, DotsPerInch resolution) {
     const Pixels pixels(resolution);
     return QRect({0, 0}, size)
@@ -130,11 +132,10 @@ QRect roomOf(const PackingFilm& film, QSize size, DotsPerInch resolution) {
 void refuseLarge(const PieceToPack& piece, QSize size, const QRect& room) {
     const double unit = Pixels(piece.sheet.settings.resolution).unit();
     const auto mm = [unit](int pixels) { return QString::number(pixels / unit, 'f', 1); };
-    throw Error(
-        Text::tr("With its marks it takes %1 × %2 mm, and the film leaves %3 × %4 mm within "
-                 "its edges; take a larger film")
-            .arg(mm(size.width()), mm(size.height()), mm(room.width()), mm(room.height())),
-        nameOf(piece));
+    throw Error(Text::tr("With its marks, this job's sheet needs %1 × %2 mm, but the film has only "
+                         "%3 × %4 mm inside its edges; use a larger film")
+                    .arg(mm(size.width()), mm(size.height()), mm(room.width()), mm(room.height())),
+                nameOf(piece));
 }
 
 PlannedFilm plannedFilm(const std::vector<PackPlace>& places,
@@ -151,7 +152,7 @@ PlannedFilm plannedFilm(const std::vector<PackPlace>& places,
     return film;
 }
 
-// A roll is cut off behind its last piece.
+// Sets the film's size and used share. A roll is cut off behind its last piece.
 void finish(PlannedFilm& planned, const PackingFilm& film, QSize most, DotsPerInch resolution) {
     const Pixels pixels(resolution);
     planned.pixels = most;
@@ -177,7 +178,7 @@ void copyPixels(QImage& page, QPoint place, const QImage& picture) {
     }
 }
 
-// A box within an upright piece as it lies on the page.
+// Moves a box from the upright piece to the page.
 QRect onPage(const QRect& box, const PlannedPiece& piece) {
     return (piece.turned
                 ? QRect(piece.box.width() - box.bottom() - 1, box.left(), box.height(), box.width())
@@ -206,7 +207,7 @@ SheetPiece sheetPiece(const PieceToPack& piece, const PlannedPiece& planned,
     return result;
 }
 
-// Of what lies on it, and where.
+// Describes the pieces on the film in its job line.
 JobLine filmJob(const Sheet& sheet, const PlannedFilm& film, std::size_t number,
                 std::size_t count) {
     QStringList projects, jobs;
@@ -244,7 +245,7 @@ FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& fi
                                    Millimetres(std::min(film.size.height(), longest)), resolution);
     const QRect room = roomOf(film, most, resolution);
     const int spacing = pixels.of(film.spacing.value());
-    const QSize between(spacing, spacing); // behind each piece, and once behind the room
+    const QSize between(spacing, spacing); // behind each piece and once behind the room
     FilmPlan plan;
     std::vector<PackItem> items;
     std::vector<std::pair<std::size_t, int>> copies;
@@ -252,7 +253,7 @@ FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& fi
         const PieceToPack& piece = pieces[number];
         const QRect inked = inkedBox(piece.sheet);
         if (inked.isEmpty()) {
-            throw Error(Text::tr("There is no ink on its sheet"), nameOf(piece));
+            throw Error(Text::tr("This job's sheet contains no ink"), nameOf(piece));
         }
         plan.inked.push_back(inked);
         const QSize size = layoutOf(piece, inked.size(), film).size;
@@ -272,17 +273,18 @@ FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& fi
         finish(plan.films.back(), film, most, resolution);
     }
     if (plan.films.size() > std::size_t(mostFilms)) {
-        throw Error(Text::tr("This takes %1 films; choose fewer copies, up to %2 films")
-                        .arg(plan.films.size())
-                        .arg(mostFilms),
-                    QStringLiteral("copies"));
+        throw Error(
+            Text::tr("The copies need %1 films, more than the limit of %2; choose fewer copies")
+                .arg(plan.films.size())
+                .arg(mostFilms),
+            QStringLiteral("copies"));
     }
     return plan;
 }
 
 namespace {
 
-// By which printers of inks compensate all of them: none where they are not of one mind.
+// Returns the settings by which CMYK printers compensate all pieces; none if the pieces differ.
 std::optional<InkSettings> commonInk(const std::vector<PieceToPack>& pieces) {
     const std::optional<WantedInk>& first = pieces.front().sheet.wanted;
     const bool isCommon =

@@ -1,4 +1,4 @@
-// Rectangles packed into others of one size, upright or turned by a quarter, without overlap.
+// Packs rectangles into bins of one size, upright or turned by a quarter, without overlap.
 #pragma once
 
 #include <QRect>
@@ -13,20 +13,20 @@ struct PackItem {
     Turning turning = Turning::Never;
 };
 
-// `box`: where it lies, of the turned size where `turned`.
+// `box` has the turned size if `turned`.
 struct PackPlace {
-    std::size_t item = 0; // its number
+    std::size_t item = 0; // index of the item
     QRect box;
     bool turned = false;
 };
 
-// Whether a bin takes an item at all.
+// Tells whether an item fits an empty bin.
 bool fits(const PackItem& item, QSize bin);
 
-// Items into as few bins as it finds, and of the last one the upper part: a bin's places each. Each
-// item fits. Those of one size come to lie in rows. By maximal rectangles (Jylänki 2010, "A
-// Thousand Ways to Pack the Bin"), the uppermost place first, in several orders of which the best
-// counts. The same for the same items. Some thousand items take a second.
+// Packs the items into as few bins as it finds; of the last bin it fills only the upper part.
+// Returns the places per bin. Each item must fit a bin. Items of one size lie in rows. Uses maximal
+// rectangles (Jylänki 2010, "A Thousand Ways to Pack the Bin"): the uppermost place first, in
+// several orders, of which the best is returned. Deterministic. Some thousand items take a second.
 std::vector<std::vector<PackPlace>> packed(const std::vector<PackItem>& items, QSize bin);
 
 } // namespace dipwright

@@ -18,8 +18,8 @@ struct Text {
 };
 
 constexpr double square = 17;     // mm, as in the accuracy experiment
-constexpr double headHeight = 34; // mm for the words
-constexpr double shortest = 50;   // mm of a ruler that is worth measuring
+constexpr double headHeight = 34; // mm for the text
+constexpr double shortest = 50;   // mm, the shortest useful ruler
 
 double wholeCentimetres(double millimetres) {
     return std::floor(millimetres / 10 + 1e-9) * 10;
@@ -31,19 +31,18 @@ QString plain(double number) {
 
 QStringList words(const CalibrationPage& page) {
     const CalibrationLengths lengths = calibrationLengths(page);
-    const QString asked =
-        Text::tr("The horizontal ruler must measure %1 mm and the vertical one %2 mm "
-                 "from the first to the last line.")
-            .arg(plain(lengths.x.value()), plain(lengths.y.value()));
+    const QString asked = Text::tr("From its first to its last line, the horizontal ruler must "
+                                   "measure %1 mm and the vertical ruler %2 mm.")
+                              .arg(plain(lengths.x.value()), plain(lengths.y.value()));
     const QString then =
         page.verifies()
-            ? Text::tr("If either is more than 0.2 mm off, measure and calibrate once more.")
-            : Text::tr("Type what they do measure, to a tenth of a millimetre, into the "
-                       "printer's profile.");
+            ? Text::tr("If a ruler differs by more than 0.2 mm, calibrate the printer again.")
+            : Text::tr(
+                  "Measure both rulers to 0.1 mm and enter the lengths in the printer's profile.");
     const QString scales =
         page.verifies()
-            ? Text::tr("Corrected for X %1, Y %2").arg(plain(page.scaleX), plain(page.scaleY))
-            : Text::tr("Not corrected: X 1, Y 1");
+            ? Text::tr("Scale correction: X %1, Y %2").arg(plain(page.scaleX), plain(page.scaleY))
+            : Text::tr("No scale correction: X 1, Y 1");
     return {page.printer, scales, asked, then};
 }
 
@@ -62,7 +61,7 @@ void paintWords(QPainter& painter, const CalibrationPage& page) {
     }
 }
 
-// As many squares as have room, five by five at the most, in the middle of `room`.
+// Paints as many squares as fit, at most five by five, in the middle of `room`.
 void paintChessboard(QPainter& painter, const QRectF& room) {
     const int columns = std::min(5, int(room.width() / square));
     const int rows = std::min(5, int(room.height() / square));
@@ -84,8 +83,7 @@ CalibrationLengths calibrationLengths(const CalibrationPage& page) {
     const double y = wholeCentimetres(page.paper.height() - margins - headHeight - rulerDepth);
     if (x < shortest || y < shortest) {
         throw Error(
-            Text::tr("Paper of %1 × %2 mm is too small to calibrate a printer with; take A5 or "
-                     "larger")
+            Text::tr("Paper of %1 × %2 mm is too small to calibrate a printer; use A5 or larger")
                 .arg(page.paper.width())
                 .arg(page.paper.height()),
             QStringLiteral("paper"));
@@ -101,7 +99,7 @@ void paintCalibrationPage(QPainter& painter, const CalibrationPage& page) {
                             0,
                             {lengths.x.value() + 2 * rulerEnd, rulerDepth},
                             false};
-    // Read from its bottom to its top, the scale to the page's edge.
+    // Reads upwards, with its scale towards the page's edge.
     const SheetStrip along{
         {left, bottom - rulerDepth}, -90, {lengths.y.value() + 2 * rulerEnd, rulerDepth}, false};
     painter.save();
@@ -136,8 +134,9 @@ double calibratedScale(double printed, Millimetres length, Millimetres measured)
     const double scale = printed * (measured / length);
     if (!(std::abs(scale - 1) <= most)) {
         throw Error(
-            Text::tr("%1 mm in place of %2 mm is more than 10 % off; switch off all scaling in "
-                     "the printer's settings, print the page anew and measure again")
+            Text::tr(
+                "A ruler of %2 mm measures %1 mm, which differs by more than 10 %; switch off all "
+                "scaling in the printer's settings, print the page again and measure again")
                 .arg(plain(measured.value()), plain(length.value())),
             QStringLiteral("calibration"));
     }

@@ -1,5 +1,5 @@
-// Finding out how true a printer's lengths are: a page with rulers and a chessboard, and what
-// follows from what the user measured on it.
+// Measures the printer's length error: a page with rulers and a chessboard, and the scale that
+// follows from the user's measurements.
 #pragma once
 
 #include "base/Units.h"
@@ -11,34 +11,35 @@
 
 namespace dipwright {
 
-// What a calibration page is for: `scaleX` and `scaleY` are 1 for the first page, which measures,
-// and the profile's for the second, which verifies.
+// Describes one calibration page. `scaleX` and `scaleY` are 1 on the first page, which measures the
+// printer. On the second page, which verifies it, they are the profile's scales.
 struct CalibrationPage {
     QSizeF paper{210, 297}; // mm
     QString printer;        // shown on the page
     double scaleX = 1;
     double scaleY = 1;
-    Millimetres clearance{10}; // from the page's edges
+    Millimetres clearance{10}; // between the page's edges and what is drawn
 
     bool verifies() const { return scaleX != 1 || scaleY != 1; }
 };
 
-// The length of the page's two rulers, in whole centimetres. Throws Error when the paper is too
-// small for rulers of 50 mm.
+// Lengths of the page's two rulers, in whole centimetres. Throws Error if the paper is too small
+// for rulers of 50 mm.
 struct CalibrationLengths {
     Millimetres x, y;
 };
 CalibrationLengths calibrationLengths(const CalibrationPage& page);
 
-// Draws the page as for a true printer, with a painter in mm, origin its upper left corner. Needs a
-// QGuiApplication.
+// Draws the page without scale correction. The painter's unit is the millimetre, its origin the
+// page's upper left corner. Needs a QGuiApplication.
 void paintCalibrationPage(QPainter& painter, const CalibrationPage& page);
-// As a PDF at true size, with the scales corrected. Same bytes for the same page. Throws Error.
+// Writes the page as a PDF with the scales corrected. The same page gives the same bytes. Throws
+// Error.
 void writeCalibrationPdf(const CalibrationPage& page, QIODevice& device);
 
-// The profile's scale after a ruler of the nominal length `length` was printed with scale `printed`
-// and measures `measured` mm. Throws Error when that is more than 10 % off, which is no matter of
-// calibration but of a printer that was told to scale.
+// Returns the scale for the printer's profile: a ruler of the nominal length `length` was printed
+// with the scale `printed` and measures `measured` mm. Throws Error if the result is more than 10 %
+// from 1; then the printer was told to scale.
 double calibratedScale(double printed, Millimetres length, Millimetres measured);
 
 } // namespace dipwright

@@ -12,16 +12,17 @@ namespace dipwright {
 namespace {
 
 constexpr double finestPlace = 0.1; // mm
-constexpr double mostPlaces = 4000; // along a side
-constexpr double straight = 0.02;   // mm that a point may lie off the line without it
+constexpr double mostPlaces = 4000; // along one side
+constexpr double straight = 0.02;   // mm: points nearer to the line are dropped
 
-// A film's places by whether any of their pixels has ink, with a rim of bare ones.
+// Divides the film into square cells and marks those that contain ink. A border of empty cells
+// surrounds them.
 struct InkedPlaces {
     double size = finestPlace; // mm
     QSize grid;
     std::vector<unsigned char> inked;
 
-    // `mask`: of the film's pixels, 0 where there is no ink.
+    // `mask` has the film's pixels, 0 where there is no ink.
     InkedPlaces(const QImage& mask, QSizeF film)
         : size(std::max(finestPlace, std::max(film.width(), film.height()) / mostPlaces)),
           grid(int(std::ceil(film.width() / size)) + 2, int(std::ceil(film.height() / size)) + 2),
@@ -39,7 +40,7 @@ struct InkedPlaces {
     }
 
 private:
-    // Every place that a pixel lies on.
+    // Marks every cell that a pixel overlaps.
     void mark(const QRectF& pixel) {
         for (int y = int(pixel.top()); y < pixel.bottom() && y + 2 < grid.height(); ++y) {
             for (int x = int(pixel.left()); x < pixel.right() && x + 2 < grid.width(); ++x) {
@@ -49,7 +50,7 @@ private:
     }
 };
 
-// Follows the line on which a height over a grid is `level`, with what is lower to its left
+// Follows the line where a height over a grid equals `level`, with lower heights on its left
 // (marching squares, https://doi.org/10.1145/37402.37422).
 class LevelLine {
 public:
@@ -78,7 +79,8 @@ public:
     }
 
 private:
-    // Edges between neighbours: twice the first one's place, one more where it goes down.
+    // Numbers an edge between neighbouring cells: twice the first cell's number, plus one if the
+    // edge goes down.
     qint64 edge(int x, int y, bool down) const {
         return 2 * (qint64(y) * grid_.width() + x) + (down ? 1 : 0);
     }
@@ -97,11 +99,11 @@ private:
         const bool low[4] = {height(at) <= level_, height(at + 1) <= level_,
                              height(at + 1 + grid_.width()) <= level_,
                              height(at + grid_.width()) <= level_};
-        // Clockwise from the top; between corners i and i + 1.
+        // Clockwise from the top; side i lies between the corners i and i + 1.
         const qint64 sides[4] = {edge(x, y, false), edge(x + 1, y, true), edge(x, y + 1, false),
                                  edge(x, y, true)};
-        // From each side on which one gets to higher places, clockwise, to the next on which one
-        // gets back to lower ones: two corners that touch stay apart.
+        // The line enters through a side where, clockwise, heights rise above the level. It leaves
+        // through the next side where they fall below it. So two corners that touch stay apart.
         for (int side = 0; side < 4; ++side) {
             if (!low[side] || low[(side + 1) % 4]) {
                 continue;
@@ -119,7 +121,7 @@ private:
     QSize grid_;
     float level_;
     std::unordered_map<qint64, qint64> next_;
-    std::vector<qint64> starts_; // in an order of their own
+    std::vector<qint64> starts_; // in a fixed order, unlike next_
 };
 
 double doubleArea(const QPolygonF& loop) {
@@ -132,7 +134,7 @@ double doubleArea(const QPolygonF& loop) {
     return sum;
 }
 
-// Keeps of an open line what it needs (Douglas and Peucker, 1973).
+// Keeps the points of an open line that are needed for the tolerance (Douglas and Peucker, 1973).
 void keepNeeded(const QPolygonF& line, qsizetype first, qsizetype last, double tolerance,
                 QPolygonF& kept) {
     const QPointF way = line[last] - line[first];
@@ -188,17 +190,17 @@ QPainterPath cutContour(const Sheet& sheet, const SheetLayout& layout) {
         for (int x = 0; x < places.grid.width(); ++x) {
             if (x == 0 || y == 0 || x + 1 == places.grid.width() || y + 1 == places.grid.height()) {
                 distances[std::size_t(y) * std::size_t(places.grid.width()) + std::size_t(x)] =
-                    1e9f; // the rim, so that every line is closed
+                    1e9f; // the border, so that every line is closed
             }
         }
     }
-    // Ink reaches half a place beyond its middle.
+    // The ink reaches half a cell beyond the cell's middle.
     const auto level = float(settings.cutDistance.value() / places.size + 0.5);
     const QTransform toPage = QTransform::fromScale(places.size, places.size) *
                               QTransform::fromTranslate(layout.film.x() - places.size / 2,
                                                         layout.film.y() - places.size / 2);
     for (const QPolygonF& loop : LevelLine(distances, places.grid, level).loops()) {
-        if (doubleArea(loop) > 0) { // not the edge of a hole
+        if (doubleArea(loop) > 0) { // an outer edge, not the edge of a hole
             QPolygonF onPage = toPage.map(simplified(loop, straight / places.size));
             for (QPointF& point : onPage) {
                 point.setX(std::clamp(point.x(), layout.film.left(), layout.film.right()));

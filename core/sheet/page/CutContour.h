@@ -1,4 +1,4 @@
-// The line along which a printed film is cut. Private to this folder.
+// Makes the line along which the printed film is cut. Private to this folder.
 #pragma once
 
 #include "sheet/page/SheetLayout.h"
@@ -7,9 +7,10 @@
 
 namespace dipwright {
 
-// On the page, mm, closed: the film's own edge, of several jobs that of each piece, or round the
-// ink of all plates, white and spot inks too, at the settings' distance, within the film, holes
-// left in. Empty where no line is asked for or nothing is printed.
+// Returns closed paths on the page, in mm. The settings choose between the film's edge (with
+// several jobs, the edge of each piece) and a line round the ink. That line keeps the settings'
+// distance from the ink of all plates, white and spot inks included. It stays within the film and
+// does not cut out holes. Empty if no line is asked for or nothing is printed.
 QPainterPath cutContour(const Sheet& sheet, const SheetLayout& layout);
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// A page that is drawn in mm, written at true size. Private to this folder.
+// Writes pages that are drawn in mm, at true size. Private to this folder.
 #pragma once
 
 #include "base/Units.h"
@@ -14,14 +14,14 @@ namespace dipwright {
 struct DrawnPage {
     QString title;
     QSizeF paper; // mm
-    // Printed length over true length of the printer that it goes to, across and along.
+    // The printer's printed length over true length, across and along the page.
     double scaleX = 1, scaleY = 1;
-    std::function<void(QPainter&)> paint; // in mm, origin the page's upper left corner
-    QByteArray inks = {}; // the ICC profile of those that a PDF is drawn in; empty: sRGB
+    std::function<void(QPainter&)> paint; // in mm, origin at the page's upper left corner
+    QByteArray inks = {}; // ICC profile of the inks that a PDF is drawn in; empty: sRGB
     QString inksName = {};
 };
 
-// Same bytes for the same page. Throws Error where `device` takes no more.
+// The same page gives the same bytes. Throws Error if `device` cannot be written.
 void writeDrawnPdf(const DrawnPage& page, QIODevice& device);
 void writeDrawnPng(const DrawnPage& page, DotsPerInch resolution, QIODevice& device);
 

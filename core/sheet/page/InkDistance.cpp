@@ -10,7 +10,7 @@ namespace {
 
 constexpr float far = std::numeric_limits<float>::infinity();
 
-// Squares of the distances along a column, in place of its marks.
+// Replaces a column's marks by the squared distances along the column.
 void measureColumn(const std::vector<unsigned char>& marked, QSize grid, int column,
                    std::vector<float>& squares) {
     const auto at = [&](int row) {
@@ -28,11 +28,11 @@ void measureColumn(const std::vector<unsigned char>& marked, QSize grid, int col
     }
 }
 
-// From squares down the columns to distances in the plane: the lowest of the parabolas that stand
-// over a row.
+// Turns squared distances along the columns into distances in the plane: the lower envelope of one
+// parabola per cell of the row.
 void measureRow(float* squares, int width) {
     std::vector<int> vertices;
-    std::vector<double> begins; // where each parabola begins to be the lowest
+    std::vector<double> begins; // where each parabola becomes the lowest
     for (int i = 0; i < width; ++i) {
         if (squares[i] == far) {
             continue;

@@ -1,4 +1,4 @@
-// How far places of a grid are from those that are marked.
+// Computes the distance from each cell of a grid to the nearest marked cell.
 #pragma once
 
 #include <QSize>
@@ -6,9 +6,9 @@
 
 namespace dipwright {
 
-// Of each place, row by row, to the nearest that is marked (not 0), between their middles, in
-// places; infinity where none is. Exact (Felzenszwalb and Huttenlocher, Distance Transforms of
-// Sampled Functions, 2012). All cores.
+// Returns, row by row, each cell's distance to the nearest marked cell (not 0), between the cells'
+// middles, in cells. Infinity if no cell is marked. Exact (Felzenszwalb and Huttenlocher, Distance
+// Transforms of Sampled Functions, 2012). Uses all cores.
 std::vector<float> distancesTo(const std::vector<unsigned char>& marked, QSize grid);
 
 } // namespace dipwright

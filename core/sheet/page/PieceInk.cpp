@@ -14,7 +14,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Sheet)
 };
 
-constexpr double markOff = 3.5; // mm of a mark's centre from the picture's edges
+constexpr double markOff = 3.5; // mm from the picture's edges to a mark's centre
 constexpr double codeSide = 11; // mm
 constexpr double type = 2.2, lineHeight = 3.4;
 constexpr double tick = 3; // mm
@@ -29,7 +29,8 @@ void paintMarksOf(QPainter& painter, const SheetPiece& piece) {
     }
 }
 
-// Over the middle of its own film, where the body's place counts from, as far as that lies here.
+// Draws ticks beside the picture at the centre of the job's own film, to which the body's offset
+// refers. There are none where that centre lies outside the picture.
 void paintMiddle(QPainter& painter, const SheetPiece& piece) {
     const QRectF& picture = piece.picture;
     const QPointF& middle = piece.middle;

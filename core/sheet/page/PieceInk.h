@@ -1,4 +1,4 @@
-// What is printed round each of several jobs on one film.
+// Paints the cut line, marks and job line of each piece when several jobs share one film.
 #pragma once
 
 #include "sheet/page/Sheet.h"
@@ -7,14 +7,15 @@
 
 namespace dipwright {
 
-inline constexpr double pieceFoot = 12;       // mm under the marks: code and job line
-inline constexpr double leastPieceWidth = 40; // mm, for the job line to have room
+inline constexpr double pieceFoot = 12;       // mm below the marks, for the code and the job line
+inline constexpr double leastPieceWidth = 40; // mm, so that the job line fits
 
-// What the code of a piece says: the job, the dip and the copy, as in "b7b773909db3/1/2".
+// Returns the content of a piece's code: job, dip and copy, as in "b7b773909db3/1/2".
 QString pieceCode(const SheetPiece& piece);
 
-// Cut line, marks, code and job line, and where the middle of its job's own film is. A painter in
-// mm, origin the page's upper left corner. Needs a QGuiApplication.
+// Paints the cut line, the marks, the code, the job line and the centre of the job's own film. The
+// painter's unit is the millimetre, its origin the page's upper left corner. Needs a
+// QGuiApplication.
 void paintPiece(QPainter& painter, const SheetPiece& piece);
 
 } // namespace dipwright

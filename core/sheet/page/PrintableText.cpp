@@ -7,7 +7,7 @@ namespace dipwright {
 
 QString printableText(const QString& text, const QFont& font) {
     constexpr char32_t lastOfFourDigits = 0xffff;
-    const QFontMetricsF metrics(font); // looks into the fonts that stand in for it, too
+    const QFontMetricsF metrics(font); // also looks into fallback fonts
     QString printable;
     for (const char32_t letter : text.toUcs4()) {
         if (QChar::isSpace(letter) || metrics.inFontUcs4(letter)) {

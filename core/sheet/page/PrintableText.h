@@ -1,4 +1,4 @@
-// Names of any script on a page whose fonts do not have them all.
+// Makes names in any script readable on a page whose fonts lack some of their letters.
 #pragma once
 
 #include <QString>
@@ -7,8 +7,9 @@ class QFont;
 
 namespace dipwright {
 
-// The text with each letter that no font of this computer draws as its number, \u4E2D: it would be
-// an empty box, in which nobody finds the name again. Needs a QGuiApplication.
+// Returns the text with its code point, as in \u4E2D, in place of each letter that no installed
+// font can draw. Otherwise such a letter would be an empty box, and the name could not be
+// recognised. Needs a QGuiApplication.
 QString printableText(const QString& text, const QFont& font);
 
 } // namespace dipwright

@@ -7,7 +7,7 @@
 namespace dipwright {
 
 void paintQrCode(QPainter& painter, const QRectF& place, const QString& text) {
-    constexpr int quiet = 4; // squares round it
+    constexpr int quiet = 4; // squares on each side
     const std::unique_ptr<QRcode, decltype(&QRcode_free)> code(
         QRcode_encodeString8bit(text.toUtf8().constData(), 0, QR_ECLEVEL_M), &QRcode_free);
     if (!code) {
@@ -15,7 +15,7 @@ void paintQrCode(QPainter& painter, const QRectF& place, const QString& text) {
     }
     const double side = place.width() / (code->width + 2 * quiet);
     painter.save();
-    painter.setRenderHint(QPainter::Antialiasing, false); // no light between two squares
+    painter.setRenderHint(QPainter::Antialiasing, false); // no light gaps between squares
     painter.fillRect(place, Qt::white);
     for (int row = 0; row < code->width; ++row) {
         for (int column = 0; column < code->width; ++column) {

@@ -1,4 +1,4 @@
-// A text as a QR code.
+// Draws a text as a QR code.
 #pragma once
 
 #include <QPainter>
@@ -7,8 +7,8 @@
 
 namespace dipwright {
 
-// Black squares on white, with the quiet zone of four of them that ISO/IEC 18004 asks for, in
-// `place`. By libqrencode, error correction M. `text` is short: some hundred letters.
+// Draws black squares on white in `place`, with the quiet zone of four squares that ISO/IEC 18004
+// asks for. Uses libqrencode with error correction M. `text` has at most some hundred letters.
 void paintQrCode(QPainter& painter, const QRectF& place, const QString& text);
 
 } // namespace dipwright

@@ -24,14 +24,13 @@ QSize sheetPixels(Millimetres width, Millimetres height, DotsPerInch resolution)
     const double columns = std::round(width.value() * pixelsPerMillimetre(resolution));
     const double rows = std::round(height.value() * pixelsPerMillimetre(resolution));
     if (!(columns >= 1 && rows >= 1 && columns <= mostSheetPixels && rows <= mostSheetPixels)) {
-        throw Error(
-            Text::tr("A film of %1 × %2 mm at %3 dpi does not make an image of 1 to %4 pixels "
-                     "a side; choose another resolution or film size")
-                .arg(width.value())
-                .arg(height.value())
-                .arg(resolution.value())
-                .arg(mostSheetPixels),
-            QStringLiteral("sheet.dpi"));
+        throw Error(Text::tr("A film of %1 × %2 mm at %3 dpi needs an image outside the range of 1 "
+                             "to %4 pixels per side; choose another resolution or film size")
+                        .arg(width.value())
+                        .arg(height.value())
+                        .arg(resolution.value())
+                        .arg(mostSheetPixels),
+                    QStringLiteral("sheet.dpi"));
     }
     return {int(columns), int(rows)};
 }
@@ -64,7 +63,7 @@ void paintSheet(QPainter& painter, const Sheet& sheet) {
     painter.setRenderHint(QPainter::LosslessImageRendering);
     painter.drawImage(layout.film, flattened(sheet.image));
     if (takesSpots(painter)) {
-        const SpotInk cutter{sheet.settings.cutName, {0, 1, 0, 0}}; // magenta where it is not known
+        const SpotInk cutter{sheet.settings.cutName, {0, 1, 0, 0}}; // magenta if unknown
         strokeCut(painter, cutContour(sheet, layout), hairline, cutter,
                   sheet.settings.cutBleed.value());
     }

@@ -14,7 +14,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Sheet)
 };
 
-constexpr double rim = 0.5; // mm of white round what stands on paint
+constexpr double rim = 0.5; // mm of white round what stands on ink
 
 QPen whitePen(double width) {
     return {Qt::white, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};

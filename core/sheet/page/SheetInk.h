@@ -1,4 +1,4 @@
-// How marks, rulers and lettering are drawn. Painters' units are millimetres.
+// Draws marks, rulers and lettering. The painters' unit is the millimetre.
 #pragma once
 
 #include "sheet/page/SheetLayout.h"
@@ -9,14 +9,14 @@ namespace dipwright {
 
 inline constexpr double hairline = 0.1; // mm
 
-// Draws lines, and text as text, with a white rim round them where they stand on paint.
+// Draws lines and text, with a white rim if they stand on ink. Text stays text in the output.
 class SheetInk {
 public:
     SheetInk(QPainter& painter, bool rimmed, const QColor& colour = Qt::black)
         : painter_(painter), rimmed_(rimmed), colour_(colour) {}
 
     void stroke(const QPainterPath& path) const;
-    // `baseline`: the left end of the text's baseline; `height` of the type, mm.
+    // `baseline` is the left end of the text's baseline, `height` the type's, in mm.
     void text(QPointF baseline, double height, const QString& text) const;
 
 private:
@@ -25,12 +25,12 @@ private:
     QColor colour_;
 };
 
-// A circle and a cross. The upper left one, the `first`, is filled in two quarters: a sheet that
-// was turned or turned over shows it.
+// Draws a circle with a cross. Two quarters of the `first` mark, the upper left one, are filled, so
+// that a turned or flipped sheet is noticed.
 void paintMark(QPainter& painter, const SheetMark& mark, bool first);
-// A ruler with its scale in mm along a strip.
+// Draws a ruler with a scale in mm along a strip.
 void paintRuler(QPainter& painter, const SheetStrip& strip);
-// All that is printed round the film image.
+// Draws everything that is printed round the film image.
 void paintMarks(QPainter& painter, const SheetLayout& layout);
 
 } // namespace dipwright

@@ -18,10 +18,10 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Sheet)
 };
 
-constexpr double stripClearance = 2; // mm between two things
+constexpr double stripClearance = 2; // mm between two items
 constexpr double jobLineDepth = 3.5;
 constexpr double jobLineType = 2.2;
-constexpr int longestName = 40; // letters of a project's name on the job line
+constexpr int longestName = 40; // letters of a name on the job line
 
 QSizeF paperSize(const SheetSettings& settings, QSizeF film) {
     const QString& paper = settings.paper;
@@ -44,7 +44,8 @@ QSizeF paperSize(const SheetSettings& settings, QSizeF film) {
     return settings.landscape ? portrait.transposed() : portrait;
 }
 
-// Tells whether a part of the page gets ink of the film's plates. Keeps a reference to the sheet.
+// Tells which share of a part of the page gets ink from the film's plates. Keeps a reference to the
+// sheet.
 class Paint {
 public:
     Paint(const Sheet& sheet, const QRectF& film) : sheet_(sheet), film_(film) {}
@@ -78,7 +79,7 @@ private:
     QRectF film_;
 };
 
-// Finds places along the page's edges for strips that neither meet each other nor the paint.
+// Finds places along the page's edges for strips that overlap neither each other nor ink.
 class Places {
 public:
     Places(const SheetLayout& layout, double clearance, const Paint& paint)
@@ -93,7 +94,7 @@ public:
 
     double longest() const { return std::max(page_.width(), page_.height()) - 2 * clearance_; }
 
-    // Edges in the order of preference: 0 top, 1 right, 2 bottom, 3 left.
+    // `edges` lists the edges by preference: 0 top, 1 right, 2 bottom, 3 left.
     std::optional<SheetStrip> take(QSizeF size, const std::array<int, 4>& edges) {
         std::optional<SheetStrip> best;
         double bestShare = 2;
@@ -148,12 +149,13 @@ private:
     }
 
     QSizeF page_;
-    double clearance_; // from the page's edge
+    double clearance_; // to the page's edge
     const Paint& paint_;
     std::vector<QRectF> taken_;
 };
 
-// Outside the film where the paper has the room, so that they also show where to cut; else inside.
+// Places the marks outside the film if the paper has room, so that they also show where to cut;
+// otherwise inside.
 std::vector<SheetMark> placeMarks(const QRectF& film, double clearance, const Paint& paint) {
     const double inset = clearance + markReach;
     const bool outside = std::min(film.left(), film.top()) >= 2 * inset;
@@ -188,7 +190,7 @@ QString shortened(const QString& name) {
     return text.size() <= longestName ? text : text.left(longestName - 1) + u'…';
 }
 
-// From all that is to say to what a tiny sheet has room for.
+// Returns the job line's texts, from the full one to the shortest, for tiny sheets.
 QStringList jobLineTexts(const JobLine& job) {
     const QString hash = job.hash.simplified();
     return {Text::tr("%1 · %2 · %3 · Film %4 · Scale %5 · Job %6")
@@ -270,7 +272,8 @@ QFont sheetFont(double height) {
                       QStringLiteral("Arial"), QStringLiteral("Helvetica")});
     font.setStyleHint(QFont::SansSerif);
     font.setHintingPreference(QFont::PreferNoHinting);
-    // Spaced letters are not joined: the "ff" of a job number stays two letters that are found.
+    // Letters with spacing are not joined to ligatures: the "ff" of a job number stays two letters
+    // that can be searched for.
     constexpr double leastSpacing = 0.05; // units
     font.setLetterSpacing(QFont::AbsoluteSpacing, leastSpacing);
     font.setPixelSize(std::max(1, int(std::lround(height / typeUnit))));

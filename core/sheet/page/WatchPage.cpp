@@ -18,24 +18,25 @@ struct Text {
 };
 
 constexpr double sideRoom = 11;   // mm left and right of the board, for the upright ruler
-constexpr double headHeight = 38; // mm over the board, for the words
-constexpr double footHeight = 22; // mm under it, for the level ruler
-constexpr double markInset = 8;   // mm of the corners' marks from the page's edges
-constexpr double rulerInset = 5;  // mm of the upright ruler from the page's edge
+constexpr double headHeight = 38; // mm above the board, for the text
+constexpr double footHeight = 22; // mm below it, for the horizontal ruler
+constexpr double markInset = 8;   // mm from the page's edges to the corner marks
+constexpr double rulerInset = 5;  // mm from the page's edge to the upright ruler
 
 QString titleOf(const WatchPage& page) {
-    return page.kind == BoardKind::Film ? Text::tr("Film watch: print this on the film")
-                                        : Text::tr("Card of the film watch: print this on stiff, "
-                                                   "waterproof card");
+    return page.kind == BoardKind::Film
+               ? Text::tr("Film watch: print this page on the film")
+               : Text::tr("Film watch, card: print this page on stiff, waterproof card");
 }
 
 QStringList wordsOf(const WatchPage& page) {
-    const QString side =
-        page.kind == BoardKind::Film
-            ? Text::tr("Ink side: this side up on the water, the words to be read from above.")
-            : Text::tr("Lay it flat on the water beside the film, this side up, in every photo.");
-    const QString scale = Text::tr("Both rulers must measure %1 mm; if not, say what they do "
-                                   "measure when the photos are looked at.")
+    const QString side = page.kind == BoardKind::Film
+                             ? Text::tr("Ink side: lay the film on the water with this side up, so "
+                                        "that you can read this text from above.")
+                             : Text::tr("For every photo, lay the card flat on the water beside "
+                                        "the film, with this side up.");
+    const QString scale = Text::tr("Both rulers must measure %1 mm. If they do not, enter their "
+                                   "measured lengths when you evaluate the photos.")
                               .arg(watchRuler);
     const QString open = QString(18, QLatin1Char('_'));
     if (page.kind == BoardKind::Card) {
@@ -85,12 +86,12 @@ void paintBoard(QPainter& painter, BoardKind kind, const WatchBoard& board) {
 void paintRulers(QPainter& painter, const WatchPage& page, const WatchBoard& board) {
     const QSizeF size(watchRuler + 2 * rulerEnd, rulerDepth);
     paintRuler(painter, {{board.box.left(), board.box.bottom() + 6}, 0, size, false});
-    // Read from its bottom to its top.
+    // Reads upwards.
     const double bottom = std::min(board.box.bottom(), page.paper.height() - markInset);
     paintRuler(painter, {{rulerInset, bottom}, -90, size, false});
 }
 
-// Throws Error where the paper is too small.
+// Throws Error if the paper is too small.
 DrawnPage drawnPage(const WatchPage& page) {
     watchBoard(page);
     return {titleOf(page), page.paper, page.scaleX, page.scaleY,
@@ -110,8 +111,8 @@ WatchBoard watchBoard(const WatchPage& page) {
     const double rulers = watchRuler + 2 * rulerEnd;
     if ((board.columns - 1) * (board.rows - 1) < leastWatchCorners ||
         board.columns * square < rulers || board.rows * square < rulers) {
-        throw Error(Text::tr("Paper of %1 × %2 mm has no room for a chessboard with %3 corners; "
-                             "take a larger one")
+        throw Error(Text::tr("Paper of %1 × %2 mm is too small for a chessboard with %3 corners; "
+                             "use larger paper")
                         .arg(page.paper.width())
                         .arg(page.paper.height())
                         .arg(leastWatchCorners),

@@ -1,5 +1,5 @@
-// The two pages that a film is measured with: a chessboard on the film, and one on a stiff card
-// that lies beside it on the water and says how long a millimetre is.
+// Makes the two pages that measure a floating film: a chessboard on the film, and one on a stiff
+// card that floats beside it and gives the scale.
 #pragma once
 
 #include "base/Units.h"
@@ -15,30 +15,31 @@ namespace dipwright {
 struct WatchPage {
     BoardKind kind = BoardKind::Film;
     QSizeF paper{210, 297}; // mm
-    // Printed length over true length of the printer that it goes to, across and along.
+    // The printer's printed length over true length, across and along the page.
     double scaleX = 1, scaleY = 1;
-    QString lot, date; // as they are to stand on the page; empty: a line to write them on
+    QString lot, date; // as printed on the page; empty: a line to write on
 };
 
-// Where the board's squares lie on the page, mm.
+// Size of the board and its place on the page, mm.
 struct WatchBoard {
     int columns = 0, rows = 0;
     QRectF box;
 };
 
-// The least corners between four squares of either board that a film is measured by.
+// The fewest corners between four squares, on either board, that suffice to measure a film.
 inline constexpr int leastWatchCorners = 60;
-// Of both rulers on the page.
+// Length of both rulers on the page.
 inline constexpr int watchRuler = 100; // mm
 
-// As many whole squares as the paper has room for. Throws Error where these are too few.
+// Returns a board with as many whole squares as the paper has room for. Throws Error if these are
+// too few.
 WatchBoard watchBoard(const WatchPage& page);
 
-// Draws it as for a true printer, with a painter in mm, origin the page's upper left corner. Needs
-// a QGuiApplication.
+// Draws the page without scale correction. The painter's unit is the millimetre, its origin the
+// page's upper left corner. Needs a QGuiApplication.
 void paintWatchPage(QPainter& painter, const WatchPage& page);
-// At true size, with the scales corrected. Same bytes for the same page. Both throw Error where the
-// paper is too small or `device` takes no more.
+// Write the page at true size, with the scales corrected. The same page gives the same bytes. Both
+// throw Error if the paper is too small or `device` cannot be written.
 void writeWatchPdf(const WatchPage& page, QIODevice& device);
 void writeWatchPng(const WatchPage& page, DotsPerInch resolution, QIODevice& device);
 

@@ -16,11 +16,11 @@ struct Text {
 };
 
 constexpr double margin = 12;     // mm
-constexpr double headHeight = 46; // mm over the first row, for words and tones
-constexpr double nameWidth = 20;  // mm left of a row
-constexpr double gap = 8;         // mm between rows, for what is written by hand
+constexpr double headHeight = 46; // mm above the first row, for text and tones
+constexpr double nameWidth = 20;  // mm left of each row
+constexpr double gap = 8;         // mm between rows, for handwriting
 constexpr double mostPatch = 14;  // mm
-constexpr double leastPatch = 8;  // mm: a densitometer's opening and some room round it
+constexpr double leastPatch = 8;  // mm: a densitometer's opening with some room round it
 
 double patchSize(const WedgePage& page) {
     std::size_t most = 1;
@@ -28,7 +28,7 @@ double patchSize(const WedgePage& page) {
         most = std::max(most, row.patches.size());
     }
     const double wide = (page.paper.width() - 2 * margin - nameWidth) / double(most);
-    // Under the rows the upright ruler must have its room as well.
+    // The upright ruler needs room below the rows, too.
     const double high = (page.paper.height() - headHeight - 2 * margin - rulerDepth) /
                             double(std::max<std::size_t>(page.rows.size(), 1)) -
                         gap;
@@ -36,7 +36,7 @@ double patchSize(const WedgePage& page) {
     const double rulers = wedgeRuler + 2 * rulerEnd;
     if (size < leastPatch || page.paper.width() < rulers + 2 * margin ||
         page.paper.height() < headHeight + rulers + margin) {
-        throw Error(Text::tr("Paper of %1 × %2 mm has no room for the wedge; take a larger one")
+        throw Error(Text::tr("Paper of %1 × %2 mm is too small for the wedge; use larger paper")
                         .arg(page.paper.width())
                         .arg(page.paper.height()),
                     QStringLiteral("paper"));
@@ -45,7 +45,7 @@ double patchSize(const WedgePage& page) {
 }
 
 QString titleOf() {
-    return Text::tr("Ink wedge: print this on the film as a sheet is printed");
+    return Text::tr("Ink wedge: print this page on the film like a sheet");
 }
 
 void paintWords(const SheetInk& ink, const WedgePage& page) {
@@ -53,10 +53,11 @@ void paintWords(const SheetInk& ink, const WedgePage& page) {
     const auto given = [&](const QString& text) { return text.isEmpty() ? open : text; };
     const QStringList words{
         Text::tr("1. Zero the densitometer on unprinted film. Read every patch before the dip."),
-        Text::tr("2. Stretch the film: on a body, or floating, by hand. Measure both rulers; %1 mm "
-                 "is no stretch.")
+        Text::tr("2. Stretch the floating film by a dip or by hand. Measure both rulers (%1 mm if "
+                 "not stretched).")
             .arg(wedgeRuler),
-        Text::tr("3. Read every patch again. Best at three or four stretches up to the job's."),
+        Text::tr("3. Read every patch again. Repeat at three or four stretches, up to the largest "
+                 "of the job."),
         Text::tr("Date %1   Lot %2").arg(given(page.date), given(page.lot))};
     double y = margin + 3;
     ink.text({margin, y}, 4.5, titleOf());
@@ -87,7 +88,7 @@ void paintWedge(QPainter& painter, const WedgePage& page) {
     }
     const QSizeF ruler(wedgeRuler + 2 * rulerEnd, rulerDepth);
     paintRuler(painter, {{left, top}, 0, ruler, false});
-    // Upright beside the rows, read from its bottom to its top.
+    // Stands beside the rows and reads upwards.
     const double bottom = std::min(headHeight + ruler.width(), page.paper.height() - margin / 2);
     paintRuler(painter, {{margin / 2, bottom}, -90, ruler, false});
 }

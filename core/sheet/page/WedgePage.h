@@ -1,5 +1,5 @@
-// The page that says how ink thins on film that stretches: rows of patches from light to dense, and
-// two rulers that stretch with them (docs/film-model.md, "Ink").
+// Makes the page that measures how ink thins on stretched film: rows of patches from light to
+// dense, and two rulers that stretch with them (docs/film-model.md, "Ink").
 #pragma once
 
 #include "base/Units.h"
@@ -12,7 +12,7 @@
 
 namespace dipwright {
 
-// A row of patches, all of one ink.
+// A row of patches of one ink.
 struct WedgeRow {
     QString name;
     std::vector<QColor> patches;
@@ -20,22 +20,23 @@ struct WedgeRow {
 
 struct WedgePage {
     QSizeF paper{210, 297}; // mm
-    // Printed length over true length of the printer that it goes to, across and along.
+    // The printer's printed length over true length, across and along the page.
     double scaleX = 1, scaleY = 1;
     std::vector<WedgeRow> rows;
-    // The ICC profile of the printer whose inks the patches are in, QColors in CMYK, and its name;
-    // empty: they are in sRGB. PDF only.
+    // ICC profile of the printer, and its name. The patches are then CMYK colours in the printer's
+    // inks. Empty: the patches are in sRGB. PDF only.
     QByteArray inks;
     QString inksName;
-    QStringList tones; // over the columns
-    QString lot, date; // as they are to stand on the page; empty: a line to write them on
+    QStringList tones; // captions of the columns
+    QString lot, date; // as printed on the page; empty: a line to write on
 };
 
-// Of both rulers, before the film is stretched.
+// Length of both rulers before the film is stretched.
 inline constexpr int wedgeRuler = 100; // mm
 
-// At true size, with the scales corrected. Same bytes for the same page. Needs a QGuiApplication.
-// Throws Error where the paper is too small for the rows, or `device` takes no more.
+// Write the page at true size, with the scales corrected. The same page gives the same bytes. Need
+// a QGuiApplication. Throw Error if the paper is too small for the rows or `device` cannot be
+// written.
 void writeWedgePdf(const WedgePage& page, QIODevice& device);
 void writeWedgePng(const WedgePage& page, DotsPerInch resolution, QIODevice& device);
 

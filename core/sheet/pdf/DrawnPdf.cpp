@@ -11,9 +11,9 @@
 namespace dipwright {
 namespace {
 
-constexpr int dotsPerInch = 1200; // of the drawing's coordinates; images keep their own
+constexpr int dotsPerInch = 1200; // resolution of the drawing's coordinates; images keep their own
 
-// Qt rounds pages to whole points; room for all of the page now, the exact box by qpdf.
+// Qt rounds pages to whole points. This page is rounded up; qpdf later sets the exact box.
 QPageLayout roomFor(QSizeF page) {
     const QSizeF exact = inPoints(page);
     const QSizeF size(std::ceil(exact.width()), std::ceil(exact.height()));

@@ -1,5 +1,5 @@
-// Pages as Qt draws them into a PDF: at true size, but in boxes of whole points, with a date, and
-// as viewers may scale them. pdfDocument() makes them exact.
+// Draws pages into a PDF with Qt. They have true size, but their boxes are rounded to whole points,
+// the file has a date, and viewers may scale it. pdfDocument() makes the file exact.
 #pragma once
 
 #include "sheet/pdf/PdfDocument.h"
@@ -9,7 +9,8 @@ namespace dipwright {
 // A point is 1/72 inch.
 QSizeF inPoints(QSizeF millimetres);
 
-// Each page drawn from its box's upper left corner, the box rounded up. Needs a QGuiApplication.
+// Draws each page from the upper left corner of its box, which is rounded up. Needs a
+// QGuiApplication.
 QByteArray drawnPdf(const std::vector<PdfPage>& pages, const QString& title);
 
 } // namespace dipwright

@@ -12,7 +12,7 @@
 namespace dipwright {
 namespace {
 
-// PDF knows no exponents.
+// PDF numbers have no exponents.
 QByteArray plain(double number) {
     return QByteArray::number(number, 'f', 9);
 }
@@ -52,7 +52,7 @@ QByteArray construction(const QPainterPath& path) {
     return text;
 }
 
-// Sets the ink of lines (`stroke`) or of areas.
+// Returns the operator that sets the ink of lines (`stroke`) or of areas.
 QByteArray ink(const QColor& colour, bool stroke) {
     if (colour == registrationBlack) {
         return stroke ? "/All CS 1 SCN\n" : "/All cs 1 scn\n";
@@ -81,7 +81,7 @@ QByteArray lineStyle(const QPen& pen) {
            QByteArray::number(join) + " j [" + dashes + "] 0 d\n";
 }
 
-// Writes what a painter draws as the operators of a page.
+// Turns what a painter draws into the operators of a page.
 class InkEngine : public QPaintEngine {
 public:
     explicit InkEngine(int plates) : QPaintEngine(AllFeatures), plates_(plates) {}
@@ -89,7 +89,7 @@ public:
     bool begin(QPaintDevice*) override { return true; }
     bool end() override { return true; }
     Type type() const override { return User; }
-    void updateState(const QPaintEngineState&) override {} // asked of the painter when it draws
+    void updateState(const QPaintEngineState&) override {} // drawing asks the painter
     void drawPath(const QPainterPath& path) override {
         const QPen pen = painter()->pen();
         const QBrush brush = painter()->brush();
@@ -126,10 +126,10 @@ public:
                 onPage.mapRect(path.boundingRect().adjusted(-bleed, -bleed, bleed, bleed)));
         }
     }
-    // In points from the page's upper left corner; empty: as the page.
+    // In points from the page's upper left corner; empty: the page's own box.
     const QRectF& trim() const { return trim_; }
     const QRectF& bleed() const { return bleed_; }
-    // The name of a spot's colour space on the page.
+    // Returns the name of a spot ink's colour space on the page.
     QByteArray spotName(const SpotInk& spot) {
         const auto found = std::find_if(spots_.begin(), spots_.end(), [&](const SpotInk& known) {
             return known.name == spot.name;
@@ -154,7 +154,7 @@ private:
         }
         content_ += operators + "Q\n";
     }
-    // An image's own square is 1 × 1, its first row on top.
+    // Draws the plates' images in the box. An image's own square is 1 × 1, its first row on top.
     void place(const QRectF& box) {
         QByteArray draw = plates_ > 1 ? "/Over gs\n" : "";
         for (int plate = 0; plate < plates_; ++plate) {
@@ -163,13 +163,13 @@ private:
         add(matrix(QTransform(box.width(), 0, 0, -box.height(), box.x(), box.bottom())) + draw);
     }
 
-    int plates_; // images that a picture is made of
+    int plates_; // images per picture
     QByteArray content_;
     std::vector<SpotInk> spots_;
     QRectF trim_, bleed_;
 };
 
-// A page in points, its origin the upper left corner.
+// A page in points, with its origin in the upper left corner.
 class InkPage : public QPaintDevice {
 public:
     InkPage(QSizeF size, int plates) : size_(size), engine_(plates) {}
@@ -213,7 +213,7 @@ QPDFObjectHandle name(const QString& text) {
     return QPDFObjectHandle::newName((QLatin1Char('/') + text).toStdString());
 }
 
-// [/Separation /Name /DeviceCMYK function].
+// Returns [/Separation /Name /DeviceCMYK function].
 QPDFObjectHandle separation(QPDF& pdf, const SpotInk& spot) {
     QByteArray full;
     for (const double share : spot.alternate) {
@@ -228,7 +228,7 @@ QPDFObjectHandle separation(QPDF& pdf, const SpotInk& spot) {
     return pdf.makeIndirectObject(space);
 }
 
-// Without loss. qCompress() puts the length before what PDF calls FlateDecode.
+// Compresses without loss. qCompress() puts the length before the data that PDF calls FlateDecode.
 QPDFObjectHandle compressed(QPDF& pdf, const QByteArray& bytes) {
     const QByteArray packed = qCompress(bytes).mid(4);
     QPDFObjectHandle stream = QPDFObjectHandle::newStream(&pdf);
@@ -250,7 +250,7 @@ QPDFObjectHandle imageOf(QPDF& pdf, QSize size, const QByteArray& bytes,
     return stream;
 }
 
-// In the order of printing.
+// In printing order.
 std::vector<QPDFObjectHandle> plateImages(QPDF& pdf, const Plates& plates) {
     std::vector<QPDFObjectHandle> images;
     if (plates.size.isEmpty()) { // pages without a picture
@@ -274,7 +274,7 @@ QPDFObjectHandle boxOf(QSizeF points) {
     return QPDFObjectHandle::newFromRectangle({0, 0, points.width(), points.height()});
 }
 
-// `box`: from the upper left corner of a page.
+// `box` is measured from the upper left corner of the page.
 QPDFObjectHandle boxOf(QRectF box, QSizeF page) {
     box = box.intersected(QRectF(QPointF(), page));
     return QPDFObjectHandle::newFromRectangle(
@@ -320,8 +320,9 @@ void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const Plates& i
             spaces.replaceKey(('/' + drawn.engine().spotName(spot)).toStdString(),
                               separation(pdf, spot));
         }
-        // Multiplied, a plate takes nothing away from the others (ISO 32000-1, 11.7.3), on screens
-        // as in separations; many viewers do not heed overprinting, and white would hide the rest.
+        // With the blend mode Multiply, a plate removes nothing of the others (ISO 32000-1,
+        // 11.7.3), on screens and in separations. Many viewers ignore overprinting; white would
+        // then hide the rest.
         QPDFObjectHandle resources =
             QPDFObjectHandle::parse("<< /ExtGState << /Over << /BM /Multiply >> >> "
                                     "/XObject << >> >>");

@@ -1,4 +1,4 @@
-// Pages of a PDF in inks: what Qt's PDF files have no words for. Lettering is drawn as outlines.
+// Adds PDF pages in CMYK and spot inks, which Qt cannot write. Lettering is drawn as outlines.
 #pragma once
 
 #include "sheet/pdf/PdfDocument.h"
@@ -9,19 +9,19 @@ class QPDF;
 
 namespace dipwright {
 
-// Black that is on every plate, spots too: marks by which plates are laid over each other.
+// Black on every plate, spot plates included, for marks that show whether the plates register.
 inline const QColor registrationBlack = QColor::fromCmyk(255, 255, 255, 255);
 
-// Adds the pages, drawn by their painters, to a document: greys in black ink only, CMYK colours as
-// they are, registrationBlack in the separation All. Whatever image a page draws stands for
-// `plates`.
+// Adds the pages, drawn by their painters, to a document. Greys are in black ink only, CMYK colours
+// are kept, and registrationBlack becomes the separation All. Any image that a page draws is
+// replaced by `plates`.
 void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const Plates& plates);
 
-// Whether the painter's page is in inks.
+// Tells whether the painter's page is in inks.
 bool takesSpots(const QPainter& painter);
-// Draws the line along which is cut in a spot ink of its own, over the other inks and not in place
-// of them, on a page that takes spots. Where there is a bleed, what is in the line is the page's
-// trim box, and what is so many mm round it its bleed box.
+// Draws the cut contour in its own spot ink, printed over the other inks. The page must take spots.
+// If there is a bleed, the contour's bounding box becomes the page's trim box, and that box
+// enlarged by `bleed` mm becomes its bleed box.
 void strokeCut(QPainter& painter, const QPainterPath& path, double width, const SpotInk& spot,
                double bleed);
 

@@ -14,7 +14,7 @@
 namespace dipwright {
 namespace {
 
-// The box is measured from Qt's upper left corner, where the drawing starts; in points.
+// Sets the exact boxes, in points, from Qt's upper left corner, where the drawing starts.
 void setExactBox(QPDFObjectHandle page, QSizeF size) {
     const double top = page.getKey("/MediaBox").getArrayAsRectangle().ury;
     for (const char* box : {"/MediaBox", "/TrimBox"}) {
@@ -23,8 +23,9 @@ void setExactBox(QPDFObjectHandle page, QSizeF size) {
     }
 }
 
-// What the pages' colours are numbers of. Of PDF/X it is only where the document is; an intent for
-// the eye else, of the kind that archives have, as a screen's colours are no printer's.
+// Adds the output intent, the colour space of the pages. It is a PDF/X intent only in a PDF/X
+// document. Otherwise it is the kind that PDF/A uses, because a screen's colours belong to no
+// printer.
 void addOutputIntent(QPDF& pdf, const QByteArray& profile, const PdfSettings& settings) {
     QPDFObjectHandle stream = QPDFObjectHandle::newStream(&pdf, profile.toStdString());
     stream.getDict().replaceKey("/N", QPDFObjectHandle::newInteger(settings.inks ? 4 : 3));
@@ -46,13 +47,13 @@ QByteArray written(QPDF& pdf) {
     writer.setOutputMemory();
     writer.setDeterministicID(true);
     writer.setStreamDataMode(qpdf_s_preserve);
-    writer.setMinimumPDFVersion("1.6"); // the first with PrintScaling
+    writer.setMinimumPDFVersion("1.6"); // the first version with PrintScaling
     writer.write();
     const std::shared_ptr<Buffer> bytes = writer.getBufferSharedPointer();
     return {reinterpret_cast<const char*>(bytes->getBuffer()), qsizetype(bytes->getSize())};
 }
 
-// In RGB, drawn by Qt.
+// Adds RGB pages that Qt has drawn.
 void addDrawnPages(QPDF& pdf, const std::vector<PdfPage>& pages, const QByteArray& drawn) {
     pdf.processMemoryFile("drawn.pdf", drawn.constData(), std::size_t(drawn.size()));
     const std::vector<QPDFPageObjectHelper> drawnPages = QPDFPageDocumentHelper(pdf).getAllPages();
@@ -61,7 +62,7 @@ void addDrawnPages(QPDF& pdf, const std::vector<PdfPage>& pages, const QByteArra
     }
 }
 
-// What Qt says of a document that it has drawn.
+// Adds the information that Qt writes into its documents.
 void addInformation(QPDF& pdf, const QString& title) {
     const auto text = [](const QString& words) {
         return QPDFObjectHandle::newUnicodeString(words.toStdString());
@@ -77,7 +78,7 @@ void addInformation(QPDF& pdf, const QString& title) {
 
 QByteArray pdfDocument(const std::vector<PdfPage>& pages, const PdfSettings& settings) {
     const QByteArray drawn = settings.inks ? QByteArray() : drawnPdf(pages, settings.title);
-    QPDF pdf; // reads what is drawn as it needs it
+    QPDF pdf; // reads from `drawn` on demand
     if (settings.inks) {
         pdf.emptyPDF();
         addInkedPages(pdf, pages, *settings.inks);

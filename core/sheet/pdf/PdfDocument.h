@@ -1,9 +1,9 @@
-// PDF files of pages at true size.
+// Writes PDF files of pages at true size.
 //
-// Qt draws the pages, or, in CMYK, our own engine for its painters; qpdf then makes a file of them
-// that is exact and always the same: boxes to a fraction of a point, no scaling in print dialogs,
-// an output intent, and no date or identifier that comes from the clock. Where the output profile
-// is that of a printer, the file is PDF/X-4.
+// Qt draws RGB pages, and the engine in InkedPages.cpp draws CMYK pages. qpdf then makes the file
+// exact and reproducible. Boxes are set to a fraction of a point, print dialogs do not scale, and
+// there is an output intent. No date or identifier comes from the clock. If the output profile is a
+// printer's, the file is PDF/X-4.
 #pragma once
 
 #include "sheet/pdf/Plates.h"
@@ -18,7 +18,8 @@
 
 namespace dipwright {
 
-// Its size in mm, and what draws it: a painter in mm, origin the page's upper left corner.
+// A page's size in mm and the function that draws it. The painter's unit is the millimetre, its
+// origin the page's upper left corner.
 struct PdfPage {
     QSizeF size;
     std::function<void(QPainter&)> paint;
@@ -26,20 +27,21 @@ struct PdfPage {
 
 struct PdfSettings {
     QString title;
-    QString date;             // of the work, ISO 8601; may be empty
+    QString date;             // the work's date, ISO 8601; may be empty
     QByteArray outputProfile; // an ICC profile; empty: sRGB
     QString outputName = QStringLiteral("sRGB IEC61966-2.1");
-    // Of pages in CMYK, as the profile then is: the film's picture, in place of whatever image the
-    // pages draw. Null: in RGB.
+    // For CMYK pages, whose profile is then CMYK too: the film's picture, in place of any image
+    // that the pages draw. Null: the pages are in RGB.
     std::shared_ptr<const Plates> inks = {};
 };
 
-// The pages as one file, in the order given, at least one. Same bytes for the same pages. Needs a
-// QGuiApplication.
+// Writes the pages as one file, in the order given; at least one. The same pages give the same
+// bytes. Needs a QGuiApplication.
 QByteArray pdfDocument(const std::vector<PdfPage>& pages, const PdfSettings& settings);
 
-// A PDF with its pages repeated, one copy after the other. Print systems lose a wish for copies on
-// some of their ways; pages they do not. Takes hardly more room. Throws Error when it is no PDF.
+// Returns a PDF with its pages repeated, one copy after the other. Some print systems lose the
+// number of copies, but none loses pages. The file hardly grows. Throws Error if `pdf` is not a
+// PDF.
 QByteArray repeatedPdf(const QByteArray& pdf, int copies);
 
 } // namespace dipwright

@@ -12,7 +12,7 @@ namespace {
 
 const char* const version = "PDF/X-4";
 
-// XMP's names of what is told (ISO 16684-1), with what they are short for.
+// XMP namespaces (ISO 16684-1) and their prefixes.
 struct Vocabulary {
     const char* prefix;
     const char* address;
@@ -24,7 +24,7 @@ constexpr Vocabulary media{"xmpMM", "http://ns.adobe.com/xap/1.0/mm/"};
 constexpr Vocabulary document{"pdf", "http://ns.adobe.com/pdf/1.3/"};
 constexpr Vocabulary standard{"pdfxid", "http://www.npes.org/pdfx/ns/id/"};
 
-// The same for the same pages: a name for what the streams hold.
+// Returns an identifier made from the streams' content, the same for the same pages.
 QString documentId(QPDF& pdf) {
     Sha256 hash;
     for (QPDFObjectHandle& object : pdf.getAllObjects()) {
@@ -37,8 +37,8 @@ QString documentId(QPDF& pdf) {
     return QStringLiteral("uuid:") + id.toString(QUuid::WithoutBraces);
 }
 
-// PDF/X wants a moment; the clock's would make two files of one sheet. Where the project says no
-// date, it is one that nobody takes for a date.
+// PDF/X requires a time. The clock's would make two different files of one sheet. If the project
+// has no date, 1970-01-01 is used, which nobody mistakes for a real one.
 QString moment(const QString& date) {
     const QDate day = QDate::fromString(date, Qt::ISODate);
     return (day.isValid() ? day : QDate(1970, 1, 1)).toString(Qt::ISODate) +

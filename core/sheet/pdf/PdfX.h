@@ -1,6 +1,6 @@
-// PDF/X-4 (ISO 15930-7:2010): documents that a print shop's queue takes unseen. They say what inks
-// they are for, where the page is trimmed, that nobody has trapped them yet and, in XMP, what they
-// are. Private to this folder.
+// Declares a document as PDF/X-4 (ISO 15930-7:2010), which a print shop accepts without inspection.
+// It says which inks it is for, where the page is trimmed, that it is not trapped yet and, in XMP,
+// what it is. Private to this folder.
 #pragma once
 
 #include "sheet/pdf/PdfDocument.h"
@@ -9,12 +9,13 @@
 
 namespace dipwright {
 
-// Whether PDF/X can have it as output intent: the ICC profile of an output device, by its header.
+// Tells whether PDF/X accepts the ICC profile as output intent: its header must name an output
+// device.
 bool isOutputDevice(const QByteArray& profile);
 
-// Says that a document is PDF/X-4: XMP metadata of which nothing comes from the clock, and the
-// document's information in agreement with it. The caller sees to the rest: fonts embedded, a trim
-// box on each page, an output intent, colours of its space only.
+// Adds XMP metadata and matching document information, without anything from the clock. The caller
+// provides the rest: embedded fonts, a trim box on each page, an output intent, and colours of its
+// space only.
 void declarePdfX(QPDF& pdf, const PdfSettings& settings);
 
 } // namespace dipwright

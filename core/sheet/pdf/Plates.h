@@ -1,4 +1,5 @@
-// Pictures in inks, a plate an ink. Plain C++17, as what includes qpdf is built by some compilers.
+// Holds a picture as one plate per ink. Plain C++17, because some compilers build the files that
+// include qpdf as C++17.
 #pragma once
 
 #include <QByteArray>
@@ -9,25 +10,25 @@
 
 namespace dipwright {
 
-// An ink beside cyan, magenta, yellow and black: white, varnish, a colour of its own, or what a
-// cutter follows.
+// An ink besides cyan, magenta, yellow and black: white, varnish, another spot colour or a cutter's
+// line.
 struct SpotInk {
-    QString name; // as raster image processors know it
-    // What stands for full ink of it where nobody knows the name: cyan, magenta, yellow, black, 0
-    // … 1. None: nothing.
+    QString name; // known to raster image processors
+    // Cyan, magenta, yellow and black, 0 … 1, that replace full ink where the name is unknown. All
+    // 0: nothing.
     std::array<double, 4> alternate{};
 };
 
 struct SpotPlate {
     SpotInk ink;
     bool first = false; // printed before the four inks, else after them
-    QByteArray tint;    // a byte a pixel, 0 no ink … 255 full, rows without padding
+    QByteArray tint;    // one byte per pixel, 0 no ink … 255 full, rows without padding
 };
 
 struct Plates {
-    QSize size;                   // pixels, those of the picture
-    QByteArray cmyk;              // four bytes a pixel, 0 no ink … 255 full, rows without padding
-    std::vector<SpotPlate> spots; // in the order of printing
+    QSize size;      // of the picture, pixels
+    QByteArray cmyk; // four bytes per pixel, 0 no ink … 255 full, rows without padding
+    std::vector<SpotPlate> spots; // in printing order
 
     int channels() const { return 4 + int(spots.size()); }
 };

@@ -9,7 +9,7 @@
 namespace dipwright {
 namespace {
 
-constexpr int steps = 256; // of a stretch, from the least to the most; linear between
+constexpr int steps = 256; // of the stretch, from the least to the largest; linear between steps
 constexpr float visibleDensity = 0.05f;
 constexpr FilmInk inkOrder[4] = {FilmInk::Cyan, FilmInk::Magenta, FilmInk::Yellow, FilmInk::Black};
 
@@ -30,7 +30,7 @@ float PlateCompensation::OneInk::density(double amount) const {
            share * (densities[std::size_t(below) + 1] - densities[std::size_t(below)]);
 }
 
-// The least amount that is as dense; full ink where none is.
+// Returns the least amount of at least this density; full ink if there is none.
 double PlateCompensation::OneInk::amount(float density) const {
     const auto above = std::lower_bound(densities.begin(), densities.end(), density);
     if (above == densities.begin() || above == densities.end()) {
@@ -53,7 +53,7 @@ void PlateCompensation::fill(OneInk& ink, float limit) const {
         const float shows = ink.densities[std::size_t(wanted)];
         for (int step = 0; step <= steps; ++step) {
             if (shows <= 0) {
-                ink.printed.push_back(float(wanted)); // it is not seen, on stretched film neither
+                ink.printed.push_back(float(wanted)); // invisible on any film
                 continue;
             }
             const float density = shows * ink.law.byShown(std::log(shows), stretchAt(step));

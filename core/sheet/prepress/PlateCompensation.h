@@ -1,6 +1,5 @@
-// Each of a printer's four inks made up for where the film stretches, by its own law
-// (docs/film-model.md, "Ink"). After separation: what is to show is an amount of each ink, and so
-// is what is printed.
+// Compensates each of a printer's four inks for the stretch of the film, by the ink's own law
+// (docs/film-model.md, "Ink"). It works after separation, on the amount of each ink.
 #pragma once
 
 #include "settings/InkSettings.h"
@@ -13,28 +12,28 @@
 
 namespace dipwright {
 
-// How dense an ink is by its amount comes from the printer's ICC profile: −log10 of the light that
-// it lets through alone, red, green or blue of wide colour's primaries, of black all three. Const
-// members may be used from several threads.
+// The printer's ICC profile gives the density of each amount of ink: −log10 of the light that the
+// ink lets through alone. The light is red, green or blue of wide colour's primaries; for black it
+// is all three. Const members may be used from several threads.
 class PlateCompensation {
 public:
-    // The colour must be in CMYK.
+    // `colour` must be CMYK.
     PlateCompensation(const PrinterColour& colour, const InkSettings& settings);
 
-    // The amount, 0 … 255, to print of ink `ink` so that `wanted` shows where the film's area has
-    // grown by `areaStretch`: at most full ink, and no more than the density limit but for what was
-    // wanted.
+    // Returns the amount to print of ink `ink`, 0 … 255, so that `wanted` shows where the film's
+    // area has grown by `areaStretch`. It is at most full ink. Its density stays within the ink
+    // limit unless `wanted` itself is denser.
     std::uint8_t printed(int ink, std::uint8_t wanted, float areaStretch) const;
-    // The amount of it, 0 … 255, that is as dense on film that is not stretched.
+    // Returns the amount, 0 … 255, that looks as dense on film that is not stretched.
     double shown(int ink, double printed, float areaStretch) const;
-    // Whether what is shown is visibly paler than `wanted`.
+    // Tells whether the result is visibly paler than `wanted`.
     bool fallsShort(int ink, std::uint8_t wanted, std::uint8_t printed, float areaStretch) const;
 
 private:
     struct OneInk {
         Thinning law;
-        std::array<float, 256> densities; // never falling
-        std::vector<float> printed;       // amounts by wanted amount and by the stretch's step
+        std::array<float, 256> densities; // never decreasing
+        std::vector<float> printed;       // amounts by wanted amount, then by step of the stretch
 
         float density(double amount) const;
         double amount(float density) const;

@@ -30,10 +30,9 @@ using TransformHandle = std::unique_ptr<void, DeleteTransform>;
 
 TransformHandle required(cmsHTRANSFORM transform, const QString& where) {
     if (!transform) {
-        throw Error(
-            Text::tr("The ICC profile cannot be used for printing, choose the printer's output "
-                     "profile"),
-            where);
+        throw Error(Text::tr("This ICC profile cannot be used for printing; choose the printer's "
+                             "output profile"),
+                    where);
     }
     return TransformHandle(transform);
 }
@@ -67,7 +66,7 @@ QImage withAlphaOf(const QImage& picture, const QImage& opaque) {
     return result;
 }
 
-// What pictures of one kind of numbers go through.
+// Transforms for pictures in one colour space.
 struct FromPicture {
     TransformHandle toPrinter;
     TransformHandle wanted; // to Lab
@@ -93,7 +92,7 @@ struct PrinterColour::Data {
         return isWide(opaque) ? fromWide : fromSrgb;
     }
 
-    // A row of an opaque picture as the printer's bytes.
+    // Converts a row of an opaque picture to the printer's bytes.
     std::vector<uchar> printerRow(const QImage& opaque, int y) const {
         std::vector<uchar> row(std::size_t(opaque.width()) * std::size_t(channels()));
         cmsDoTransform(from(opaque).toPrinter.get(), opaque.constScanLine(y), row.data(),
@@ -110,16 +109,17 @@ PrinterColour::PrinterColour(const QByteArray& iccProfile, RenderingIntent inten
     d.printer.reset(
         cmsOpenProfileFromMem(iccProfile.constData(), cmsUInt32Number(iccProfile.size())));
     if (!d.printer) {
-        throw Error(Text::tr("This is not an ICC profile, or it is damaged"), where);
+        throw Error(
+            Text::tr("This file is not an ICC profile, or it is damaged; choose another file"),
+            where);
     }
-    // The header's word, and not cmsGetColorSpace: that returns an enumeration, of which any other
-    // word is no value.
+    // Compares the header's bytes instead of calling cmsGetColorSpace: that returns an enumeration,
+    // which has no value for unknown bytes.
     const QByteArray space = iccProfile.mid(16, 4);
     if (space != "RGB " && space != "CMYK") {
-        throw Error(
-            Text::tr("The ICC profile is not of an RGB or CMYK printer, choose the printer's "
-                     "output profile"),
-            where);
+        throw Error(Text::tr("This ICC profile does not belong to an RGB or CMYK printer; choose "
+                             "the printer's output profile"),
+                    where);
     }
     d.cmyk = space == "CMYK";
     const ProfileHandle screen(cmsCreate_sRGBProfile());
@@ -128,7 +128,7 @@ PrinterColour::PrinterColour(const QByteArray& iccProfile, RenderingIntent inten
         cmsOpenProfileFromMem(wideIcc.constData(), cmsUInt32Number(wideIcc.size())));
     const ProfileHandle lab(cmsCreateLab4Profile(nullptr));
     const cmsUInt32Number device = d.cmyk ? TYPE_CMYK_8 : TYPE_RGB_8;
-    // Without the one-pixel cache a transform may be used by several threads at once.
+    // Without the one-pixel cache, several threads may use a transform at once.
     const cmsUInt32Number blackPointFlag = blackPoint ? cmsFLAGS_BLACKPOINTCOMPENSATION : 0u;
     const cmsUInt32Number relative = INTENT_RELATIVE_COLORIMETRIC;
     const auto way = [&](const ProfileHandle& from, cmsUInt32Number pixels, cmsUInt32Number flags) {
@@ -140,7 +140,7 @@ PrinterColour::PrinterColour(const QByteArray& iccProfile, RenderingIntent inten
                                     where)};
     };
     d.fromSrgb = way(screen, TYPE_RGB_8, cmsFLAGS_NOCACHE);
-    // Tables in between are too coarse for sixteen bits.
+    // Optimised lookup tables are too coarse for 16 bits.
     d.fromWide = way(wide, TYPE_RGBA_16, cmsFLAGS_NOCACHE | cmsFLAGS_NOOPTIMIZE);
     d.toScreen = required(cmsCreateTransform(d.printer.get(), device, screen.get(), TYPE_RGB_8,
                                              relative, cmsFLAGS_NOCACHE),
@@ -170,7 +170,7 @@ const QByteArray& PrinterColour::iccProfile() const {
 QImage PrinterColour::rgb(const QImage& picture) const {
     Q_ASSERT(!isCmyk());
     const QImage source = opaque(picture);
-    QImage result(source.size(), QImage::Format_RGB888); // its numbers are the printer's
+    QImage result(source.size(), QImage::Format_RGB888); // its numbers are printer colours
     uchar* const bits = result.bits();
     parallelFor(0, source.height(), [&, stride = result.bytesPerLine()](int y) {
         const std::vector<uchar> row = data_->printerRow(source, y);

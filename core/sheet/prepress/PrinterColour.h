@@ -1,5 +1,5 @@
-// From the colours of film images to those of a printer by its ICC profile (lcms2), and what that
-// will look like.
+// Converts film images to a printer's colours by its ICC profile (lcms2), and predicts how the
+// print will look.
 #pragma once
 
 #include "settings/RenderingIntent.h"
@@ -11,44 +11,45 @@
 
 namespace dipwright {
 
-// What of a picture the printer cannot make.
+// The part of a picture that the printer cannot reproduce.
 struct GamutWarning {
-    QImage mask;      // Format_Grayscale8, the picture's size: 255 where a colour is out of reach
-    double share = 0; // of the picture's opaque pixels, 0 … 1
+    QImage mask;      // Format_Grayscale8, the picture's size: 255 where a colour is out of gamut
+    double share = 0; // share of the picture's opaque pixels, 0 … 1
 };
 
-// One printer's colour space. Const members may be used from several threads.
+// The colour space of one printer. Const members may be used from several threads.
 class PrinterColour {
 public:
-    // `iccProfile`: the file of an RGB or CMYK device. `blackPoint`: compensated. Throws Error,
-    // naming `where`, for anything else.
+    // `iccProfile` is the file of an RGB or CMYK device. `blackPoint` turns on black point
+    // compensation. Throws Error, naming `where`, for any other file.
     PrinterColour(const QByteArray& iccProfile, RenderingIntent intent, bool blackPoint,
                   const QString& where);
     ~PrinterColour();
 
     bool isCmyk() const;
-    QString description() const; // as the profile calls itself
+    QString description() const; // the profile's own name
     const QByteArray& iccProfile() const;
 
-    // Pictures here are in sRGB or wide (base/WideGamut.h).
+    // Pictures are in sRGB or wide colour (base/WideGamut.h).
 
-    // A picture in the printer's RGB, Format_RGBA8888 or RGB888 as it has alpha or not. RGB
+    // Converts a picture to the printer's RGB: Format_RGBA8888 if it has alpha, else RGB888. RGB
     // printers only.
     QImage rgb(const QImage& picture) const;
-    // An opaque one in the printer's CMYK: four bytes a pixel, 0 no ink … 255 full, rows without
-    // padding. CMYK printers only.
+    // Converts an opaque picture to the printer's CMYK: four bytes per pixel, 0 no ink … 255 full,
+    // rows without padding. CMYK printers only.
     QByteArray cmyk(const QImage& picture) const;
 
-    // How dense each amount, 0 … 255, of one of the four inks (cyan, magenta, yellow, black) is
-    // alone: −log10 of the light it lets through of what bare paper does, red, green or blue of
-    // wide colour's primaries, of black all of it; never falling. CMYK printers only.
+    // Returns the density of each amount, 0 … 255, of one ink alone (cyan, magenta, yellow, black).
+    // It is −log10 of the light relative to bare paper. The light is red, green or blue of wide
+    // colour's primaries; for black it is the luminance. Never decreasing. CMYK printers only.
     std::array<float, 256> inkDensities(int ink) const;
 
-    // The picture as the print will look, in sRGB; keeps alpha.
+    // Returns the picture as the print will look, in sRGB. Keeps alpha.
     QImage softProof(const QImage& picture) const;
-    // What four bytes of ink a pixel look like in print, in sRGB. CMYK printers only.
+    // Returns how a picture of four bytes of ink per pixel looks in print, in sRGB. CMYK printers
+    // only.
     QImage screen(const QByteArray& cmyk, QSize size) const;
-    // Colours whose print differs from them by more than `tolerance` (CIE ΔE 1976).
+    // Finds colours that differ in print by more than `tolerance` (CIE ΔE 1976).
     GamutWarning gamutWarning(const QImage& picture, double tolerance = 5) const;
 
 private:

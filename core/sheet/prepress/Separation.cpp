@@ -45,7 +45,7 @@ QImage choked(const QImage& tint, double choke) {
     for (int y = 0; y < tint.height(); ++y) {
         uchar* row = smaller.scanLine(y);
         for (std::size_t x = 0; x < width; ++x) {
-            // The bare place ends half a pixel from its middle.
+            // A bare pixel ends half a pixel from its middle.
             if (distances[std::size_t(y) * width + x] - 0.5 < choke) {
                 row[x] = 0;
             }
@@ -87,7 +87,7 @@ QImage tintOf(const QImage& picture) {
     return tint;
 }
 
-// A plate with what it has at its edges continued by `radius` pixels.
+// Continues the tints at a plate's edges outwards by `radius` pixels.
 QImage continuedTint(const QImage& tint, double radius) {
     QImage picture(tint.size(), QImage::Format_RGBA8888);
     for (int y = 0; y < tint.height(); ++y) {
@@ -102,7 +102,7 @@ QImage continuedTint(const QImage& tint, double radius) {
     return tintOf(picture);
 }
 
-// All plates of the sheet continued past the line along which is cut.
+// Continues all plates of the sheet past the cut contour.
 Sheet withCutBleed(const Sheet& sheet) {
     const SheetSettings& settings = sheet.settings;
     if (settings.cutLine != CutLine::Ink || settings.cutBleed.value() <= 0) {
@@ -124,7 +124,8 @@ Sheet withCutBleed(const Sheet& sheet) {
     return wider;
 }
 
-// Calls work(inks, stretch) of every pixel in four bytes each, a row a thread.
+// Calls work(pixel, inks, stretch) for every pixel; `inks` are its four bytes. Each row runs on one
+// thread.
 template <typename Work>
 void forPixels(QByteArray& cmyk, const QImage& stretch, const Work& work) {
     auto* const bytes = reinterpret_cast<uchar*>(cmyk.data());
@@ -137,9 +138,9 @@ void forPixels(QByteArray& cmyk, const QImage& stretch, const Work& work) {
     });
 }
 
-// Where all of the picture's inks are compensated, each by itself.
+// The picture's inks, each compensated separately.
 struct PerInk {
-    QByteArray wanted, printed; // four bytes a pixel
+    QByteArray wanted, printed; // four bytes per pixel
     PlateCompensation law;
 
     PerInk(const WantedInk& film, const PrintCorrection& correction)

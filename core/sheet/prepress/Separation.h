@@ -1,5 +1,4 @@
-// The picture on a film in a printer's inks: all that a CMYK page is made of, whatever file it
-// stands in.
+// Separates a sheet's film into a printer's inks, as every CMYK page needs it.
 #pragma once
 
 #include "sheet/page/Sheet.h"
@@ -7,26 +6,27 @@
 
 namespace dipwright {
 
-// A sheet's film on white paper, in the inks of `correction`, whose colour must be in CMYK, within
-// its total of ink, and in the sheet's spot inks. Where the sheet says how its film stretches, what
-// is to show is separated and then each ink compensated by its own law (PlateCompensation.h). All
-// cores.
+// Separates the sheet's film on white paper into the inks of `correction`, within its limit of
+// total area coverage, and into the sheet's spot inks. The colour of `correction` must be CMYK. If
+// the sheet has the film's stretch, the wanted colours are separated first, and then each ink is
+// compensated by its own law (PlateCompensation). Uses all cores.
 Plates separate(const Sheet& sheet, const PrintCorrection& correction);
 
-// mm² of the part where the inks do not show what they were to: where full ink does not make up for
-// the stretch, or the total of ink or the ink limit does not let it. 0 for sheets that do not say
-// how their film stretches.
+// Returns the area of the part, in mm², where the inks stay visibly paler than wanted: full ink
+// does not compensate the stretch, or one of the two ink limits prevents it. 0 if the sheet does
+// not have the film's stretch.
 double inkShortfall(const Sheet& sheet, const PrintCorrection& correction);
 
-// Bare paper in these inks: what is round the film.
+// Returns bare paper in these inks, as it surrounds the film.
 std::array<char, 4> bareInks(const PrinterColour& colour);
 
-// A plate without what lies nearer than `choke` pixels to a place without tint. Grayscale8.
+// Returns the plate without the pixels nearer than `choke` pixels to a pixel without tint.
+// Grayscale8.
 QImage choked(const QImage& tint, double choke);
 
-// Takes ink off pixels that have more than `most` of all four together (4: full ink of each): cyan,
-// magenta and yellow by one factor, which keeps the hue, and black only where it alone is
-// more. Black stands for most of the darkness at the least ink.
+// Reduces pixels whose four inks sum to more than `most` (4: full ink of each). Cyan, magenta and
+// yellow are scaled by one factor, which keeps the hue. Black is reduced only if it exceeds `most`
+// alone, because it gives the most darkness for the least ink.
 void limitInk(QByteArray& cmyk, double most);
 
 } // namespace dipwright

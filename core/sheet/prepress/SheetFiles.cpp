@@ -28,7 +28,7 @@ QSize pagePixels(const Sheet& sheet, const SheetLayout& layout) {
                        sheet.settings.resolution);
 }
 
-// The film on its page, without what is printed round it.
+// Returns the film on its page, without marks.
 QImage filmOnPage(const Sheet& sheet, const SheetLayout& layout) {
     const QImage film = onPaper(sheet.image);
     QImage page(pagePixels(sheet, layout), film.format());
@@ -46,7 +46,7 @@ void addMarks(QImage& page, const Sheet& sheet, const SheetLayout& layout) {
     paintMarks(painter, layout);
 }
 
-// The page as pixels of the sheet's resolution, in the printer's RGB.
+// Returns the page's pixels at the sheet's resolution, in the printer's RGB.
 QByteArray rgbPage(const Sheet& sheet, const SheetLayout& layout, const PrinterColour* colour) {
     QImage page = filmOnPage(sheet, layout);
     addMarks(page, sheet, layout);
@@ -60,8 +60,7 @@ QByteArray rgbPage(const Sheet& sheet, const SheetLayout& layout, const PrinterC
     return bytes;
 }
 
-// The film's plates on its page, all inks of a pixel one after the other: as many bytes as there
-// are plates. The film is moved to whole pixels.
+// Returns the film's plates on its page, moved to whole pixels. Each pixel has one byte per plate.
 QByteArray platesOnPage(const Plates& plates, const std::array<char, 4>& bare, QSize page,
                         QPoint corner) {
     const int channels = plates.channels();
@@ -85,8 +84,8 @@ QByteArray platesOnPage(const Plates& plates, const std::array<char, 4>& bare, Q
     return bytes;
 }
 
-// In the printer's inks. Marks are laid over it in black ink alone: hairlines in four inks blur
-// where these do not meet exactly. Their white rim takes the film's inks away.
+// Returns the page in the printer's inks. Marks are added in black ink alone, because hairlines in
+// four inks blur if the plates do not register exactly. Their white rim removes the film's inks.
 QByteArray inkedPage(const Sheet& sheet, const SheetLayout& layout, const Plates& plates,
                      const PrinterColour& colour) {
     const double unit = pixelsPerMillimetre(sheet.settings.resolution);
@@ -108,14 +107,14 @@ QByteArray inkedPage(const Sheet& sheet, const SheetLayout& layout, const Plates
             for (int channel = 0; channel < channels; ++channel) {
                 ink[channel] = uchar((ink[channel] * (255 - cover) + 127) / 255);
             }
-            const int black = cover - qRed(row[x]); // premultiplied: cover itself where white
+            const int black = cover - qRed(row[x]); // premultiplied: equals cover where white
             ink[3] = uchar(std::min(255, ink[3] + black));
         }
     }
     return inks;
 }
 
-// A TIFF file that libtiff composes in memory.
+// A TIFF file that libtiff writes to memory.
 class TiffBuffer {
 public:
     TiffBuffer()
@@ -172,8 +171,8 @@ struct Resolution {
     DotsPerInch x, y;
 };
 
-// Inks past the four are samples that readers of CMYK pass over; all have their names, as TIFF has
-// them: one after the other, each with a zero.
+// Declares the inks. Inks beyond the four are extra samples that CMYK readers ignore. TIFF lists
+// all ink names one after the other, each ending in a zero.
 void setInks(TIFF* tiff, const std::vector<SpotPlate>& spots) {
     TIFFSetField(tiff, TIFFTAG_INKSET, INKSET_CMYK);
     if (!spots.empty()) {
@@ -222,7 +221,7 @@ PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correctio
     PreparedSheet prepared{sheet, {}};
     QStringList names{sheet.job.project.simplified(), sheet.job.immersion.simplified()};
     names.removeAll(QString());
-    prepared.settings.title = names.join(QStringLiteral(" – ")); // two dips, two documents
+    prepared.settings.title = names.join(QStringLiteral(" – ")); // each dip has its own title
     prepared.settings.date = sheet.job.date.simplified();
     if (correction.colour) {
         prepared.settings.outputProfile = correction.colour->iccProfile();
@@ -268,7 +267,7 @@ void writeSheetTiff(const Sheet& sheet, QIODevice& device, const PrintCorrection
     }
     bool written = true;
     for (int y = 0; y < size.height() && written; ++y) {
-        char* row = page.data() + qsizetype(y) * size.width() * channels; // libtiff works in it
+        char* row = page.data() + qsizetype(y) * size.width() * channels; // libtiff writes to it
         written = TIFFWriteScanline(buffer.tiff(), row, std::uint32_t(y), 0) == 1;
     }
     const QByteArray& bytes = buffer.finish();

@@ -1,5 +1,5 @@
-// The files that a sheet is written to. All functions are reentrant; all but writeSheetPng need a
-// QGuiApplication.
+// Writes a sheet to PNG, PDF and TIFF files. All functions are reentrant; all but writeSheetPng
+// need a QGuiApplication.
 #pragma once
 
 #include "sheet/page/Sheet.h"
@@ -9,28 +9,28 @@
 
 namespace dipwright {
 
-// PNG of the film with resolution and sRGB profile. Unprinted is white. Throws Error when not
-// writable.
+// Writes a PNG of the film with its resolution and an sRGB profile. Unprinted areas are white.
+// Throws Error if `device` cannot be written.
 void writeSheetPng(const Sheet& sheet, QIODevice& device);
 
-// A sheet in the printer's colours, and how its document is to be written.
+// A sheet in the printer's colours, with the settings of its document.
 struct PreparedSheet {
     Sheet sheet;
     PdfSettings settings;
 };
 PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correction);
 
-// PDF at true size, the image stored without loss, viewers asked not to scale, with the colour's
-// space as output intent; RGB, or CMYK where the colour is in CMYK: ruler and lettering are then in
-// black ink only, registration marks on every plate.
-// Same bytes for the same sheet. Throws Error when not writable.
+// Writes a PDF at true size. The image is stored without loss, and viewers are asked not to scale.
+// The colour's space is the output intent: RGB or CMYK. In CMYK, ruler and lettering are in black
+// ink only, and registration marks are on every plate. The same sheet gives the same bytes. Throws
+// Error if `device` cannot be written.
 void writeSheetPdf(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction = {});
 
-// TIFF of the whole page, for raster image processors: RGB, or CMYK where the colour is in CMYK,
-// with resolution and ICC profile, compressed without loss; in CMYK a sheet's white is one more
-// sample with its name. The film image is moved to whole pixels
-// and not resampled: scales are corrected by the resolutions in X and Y. The page is never turned.
-// Same bytes for the same sheet. Throws Error when not writable.
+// Writes a TIFF of the whole page for raster image processors, in RGB or CMYK, with resolution and
+// ICC profile, compressed without loss. In CMYK, a sheet's white is one more named sample. The film
+// image is moved to whole pixels and not resampled: the resolutions in X and Y correct the scales.
+// The page is never turned. The same sheet gives the same bytes. Throws Error if `device` cannot be
+// written.
 void writeSheetTiff(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction = {});
 
 } // namespace dipwright

@@ -17,9 +17,9 @@ struct Text {
 };
 
 constexpr int mostTiles = 400;
-constexpr double labelDepth = 4; // mm at the foot of each piece that it leaves to its label
+constexpr double labelDepth = 4; // mm at the foot of each tile, kept for its label
 
-// The part of the paper that a piece lies on.
+// Returns the part of the paper that a tile fills.
 QRectF innerBox(const TileSettings& settings) {
     return QRectF({0, 0}, settings.paper)
         .marginsRemoved(settings.margins)
@@ -40,8 +40,7 @@ TileGrid tileGrid(const Sheet& sheet, const TileSettings& settings) {
     const QSizeF inner = innerBox(settings).size();
     if (inner.width() <= settings.overlap || inner.height() <= settings.overlap) {
         throw Error(
-            Text::tr("Paper of %1 × %2 mm leaves no room for pieces of the sheet; take larger "
-                     "paper")
+            Text::tr("Paper of %1 × %2 mm is too small for a part of the sheet; use larger paper")
                 .arg(settings.paper.width())
                 .arg(settings.paper.height()),
             QStringLiteral("tiles"));
@@ -49,14 +48,14 @@ TileGrid tileGrid(const Sheet& sheet, const TileSettings& settings) {
     const TileGrid grid{tileCount(page.width(), inner.width(), settings.overlap),
                         tileCount(page.height(), inner.height(), settings.overlap)};
     if (grid.columns > mostTiles || grid.rows > mostTiles || grid.columns * grid.rows > mostTiles) {
-        throw Error(Text::tr("The sheet would be cut into more than %1 pieces; take larger paper")
+        throw Error(Text::tr("The sheet needs more than %1 pages of this paper; use larger paper")
                         .arg(mostTiles),
                     QStringLiteral("tiles"));
     }
     return grid;
 }
 
-// Half-way through the overlap, where neighbours are cut.
+// Paints the lines in the middle of the overlap, where neighbours are cut.
 void paintCutLines(QPainter& painter, const QRectF& inner, const TileGrid& grid, int index,
                    double overlap) {
     const int column = index % grid.columns;
@@ -111,12 +110,13 @@ void paintTile(QPainter& painter, const Sheet& sheet, const TileSettings& settin
     painter.restore();
     painter.save();
     paintCutLines(painter, inner, grid, index, settings.overlap);
-    const QString label = Text::tr("%1 · row %2 of %3, column %4 of %5 · cut along the dashes")
-                              .arg(sheet.job.immersion.simplified())
-                              .arg(index / grid.columns + 1)
-                              .arg(grid.rows)
-                              .arg(index % grid.columns + 1)
-                              .arg(grid.columns);
+    const QString label =
+        Text::tr("%1 · row %2 of %3, column %4 of %5 · cut along the dashed lines")
+            .arg(sheet.job.immersion.simplified())
+            .arg(index / grid.columns + 1)
+            .arg(grid.rows)
+            .arg(index % grid.columns + 1)
+            .arg(grid.columns);
     SheetInk(painter, false).text({inner.left() + 6, inner.bottom() + labelDepth - 1}, 2.2, label);
     painter.restore();
 }

@@ -1,4 +1,4 @@
-// A sheet that is larger than the paper, in overlapping pieces to be laid edge to edge.
+// Splits a sheet that is larger than the paper into overlapping tiles, to be joined after printing.
 #pragma once
 
 #include "sheet/page/Sheet.h"
@@ -11,20 +11,20 @@ namespace dipwright {
 
 struct TileSettings {
     QSizeF paper{210, 297};        // mm
-    QMarginsF margins{5, 5, 5, 5}; // of the paper, that stay white but for the labels
-    double overlap = 10;           // mm that neighbours share
+    QMarginsF margins{5, 5, 5, 5}; // of the paper; only labels are printed there
+    double overlap = 10;           // mm shared by neighbours
 };
 
-// The pieces of the page, in its mm, row by row; each as large as the paper within the margins,
-// less a strip at its foot for the label. Throws Error when the paper leaves no more than the
-// overlap, or more than 400 pieces were needed.
+// Returns the tiles in page coordinates, in mm, row by row. Each is as large as the paper within
+// the margins, less a strip at its foot for the label. Throws Error if the paper has no room beyond
+// the overlap, or if more than 400 tiles are needed.
 std::vector<QRectF> sheetTiles(const Sheet& sheet, const TileSettings& settings);
 
-// Draws one piece onto its paper: the piece within the margins, cut lines where the next one joins,
-// and which piece it is. A painter in mm, origin the paper's upper left corner.
+// Draws one tile onto its paper: the image within the margins, cut lines to the next tiles, and the
+// tile's label. The painter's unit is the millimetre, its origin the paper's upper left corner.
 void paintTile(QPainter& painter, const Sheet& sheet, const TileSettings& settings, int index);
 
-// PDF with a page for each piece. Same bytes for the same sheet. Throws Error.
+// Writes a PDF with one page per tile. The same sheet gives the same bytes. Throws Error.
 void writeTiledPdf(const Sheet& sheet, const TileSettings& settings, QIODevice& device,
                    const PrintCorrection& correction = {});
 

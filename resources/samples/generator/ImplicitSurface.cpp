@@ -11,7 +11,7 @@ namespace {
 using Cell = Eigen::Vector3i;
 using Triangle = std::array<std::uint32_t, 3>;
 
-// Field values at the corners of the cells of a uniform grid.
+// The field's values at the grid points of a uniform grid.
 class SampledGrid {
 public:
     SampledGrid(const Field& field, const BoundingBox& box, float step)
@@ -47,7 +47,8 @@ Cell cornerOfCell(int corner) {
     return {corner & 1, (corner >> 1) & 1, (corner >> 2) & 1};
 }
 
-// The mean of the places where the surface crosses the cell's edges; false where it crosses none.
+// Computes the mean of the places where the surface crosses the cell's edges. Returns false if it
+// crosses none.
 bool crossingMean(const SampledGrid& grid, const Cell& cell, Eigen::Vector3f& mean) {
     mean.setZero();
     int crossings = 0;
@@ -124,7 +125,7 @@ TriangleMesh surfaceNets(const SampledGrid& grid) {
 }
 
 // Moves each vertex halfway to the mean of its neighbours and back onto the surface.
-void evenOut(TriangleMesh& mesh, const Field& field) {
+void smoothVertices(TriangleMesh& mesh, const Field& field) {
     std::vector<Eigen::Vector3f> sum(mesh.positions.size(), Eigen::Vector3f::Zero());
     std::vector<float> count(mesh.positions.size(), 0);
     for (const Triangle& triangle : mesh.triangles) {
@@ -157,7 +158,7 @@ Eigen::Vector3f slope(const Field& field, const Eigen::Vector3f& place) {
 TriangleMesh surfaceMesh(const Field& field, const BoundingBox& box, float step) {
     TriangleMesh mesh = surfaceNets(SampledGrid(field, box, step));
     for (int round = 0; round < 30; ++round) {
-        evenOut(mesh, field);
+        smoothVertices(mesh, field);
     }
     return mesh;
 }
@@ -187,7 +188,7 @@ TriangleMesh cutAtGround(TriangleMesh mesh, float snap) {
 
     std::vector<Triangle> triangles;
     for (const Triangle& triangle : mesh.triangles) {
-        // The triangle's outline with the crossings put in, cut in two where it meets the plane.
+        // The triangle's outline with the crossings inserted, divided where it meets the plane.
         std::vector<std::uint32_t> above;
         std::vector<std::uint32_t> below;
         for (int corner = 0; corner < 3; ++corner) {
@@ -207,7 +208,7 @@ TriangleMesh cutAtGround(TriangleMesh mesh, float snap) {
             }
         }
         if (above == below) {
-            below.clear(); // it lies in the plane
+            below.clear(); // the triangle lies in the plane
         }
         for (const std::vector<std::uint32_t>& side : {above, below}) {
             for (std::size_t i = 2; i < side.size(); ++i) {

@@ -1,4 +1,4 @@
-// Triangle meshes of surfaces that are given as the zero of a function.
+// Makes triangle meshes of surfaces that are the zero set of a function.
 #pragma once
 
 #include "geometry/TriangleMesh.h"
@@ -7,19 +7,20 @@
 
 namespace dipwright::samples {
 
-// Roughly a distance: negative inside, zero on the surface, continuous with its slope.
+// Approximately the signed distance: negative inside, zero on the surface, with a continuous
+// gradient.
 using Field = std::function<float(const Eigen::Vector3f&)>;
 
-// The gradient, by central differences.
+// Returns the gradient by central differences.
 Eigen::Vector3f slope(const Field& field, const Eigen::Vector3f& place);
 
-// The closed surface inside `box` (which it must not touch) by surface nets: a vertex for each grid
-// cell that the surface crosses, a quadrilateral for each grid edge, then drawn onto the surface
-// and evened out along it. Edges come out about `step` long.
+// Returns the closed surface inside `box`, which it must not touch. Uses surface nets: a vertex for
+// each grid cell that the surface crosses and a quadrilateral for each grid edge. The vertices are
+// then moved onto the surface and evened out along it. Edges are about `step` long.
 TriangleMesh surfaceMesh(const Field& field, const BoundingBox& box, float step);
 
-// Cuts triangles at the plane y = 0, so that each lies on one side of it. Vertices that are nearer
-// to it than `snap` are moved onto it first. A closed mesh stays closed.
+// Cuts triangles at the plane y = 0, so that each lies on one side of it. Vertices closer to the
+// plane than `snap` are moved onto it first. A closed mesh stays closed.
 TriangleMesh cutAtGround(TriangleMesh mesh, float snap);
 
 } // namespace dipwright::samples

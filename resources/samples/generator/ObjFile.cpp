@@ -27,7 +27,7 @@ QByteArray objText(const TexturedMesh& model, const QString& name) {
     }
     QByteArray coordinates;
     QByteArray faces;
-    std::map<QByteArray, std::size_t> numbers; // coordinates that triangles share are written once
+    std::map<QByteArray, std::size_t> numbers; // shared coordinates are written once
     for (std::size_t t = 0; t < model.mesh.triangles.size(); ++t) {
         faces += QByteArray("f");
         for (int corner = 0; corner < 3; ++corner) {

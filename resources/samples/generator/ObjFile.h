@@ -1,11 +1,11 @@
-// Models as Wavefront OBJ with their material and texture beside them.
+// Writes models as Wavefront OBJ with material and texture.
 #pragma once
 
 #include "model/TexturedMesh.h"
 
 namespace dipwright::samples {
 
-// Writes NAME.obj, NAME.mtl and NAME.png into `folder`; one material with one texture. Throws
+// Writes NAME.obj, NAME.mtl and NAME.png into `folder`, with one material and one texture. Throws
 // Error.
 void writeObj(const TexturedMesh& model, const QString& folder, const QString& name);
 

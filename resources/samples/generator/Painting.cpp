@@ -16,7 +16,8 @@ double cross(const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
     return double(a.x()) * b.y() - double(a.y()) * b.x();
 }
 
-// Calls `paint(x, y, weights)` for each pixel whose centre lies in the triangle.
+// Calls `paint(x, y, weights)` for each pixel whose centre is in the triangle. `weights`:
+// barycentric coordinates.
 template <typename Paint>
 void rasterise(const std::array<Eigen::Vector2f, 3>& corners, const Paint& paint) {
     const double area = cross(corners[1] - corners[0], corners[2] - corners[0]);
@@ -37,7 +38,7 @@ void rasterise(const std::array<Eigen::Vector2f, 3>& corners, const Paint& paint
     }
 }
 
-// Lets the painted pixels grow outwards by one.
+// Extends the painted pixels outwards by one pixel.
 void growByOne(QImage& image) {
     const QImage before = image.copy();
     const auto painted = [&](int x, int y) {
@@ -83,7 +84,7 @@ void paintLetters(QPainter& painter, QPointF centre, double height, const QStrin
     QPainterPath letters;
     letters.addText(0, 0, font, text);
     const QRectF box = letters.boundingRect();
-    const double scale = height / 73; // of a capital letter at 100 pixels
+    const double scale = height / 73; // height of a capital letter at 100 pixels
     QTransform place;
     place.translate(centre.x(), centre.y());
     place.scale(scale * widening, scale);

@@ -1,4 +1,4 @@
-// Pictures for texture charts.
+// Paints the textures of the samples.
 #pragma once
 
 #include "model/TexturedMesh.h"
@@ -10,18 +10,19 @@ namespace dipwright::samples {
 
 inline constexpr int texturePixels = 2048;
 
-// A model of one material with one texture. `coordinates`: a triangle's corners each.
+// Returns a model with one material and one texture. `coordinates`: for the corners of each
+// triangle.
 TexturedMesh textured(TriangleMesh mesh, std::vector<std::array<Eigen::Vector2f, 3>> coordinates,
                       QImage texture);
 
-// Writes `text` round `centre`, `height` pixels high and stretched sideways by `widening`, in the
-// direction of the painter's own axes.
+// Draws `text` centred at `centre`, `height` pixels high and stretched horizontally by `widening`,
+// along the painter's axes.
 void paintLetters(QPainter& painter, QPointF centre, double height, const QString& text,
                   double widening = 1);
 
-// A texture in which each pixel gets the colour of the place on the surface that shows it; `places`
-// gives the positions that `colour` is asked about, a mesh position each. Colours run on a few
-// pixels beyond the charts, so that filtering finds no foreign ones there.
+// Returns a texture in which each pixel has the colour of its place on the surface. `places`: for
+// each mesh position, the point at which `colour` is evaluated. Colours continue a few pixels
+// beyond the charts, so that filtering finds no foreign colours there.
 QImage bakeTexture(const TriangleMesh& mesh,
                    const std::vector<std::array<Eigen::Vector2f, 3>>& coordinates,
                    const std::vector<Eigen::Vector3f>& places,

@@ -11,8 +11,8 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr double seamLongitude = 45; // degrees to the right of the front
 
-// How far the place is round the globe from the seam, 0 … 1, growing to the right seen from
-// outside.
+// Returns the place's angle around the globe from the seam, 0 … 1, increasing to the right as seen
+// from outside.
 double turn(const Eigen::Vector3f& place) {
     const double longitude = std::atan2(place.x(), place.z()) * 180 / pi;
     const double turns = (longitude - seamLongitude) / 360;
@@ -27,7 +27,7 @@ std::array<Eigen::Vector2f, 3> globeCoordinates(const std::array<Eigen::Vector3f
     const double middle = turn(corners[0] + corners[1] + corners[2]);
     std::array<Eigen::Vector2f, 3> result;
     for (int i = 0; i < 3; ++i) {
-        // A pole has no longitude: it takes the triangle's. At the seam, 0 and 1 are the same.
+        // A pole has no longitude, so it takes the triangle's. At the seam, 0 and 1 are the same.
         const bool pole = std::hypot(corners[i].x(), corners[i].z()) < 1e-3;
         const double own = pole ? middle : turn(corners[i]);
         result[i] = {float(own - std::round(own - middle)), height(corners[i])};
@@ -35,13 +35,13 @@ std::array<Eigen::Vector2f, 3> globeCoordinates(const std::array<Eigen::Vector3f
     return result;
 }
 
-// Longitude 0 is the front.
+// Returns the place in the picture. Longitude 0 is the front.
 QPointF onPicture(double longitude, double latitude) {
     const double turns = (longitude - seamLongitude) / 360;
     return {texturePixels * (turns - std::floor(turns)), texturePixels * (0.5 - latitude / 180)};
 }
 
-// How much wider than high a thing is painted so that it comes out even on the globe.
+// Returns how much wider than high to paint, so that it looks even on the globe.
 double widening(double latitude) {
     return 0.5 / std::cos(latitude * pi / 180);
 }
@@ -51,7 +51,7 @@ constexpr double fieldWidth = texturePixels * fieldDegrees / 360.0;
 constexpr double fieldHeight = texturePixels * fieldDegrees / 180.0;
 const QColor ink(24, 38, 66);
 
-// Fields round the globe in all hues, lighter and darker by turns.
+// Paints fields around the globe in all hues, alternately lighter and darker.
 void paintFields(QPainter& painter) {
     for (int column = 0; column < 24; ++column) {
         for (int row = 0; row < 12; ++row) {
@@ -64,7 +64,7 @@ void paintFields(QPainter& painter) {
     }
 }
 
-// Lines of constant width on the globe: in the picture, meridians grow towards the poles.
+// Paints lines of constant width on the globe; in the picture, meridians widen towards the poles.
 void paintGraticule(QPainter& painter) {
     for (int longitude = 0; longitude < 360; longitude += fieldDegrees) {
         const double x = onPicture(longitude, 0).x();
@@ -91,7 +91,7 @@ void paintGraticule(QPainter& painter) {
     painter.fillRect(QRectF(0, texturePixels - cap, texturePixels, cap), ink);
 }
 
-// Light fields are named like those of a map: a letter for the column, a number for the row.
+// Names the light fields as on a map: a letter for the column and a number for the row.
 void paintNames(QPainter& painter) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(ink);

@@ -13,9 +13,10 @@ using Eigen::Vector3f;
 namespace {
 
 using Piece = std::vector<std::uint32_t>;                 // triangles
-using Coordinates = std::vector<std::array<Vector2f, 3>>; // a triangle's corners each
+using Coordinates = std::vector<std::array<Vector2f, 3>>; // of each triangle's corners
 
-// The triangles above and below the outline; `level` are the positions before the turtle is bent.
+// Returns the triangles above and below the outline. `level`: the positions before the turtle is
+// bent.
 std::array<Piece, 2> halves(const TriangleMesh& mesh, const std::vector<Vector3f>& level) {
     std::array<Piece, 2> pieces;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -28,7 +29,7 @@ std::array<Piece, 2> halves(const TriangleMesh& mesh, const std::vector<Vector3f
     return pieces;
 }
 
-// One half laid flat, head up, as seen from outside: from below, left and right change places.
+// Flattens one half, head up, as seen from outside. From below, left and right are swapped.
 std::vector<Vector2f> flatHalf(const TriangleMesh& mesh, const Piece& piece, bool fromAbove) {
     std::vector<Vector2f> plan;
     plan.reserve(mesh.positions.size());
@@ -49,7 +50,7 @@ Eigen::AlignedBox2f extent(const TriangleMesh& mesh, const Piece& piece,
     return box;
 }
 
-// Both halves side by side in the picture, at one scale.
+// Places both halves side by side in the picture at the same scale.
 Coordinates turtleCoordinates(const TriangleMesh& mesh, const std::array<Piece, 2>& pieces) {
     constexpr float margin = 3; // mm
     Coordinates result(mesh.triangles.size());

@@ -29,7 +29,7 @@ QRgb pixel(const Colour& colour) {
     return qRgb(byte(colour.red), byte(colour.green), byte(colour.blue));
 }
 
-// 0 … 1, the same for the same numbers.
+// Returns a pseudo-random number in 0 … 1 that depends only on x, y and z.
 float scattered(int x, int y, int z) {
     auto bits = std::uint32_t(x) * 0x9e3779b1U ^ std::uint32_t(y) * 0x85ebca6bU ^
                 std::uint32_t(z) * 0xc2b2ae35U;
@@ -38,7 +38,7 @@ float scattered(int x, int y, int z) {
     return float((bits ^ (bits >> 15)) >> 8) / float(1 << 24);
 }
 
-// The nearest of some seeds, and how far it is to the border of its cell.
+// The nearest seed, and the distance to the border of its cell.
 struct CellPlace {
     std::size_t seed = 0;
     float toSeed = 0;   // mm
@@ -66,7 +66,7 @@ CellPlace cellPlace(const std::vector<Vector3f>& seeds, const Vector3f& place) {
     return result;
 }
 
-// On the shell above or below the point (x, z) of its plan.
+// Returns the point on the shell above or below the point (x, z) of its plan.
 Vector3f onShell(float x, float z, bool above) {
     const Vector2f offset((x - turtleShell.centre.x()) / turtleShell.across,
                           (z - turtleShell.centre.y()) / turtleShell.along);
@@ -74,7 +74,7 @@ Vector3f onShell(float x, float z, bool above) {
     return {x, height * (above ? turtleShell.above : -turtleShell.below), z};
 }
 
-// Plates of the shell: down the back, beside it, and round the rim.
+// Returns the seeds of the shell's plates: along the back and beside it.
 std::vector<Vector3f> backPlates() {
     std::vector<Vector3f> seeds;
     for (const float z : {23.5F, 11.5F, -3.0F, -17.5F, -30.0F}) {
@@ -98,7 +98,8 @@ std::vector<Vector3f> bellyPlates() {
     return seeds;
 }
 
-// Round the rim, counted from the tail: where on it, and how far to the next border, mm.
+// A place around the rim: the plate, counted from the tail, and the distance to the next border,
+// mm.
 struct RimPlace {
     int plate;
     float toBorder;
@@ -114,7 +115,8 @@ RimPlace rimPlace(const Vector3f& place) {
     return {int(std::floor(turns)), std::min(within, 1 - within) * length};
 }
 
-// A plate: amber in the middle, darker outwards, with growth rings and a dark border.
+// Returns the colour of a plate: amber in the middle, darker outwards, with growth rings and a dark
+// border.
 Colour plateColour(float toSeed, float toBorder, float size, float shade) {
     const Colour amber{222, 158 + 14 * shade, 74};
     const Colour moss{104 + 14 * shade, 104, 44};
@@ -160,7 +162,8 @@ Colour shellColour(const Vector3f& place) {
     return mixed(outline, colour, edge);
 }
 
-// Dark scales with light skin between them, over the whole body without regard to its charts.
+// Returns dark scales with light skin between them, computed in space, so that the charts do not
+// show.
 Colour skinColour(const Vector3f& place) {
     constexpr float scale = 4.6F; // mm
     const Vector3f own = mirrored(place) / scale;
@@ -178,14 +181,14 @@ Colour skinColour(const Vector3f& place) {
     const Colour skin{196, 206, 142};
     const Colour scaleColour =
         mixed({62, 112, 82}, {88, 138, 92}, scattered(int(100 * seeds[cell.seed].x()), 3, 5));
-    // Below, the skin is pale and the scales fade away.
+    // On the underside the skin is pale and the scales fade.
     const float below = smoothStep(0.5F, -3.5F, place.y());
     const float isScale = smoothStep(0.35F, 0.65F, cell.toBorder * scale);
     return mixed(mixed(skin, scaleColour, isScale * (1 - 0.85F * below)), {226, 222, 176},
                  0.6F * below);
 }
 
-// The place on the surface near `place`.
+// Projects `place` onto the surface.
 Vector3f onSurface(Vector3f place) {
     for (int round = 0; round < 4; ++round) {
         const Vector3f gradient = slope(turtleField, place);
@@ -194,7 +197,7 @@ Vector3f onSurface(Vector3f place) {
     return place;
 }
 
-// Draws over `colour` where the place is on the head.
+// Paints the face over `colour` if the place is on the head.
 Colour withFace(Colour colour, const Vector3f& place) {
     static const Vector3f eye = onSurface({8, 4.4F, 47});
     static const Vector3f glint = onSurface(eye + Vector3f(0, 1.0F, 0.7F));
@@ -203,7 +206,7 @@ Colour withFace(Colour colour, const Vector3f& place) {
     colour = mixed({236, 222, 150}, colour, smoothStep(2.9F, 3.2F, fromEye));
     colour = mixed({24, 22, 20}, colour, smoothStep(2.3F, 2.5F, fromEye));
     colour = mixed({255, 255, 255}, colour, smoothStep(0.75F, 0.95F, fromGlint));
-    // The mouth runs round the snout above the outline, up at its corners.
+    // The mouth runs around the snout above the outline and rises at its corners.
     const float line = 1.1F + 0.04F * std::pow(std::max(52 - place.z(), 0.0F), 2.0F);
     const float toEnd = std::max(place.z() - 46.5F, 0.0F);
     const float toMouth = std::abs(place.y() - line);
@@ -211,7 +214,8 @@ Colour withFace(Colour colour, const Vector3f& place) {
                  std::max(smoothStep(0.25F, 0.45F, toMouth), 1 - smoothStep(0, 0.5F, toEnd)));
 }
 
-// The maker's mark, 1 where ink is: an R, which no flip and no turn makes look right again.
+// Returns the maker's mark, 1 where there is ink. It is an R, which no mirroring or rotation makes
+// look right.
 QImage makersMark() {
     QImage image(1000, 1000, QImage::Format_Grayscale8);
     image.fill(Qt::black);
@@ -225,7 +229,7 @@ QImage makersMark() {
     return image;
 }
 
-// On the belly and on the middle plate of the back, right side up for who looks at it, head up.
+// Paints the mark on the belly and on the middle plate of the back, upright when the head is up.
 Colour withMark(const Colour& colour, const Vector3f& place) {
     static const QImage mark = makersMark();
     const bool above = place.y() > 0;
@@ -241,7 +245,8 @@ Colour withMark(const Colour& colour, const Vector3f& place) {
     return mixed(colour, ink, float(qGray(mark.pixel(x, y))) / 255);
 }
 
-// Shell where the shell is the nearer part, with a dark line of even width round it.
+// Returns the distance to the edge of the shell, negative where the shell is nearer than the limbs.
+// The outline gets an even width from it.
 float toShellEdge(const Vector3f& place) {
     const Field difference = [](const Vector3f& at) {
         return shellDistance(at) - limbDistance(at);

@@ -1,4 +1,4 @@
-// The turtle's colours, as a function of the place on it.
+// Computes the turtle's colours from the place on it.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,7 +6,8 @@
 
 namespace dipwright::samples {
 
-// The colour of a place on the level turtle's surface (TurtleShape.h), over all charts alike.
+// Returns the colour of a place on the level turtle's surface (TurtleShape.h), independent of the
+// charts.
 QRgb turtleColour(const Eigen::Vector3f& place);
 
 } // namespace dipwright::samples

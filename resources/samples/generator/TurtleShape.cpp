@@ -22,7 +22,7 @@ const std::array<Part, 8> limbs{{
     {{0, 20}, 1.5708F, 16, 8, 7, 6},     // shoulders
 }};
 
-// Nearly the distance from the part's surface.
+// Returns approximately the distance to the part's surface.
 float distance(const Part& part, const Vector3f& place) {
     const Vector2f offset = Vector2f(place.x(), place.z()) - part.centre;
     const float sine = std::sin(part.turned);
@@ -35,7 +35,7 @@ float distance(const Part& part, const Vector3f& place) {
     return steepness > 0 ? level * (level - 1) / steepness : -radii.minCoeff();
 }
 
-// The smaller of two distances, rounded off where they are less than `radius` apart.
+// Returns the smaller of two distances, rounded off where they differ by less than `radius`.
 float smoothMinimum(float a, float b, float radius) {
     const float blend = std::max(radius - std::abs(a - b), 0.0F) / radius;
     return std::min(a, b) - blend * blend * radius / 4;

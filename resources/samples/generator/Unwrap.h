@@ -1,12 +1,12 @@
-// Laying pieces of a surface flat, as texture charts.
+// Flattens pieces of a surface into texture charts.
 #pragma once
 
 #include "geometry/TriangleMesh.h"
 
 namespace dipwright::samples {
 
-// Lays the triangles `piece` of the mesh into the plane, each as near its true shape as it goes,
-// counterclockwise seen from outside; begins with `flat`, a place for every position of the mesh.
+// Flattens the triangles `piece` of the mesh, each as close to its true shape as possible,
+// counterclockwise as seen from outside. Starts from `flat`, one place for each mesh position.
 // Throws std::runtime_error if a triangle folds.
 std::vector<Eigen::Vector2f> unwrap(const TriangleMesh& mesh,
                                     const std::vector<std::uint32_t>& piece,

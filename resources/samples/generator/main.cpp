@@ -1,5 +1,5 @@
-// Writes the sample models and projects: dipwright-samples FOLDER
-// The models go to FOLDER/models, the projects, which embed them, to FOLDER.
+// Writes the sample models and projects. Usage: dipwright-samples FOLDER.
+// Models are written to FOLDER/models and projects, which embed them, to FOLDER.
 #include "ObjFile.h"
 #include "Samples.h"
 #include "base/Error.h"
@@ -17,7 +17,8 @@ namespace {
 
 using namespace dipwright;
 
-// The film is as large as the dips need, with a rim of 20 mm or more (pipeline/SmallerFilm.h).
+// A sample. The film is as large as the dips need, plus a rim of at least 20 mm
+// (pipeline/SmallerFilm.h).
 struct Sample {
     QString name;
     TexturedMesh (*model)();
@@ -32,12 +33,12 @@ Immersion immersion(const QString& name, double x, double y, double z) {
 }
 
 std::vector<Sample> allSamples() {
-    ProcessSettings shallow; // sharp edges and steep faces would ask for far finer film
+    ProcessSettings shallow; // sharp edges and steep faces would need a much finer film
     shallow.depth = Millimetres(2);
-    VerdictSettings twoFaces; // of the four, each painted by a dip of its own: nothing is to join
+    VerdictSettings twoFaces; // of four faces, one per dip; the dips need no overlap
     twoFaces.unreached = 0.5;
     twoFaces.narrow = 1;
-    ProcessSettings clinging; // so that the two dips meet round the flippers
+    ProcessSettings clinging; // so that the two dips meet around the flippers
     clinging.overhang = Degrees(25);
     return {
         {QStringLiteral("sphere"),
@@ -70,11 +71,11 @@ void write(const Sample& sample, const QDir& folder) {
     }
     samples::writeObj(sample.model(), models, sample.name);
 
-    // The project takes the model by the way of any other: from its file.
+    // The project imports the model like any other: from its file.
     const QString source = QStringLiteral("models/%1.obj").arg(sample.name);
     Project project;
     project.name = sample.name.left(1).toUpper() + sample.name.mid(1);
-    project.date = QStringLiteral("2026-01-01"); // the same file whenever it is made
+    project.date = QStringLiteral("2026-01-01"); // so that the file is always the same
     applyPreset(project, QStringLiteral("production"));
     resizeFilm(project.film, Millimetres(sample.film.width()), Millimetres(sample.film.height()));
     project.film.resolution = FilmResolution::Automatic;

@@ -1,5 +1,5 @@
-// Denormal numbers as zero while an object of this class lives: a flat resting film is full of
-// them, and every one costs a hundred cycles. Per thread.
+// Flushes denormal numbers to zero in this thread while the object exists. A flat resting film is
+// full of denormals, and each costs about a hundred cycles.
 #pragma once
 
 #if defined(__SSE__) || defined(_M_X64)

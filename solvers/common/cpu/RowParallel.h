@@ -1,4 +1,4 @@
-// Work over the rows of a grid on all cores, in bands that do not depend on the number of threads.
+// Distributes the rows of a grid over all cores. The bands do not depend on the number of threads.
 #pragma once
 
 #include "common/cpu/FlushDenormals.h"
@@ -15,7 +15,7 @@ inline constexpr int pointsPerBand = 8192;
 template <typename Work>
 void forRowBands(int rows, int columns, const Work& work) {
     const int rowsPerBand = std::max(pointsPerBand / columns, 8);
-    if (rows <= rowsPerBand) { // coarse grids: not worth a task
+    if (rows <= rowsPerBand) { // a coarse grid is not worth a task
         work(0, rows);
         return;
     }
@@ -28,7 +28,7 @@ void forRowBands(int rows, int columns, const Work& work) {
     });
 }
 
-// The sum of sumOfRow(row) over all rows, always added in the same order.
+// Returns the sum of sumOfRow(row) over all rows, always added in the same order.
 template <typename SumOfRow>
 double sumOverRows(int rows, int columns, const SumOfRow& sumOfRow) {
     std::vector<double> sums(std::size_t(rows), 0.0);

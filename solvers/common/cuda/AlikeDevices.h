@@ -1,4 +1,4 @@
-// The GPUs of a computer that a batch can be shared out to.
+// Finds the GPUs of this computer that can share a batch.
 #pragma once
 
 #include "common/cuda/Device.h"
@@ -7,8 +7,8 @@
 
 namespace dipwright::cuda {
 
-// The device, and all others of this computer that are of its kind, so that it makes no difference
-// which of them a dip runs on. Makes no context; never throws.
+// Returns `device` and all other GPUs of the same kind. A dip gives the same result on each of
+// them. Makes no context; never throws.
 std::vector<Device> alikeDevices(const Device& device);
 
 } // namespace dipwright::cuda

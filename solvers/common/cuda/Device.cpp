@@ -6,7 +6,7 @@ namespace dipwright::cuda {
 
 namespace {
 
-constexpr int leastCapability = 75; // what CUDA 13 still builds for
+constexpr int leastCapability = 75; // oldest that CUDA 13 supports
 
 std::string version(int number) {
     return std::to_string(number / 1000) + "." + std::to_string(number % 1000 / 10);
@@ -19,15 +19,15 @@ std::string missingDriver() {
     if (driver == 0) {
         return "No NVIDIA driver was found on this computer; install one to compute on the GPU.";
     }
-    return "The NVIDIA driver is too old: it knows CUDA " + version(driver) + ", and CUDA " +
+    return "The NVIDIA driver is too old: it supports CUDA " + version(driver) + ", and CUDA " +
            version(needed) + " is needed; update the driver.";
 }
 
 std::string sentence(cudaError_t error) {
     switch (error) {
     case cudaErrorMemoryAllocation:
-        return "the GPU's memory is full; close other programs that use it, take fewer film points "
-               "or choose the CPU";
+        return "the GPU's memory is full; close other programs that use it, reduce the number of "
+               "film points, or choose the CPU";
     case cudaErrorInsufficientDriver:
     case cudaErrorNoDevice:
     case cudaErrorDevicesUnavailable:
@@ -39,18 +39,15 @@ std::string sentence(cudaError_t error) {
     }
 }
 
-// Empty where the films can run on the device.
+// Returns why the films cannot run on the device, or an empty string if they can.
 std::string unfitness(const cudaDeviceProp& properties) {
     const std::string name = properties.name;
     if (10 * properties.major + properties.minor < leastCapability) {
         return "The GPU " + name +
-               " is too old; one of the Turing generation (2018) or newer is "
-               "needed.";
+               " is too old; a GPU of the Turing generation (2018) or newer is needed.";
     }
     if (!properties.cooperativeLaunch) {
-        return "The GPU " + name +
-               " cannot run blocks that wait for each other in this driver "
-               "mode.";
+        return "The GPU " + name + " cannot run cooperative kernels in this driver mode.";
     }
     return {};
 }
@@ -88,14 +85,15 @@ DeviceSearch findDevice() {
         }
     }
     if (!search.found && search.reason.empty()) {
-        search.reason = "The GPU does not answer; restart the computer or update its driver.";
+        search.reason =
+            "The GPU does not respond; restart the computer or update the GPU's driver.";
     }
     return search;
 }
 
 void check(cudaError_t result) {
     if (result != cudaSuccess) {
-        cudaGetLastError(); // errors that do not last are not reported twice
+        cudaGetLastError(); // clears the error, so that it is reported only once
         throw std::runtime_error(sentence(result));
     }
 }

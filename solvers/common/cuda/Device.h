@@ -1,4 +1,4 @@
-// The GPU that the films run on, and memory on it.
+// Finds the GPU that runs the films, and manages memory on it.
 #pragma once
 
 #include <cuda_runtime_api.h>
@@ -14,27 +14,27 @@ struct Device {
     int index = 0;
     std::string name;
     int multiprocessors = 0;
-    std::size_t sharedBytes = 0; // that one block can have
+    std::size_t sharedBytes = 0; // largest shared memory of a block
 };
 
-// A device, or a sentence why there is none that can be used.
+// A usable device, or a sentence that says why there is none.
 struct DeviceSearch {
     bool found = false;
     Device device;
     std::string reason;
 };
 
-// The GPU with the most multiprocessors among those that the films can run on. Does not make a
-// context on it; never throws.
+// Returns the GPU with the most multiprocessors among the usable ones. Makes no context on it;
+// never throws.
 DeviceSearch findDevice();
 
-// Throws std::runtime_error with a sentence for the user unless `result` is a success.
+// Throws std::runtime_error with a sentence for the user if `result` is an error.
 void check(cudaError_t result);
 
-// Makes the device the one of this thread.
+// Makes the device current in this thread.
 void use(const Device& device);
 
-// Memory on the device of the thread that made it; moved, not copied.
+// Memory on the device that was current when the object was made. Movable, not copyable.
 template <typename Value>
 class DeviceArray {
 public:

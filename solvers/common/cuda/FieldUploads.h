@@ -1,4 +1,4 @@
-// Distance fields on the device, each once however many dips share it.
+// Uploads signed distance fields to the device, each field once for all dips that share it.
 #pragma once
 
 #include "common/cuda/Device.h"
@@ -11,7 +11,8 @@ namespace dipwright::cuda {
 
 class FieldUploads {
 public:
-    // The samples of `field` in device memory; valid as long as this object.
+    // Returns the samples of `field` in device memory. The pointer is valid while this object
+    // exists.
     const float* onDevice(const solver::FieldView& field) {
         auto found = samples_.find(field.distance);
         if (found == samples_.end()) {
@@ -26,7 +27,7 @@ public:
     }
 
 private:
-    std::map<const float*, DeviceArray<float>> samples_; // by the host's address
+    std::map<const float*, DeviceArray<float>> samples_; // key: the host's address
 };
 
 } // namespace dipwright::cuda

@@ -1,4 +1,4 @@
-// A film on its way to the host for display while the device computes on.
+// Copies a film to the host for display while the device continues computing.
 #pragma once
 
 #include "common/cuda/Dips.h"
@@ -8,14 +8,14 @@
 
 namespace dipwright::cuda {
 
-// The film is copied on the device between two steps, which takes microseconds, and the copy comes
-// over beside the steps that follow.
+// Copies the film on the device between two steps, which takes microseconds. That copy is
+// transferred to the host in parallel with the next steps.
 class Snapshot {
 public:
-    // Of one film, which must live longer than this.
+    // Takes snapshots of one film. `dips` must outlive this object.
     Snapshot(const Dips& dips, std::size_t dip);
 
-    // As solver::FilmSolver::peek.
+    // See solver::FilmSolver::peek.
     bool peek(std::span<float> positions, std::span<solver::PointState> states,
               solver::DipState& shown);
 
@@ -38,8 +38,8 @@ private:
     std::unique_ptr<std::byte, Destroyer<cudaFreeHost>> onHost_;
     Event copied_ = makeEvent(), arrived_ = makeEvent();
     std::unique_ptr<CUstream_st, Destroyer<cudaStreamDestroy>>
-        way_;                                  // to the host, beside the steps
-    std::optional<solver::DipState> underWay_; // the film's when it was copied
+        way_;                                  // to the host, parallel to the steps
+    std::optional<solver::DipState> underWay_; // state of the dip when the film was copied
 };
 
 } // namespace dipwright::cuda

@@ -1,11 +1,11 @@
-// The blocks of threads that work on one film together.
+// Synchronizes the thread blocks that work on one film together.
 #pragma once
 
 #include <cstddef>
 
 namespace dipwright::cuda {
 
-// What the blocks of a team share in device memory; `arrived` is 0 at the start of a launch.
+// The memory that a team's blocks share on the device. `arrived` must be 0 when a kernel starts.
 struct TeamMemory {
     static constexpr int mostBlocks = 256;
     static constexpr int mostValues = 12;
@@ -14,11 +14,11 @@ struct TeamMemory {
     double values[2][mostBlocks][mostValues] = {};
 };
 
-// A block's view of its team, in shared memory. All members are called by all threads of all blocks
-// together, in the same order; all blocks are on the device at the same time.
+// A block's access to its team, in shared memory. All threads of all blocks call all members
+// together and in the same order. All blocks must be resident on the device.
 class Team {
 public:
-    static constexpr int threads = 512; // of a block
+    static constexpr int threads = 512; // per block
     static constexpr int warps = threads / 32;
     static_assert(TeamMemory::mostBlocks <= threads && TeamMemory::mostValues <= warps);
 
@@ -34,11 +34,12 @@ public:
 
     __device__ int blocks() const { return blocks_; }
     __device__ int block() const { return block_; }
-    // This thread among those of the team, and how many these are: for loops over a film's points.
+    // The index of this thread in the team and the number of threads, for loops over a film's
+    // points.
     __device__ int thread() const { return block_ * threads + int(threadIdx.x); }
     __device__ int threadCount() const { return blocks_ * threads; }
 
-    // A barrier of all blocks: what any thread has written before, all see afterwards.
+    // A barrier for all blocks. Afterwards all threads see what any thread wrote before it.
     __device__ void barrier() {
         __syncthreads();
         if (threadIdx.x == 0) {
@@ -53,13 +54,13 @@ public:
         __syncthreads();
     }
 
-    // A barrier as well: `values` becomes for every thread the sum (or the largest) of those of
-    // all threads of the team. Always added in the same order.
+    // Replaces `values` in every thread by the team's sum or maximum. Always adds in the same
+    // order. Acts as a barrier.
     template <int count>
     __device__ void sum(double (&values)[count]) {
         sum(values, count);
     }
-    // Of the first `used` values only.
+    // Sums only the first `used` values.
     template <int count>
     __device__ void sum(double (&values)[count], int used) {
         reduce(values, used, [](double a, double b) { return a + b; });
@@ -83,7 +84,7 @@ private:
         }
         __syncthreads();
         double(*slots)[TeamMemory::mostValues] = memory_->values[barriers_ % 2];
-        if (warp < used) { // a value each
+        if (warp < used) { // one value per warp
             double joined[1] = {partial_[lane % warps][warp]};
             joinWarp(joined, 1, warps, join);
             if (lane == 0) {
@@ -110,7 +111,7 @@ private:
         }
     }
 
-    // Joins the first `used` values of the first `lanes` lanes in lane 0.
+    // Combines the first `used` values of the first `lanes` lanes in lane 0.
     template <int count, typename Join>
     __device__ static void joinWarp(double (&values)[count], int used, int lanes,
                                     const Join& join) {
@@ -129,7 +130,7 @@ private:
     TeamMemory* memory_;
     int blocks_, block_;
     unsigned barriers_;
-    double partial_[warps][TeamMemory::mostValues]; // of this block's warps
+    double partial_[warps][TeamMemory::mostValues]; // one row per warp of this block
     double result_[TeamMemory::mostValues];
 };
 

@@ -1,5 +1,5 @@
-// The loops are compiled once for every instruction set that Highway knows and chosen at run time,
-// as those of the film are.
+// The loops are compiled for each instruction set that Highway supports and chosen at run time,
+// like those of the film.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "measuring/cpu/CpuCeiling.cpp"
@@ -17,8 +17,8 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 constexpr hn::ScalableTag<float> lanes;
 
-// Multiplies and adds in as many independent chains as hide an operation's latency. Returns the
-// number of floating-point operations; `sink` keeps the compiler from leaving them out.
+// Multiplies and adds in enough independent chains to hide an operation's latency. Returns the
+// number of floating point operations. `sink` keeps the compiler from removing them.
 double multiplyAdd(int rounds, float* sink) {
     const auto factor = hn::Set(lanes, 0.999f), term = hn::Set(lanes, 0.001f);
     auto a = hn::Set(lanes, 1.0f), b = hn::Set(lanes, 1.1f), c = hn::Set(lanes, 1.2f),
@@ -45,7 +45,7 @@ double multiplyAdd(int rounds, float* sink) {
     return 2.0 * chains * double(hn::Lanes(lanes)) * rounds;
 }
 
-// a = b + s·c over `count` floats, a multiple of the longest vector.
+// Computes a = b + s·c over `count` floats; `count` is a multiple of the longest vector.
 void triad(float* a, const float* b, const float* c, std::size_t count) {
     const auto factor = hn::Set(lanes, 3.0f);
     for (std::size_t k = 0; k < count; k += hn::Lanes(lanes)) {
@@ -77,7 +77,7 @@ HWY_EXPORT(triad);
 
 constexpr int rounds = 5'000'000;
 constexpr std::size_t floatsAtOnce = std::size_t(1) << 20;
-constexpr std::size_t pieces = 32; // 128 MiB an array
+constexpr std::size_t pieces = 32; // 128 MiB per array
 
 double measuredFlops() {
     const int threads = loopThreads();

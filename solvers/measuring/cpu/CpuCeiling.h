@@ -1,11 +1,11 @@
-// What the processor can do at most.
+// Measures the ceiling of the CPU.
 #pragma once
 
 #include <dipwright/FilmSolver.h>
 
 namespace dipwright {
 
-// As solver::SolverModule::measuredCeiling.
+// See solver::SolverModule::measuredCeiling.
 solver::Ceiling cpuCeiling();
 
 } // namespace dipwright

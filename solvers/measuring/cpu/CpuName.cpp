@@ -28,7 +28,8 @@ CpuRegisters cpuid([[maybe_unused]] unsigned leaf) {
 } // namespace
 
 std::string cpuName() {
-    constexpr unsigned firstLeaf = 0x80000002, lastLeaf = 0x80000004; // the brand string's three
+    constexpr unsigned firstLeaf = 0x80000002,
+                       lastLeaf = 0x80000004; // three leaves with the brand string
     if (cpuid(0x80000000)[0] < lastLeaf) {
         return "CPU";
     }

@@ -1,11 +1,11 @@
-// The name that the processor gives itself.
+// Returns the name of the CPU.
 #pragma once
 
 #include <string>
 
 namespace dipwright {
 
-// "AMD EPYC 9554", or "CPU" where the processor does not tell.
+// Returns, for example, "AMD EPYC 9554", or "CPU" if the CPU does not report a name.
 std::string cpuName();
 
 } // namespace dipwright

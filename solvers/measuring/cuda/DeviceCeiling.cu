@@ -7,10 +7,10 @@ namespace dipwright::cuda {
 namespace {
 
 constexpr int threads = 256;
-constexpr int blocksPerMultiprocessor = 8; // all the threads that one can hold
-constexpr int chains = 8;                  // as many as hide an operation's latency
+constexpr int blocksPerMultiprocessor = 8; // fills a multiprocessor with threads
+constexpr int chains = 8;                  // enough to hide an operation's latency
 constexpr int rounds = 1 << 15;
-constexpr std::size_t quadruples = std::size_t(1) << 25; // of floats: 512 MiB an array
+constexpr std::size_t quadruples = std::size_t(1) << 25; // of floats: 512 MiB per array
 
 __global__ void multiplyAdd(float* sink) {
     float values[chains];
@@ -26,7 +26,7 @@ __global__ void multiplyAdd(float* sink) {
     for (const float value : values) {
         sum += value;
     }
-    if (sum == 0) { // never; keeps the compiler from leaving the loop out
+    if (sum == 0) { // never true; keeps the compiler from removing the loop
         *sink = sum;
     }
 }
@@ -40,7 +40,7 @@ __global__ void triad(float4* a, const float4* b, const float4* c) {
     }
 }
 
-// Of work on the device.
+// For work on the device.
 template <typename Work>
 double leastSeconds(const Work& work) {
     return numerics::leastSeconds([&] {

@@ -1,4 +1,4 @@
-// What a GPU can do at most.
+// Measures the ceiling of a GPU.
 #pragma once
 
 #include "common/cuda/Device.h"
@@ -7,7 +7,7 @@
 
 namespace dipwright::cuda {
 
-// As solver::SolverModule::measuredCeiling.
+// See solver::SolverModule::measuredCeiling.
 solver::Ceiling measuredCeiling(const Device& device);
 
 } // namespace dipwright::cuda

@@ -1,4 +1,4 @@
-// Arrays that begin with a cache line.
+// Arrays that are aligned to a pair of cache lines.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@ namespace dipwright::cpu {
 template <typename Value>
 struct AlignedAllocator {
     using value_type = Value;
-    static constexpr std::align_val_t alignment{128}; // lines are fetched in pairs
+    static constexpr std::align_val_t alignment{128}; // the CPU fetches lines in pairs
 
     AlignedAllocator() = default;
     template <typename Other>

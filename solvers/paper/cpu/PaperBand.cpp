@@ -9,8 +9,8 @@ namespace dipwright::cpu {
 namespace {
 
 constexpr int arraysPerWorkingRow = 4;
-// Film that has moved at all wakes the film beside it. The film's motion is so sensitive that even
-// a millionth of a millimetre left out would be seen at the end; with this, sleep changes no bit.
+// Film that has moved at all wakes the film beside it. The motion is so sensitive that leaving out
+// a millionth of a millimetre would change the result. With 0, sleeping does not change a bit.
 constexpr float wakeDistance = 0;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -35,7 +35,7 @@ PaperBand::PaperBand(const PaperModel& model, SharedFilm& shared, int first, int
       lastLoaded_(std::min(model.grid.rows, last + reach_)),
       ringRows_((sweeps + 2) * rowsPerSweep(model.settings.relaxation)) {
     const auto stride = std::size_t(model.stride);
-    // A cache line more, so that the rows' arrays do not all fall on the same lines of the cache.
+    // One more cache line keeps the rows' arrays from mapping to the same lines of the cache.
     ring_.resize(std::size_t(ringRows_) * (arraysPerWorkingRow * stride + chunkColumns));
     noRow_.resize(arraysPerWorkingRow * stride);
     fromAbove_.resize(3 * stride * std::size_t(sweeps));
@@ -63,9 +63,9 @@ void PaperBand::run(const PaperPass& pass) {
     }
 }
 
-// Row after row: each is loaded, and every sweep follows one row behind the sweep before it, so
-// that the rows in use stay in the cache from loading to storing. Towards the end of the pass the
-// sweeps draw back from the neighbours' rows, which are no longer known.
+// Processes row after row: each row is loaded, and each sweep follows one row behind the previous
+// sweep. So the rows in use stay in the cache. Near the end of the pass, the sweeps leave out the
+// neighbours' rows, which are no longer known.
 void PaperBand::runJacobi() {
     const int rows = model_.grid.rows, sweeps = pass_.sweeps;
     const int firstLoaded = std::max(0, first_ - sweeps);
@@ -122,9 +122,9 @@ void PaperBand::jacobi(int row, int sweep, const std::uint8_t* isBusy) {
     }
 }
 
-// The same over pairs of rows, 2·pair and 2·pair + 1. A sweep solves a pair's constraints along its
-// rows, then those between its two rows, then those to the pair above, which had waited for this;
-// the sweep after it follows one pair behind.
+// Does the same over pairs of rows, 2·pair and 2·pair + 1. A sweep first solves a pair's
+// constraints along its rows, then those between its two rows, and last those to the pair above.
+// The next sweep follows one pair behind.
 void PaperBand::runGaussSeidel() {
     const int rows = model_.grid.rows, sweeps = pass_.sweeps;
     const int first = first_ / 2, last = (last_ + 1) / 2, allPairs = (rows + 1) / 2;
@@ -181,7 +181,7 @@ void PaperBand::solveAlongRow(int row) {
     solve(odd, advanced(even, 1), rest, model_.rest[0], 1, oddHasRight_);
 }
 
-// The constraints between a row and the one below it.
+// Solves the constraints between a row and the row below it.
 void PaperBand::solveBetweenRows(int row) {
     const WorkingRow even = working(row), odd = advanced(even, model_.stride / 2);
     const WorkingRow evenBelow = working(row + 1),
@@ -220,12 +220,13 @@ void PaperBand::load(int row) {
     model_.kernels.load(task);
 
     for (std::size_t chunk = 0; pass_.predicts && chunk < chunks; ++chunk) {
-        // The points have moved so far since the last step, and may do so again until its end.
+        // The points moved this far in the last step and may move as far again until the end of
+        // this one.
         approach[chunk].travelled += motion_[chunk];
         if (approach[chunk].isNear(margin + motion_[chunk])) {
             findContacts(row, int(chunk));
             if (isOwn(row) && approach[chunk].isNear(margin)) {
-                shared_.activity.hasMoved(row)[chunk] = 1; // awake before the body is met
+                shared_.activity.hasMoved(row)[chunk] = 1; // awake before contact with the body
             }
         }
     }
@@ -262,7 +263,7 @@ void PaperBand::store(int row) {
     }
 }
 
-// Tests those predicted points of one chunk against the body that it may have reached.
+// Tests the chunk's predicted points that may have reached the body.
 void PaperBand::findContacts(int row, int chunk) {
     WorkingRow points = splitsColumns() ? workingRow(unsplit_.data(), model_.stride) : working(row);
     Approach& approach = approaches(row)[chunk];
@@ -291,7 +292,7 @@ void PaperBand::findContacts(int row, int chunk) {
     }
 }
 
-// From now on the point is held to the body where ∇φ leads it out to the contact distance.
+// Makes the point adhere where ∇φ leads it to the contact distance.
 void PaperBand::adhere(int row, int column, numerics::Vector3<double> place) {
     place = numerics::onLevel(model_.field, place, model_.settings.contactDistance);
     const numerics::Vector3<double> anchor = model_.frameAtStart.toWorld(place);

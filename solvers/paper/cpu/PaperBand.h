@@ -1,22 +1,22 @@
-// A band of the film's rows, worked on by one thread through several Jacobi or Gauss–Seidel sweeps
-// before the next barrier with the other bands. It computes the rows beside it that it needs once
-// more itself, with the same arithmetic, so that the result does not depend on how the film is cut.
+// Works on a band of the film's rows with one thread, through several Jacobi or Gauss–Seidel sweeps
+// between two barriers. It recomputes the neighbours' rows that it needs with the same arithmetic.
+// So the result does not depend on how the film is divided.
 #pragma once
 
 #include "paper/cpu/PaperModel.h"
 
 namespace dipwright::cpu {
 
-// What all bands do between two barriers.
+// The work of all bands between two barriers.
 struct PaperPass {
-    bool predicts = false; // begins with the prediction and the contact
+    bool predicts = false; // starts with the prediction and the contact search
     int sweeps = 0;
     double descent = 0;                // of the body, mm
     numerics::BodyFrame<double> frame; // at that descent
 };
 
-// The points as bands share them: each writes its own rows of `film`, and leaves those that its
-// neighbours will read in `published`, one of which is read while the other is written.
+// The points that all bands share. Each band writes its own rows of `film`. It also writes the rows
+// that its neighbours read into `published`, one copy of which is read while the other is written.
 struct SharedFilm {
     FilmRows film;
     std::array<FilmRows, 2> published;
@@ -24,24 +24,24 @@ struct SharedFilm {
     FilmActivity activity;
 };
 
-// Rows beside a band that one sweep reads.
+// Returns the number of rows beside a band that one sweep reads.
 int rowsPerSweep(solver::Relaxation relaxation);
 
 class PaperBand {
 public:
-    // Rows first … last − 1, first even; `sweeps` is the most that a pass may have.
+    // Owns rows first … last − 1; `first` is even. A pass has at most `sweeps` sweeps.
     PaperBand(const PaperModel& model, SharedFilm& shared, int first, int last, int sweeps);
 
     void run(const PaperPass& pass);
 
 private:
-    // How the points of a chunk and the body come near each other. A distance field tells how far
-    // they can travel before they may touch, and until then nothing need be sampled.
+    // Tracks how far a chunk's points are from the body. The distance field tells how far they can
+    // travel before contact, and until then they are not sampled.
     struct Approach {
-        float travelled = 0; // mm by body and film together, at most
+        float travelled = 0; // mm, upper bound for body and film together
         float nearest = 0;   // the smallest of `points`
         std::array<float, chunkColumns>
-            points{}; // the travel at which each is as near as its φ tells
+            points{}; // travel at which each point may reach the body, from its φ
 
         bool isNear(float margin) const { return nearest <= travelled + margin; }
     };
@@ -73,14 +73,14 @@ private:
     const PaperModel& model_;
     SharedFilm& shared_;
     const int first_, last_;
-    const int reach_; // rows on either side that are computed once more
+    const int reach_; // rows on each side that are computed again
     const int firstLoaded_, lastLoaded_;
     const int ringRows_;
     PaperPass pass_;
     AlignedVector<float> ring_;      // the working rows in use
     AlignedVector<float> unsplit_;   // a working row before its columns are split by parity
     AlignedVector<float> noRow_;     // points of weight 0
-    AlignedVector<float> fromAbove_; // three arrays a sweep
+    AlignedVector<float> fromAbove_; // three arrays per sweep
     AlignedVector<float> evenHasRight_, oddHasRight_, allExist_; // per pair of columns
     std::vector<Approach> approaches_;                           // per loaded row and chunk
     std::vector<float> motion_; // per chunk of the row being loaded

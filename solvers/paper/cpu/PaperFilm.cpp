@@ -15,7 +15,7 @@ namespace dipwright::cpu {
 
 namespace {
 
-constexpr int maximumSweepsPerPass = 8; // more would compute too many rows twice
+constexpr int maximumSweepsPerPass = 8; // more would recompute too many rows
 constexpr int pointsPerBand = 4000;     // fewer are not worth a thread
 
 void require(bool holds, const char* sentence) {
@@ -59,7 +59,7 @@ void PaperFilm::begin(const solver::DipSetup& setup) {
     numerics::requireNoGrowth(setup.settings);
     require(setup.settings.lattice == solver::Lattice::Structural ||
                 setup.settings.support == solver::Support::None,
-            "this solver has no isotropic film on water");
+            "this solver does not support isotropic film on water");
     bands_.clear();
     model_ = PaperModel(setup, kernels_);
     const int threads = setup.settings.threads > 0 ? setup.settings.threads : coreCount();
@@ -139,8 +139,7 @@ void PaperFilm::sweep(double descent) {
     }
 }
 
-// The contacts tie points together that may be anywhere in the film, so that the bands meet after
-// every sweep.
+// Self-contacts may connect distant points of the film, so the bands synchronize after every sweep.
 void PaperFilm::sweepWithSelfContact(double descent) {
     PaperPass next = passAt(descent);
     next.predicts = true;
@@ -159,8 +158,8 @@ void PaperFilm::sweepWithSelfContact(double descent) {
     }
 }
 
-// Adds the contacts' corrections to those of a sweep that led from `before` to `after`. In a Jacobi
-// sweep they count like a point's other constraints, in a Gauss–Seidel sweep they follow these.
+// Adds the contacts' corrections to those of the sweep from `before` to `after`. In a Jacobi sweep
+// they are averaged with a point's other constraints. In a Gauss–Seidel sweep they come after them.
 void PaperFilm::keepApart(const FilmPoints& before, const FilmPoints& after) {
     const bool isJacobi = model_.settings.relaxation == solver::Relaxation::Jacobi;
     for (const ContactPush& push : selfContact_->pushes(isJacobi ? before : after)) {
@@ -222,7 +221,7 @@ void PaperFilm::read(std::span<float> positions, std::span<solver::PointState> s
     require(shared_ != nullptr, "the dip has not begun");
     require(positions.size() == 3 * model_.grid.pointCount() &&
                 (states.empty() || states.size() == model_.grid.pointCount()),
-            "the arrays to read into do not match the film");
+            "the size of the arrays does not match the film");
     const auto columns = std::size_t(model_.grid.columns);
     for (int row = 0; row < model_.grid.rows; ++row) {
         const StoredRow stored = shared_->film.row(row);

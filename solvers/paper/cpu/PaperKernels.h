@@ -1,10 +1,10 @@
-// The inner loops of the paper's film over one row of points, once in plain C++ and once for the
-// processor's vector instructions. Both do the same arithmetic in the same order, without fused
-// multiply-add, and so give the same bits.
+// The inner loops of the paper's film over one row of points, in plain C++ and in vector
+// instructions. Both use the same operations in the same order, without fused multiply-add. So both
+// give the same bits.
 //
-// Points are kept as displacements from the flat film: a film at rest is exactly zero, and a
-// constraint's difference vector is its rest vector plus the difference of two displacements.
-// Rows are padded with points of weight 0: to whole chunks, and one or two chunks more.
+// Points are stored as displacements from the flat film, so a film at rest is exactly zero. A
+// constraint's difference vector is its rest vector plus the difference of two displacements. Rows
+// are padded with points of weight 0: to whole chunks, plus one or two more chunks.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 namespace dipwright::cpu {
 
 inline constexpr int chunkColumns = 16;          // columns that sleep and wake together; 64 bytes
-inline constexpr float shortestSquared = 1e-20f; // mm²: points in one place pull nowhere
+inline constexpr float shortestSquared = 1e-20f; // mm²; coincident points do not pull
 
 // Displacements of one row's points (mm) and their inverse masses: 1 free, 0 held.
 struct WorkingRow {
@@ -24,8 +24,8 @@ struct WorkingRow {
     float* weight = nullptr;
 };
 
-// One row as it is kept between steps. Adhered points keep the height that they had at descent 0:
-// their y in the world is y − sinking·descent, so that they move exactly with the body.
+// One row as it is stored between steps. Adhered points keep their height at descent 0. Their
+// height in the world is y − sinking·descent, so they move exactly with the body.
 struct StoredRow {
     float* x = nullptr;
     float* y = nullptr;
@@ -34,51 +34,51 @@ struct StoredRow {
     float* previousY = nullptr;
     float* previousZ = nullptr;
     float* weight = nullptr;
-    float* sinking = nullptr; // 1 adhered, else 0
+    float* sinking = nullptr; // 1 if adhered, else 0
 };
 
-// From the stored to the working row, for the chunks whose `isNeeded` is set.
+// Loads the stored row into the working row, for the chunks with `isNeeded` set.
 struct LoadTask {
     StoredRow from;
     WorkingRow to;
     int chunks = 0;
     const std::uint8_t* isNeeded = nullptr;
     float descent = 0;
-    float inertia = 0;          // 1: predict x + Δt·v, 0: just load
-    bool keepsPrevious = false; // make the stored positions the previous ones
-    float* motion = nullptr;    // out, per chunk: the farthest that a point moved in the last step
+    float inertia = 0;          // 1: predict x + Δt·v, 0: only load
+    bool keepsPrevious = false; // copy the stored positions to the previous ones
+    float* motion = nullptr;    // out, per chunk: largest motion of a point in the last step, mm
 };
 
-// From the working to the stored row, for the chunks whose `isBusy` is set.
+// Stores the working row, for the chunks with `isBusy` set.
 struct StoreTask {
     WorkingRow from;
     StoredRow to;
     int chunks = 0;
     const std::uint8_t* isBusy = nullptr;
     float wakeDistance = 0;
-    std::uint8_t* hasMoved = nullptr; // per chunk, set where a point is farther from its rest
+    std::uint8_t* hasMoved = nullptr; // per chunk, set if a point is farther than that from rest
 };
 
-// One row in one Jacobi sweep: the corrections of all constraints of a point are summed, and
-// multiplied by `share`. Every constraint is computed once: those to the row below are handed on in
-// `fromAbove`, which is read for this row and then overwritten.
+// One row in one Jacobi sweep. The corrections of all constraints of a point are summed and
+// multiplied by `share`. Each constraint is computed once: corrections for the row below are passed
+// on in `fromAbove`, which is read for this row and then overwritten.
 struct JacobiTask {
     WorkingRow row, below;
     std::array<float*, 3> fromAbove{};      // x, y, z
     const float* share = nullptr;           // per column
-    const float* hasRight = nullptr;        // per column: 1 where there is a column to the right
-    const float* columnStiffness = nullptr; // per column, of the constraint to the row below
+    const float* hasRight = nullptr;        // per column: 1 if there is a column to the right
+    const float* columnStiffness = nullptr; // per column, for the constraint to the row below
     float hasBelow = 0;
     float rowStiffness = 1;
-    float vertical = 1;          // 0: the water holds free points in the plane
-    std::array<float, 3> rest{}; // length along the row, between rows, along the diagonal
+    float vertical = 1;          // 0: the water keeps free points in its plane
+    std::array<float, 3> rest{}; // lengths: along the row, between rows, diagonal
     int chunks = 0;
-    const std::uint8_t* isBusy = nullptr; // chunks + 1 each; points of other chunks stay
+    const std::uint8_t* isBusy = nullptr; // chunks + 1 values each; other chunks do not move
     const std::uint8_t* isBusyBelow = nullptr;
 };
 
-// Constraints between `count` points of one row and as many of another (or the same), no point in
-// two of them, each solved fully: one colour of a Gauss–Seidel sweep.
+// One colour of a Gauss–Seidel sweep: constraints between `count` points of one row and as many of
+// another or the same row. No point is in two of them, and each is solved fully.
 struct PairTask {
     WorkingRow first, second;
     std::array<float, 2> rest{}; // along x and z, from first to second
@@ -95,14 +95,14 @@ struct PaperKernels {
     void (*jacobi)(const JacobiTask&);
     void (*jacobiWithDiagonals)(const JacobiTask&);
     void (*pairs)(const PairTask&);
-    // Even columns to the front half, odd ones to the back half, and the reverse. `half` is a
-    // multiple of chunkColumns.
+    // Move even columns to the front half and odd ones to the back half, and the reverse. `half` is
+    // a multiple of chunkColumns.
     void (*split)(const float* from, float* to, int half);
     void (*merge)(const float* from, float* to, int half);
     std::string instructionSet;
 };
 
 PaperKernels scalarPaperKernels();
-PaperKernels vectorPaperKernels(); // the best of this processor
+PaperKernels vectorPaperKernels(); // the best instruction set of this CPU
 
 } // namespace dipwright::cpu

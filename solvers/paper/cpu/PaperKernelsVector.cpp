@@ -1,7 +1,6 @@
-// The paper's film in vector instructions, compiled once for every instruction set that Highway
-// knows for the processor and chosen at run time. Line by line the arithmetic of
-// PaperKernelsScalar.cpp: multiplications and additions stay apart, square root and division are
-// exact.
+// The paper's film in vector instructions, compiled for each instruction set that Highway supports
+// and chosen at run time. The arithmetic is that of PaperKernelsScalar.cpp, line by line: no fused
+// multiply-add, and exact square root and division.
 
 #include "paper/cpu/PaperKernels.h"
 
@@ -20,7 +19,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// At most a chunk, so that a chunk is always whole vectors.
+// At most one chunk, so that a chunk always consists of whole vectors.
 using Lanes = hn::CappedTag<float, chunkColumns>;
 using Vector = hn::Vec<Lanes>;
 constexpr Lanes lanes;
@@ -68,7 +67,8 @@ HWY_INLINE Pull pull(const Points& first, const Points& second, Vector restX, Ve
     return difference * hn::Mul(excess, sharing);
 }
 
-// Lane i of the result is lane i − 1 of `values`, and lane 0 the last of the vector before.
+// Shifts lanes by one: lane i becomes lane i − 1 of `values`, and lane 0 the last lane of the
+// previous vector.
 class LaneShift {
 public:
     LaneShift() : rotation_(hn::SetTableIndices(lanes, indices().data())) {}
@@ -273,7 +273,7 @@ namespace {
 
 HWY_EXPORT(kernels);
 
-// As users know it.
+// Returns the name that users know.
 std::string commonName(const std::string& target) {
     if (target.starts_with("AVX3")) {
         return "AVX-512";

@@ -8,8 +8,8 @@ namespace dipwright::cpu {
 
 namespace {
 
-// The sum of the stiffnesses of a point's constraints: edges 1, diagonals 1/2; with diagonals, an
-// edge on the film's border 1/2 (docs/film-model.md, "Lattice with diagonals"). Without them, the
+// Returns the sum of the stiffnesses of a point's constraints. With diagonals: edges 1, diagonals
+// 1/2, edges on the film's border 1/2 (docs/film-model.md, "Lattice with diagonals"). Without: the
 // number of constraints.
 float stiffnessSum(const solver::FilmGrid& grid, int column, int row, bool hasDiagonals) {
     const int alongRow = (column > 0) + (column < grid.columns - 1);
@@ -46,8 +46,8 @@ PaperModel::PaperModel(const solver::DipSetup& setup, PaperKernels usedKernels)
         hasRight[i] = column < grid.columns - 1 ? 1.0f : 0.0f;
         columnStiffness[i] = isBorder ? 0.5f : 1.0f;
     }
-    // Between two places, the trilinear φ of a distance field falls by no more than their distance
-    // and a cell's diagonal.
+    // Between two places, the trilinear φ of a distance field falls by at most their distance plus
+    // a cell's diagonal.
     clearanceMargin = settings.contactDistance + 1.01 * std::numbers::sqrt3 * field.spacing;
 }
 

@@ -1,5 +1,4 @@
-// What one dip of the paper's film consists of while it runs: constants, points, and which of them
-// need work.
+// Holds one running dip of the paper's film: its constants, its points, and which points need work.
 #pragma once
 
 #include "common/BodyFrame.h"
@@ -26,13 +25,13 @@ struct PaperModel {
     numerics::BodyFrame<double> frameAtStart; // of the body, at descent 0
     PaperKernels kernels;
 
-    int chunks = 0; // of chunkColumns in a row
-    int stride = 0; // floats in a row, padding included
+    int chunks = 0; // per row, of chunkColumns columns
+    int stride = 0; // floats per row, padding included
     bool hasDiagonals = false;
-    float vertical = 1;          // 0: the water holds free points in the plane
+    float vertical = 1;          // 0: the water keeps free points in its plane
     std::array<float, 3> rest{}; // lengths: along a row, between rows, along a diagonal
-    // Per column; `share` is the inverse of the sum of a point's constraint stiffnesses (of their
-    // number, where all have stiffness 1) in the first and last rows, and in those between.
+    // Per column. A share is 1 / the sum of a point's constraint stiffnesses: `borderShare` in the
+    // first and last row, `innerShare` in the others.
     AlignedVector<float> borderShare, innerShare, hasRight, columnStiffness;
     double clearanceMargin = 0; // mm: a point farther than this from the body cannot touch it
 
@@ -40,7 +39,7 @@ struct PaperModel {
     double stepLength() const { return motion.speed * settings.timeStep; } // mm
 };
 
-// The points of all rows, the arrays of one row beside each other.
+// The points of all rows. The arrays of one row are stored side by side.
 class FilmRows {
 public:
     static constexpr int arraysPerRow = 8;
@@ -67,28 +66,29 @@ private:
     AlignedVector<float> values_;
 };
 
-// Which parts of the film need work. Film at rest far from the body, and film whose points have all
-// adhered, sleeps in tiles; a tile wakes when film beside it has moved or the body has come near.
-// In one pass motion spreads by no more than a tile, so that sleep changes no bit; Gauss–Seidel
-// sweeps carry it farther, and there film at rest does not sleep.
+// Tracks which parts of the film need work. Film at rest far from the body, and film that has
+// adhered entirely, sleeps in tiles. A tile wakes if film beside it has moved or the body is near.
+// Motion spreads by at most one tile in a Jacobi pass, so sleep does not change a bit. Gauss–Seidel
+// sweeps spread it farther, so there the film never sleeps.
 class FilmActivity {
 public:
     FilmActivity() = default;
     FilmActivity(int rows, int chunks);
 
-    // Per row and chunk, written by whoever works on the row.
+    // Per row and chunk. Written by the thread that works on the row.
     std::uint8_t* hasMoved(int row) { return &hasMoved_[cell(row, 0)]; }
     std::uint8_t* freePoints(int row) { return &freePoints_[cell(row, 0)]; }
-    // Per chunk and one more: whether its free points move; whether it or a neighbour does.
+    // Per chunk, with one extra: whether its free points move, and whether it or a neighbour is
+    // busy.
     const std::uint8_t* isBusy(int row) const { return &isBusy_[tile(row)]; }
     const std::uint8_t* isPresent(int row) const { return &isPresent_[tile(row)]; }
     const std::uint8_t* nothing() const { return nothing_.data(); }
 
-    // Takes what has happened in a pass into account for the next one.
+    // Prepares the next pass from the motion of the last one.
     void update();
 
 private:
-    static constexpr int tileRows = 8; // no fewer than the Jacobi sweeps of a pass
+    static constexpr int tileRows = 8; // at least the Jacobi sweeps of a pass
     std::size_t cell(int row, int chunk) const {
         return std::size_t(row) * std::size_t(chunks_) + std::size_t(chunk);
     }

@@ -10,11 +10,12 @@ namespace dipwright::cpu {
 
 namespace {
 
-constexpr float reachFactor = 1.5f; // candidates may come so much closer within one step
+constexpr float reachFactor = 1.5f; // candidates may come closer by this factor within one step
 
 using Cell = std::array<std::int32_t, 3>;
 
-// Points by the cell of space they are in; cells that share a slot are told apart by distance.
+// Groups points by their cell in space. Different cells may share a slot; distance tells them
+// apart.
 class SpatialHash {
 public:
     SpatialHash(const std::vector<numerics::Vector3<float>>& positions, float cellSize)
@@ -32,7 +33,7 @@ public:
         }
     }
 
-    // Calls visit(point) for the points in the cells round `position`, and perhaps for others.
+    // Calls visit(point) for all points in the cells around `position`, and possibly for others.
     template <typename Visit>
     void around(const numerics::Vector3<float>& position, const Visit& visit) const {
         std::array<std::size_t, 27> slots{};
@@ -66,11 +67,11 @@ private:
 
     float inverseCellSize_;
     std::size_t mask_;
-    std::vector<std::uint32_t> starts_; // per slot, into points_
+    std::vector<std::uint32_t> starts_; // per slot, index into points_
     std::vector<std::uint32_t> points_;
 };
 
-// Entries of one point added up; `pushes` is left in film order.
+// Sums the entries of each point.
 std::vector<ContactPush> summedByPoint(std::vector<ContactPush> pushes) {
     std::stable_sort(pushes.begin(), pushes.end(),
                      [](const ContactPush& a, const ContactPush& b) { return a.point < b.point; });

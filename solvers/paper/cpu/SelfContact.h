@@ -1,5 +1,5 @@
-// Contact of the film with itself: points that are neighbours in space but not in the film's grid
-// are kept apart (docs/film-model.md, "The paper's model").
+// Handles the film's self-contact: keeps points apart that are neighbours in space but not in the
+// film's grid (docs/film-model.md, "The paper's model").
 #pragma once
 
 #include "common/Vector3.h"
@@ -12,32 +12,33 @@
 
 namespace dipwright::cpu {
 
-// All points in the world, with their inverse masses; film order.
+// All points in world coordinates with their inverse masses, in film order.
 struct FilmPoints {
     std::vector<numerics::Vector3<float>> positions;
     std::vector<float> weights;
 };
 
-// What the contacts of one point ask of it.
+// The sum of the contact corrections of one point.
 struct ContactPush {
     std::uint32_t point = 0;
     int contacts = 0;
-    numerics::Vector3<float> sum{}; // of the contacts' corrections, mm
+    numerics::Vector3<float> sum{}; // mm
 };
 
 class SelfContact {
 public:
     explicit SelfContact(const solver::FilmGrid& grid);
 
-    // How far apart points are kept: half the smaller spacing, closer than film lies without
-    // folding.
+    // Returns the distance to keep: half the smaller spacing. Film without folds never comes
+    // closer.
     float distance() const { return distance_; }
 
-    // Finds the pairs that may touch within this step, through a spatial hash.
+    // Finds the pairs that may touch within this step, with a spatial hash.
     void find(const FilmPoints& points);
     bool hasCandidates() const { return !candidates_.empty(); }
 
-    // One entry for each free point that is closer than distance() to another, in film order.
+    // Returns one entry for each free point that is closer than distance() to another, in film
+    // order.
     std::vector<ContactPush> pushes(const FilmPoints& points) const;
 
 private:

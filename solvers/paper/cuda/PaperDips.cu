@@ -1,4 +1,4 @@
-// The host's side of the paper's films on the GPU.
+// Runs the paper's films on the GPU, host side.
 
 #include "paper/cuda/PaperDips.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 using Kernel = void (*)(PaperModel, const PaperDip*, PaperWork, int, int);
 
-constexpr int passesPerLaunch = 2048; // some milliseconds: the host stays able to cancel
+constexpr int passesPerLaunch = 2048; // some milliseconds, so that the host can cancel
 constexpr int stripRowsWithDiagonals = 2;
 
 bool hasDiagonals(const solver::DipSetup& setup) {
@@ -40,12 +40,13 @@ Kernel kernel(int stripRows, bool withDiagonals) {
 }
 
 std::size_t sharedBytes(int warps) {
-    constexpr std::size_t rowsPerWarp = 4; // first and last, twice
+    constexpr std::size_t rowsPerWarp = 4; // first and last row, double buffered
     return rowsPerWarp * std::size_t(warps) * PaperTiles::lanes * sizeof(paper::Position);
 }
 
-// The share of the sum of its constraints' corrections that a point takes: 1 / their number, or,
-// with diagonals, / the sum of their stiffnesses (docs/film-model.md, "Lattice with diagonals").
+// Returns the share that a point takes of its constraints' summed corrections. It is 1 / their
+// number, or with diagonals 1 / their total stiffness (docs/film-model.md, "Lattice with
+// diagonals").
 float share(int alongX, int alongZ, bool withDiagonals) {
     if (!withDiagonals) {
         return 1 / float(alongX + alongZ);
@@ -77,8 +78,8 @@ PaperModel paperModel(const solver::DipSetup& setup, const PaperTiles& tiles) {
     }
     model.stepLength = setup.motion.speed * setup.settings.timeStep;
     model.contactDistance = setup.settings.contactDistance;
-    // Between two places, the trilinear φ of a distance field falls by no more than their distance
-    // and a cell's diagonal.
+    // Between two places, the trilinear φ of a distance field falls by at most their distance plus
+    // a cell's diagonal.
     model.clearanceMargin =
         float(model.contactDistance + 1.01 * std::numbers::sqrt3 * setup.field.spacing);
     model.surelyFar = float(model.contactDistance + 0.001 * setup.field.spacing);
@@ -88,14 +89,14 @@ PaperModel paperModel(const solver::DipSetup& setup, const PaperTiles& tiles) {
     return model;
 }
 
-// Steps until the body has come down all the way.
+// Returns the number of steps until the body has descended completely.
 int stepsOf(const solver::DipSetup& setup, double stepLength) {
     const double steps = std::ceil(setup.motion.travel / stepLength - 1e-9);
     if (!(steps < 1e8)) {
         throw std::invalid_argument("the dip would take too many steps; choose a longer time step");
     }
     int count = int(steps);
-    while (double(count) * stepLength < setup.motion.travel) { // rounding
+    while (double(count) * stepLength < setup.motion.travel) { // corrects rounding
         ++count;
     }
     return count;
@@ -107,8 +108,8 @@ void requireKnown(const solver::DipSetup& setup) {
     numerics::requireNoGrowth(setup.settings);
     if (setup.settings.relaxation != solver::Relaxation::Jacobi || setup.settings.selfContact) {
         throw std::invalid_argument(
-            "the GPU relaxes the paper's film by Jacobi sweeps and does not keep it from meeting "
-            "itself; for Gauss-Seidel sweeps or self-contact choose the CPU");
+            "on the GPU, the paper's film uses Jacobi sweeps and has no self-contact; for "
+            "Gauss-Seidel sweeps or self-contact choose the CPU");
     }
 }
 
@@ -117,7 +118,7 @@ struct PaperTiling {
     bool allBlocksRunTogether = false;
 };
 
-// Blocks with these tiles that one multiprocessor holds.
+// Returns how many blocks with these tiles fit on one multiprocessor.
 int blocksAtOnce(const PaperTiles& tiles, bool withDiagonals) {
     const auto* function = reinterpret_cast<const void*>(kernel(tiles.stripRows, withDiagonals));
     const std::size_t shared = sharedBytes(tiles.warps);
@@ -129,8 +130,8 @@ int blocksAtOnce(const PaperTiles& tiles, bool withDiagonals) {
     return blocks;
 }
 
-// The cut for `dips` films that run together: the fewer rows a strip has, the sooner its sweep is
-// over.
+// Chooses the tiles for `dips` films that run together. A sweep ends sooner with fewer rows per
+// strip.
 PaperTiling chooseTiling(const Device& device, const solver::DipSetup& setup, std::size_t dips) {
     const bool withDiagonals = hasDiagonals(setup);
     for (const int stripRows : {1, 2, 4}) {
@@ -145,7 +146,7 @@ PaperTiling chooseTiling(const Device& device, const solver::DipSetup& setup, st
             }
         }
     }
-    // The film is too large for the device: as many blocks as it takes, one after the other.
+    // The film is too large for the device: run as many blocks as needed, one after the other.
     std::optional<PaperTiles> tiles;
     for (int most = device.multiprocessors; !tiles; most *= 2) {
         tiles = paperTiles(setup.film, setup.settings.iterations, stripRowsWithDiagonals, most);
@@ -174,7 +175,7 @@ private:
     bool allBlocksRunTogether_ = false;
     Kernel kernel_ = nullptr;
     FieldUploads fields_;
-    DeviceArray<StoredPoint> points_; // four films a dip
+    DeviceArray<StoredPoint> points_; // four films per dip
     std::vector<PaperDip> dips_;
     DeviceArray<PaperDip> dipsOnDevice_;
     int stepsDone_ = 0, mostSteps_ = 0;

@@ -1,14 +1,14 @@
-// The paper's films on the GPU.
+// Runs the paper's films on the GPU.
 #pragma once
 
 #include "common/cuda/Dips.h"
 
 namespace dipwright::cuda {
 
-// The paper's film (docs/film-model.md, "The paper's model"), relaxed by Jacobi sweeps. Throws
-// std::invalid_argument for settings that make no dip or that it does not know.
+// Simulates the paper's film (docs/film-model.md, "The paper's model") with Jacobi sweeps. Throws
+// std::invalid_argument for invalid or unsupported settings.
 std::unique_ptr<Dips> makePaperDips(const Device& device, Setups setups);
-// How many dips like this one fit on the device at the same time.
+// Returns how many dips like this one can run on the device at the same time.
 std::size_t paperDipsAtOnce(const Device& device, const solver::DipSetup& setup);
 
 } // namespace dipwright::cuda

@@ -1,15 +1,15 @@
 // The paper's step on the GPU (docs/film-model.md, "The paper's model").
 //
-// A block keeps its tile of the film, and a halo of points round it as wide as the reach of one
-// pass's sweeps, in registers for as long as the kernel runs; a warp's neighbours along a row are
-// in its other lanes, those above and below in shared memory. A pass begins with a halo exchange:
-// every block sends the points that it owns near its edges, and receives its halo from its
-// neighbours. Every point sent carries the number of the pass, so that its bytes are their own
-// signal: no block waits for more than it needs, and there is no barrier between blocks.
+// A block keeps its tile of the film in registers while the kernel runs, with a halo as wide as the
+// reach of one pass's sweeps. A warp's lanes hold neighbours along a row; neighbouring rows are
+// read from shared memory. A pass begins with a halo exchange: each block sends its own points near
+// its edges and receives its halo from the neighbouring blocks. Each sent point carries the number
+// of the pass, so its own bytes signal that it has arrived. So no block waits longer than it needs,
+// and there is no barrier between blocks.
 //
-// Points are displacements from the flat film, as on the CPU, and the arithmetic is the CPU's,
-// operation by operation (this file is to be compiled without contraction): the film's motion is so
-// sensitive that a difference of a millionth of a millimetre would be seen at the end.
+// As on the CPU, points are displacements from the flat film. The arithmetic is the CPU's,
+// operation by operation, so compile this file without contraction. The motion is so sensitive that
+// a difference of a millionth of a millimetre would change the result.
 #pragma once
 
 #include "common/BodyFrame.h"
@@ -21,11 +21,11 @@
 
 namespace dipwright::cuda {
 
-// What holds a point.
+// How a point is held.
 enum class Hold : unsigned { Free, Pinned, Adhered, Missing }; // missing: outside the film
 
-// A point in memory: its displacement, and how it is held. As it is sent, `mark` also tells in
-// which pass.
+// A point in memory: its displacement and how it is held. When it is sent, `mark` also contains the
+// pass.
 struct alignas(16) StoredPoint {
     float x, y, z;
     unsigned mark;
@@ -37,23 +37,23 @@ constexpr unsigned sentIn(int pass) {
     return 4 * (unsigned(pass) + 1);
 }
 
-// What all films of a batch have in common.
+// The constants that all films of a batch share.
 struct PaperModel {
     int columns = 0, rows = 0;
     double width = 0, depth = 0, spacingX = 0, spacingZ = 0; // mm
     float restX = 0, restZ = 0, restDiagonal = 0;            // lengths
     float firstX = 0, firstZ = 0;                            // of the first column and row
-    float vertical = 1;                                      // 0: the water holds free points
-    float share[3][3] = {}; // 1 / stiffnesses of a point with so many neighbours along X and Z
-    double stepLength = 0;  // mm that the body comes down in one step
+    float vertical = 1;     // 0: the water keeps free points in its plane
+    float share[3][3] = {}; // 1 / total stiffness, by a point's number of neighbours along X and Z
+    double stepLength = 0;  // descent of the body in one step, mm
     double contactDistance = 0;
     float clearanceMargin = 0; // mm: a point farther than this from the body cannot touch it
-    float surelyFar = 0;       // mm: so far from the body in single precision: not touching it
+    float surelyFar = 0;       // mm: farther than this in single precision, there is no contact
     int iterations = 0, passesPerStep = 0;
     PaperTiles tiles;
 };
 
-// What one dip has for itself.
+// The data of one dip.
 struct PaperDip {
     numerics::FieldGrid<double> field;
     numerics::FieldGrid<float> coarseField; // the same samples
@@ -61,13 +61,13 @@ struct PaperDip {
     numerics::BodyFrame<float> coarseFrameAtStart;
     double travel = 0;
     int steps = 0;
-    StoredPoint* now = nullptr;    // adhered points at the height that they had at descent 0
+    StoredPoint* now = nullptr;    // adhered points at their height at descent 0
     StoredPoint* before = nullptr; // one step ago
-    StoredPoint* halo[2] = {};     // by pass modulo 2; adhered points where they are in that step
+    StoredPoint* halo[2] = {};     // by pass modulo 2; adhered points at their place in that step
 };
 
-// A launch does both, or, where the blocks do not all fit on the device together, one of the two
-// for one pass.
+// The work of a launch: everything, or one part of one pass if not all blocks fit on the device at
+// the same time.
 enum class PaperWork { All, Send, Sweep };
 
 namespace paper {
@@ -85,8 +85,9 @@ __device__ inline Pull operator*(Pull a, float factor) {
     return {a.x * factor, a.y * factor, a.z * factor};
 }
 
-// length / √squared, both operations rounded as IEEE 754 has it, for numbers far from the ends of
-// the range: what the compiler makes of it, without its checks, and with one estimate for both.
+// Computes length / √squared with both operations rounded as in IEEE 754, for numbers far from the
+// limits of the range. This is the compiler's code without its checks, and with one estimate for
+// both operations.
 __device__ inline float lengthOverRoot(float length, float squared) {
     float inverse;
     asm("rsqrt.approx.ftz.f32 %0, %1;" : "=f"(inverse) : "f"(squared));
@@ -97,8 +98,8 @@ __device__ inline float lengthOverRoot(float length, float squared) {
     return __fmaf_rn(inverse, __fmaf_rn(quotient, -root, length), quotient);
 }
 
-// A point in the arithmetic of sweeps. Weight 1: free; 0: held; 2: missing, as the share of a
-// constraint between a free and a missing point is then zero.
+// A point in the arithmetic of the sweeps. Weight 1: free; 0: held; 2: missing, because then a
+// constraint between a free and a missing point has share 0.
 struct Position {
     float x, y, z, weight;
 };
@@ -107,21 +108,22 @@ __device__ inline float weightOf(Hold hold) {
     return hold == Hold::Free ? 1.0f : hold == Hold::Missing ? 2.0f : 0.0f;
 }
 
-// 1/(w1 + w2): a half where both are free.
+// 1/(w1 + w2): one half if both are free.
 __device__ inline float sharing(float weight, float other) {
     return 1.0f - 0.5f * weight * other;
 }
 
-// How far a constraint moves its first end, where that is free; the second it moves as far the
-// other way. (dx, dy, dz): from the first to the second.
+// Returns how far a constraint moves its first end if that is free. The second end moves as far in
+// the opposite direction. (dx, dy, dz) points from the first end to the second.
 __device__ inline Pull pull(float dx, float dy, float dz, float length, float share) {
-    constexpr float shortestSquared = 1e-20f; // points in one place pull nowhere
+    constexpr float shortestSquared = 1e-20f; // mm²; coincident points do not pull
     const float squared = fmaxf((dx * dx + dy * dy) + dz * dz, shortestSquared);
     const float excess = 1.0f - lengthOverRoot(length, squared);
     return Pull{dx, dy, dz} * (excess * share);
 }
 
-// The same row of the lane beside this one; the outermost lanes get something that nobody needs.
+// Return the value of the adjacent lane in the same row. The result of the outermost lane is never
+// used.
 __device__ inline float fromRight(float value) {
     return __shfl_down_sync(0xffffffff, value, 1);
 }
@@ -133,7 +135,7 @@ __device__ inline Pull fromLeft(const Pull& p) {
     return {__shfl_up_sync(all, p.x, 1), __shfl_up_sync(all, p.y, 1), __shfl_up_sync(all, p.z, 1)};
 }
 
-// 16 bytes that are written and read as one.
+// Writes 16 bytes as one. receivePoint reads them as one.
 __device__ inline void sendPoint(StoredPoint* to, const StoredPoint& point) {
     const std::uint64_t low =
         std::uint64_t(__float_as_uint(point.x)) | std::uint64_t(__float_as_uint(point.y)) << 32;
@@ -159,7 +161,7 @@ __device__ inline StoredPoint receivePoint(const StoredPoint* from) {
 struct Span {
     int first, last;
     __device__ bool owns(int index) const { return index >= first && index < last; }
-    // Whether it is in another tile's halo.
+    // Returns whether the point is in another tile's halo.
     __device__ bool isNearEdge(int index, int reach) const {
         return index < first + reach || index >= last - reach;
     }
@@ -169,22 +171,22 @@ __device__ inline Span tileSpan(int points, int tiles, int tile) {
     return {tileStart(points, tiles, tile), tileStart(points, tiles, tile + 1)};
 }
 
-// One point in the hands of its thread.
+// A point in the registers of its thread.
 struct Point {
-    float x, y, z;                   // now; adhered: where it is in the world
-    float beforeX, beforeY, beforeZ; // free: one step ago; held: beforeY is the height kept
-    float clearance;                 // mm, at least so far from the body
+    float x, y, z;                   // now; if adhered: in the world
+    float beforeX, beforeY, beforeZ; // free: one step ago; held: beforeY is the stored height
+    float clearance;                 // lower bound of the distance to the body, mm
     Hold hold;
 };
 
-// Where a point that is near the body is held to it from now on, if it touches it: where ∇φ leads
-// it out to the contact distance.
+// The place where a point adheres if it touches the body: where ∇φ leads it to the contact
+// distance.
 struct Anchor {
     float x, y, z; // displacement, at descent 0
     bool holds;
 };
 
-// Few points come here: not inlined, it leaves the registers to the sweeps.
+// Not inlined, because few points get here and the sweeps need the registers.
 __device__ __noinline__ Anchor anchorOf(const PaperModel& film, const PaperDip& dip, int column,
                                         int row, double descent, float x, float y, float z) {
     const double restX = -film.width / 2 + column * film.spacingX;
@@ -202,8 +204,8 @@ __device__ __noinline__ Anchor anchorOf(const PaperModel& film, const PaperDip& 
     return {float(anchor.x - restX), float(anchor.y), float(anchor.z - restZ), true};
 }
 
-// Moves a free point on to where it would be at the end of the step without constraints. Returns
-// whether it may be near the body then.
+// Moves a free point to its place at the end of the step without constraints. Returns whether it
+// may be near the body there.
 __device__ inline bool moveOn(const PaperModel& film, Point& point, float& motion) {
     const Pull step{point.x - point.beforeX, point.y - point.beforeY, point.z - point.beforeZ};
     point.beforeX = point.x;
@@ -215,11 +217,11 @@ __device__ inline bool moveOn(const PaperModel& film, Point& point, float& motio
     motion = fabsf(step.x) + fabsf(step.y) + fabsf(step.z);
     point.clearance -= float(film.stepLength) + motion;
     return !(point.clearance - motion >
-             film.clearanceMargin); // as far again may the sweeps move it
+             film.clearanceMargin); // the sweeps may move it as far again
 }
 
-// One column of a strip from the end of a step to the beginning of the next one's sweeps. Points
-// are sampled together, so that they wait for memory only once.
+// Moves one column of a strip from the end of a step to the start of the next step's sweeps.
+// Samples the points together, to wait for memory only once.
 template <int stripRows>
 __device__ inline void predict(const PaperModel& film, const PaperDip& dip, int column,
                                int firstRow, double descent, Point (&points)[stripRows],
@@ -263,14 +265,14 @@ __device__ inline void predict(const PaperModel& film, const PaperDip& dip, int 
     }
 }
 
-// The shares of the constraints of one strip of points.
+// The shares of the constraints in one strip of points.
 template <int stripRows, bool hasDiagonals>
 struct StripShares {
     static constexpr int gaps = stripRows + 1; // above the first row … below the last
-    float right[stripRows], down[gaps];        // by the row above
+    float right[stripRows], down[gaps];        // indexed by the row above
     float rightDown[hasDiagonals ? gaps : 1], rightUp[hasDiagonals ? gaps : 1];
 
-    // From the weights of the strip's rows and of those above and below.
+    // `weights`: of the row above, the strip's rows and the row below.
     __device__ void set(const float (&weights)[stripRows + 2]) {
         float onRight[stripRows + 2];
 #pragma unroll
@@ -291,13 +293,12 @@ struct StripShares {
     }
 };
 
-// A warp's strip of a block's tile and of the points round it: so many rows, a column a lane. All
-// members are called by all threads of the block, and inlined, so that the points stay in
-// registers.
+// A warp's strip of a tile and its halo: `stripRows` rows, with one column per lane. All threads of
+// the block call all members. They are inlined, so that the points stay in registers.
 template <int stripRows, bool hasDiagonals>
 class Strip {
 public:
-    // `edgeRows`: by parity, warp, first or last row, lane.
+    // `edgeRows`: indexed by parity, warp, first or last row, and lane.
     __device__ __forceinline__ Strip(const PaperModel& film, const PaperDip& dip, int tile,
                                      Position* edgeRows)
         : film_(film), dip_(dip), edgeRows_(edgeRows), reach_(film.tiles.reach),
@@ -312,13 +313,13 @@ public:
         load();
     }
 
-    // From the end of a step to the beginning of the next one's sweeps.
+    // Moves the points from the end of a step to the start of the next step's sweeps.
     __device__ __forceinline__ void startStep(double descent) {
         predict(film_, dip_, column_, firstRow_, descent, points_, isOwn_);
     }
 
-    // The body goes down to `descent`, and adhered points with it. Sends the points that are in
-    // other blocks' halos; all of them where they are swept in a launch of their own.
+    // Moves adhered points with the body to `descent` and sends the points that lie in other
+    // blocks' halos. Sends all points if another launch runs the sweeps.
     __device__ __forceinline__ void sendHalo(int pass, double descent, bool sendsAll) {
         StoredPoint* halo = haloIn(pass);
 #pragma unroll
@@ -333,8 +334,8 @@ public:
         }
     }
 
-    // Receives the halo, each point as soon as its block has sent it; all points of the strip where
-    // they were sent by a launch of its own.
+    // Receives each point of the halo as soon as its block has sent it. Receives all points of the
+    // strip if another launch sent them.
     __device__ __forceinline__ void receiveHalo(int pass, bool receivesAll) {
         StoredPoint* halo = haloIn(pass);
         StoredPoint received[stripRows];
@@ -360,7 +361,7 @@ public:
     }
 
     __device__ __forceinline__ void sweep(int sweeps) {
-        const bool works = hasFree(); // a strip without free points rests
+        const bool works = hasFree(); // a strip without free points does not move
         keepEdges(parity_, weightOf(points_[0].hold), weightOf(points_[stripRows - 1].hold));
         __syncthreads();
         if (works) {
@@ -374,7 +375,7 @@ public:
                 firstRow_ < rows_.last + left) {
                 sweepOnce();
                 if (left > 0) {
-                    keepEdges(1 - parity_, 0, 0); // weights are read before the sweeps only
+                    keepEdges(1 - parity_, 0, 0); // weights are read only before the sweeps
                 }
             }
             parity_ = 1 - parity_;
@@ -391,7 +392,7 @@ public:
                 const int index = firstIndex_ + r * film_.columns;
                 const Point& point = points_[r];
                 const bool isFree = point.hold == Hold::Free;
-                // Before the sweeps the next step's place is known only of points held now.
+                // Before the sweeps, the next place is known only for held points.
                 if (work != PaperWork::Send || !isFree) {
                     dip_.now[index] = {point.x, isFree ? point.y : point.beforeY, point.z,
                                        unsigned(point.hold)};
@@ -414,7 +415,7 @@ private:
                          row < min(film_.rows, rows_.last + reach_);
             isSent_[r] = isOwn_[r] &&
                          (columns_.isNearEdge(column_, reach_) || rows_.isNearEdge(row, reach_));
-            // Points beyond the film's border are there, but missing.
+            // Points outside the film exist here, but are missing.
             points_[r] = {0, 0, 0, 0, 0, 0, -INFINITY, Hold::Missing};
             if (isOwn_[r]) {
                 const int index = firstIndex_ + r * film_.columns;
@@ -443,7 +444,7 @@ private:
         return __any_sync(0xffffffff, hasFree);
     }
 
-    // The rows next to this strip, of other warps: in shared memory, twice by turns.
+    // The rows beside this strip, which other warps own. They are double buffered in shared memory.
     __device__ __forceinline__ Position& edgeRow(int parity, int ofWarp, int isLast) const {
         return edgeRows_[((parity * film_.tiles.warps + ofWarp) * 2 + isLast) * 32 + lane_];
     }
@@ -502,7 +503,7 @@ private:
                         shares_.rightUp[v]) *
                    0.5f;
         };
-        // What the constraints to the row above move a point of this one, the other way.
+        // The correction by the constraints to the row above. A point of this row subtracts it.
         Pull above = down(0);
         if constexpr (hasDiagonals) {
             above = (above + fromLeft(rightDown(0))) - rightUp(0);
@@ -537,19 +538,19 @@ private:
     int reach_;
     Span columns_, rows_; // of the tile
     int lane_, warp_;
-    int column_, firstRow_, firstIndex_; // of this thread's points
-    int alongX_;                         // neighbours
+    int column_, firstRow_, firstIndex_; // of this thread's first point
+    int alongX_;                         // number of neighbours
     float columnStiffness_;
     Point points_[stripRows];
     bool isHalo_[stripRows], isOwn_[stripRows], isSent_[stripRows];
     StripShares<stripRows, hasDiagonals> shares_;
-    float share_[stripRows]; // of the corrections' sum
-    int parity_ = 0;         // of the edge rows that are read
+    float share_[stripRows]; // of the summed corrections
+    int parity_ = 0;         // of the edge rows to read
 };
 
 } // namespace paper
 
-// Passes firstPass … lastPass − 1 of all dips.
+// Runs the passes firstPass … lastPass − 1 of all dips.
 template <int stripRows, bool hasDiagonals>
 __global__ void __launch_bounds__(PaperTiles::mostWarps* PaperTiles::lanes)
     paperPasses(const __grid_constant__ PaperModel film, const PaperDip* dips, PaperWork work,

@@ -6,7 +6,7 @@ namespace dipwright::cuda {
 
 namespace {
 
-constexpr int mostSweepsPerPass = 8; // more would compute too many points twice
+constexpr int mostSweepsPerPass = 8; // more would recompute too many points
 
 int roundedUp(int value, int divisor) {
     return (value + divisor - 1) / divisor;
@@ -20,7 +20,7 @@ std::optional<PaperTiles> paperTiles(const solver::FilmGrid& film, int iteration
     tiles.reach = std::min(iterations, mostSweepsPerPass);
     tiles.stripRows = stripRows;
     tiles.across = roundedUp(film.columns, PaperTiles::lanes - 2 * tiles.reach);
-    // A tile reaches no farther than into the tiles next to it.
+    // A tile's halo reaches only into the adjacent tiles.
     tiles.down = std::clamp(maximumTiles / tiles.across, 1, std::max(1, film.rows / tiles.reach));
     tiles.warps = roundedUp(roundedUp(film.rows, tiles.down) + 2 * tiles.reach, stripRows);
     if (tiles.count() > maximumTiles || tiles.warps > PaperTiles::mostWarps) {

@@ -1,6 +1,6 @@
-// The paper's step as it stands in docs/film-model.md, "The paper's model", word by word, in double
-// precision: one point, one constraint, one sweep after the other. Slow, and what the film on the
-// CPU has to follow.
+// The paper's step exactly as in docs/film-model.md, "The paper's model", in double precision: one
+// point, one constraint and one sweep after the other. It is slow, and the reference for the film
+// on the CPU.
 #pragma once
 
 #include "common/BodyFrame.h"

@@ -1,7 +1,6 @@
-// The production film on the CPU's cores, row by row (FilmBackend.h): the linear systems by
-// the
-// method of least residuals with a multigrid cycle as preconditioner. The same bits for any number
-// of threads.
+// Runs the production film on the CPU's cores, row by row (FilmBackend.h). Linear systems are
+// solved by the method of least residuals with a multigrid cycle as preconditioner. The result is
+// bit-identical for any number of threads.
 #pragma once
 
 #include "parallel/ParallelFor.h"
@@ -65,20 +64,21 @@ public:
     double linearResidual(float drag, numerics::Tangent tangent);
 
 private:
-    static constexpr std::size_t trianglesAtOnce = 32; // unfolded by one thread
+    static constexpr std::size_t trianglesAtOnce = 32; // that one thread unfolds
 
-    // The triangles of cells with held and with free corners of which `crosses` holds.
+    // Returns the triangles that satisfy `crosses`. Only cells with held and free corners are
+    // tested.
     template <typename Crosses>
     std::vector<int> crossingTriangles(const Crosses& crosses) const;
     double dot(const PlaneVector& a, const PlaneVector& b) const;
     void maskHeld(PlaneVector& v) const;
-    // out = H v, with the drag
+    // Computes out = H v, including the drag.
     void multiply(const PlaneVector& v, float drag, numerics::Tangent tangent, PlaneVector& out);
 
     PlaneFilm film_;
     StiffnessMultigrid multigrid_;
-    std::vector<float> masked_; // 0: held, as of the last setFree()
-    std::vector<float> areas_;  // of the film that a point stands for, over that of the finest cell
+    std::vector<float> masked_; // 0: held at the last setFree()
+    std::vector<float> areas_;  // film area per point, relative to the finest cell
     PlaneVector gradient_, step_, residual_, start_, best_;
     std::vector<PlaneVector> basis_, smoothed_;
     numerics::LeastResiduals leastResiduals_;

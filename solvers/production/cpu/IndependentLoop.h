@@ -1,9 +1,9 @@
-// DIPWRIGHT_INDEPENDENT_LOOP: the iterations of the next loop do not depend on each other, so that
-// the compiler may vectorise it.
+// DIPWRIGHT_INDEPENDENT_LOOP tells the compiler that the next loop's iterations are independent and
+// can be vectorised.
 #pragma once
 
 #if defined(__clang__)
-#pragma clang diagnostic ignored "-Wpass-failed" // a build with sanitizers leaves them scalar
+#pragma clang diagnostic ignored "-Wpass-failed" // sanitizer builds do not vectorise
 #define DIPWRIGHT_INDEPENDENT_LOOP _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
 #define DIPWRIGHT_INDEPENDENT_LOOP _Pragma("GCC ivdep")

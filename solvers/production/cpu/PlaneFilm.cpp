@@ -17,8 +17,8 @@ using numerics::Tangent;
 
 namespace {
 
-// Forces on the edges of one row of cells: of the lower (first) and upper horizontal edges, and
-// what each cell adds to its left and right vertical edge.
+// The forces on the edges of one row of cells: on the lower (first) and upper (second) horizontal
+// edges, and each cell's part on its left and right vertical edges.
 struct EdgeForces {
     explicit EdgeForces(std::size_t count) : storage(8 * count), cells(count) {}
     float* array(int which) { return storage.data() + std::size_t(which) * cells; }
@@ -33,7 +33,8 @@ RowOfForces rowOfForces(EdgeForces& forces) {
             forces.array(rightX),  forces.array(rightZ)};
 }
 
-// Runs cellRow(j, forces) for every row of cells and gathers the forces on the points of `result`.
+// Calls cellRow(j, owned, forces) for each row of cells and collects the forces on the points in
+// `result`.
 template <typename CellRow>
 void gatherForces(int columns, int rows, PlaneVector& result, const CellRow& cellRow) {
     const std::size_t width = std::size_t(columns), cells = width - 1;
@@ -147,7 +148,7 @@ numerics::EdgePair<float> PlaneFilm::edges(int triangle, const PlaneVector& disp
                      second, even != second, model_.alongX.edges[column], model_.alongZ.edges[row]);
 }
 
-// Whether some free triangle of a row of cells may be torn or folded.
+// Returns whether a free triangle of a row of cells may be torn or folded.
 bool PlaneFilm::mayBeLost(int row, const PlaneVector& displacement, float limit) const {
     const std::size_t cells = std::size_t(columns_ - 1), first = std::size_t(row) * cells;
     const StretchRange range =
@@ -200,7 +201,7 @@ double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result)
     std::vector<double> squares(std::size_t(rows_ - 1), 0.0);
     gatherForces(columns_, rows_, result, [&](int j, bool owned, EdgeForces& forces) {
         const std::size_t first = std::size_t(j) * cells;
-        // A row of cells between two bands is computed for both; only one keeps its states.
+        // Both bands compute a row of cells between them, but only one keeps its states.
         std::vector<float> spare;
         if (!owned) {
             spare.resize(8 * cells);
@@ -218,7 +219,7 @@ double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result)
         gradientRow(cells, unsigned(j) & 1u, rowOfPoints(displacement, width, j), shapesOf(j),
                     model_.gatheredResistance, states, rowOfForces(forces));
         const auto [begin, end] = crossingInRow(j);
-        for (std::size_t k = begin; k < end; ++k) { // these few once more, by themselves
+        for (std::size_t k = begin; k < end; ++k) { // recompute the few crossing triangles
             const Crossing& triangle = crossing_[k];
             const std::size_t i = triangle.cell - first;
             StressState<float> state;

@@ -1,8 +1,9 @@
-// The elastic energy of the film in the water plane: its gradient and Hessian on the regular grid.
+// Computes the elastic energy of the film in the water plane: its gradient and its Hessian on the
+// regular grid.
 //
-// Every triangle of the film has one horizontal and one vertical grid edge, so that forces live on
-// edges and a whole row of cells is a few plain loops; the diagonal of a cell only says which edges
-// its two triangles take (FilmSolver.h, FilmGrid).
+// Each triangle has one horizontal and one vertical grid edge. So forces act on edges, and a row of
+// cells takes a few plain loops. The diagonal of a cell only decides which edges its two triangles
+// use (FilmSolver.h, FilmGrid).
 #pragma once
 
 #include "common/cpu/RowParallel.h"
@@ -22,30 +23,29 @@ class PlaneFilm {
 public:
     using Crossing = numerics::CrossingTriangle<float>;
 
-    // The model is to outlive the film.
+    // `model` must outlive the film.
     explicit PlaneFilm(const numerics::FilmModel<float>& model);
 
-    // One entry a film point: 1 where it moves, 0 where it is held.
+    // `free`: one entry per film point, 1 if it moves, 0 if it is held.
     void setFree(const std::vector<float>& free);
 
-    // The triangles that cross the contact line from now on, sorted by cell. Where they are the
-    // same as before they keep their anchors; of others the anchors are to be set.
+    // Sets the triangles that cross the contact line, sorted by cell. If they are the same as
+    // before, they keep their anchors. Otherwise the caller must set the anchors.
     void setCrossing(std::vector<Crossing> triangles);
 
-    // The gradient of the energy at `displacement` (from rest, mm), kept as the point at which
-    // hessian() is taken. Returns the root of the sum of squares of the forces on horizontal edges,
-    // the measure against which a residual counts as small; triangles without a free corner do not
-    // count.
+    // Computes the gradient at `displacement` (from rest, mm) and keeps the states for hessian().
+    // Returns the root of the sum of the squared forces on horizontal edges. The residual is
+    // compared with it. Triangles without a free corner do not count.
     double gradient(const PlaneVector& displacement, PlaneVector& result);
 
-    // The Hessian there times `direction`.
+    // Multiplies the Hessian at the last gradient by `direction`.
     void hessian(const PlaneVector& direction, numerics::Tangent tangent,
                  PlaneVector& result) const;
-    // The stiffness there of the first and the second triangles in a row of cells, projected; lines
-    // as of stiffnessRow().
+    // Returns the projected stiffness of the first and second triangles in a row of cells. The
+    // lines are those of stiffnessRow().
     void stiffness(int row, const Lines<float>& first, const Lines<float>& second) const;
 
-    // Triangles by number: two a cell, cell after cell.
+    // Triangles are numbered cell by cell, two per cell.
     numerics::Matrix2<float> shape(int triangle) const { // the inverse of its rest shape
         return inverseShape(std::size_t(triangle / 2), triangle % 2 != 0);
     }
@@ -54,11 +54,11 @@ public:
         crept_[std::size_t(triangle / 2 / (columns_ - 1))] = 1;
     }
     numerics::EdgePair<float> edges(int triangle, const PlaneVector& displacement) const;
-    bool moves(int triangle) const { // a corner of it
+    bool moves(int triangle) const { // returns whether a corner is free
         return moving_[triangle % 2][std::size_t(triangle / 2)] > 0;
     }
 
-    // As numerics::FilmBackend has them.
+    // See numerics::FilmBackend.
     template <typename Work>
     void forCrossing(const Work& work);
     template <typename OnLine, typename Floating>
@@ -71,7 +71,7 @@ public:
     int rows() const { return rows_; }
 
 private:
-    // Four numbers a triangle, one array each; of lower and upper triangles apart.
+    // Four numbers per triangle, each in its own array. Lower and upper triangles are separate.
     struct TriangleArrays {
         std::vector<float> a, b, c, d;
     };
@@ -86,7 +86,7 @@ private:
     float areaOf(const Crossing& triangle) const;
     RowOfStates<const float*> statesOf(int row) const;
     numerics::StressState<float> stateOf(const Crossing& triangle) const;
-    // Begin and end in crossing_ of the triangles in a row of cells.
+    // Returns begin and end, in crossing_, of the triangles in a row of cells.
     std::pair<std::size_t, std::size_t> crossingInRow(int row) const;
     numerics::Matrix2<float> inverseShape(std::size_t cell, bool second) const;
     void setInverseShape(std::size_t cell, bool second, const numerics::Matrix2<float>& shape);
@@ -100,13 +100,13 @@ private:
     int columns_, rows_;
     const numerics::FilmModel<float>& model_;
     std::vector<float> inversesX_, inversesZ_; // of the undeformed edges
-    std::vector<std::uint8_t> crept_; // a row of cells each: 0 where all rest shapes are the same
+    std::vector<std::uint8_t> crept_; // per row of cells; 0: all rest shapes are undeformed
     TriangleArrays inverseShape_[2];
     States state_[2];
-    std::vector<float> moving_[2];   // first and second triangles: 1 where a corner is free
+    std::vector<float> moving_[2];   // first and second triangles: 1 if a corner is free
     std::vector<Crossing> crossing_; // sorted by cell
     std::vector<numerics::CrossingAnchor<float>> anchors_; // of crossing_
-    std::vector<std::size_t> firstCrossing_;               // of each row of cells, and the end
+    std::vector<std::size_t> firstCrossing_;               // per row of cells, plus the end
 };
 
 template <typename Work>
@@ -116,7 +116,7 @@ void PlaneFilm::forCrossing(const Work& work) {
     }
 }
 
-// The triangles of a row of cells that do not cross the contact line.
+// Visits the triangles of a row of cells that do not cross the contact line.
 template <typename Floating>
 void PlaneFilm::forFloating(int row, const Floating& floating) const {
     auto [next, last] = crossingInRow(row);

@@ -1,4 +1,4 @@
-// Two numbers a film point, x and z, kept apart for vector arithmetic.
+// Two numbers per film point, x and z, in separate arrays for vector arithmetic.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The production film on the CPU: isotropic, carried by the water, always in equilibrium.
+// The production film on the CPU: isotropic, carried by the water and always in equilibrium.
 #pragma once
 
 #include <dipwright/FilmSolver.h>
@@ -6,7 +6,7 @@
 namespace dipwright::cpu {
 
 // Simulates Lattice::Isotropic with Support::Water (docs/film-model.md, "The production model").
-// The same bits for any number of threads.
+// The result is bit-identical for any number of threads.
 std::unique_ptr<solver::FilmSolver> makeProductionFilm();
 
 } // namespace dipwright::cpu

@@ -1,7 +1,7 @@
-// Two kinds of loops. Where the arithmetic is a few operations it is written in Highway's vectors.
-// Where it is the film's law (PlaneStress.h), which stands once for all devices, the loops are
-// plain and left to the compiler to vectorise for each of Highway's instruction sets: GCC and Clang
-// do; MSVC takes for these the one that the whole program is compiled for.
+// There are two kinds of loops. Loops with few operations use Highway's vectors. Loops with the
+// film's law, which all devices share (PlaneStress.h), are plain. The compiler vectorises them for
+// each of Highway's instruction sets. GCC and Clang do so; MSVC uses the instruction set of the
+// whole program.
 
 #include "production/cpu/RowKernels.h"
 
@@ -21,7 +21,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Running sums of a row, whatever the vectors' length.
+// Number of running sums in a row, for all vector lengths.
 constexpr std::size_t sumCount = 16;
 
 using Lanes = hn::CappedTag<float, sumCount>;
@@ -35,8 +35,8 @@ HWY_INLINE std::size_t laneCount() {
     return hn::Lanes(lanes);
 }
 
-// out[i] = whole(i) for whole vectors from `first` on, and one(i) for what is left up to `last`:
-// the same arithmetic for one number.
+// Sets out[i] = whole(i) in whole vectors from `first` on, and out[i] = one(i) for the rest up to
+// `last`. Both must use the same arithmetic.
 template <typename Whole, typename One>
 HWY_INLINE void forRow(std::size_t first, std::size_t last, float* out, const Whole& whole,
                        const One& one) {
@@ -49,7 +49,7 @@ HWY_INLINE void forRow(std::size_t first, std::size_t last, float* out, const Wh
     }
 }
 
-// The sum of product(i) over the whole sixteens, then of one(i).
+// Returns the sum of product(i) over whole groups of sixteen, plus one(i) over the rest.
 template <typename Product, typename One>
 HWY_INLINE double sumOfRow(std::size_t count, const Product& product, const One& one) {
     HWY_ALIGN float sums[sumCount] = {};
@@ -126,7 +126,7 @@ void multiplyBy(std::size_t count, const float* a, float* out) {
         [&](std::size_t i) { return out[i] * a[i]; });
 }
 
-// The forces of both triangles of a cell to its edges.
+// Writes the forces of both triangles of a cell to the cell's edges.
 HWY_INLINE void putForces(const RowOfForces& out, std::size_t i, bool even,
                           const numerics::EdgePair<float>& first,
                           const numerics::EdgePair<float>& second) {
@@ -154,7 +154,8 @@ HWY_INLINE numerics::Matrix2<float> shapeAt(const RowOfShapes& shapes, bool seco
     }
 }
 
-// By value: so the compiler sees that no loop writes over its own pointers.
+// The parameters are passed by value, so that the compiler sees that the loop does not overwrite
+// its own pointers.
 template <bool crept>
 HWY_INLINE void gradientCells(std::size_t cells, unsigned parity, RowOfPoints p, RowOfShapes shapes,
                               float gatheredResistance, RowOfStates<float*> states,

@@ -1,6 +1,6 @@
-// The loops over rows that the production film on the CPU spends its time in, each compiled for
-// every instruction set that Highway knows for the processor and chosen at run time. The same bits
-// on all of them: no fused multiply-add, and sums always in the same order.
+// The row loops that take most of the CPU time of the production film. Each is compiled for each
+// instruction set that Highway supports and chosen at run time. All give the same bits: no fused
+// multiply-add, and sums always in the same order.
 #pragma once
 
 #include "production/formulas/GridTriangle.h"
@@ -10,7 +10,7 @@
 
 namespace dipwright::cpu {
 
-// Σ a·b and Σ weight·a²: sixteen running sums.
+// Return Σ a·b and Σ weight·a², with sixteen running sums.
 double rowDot(const float* a, const float* b, std::size_t count);
 double rowWeightedSquares(const float* weight, const float* a, std::size_t count);
 
@@ -22,31 +22,31 @@ void addDifference(std::size_t count, float factor, const float* weight, const f
                    const float* b, float* out);
 void multiplyBy(std::size_t count, const float* a, float* out); // out *= a
 
-// Several numbers for each point, cell or triangle of a row, each of them in a line of its own.
+// Several numbers per point, cell or triangle of a row, each in its own line.
 template <typename Number>
 struct Lines {
     Number* first = nullptr;
-    std::size_t pitch = 0; // numbers from line to line
+    std::size_t pitch = 0; // distance between lines, in numbers
     Number* operator[](std::size_t line) const { return first + line * pitch; }
 };
 
-// A row of cells: x0, z0 the lower row of points, x1, z1 the upper one.
+// The points of a row of cells: x0, z0 in the lower row, x1, z1 in the upper row.
 struct RowOfPoints {
     const float *x0, *z0, *x1, *z1;
 };
-// Forces on the edges of a row of cells: of the lower (first) and upper horizontal edges, and what
-// each cell adds to its left and right vertical edge.
+// The forces on the edges of a row of cells: on the lower (first) and upper (second) horizontal
+// edges, and each cell's part on its left and right vertical edges.
 struct RowOfForces {
     float *firstX, *firstZ, *secondX, *secondZ, *leftX, *leftZ, *rightX, *rightZ;
 };
-// The undeformed film in a row of cells: of each column of them the length of an edge along X and
-// its inverse, and both of the edges along Z.
+// The undeformed edges of a row of cells and their inverses: one per column along X, one for all
+// columns along Z.
 struct RowOfSizes {
     const float *edgesX, *inversesX;
     float edgeZ = 0, inverseZ = 0;
 };
-// The film in a row of cells at rest: the inverse rest shapes of first and second triangles, unless
-// all are as undeformed.
+// The rest state of a row of cells: the inverse rest shapes of the first and second triangles. They
+// are unused if all are undeformed.
 struct RowOfShapes {
     struct Pointers {
         const float *a, *b, *c, *d;
@@ -56,15 +56,15 @@ struct RowOfShapes {
     RowOfSizes sizes;
 };
 template <typename Pointer>
-struct RowOfStates { // StressState of first and second triangles
+struct RowOfStates { // of the first and second triangles (StressState)
     struct Pointers {
         Pointer cosine, sine, turn, resists;
     };
     std::array<Pointers, 2> states{};
 };
 
-// The edges of one triangle of cell `i`; `right`: its vertical edge is the cell's right one. restX,
-// restZ: the edges at rest for displacements, zero for directions.
+// Returns the edges of one triangle of cell `i`. `right`: its vertical edge is the right one of the
+// cell. restX, restZ: the rest edges for displacements, 0 for directions.
 inline numerics::EdgePair<float> cellEdges(const RowOfPoints& p, std::size_t i, bool second,
                                            bool right, float restX, float restZ) {
     const float* hx = second ? p.x1 : p.x0;
@@ -75,28 +75,29 @@ inline numerics::EdgePair<float> cellEdges(const RowOfPoints& p, std::size_t i, 
             restZ + (right ? rightEdgeZ : leftEdgeZ)};
 }
 
-// The gradient of the elastic energy at displaced points, and the states at which the Hessian is
-// taken. `parity` of the row: in an even cell the first triangle takes the right vertical edge.
+// Computes the gradient of the elastic energy at displaced points, and the states for the Hessian.
+// `parity`: of the row. In an even cell, the first triangle has the right vertical edge.
 void gradientRow(std::size_t cells, unsigned parity, const RowOfPoints& points,
                  const RowOfShapes& shapes, float gatheredResistance,
                  const RowOfStates<float*>& states, const RowOfForces& forces);
-// The Hessian times a direction at the points.
+// Multiplies the Hessian by a direction at the points.
 void hessianRow(std::size_t cells, unsigned parity, const RowOfPoints& direction,
                 const RowOfShapes& shapes, const RowOfStates<const float*>& states,
                 numerics::Tangent tangent, const RowOfForces& forces);
-// The stiffness of first and of second triangles: 16 lines each (EdgeStiffness.h: hh, hv, vh, vv).
+// Computes the stiffness of the first and second triangles: 16 lines each (EdgeStiffness.h: hh, hv,
+// vh, vv).
 void stiffnessRow(std::size_t cells, const RowOfShapes& shapes,
                   const RowOfStates<const float*>& states, const Lines<float>& first,
                   const Lines<float>& second);
-// Of the moving triangles of a row of cells, against the undeformed film: the largest λ1² + λ2²,
-// and the least λ1 λ2.
+// The largest λ1² + λ2² and the smallest λ1 λ2 of the moving triangles in a row of cells, relative
+// to the undeformed film.
 struct StretchRange {
     float largestSquares = 0, leastArea = 0;
 };
 StretchRange stretchRange(std::size_t cells, unsigned parity, const RowOfPoints& points,
                           const std::array<const float*, 2>& moving, const RowOfSizes& sizes);
-// Adds the forces of a row of cells to a row of points: to the lower row (`sign` −1, `edge` the
-// first horizontal edges) or to the upper row (`sign` +1, the second ones).
+// Adds the forces of a row of cells to a row of points. For the lower row, `sign` is −1 and `edge`
+// the first horizontal edges. For the upper row, they are +1 and the second edges.
 void addForces(std::size_t cells, float sign, const float* edge, const float* left,
                const float* right, float* out);
 

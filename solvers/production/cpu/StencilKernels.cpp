@@ -1,5 +1,5 @@
-// As in RowKernels.cpp: the hot loops of few operations in Highway's vectors, the others left to
-// the compiler to vectorise for each of Highway's instruction sets.
+// As in RowKernels.cpp, hot loops with few operations use Highway's vectors. The compiler
+// vectorises the others for each of Highway's instruction sets.
 
 #include "production/cpu/StencilKernels.h"
 
@@ -118,13 +118,13 @@ void invertMiddle(std::size_t columns, const Lines<const float>& stencil,
     }
 }
 
-// The shares of fine points and of their neighbours in coarse ones: a fine point on a coarse one
-// belongs to it, one between two to each by half. So of a fine operator a at a coarse point (0),
-// and at the fine points before (−) and after (+) it, the coarse point's
-//     answer to the one before it  = ½ a0[−] + ½ (½ a−[0] + a−[−])
-//     answer to itself             = a0[0] + ½ a0[−] + ½ a0[+] + ½ (½ a−[0] + a−[+])
-//                                    + ½ (½ a+[0] + a+[−])
-//     answer to the one after it   = ½ a0[+] + ½ (½ a+[0] + a+[+]).
+// Adds the parts of fine points in coarse ones. A fine point on a coarse point belongs to it;
+// a fine point between two coarse points belongs to each by one half. With a fine operator a at a
+// coarse point (0) and at the fine points before (−) and after (+) it, the coarse operator is
+//     to the point before  = ½ a0[−] + ½ (½ a−[0] + a−[−])
+//     to the point itself  = a0[0] + ½ a0[−] + ½ a0[+] + ½ (½ a−[0] + a−[+])
+//                            + ½ (½ a+[0] + a+[−])
+//     to the point after   = ½ a0[+] + ½ (½ a+[0] + a+[+]).
 void coarsenAcross(std::size_t columns, int offset, const Lines<const float>& fine,
                    const Lines<float>& coarse) {
     constexpr std::size_t linesOfRow = stencilLines / 3;
@@ -157,7 +157,8 @@ void coarsenAcross(std::size_t columns, int offset, const Lines<const float>& fi
 
 void coarsenAlong(std::size_t fineColumns, const Lines<const float>& fine,
                   const Lines<float>& coarse) {
-    const std::size_t whole = (fineColumns - 1) / 2; // coarse points 1 … whole − 1 have both sides
+    const std::size_t whole =
+        (fineColumns - 1) / 2; // coarse points 1 … whole − 1 have both neighbours
     for (std::size_t ofRow = 0; ofRow < stencilLines; ofRow += stencilLines / 3) {
         for (std::size_t line = ofRow; line < ofRow + 4; ++line) {
             const float* before = fine[line];
@@ -202,7 +203,7 @@ struct Pair {
     Vector x, z;
 };
 
-// K now at points i, i + 1, …: of the nine neighbours, row after row.
+// Returns K now at the points i, i + 1, …, summed over the nine neighbours row by row.
 HWY_INLINE Pair product(const Lines<const float>& stencil, std::size_t pitch,
                         const RowOfVectors<const float>& now, std::size_t i) {
     Pair sum{hn::Zero(lanes), hn::Zero(lanes)};
@@ -219,7 +220,7 @@ HWY_INLINE Pair product(const Lines<const float>& stencil, std::size_t pitch,
     return sum;
 }
 
-// Every row has room for whole vectors past its end, of which the stencils and inverses are zero.
+// Rows have room for whole vectors past their end. Stencils and inverses are 0 there.
 HWY_INLINE void takeStep(const ChebyshevRow& row, std::size_t i, const Pair& residual,
                          const Pair& now) {
     const Vector gain = hn::Set(lanes, row.gain), keep = hn::Set(lanes, row.keep);

@@ -1,5 +1,5 @@
-// The preconditioner of the film's equilibrium on the CPU: a multigrid V-cycle for the film's
-// stiffness as it is now (GalerkinCycle.h).
+// The preconditioner of the film's equilibrium on the CPU: a multigrid V-cycle for the current
+// stiffness of the film (GalerkinCycle.h).
 #pragma once
 
 #include "production/cpu/PlaneFilm.h"
@@ -16,22 +16,21 @@ class StiffnessMultigrid {
 public:
     explicit StiffnessMultigrid(const solver::FilmGrid& grid);
 
-    // Takes the film's stiffness, and the drag of the water: so much a point, times the point's
-    // entry in `area`. `free`: 1 where a point moves, 0 where it is held.
+    // Takes over the film's current stiffness. The drag of a point is `drag` times its entry in
+    // `area`. `free`: 1 if a point moves, 0 if it is held.
     void prepare(const PlaneFilm& film, const std::vector<float>& free,
                  const std::vector<float>& area, float drag);
 
-    // result ≈ K⁻¹·right by one cycle; zero at held points.
+    // Computes result ≈ K⁻¹·right with one cycle; zero at held points.
     void apply(const PlaneVector& right, PlaneVector& result);
 
 private:
-    // One grid. A row of it, in all its arrays, is `pitch` numbers, the first of which stands
-    // `margin` numbers from the row's begin; there are rows of zeros before the first row and after
-    // the last.
+    // One grid. In all its arrays, a row has `pitch` numbers, and its first point is `margin`
+    // numbers after the row's begin. Rows of zeros precede the first row and follow the last.
     struct Level {
         int columns, rows;
         std::size_t pitch;
-        std::vector<float> stencils, inverses; // stencilLines and inverseLines a row
+        std::vector<float> stencils, inverses; // stencilLines and inverseLines per row
         struct Vectors {
             std::vector<float> x, z;
         };
@@ -56,7 +55,7 @@ private:
     void cycle(std::size_t index);
 
     std::vector<Level> levels_;
-    std::vector<float> free_; // of the finest grid, a number longer at the ends of each row
+    std::vector<float> free_; // of the finest grid, with one extra number at both ends of each row
 };
 
 } // namespace dipwright::cpu

@@ -1,6 +1,5 @@
-// The production film on the GPU (FilmBackend.h): all steps of a launch in one kernel in which the
-// blocks of a film have barriers between the parts of the work, so that the host is not asked
-// before they are done.
+// The production film on the GPU (FilmBackend.h). One kernel runs all steps of a launch. The blocks
+// of a film synchronize at barriers, so the host is not involved until the steps are done.
 #pragma once
 
 #include "production/cuda/PlaneForces.cuh"
@@ -10,15 +9,15 @@
 
 namespace dipwright::cuda {
 
-// A block's small problem of the method of least residuals, the same in all blocks of a team.
+// A block's small problem of the method of least residuals. It is identical in all blocks of a
+// team.
 struct SmallProblem {
     numerics::LeastResiduals problem;
-    float factors[numerics::mostBasisVectors + 1]; // of the basis vectors as they are stored
+    float factors[numerics::mostBasisVectors + 1]; // scale the stored basis vectors
     double answer;
 };
 
-// One film in the hands of its team (FilmBackend.h). All members are called by all threads of the
-// team.
+// One film, as seen by its team (FilmBackend.h). All threads of the team call all members.
 class CudaBackend {
 public:
     using Real = float;
@@ -185,7 +184,7 @@ public:
         team_.barrier();
     }
 
-    // The problem is the block's; one thread of it works.
+    // Each block has its own problem; one of its threads works on it.
     template <typename Work>
     __device__ double inSmallProblem(const Work& work) const {
         if (threadIdx.x == 0) {
@@ -300,7 +299,7 @@ private:
 
 static_assert(numerics::FilmBackend<CudaBackend> && numerics::LeastResidualBackend<CudaBackend>);
 
-// At most `maximumSteps` steps of every dip, each by `blocksPerDip` blocks.
+// Runs at most `maximumSteps` steps of each dip, with `blocksPerDip` blocks per dip.
 __global__ void __launch_bounds__(Team::threads, 1)
     productionSteps(const __grid_constant__ ProductionModel model, const ProductionDip* dips,
                     int blocksPerDip, int maximumSteps) {
@@ -317,7 +316,7 @@ __global__ void __launch_bounds__(Team::threads, 1)
     for (int step = 0; step < maximumSteps && !numerics::isFinished(film); ++step) {
         numerics::step(film);
     }
-    team.barrier(); // everyone has read the state
+    team.barrier(); // all threads have read the state
     if (team.block() == 0 && threadIdx.x == 0) {
         *dip.state = film.state();
     }

@@ -1,6 +1,7 @@
-// The elastic forces of the production film on the GPU (PlaneStress.h, CrossingTriangle.h), and
-// their derivative, tile by tile: a block computes the triangles that touch its tile's points,
-// those of the border once more than its neighbours, and gathers their forces in shared memory.
+// Computes the elastic forces of the production film on the GPU and their derivative
+// (PlaneStress.h, CrossingTriangle.h), tile by tile. A block computes all triangles that touch its
+// tile's points and sums their forces in shared memory. Neighbouring blocks compute the triangles
+// on a tile's border again.
 #pragma once
 
 #include "production/cuda/PlaneMultigrid.cuh"
@@ -8,15 +9,15 @@
 
 namespace dipwright::cuda {
 
-// Forces on the edges of one cell: on the lower (first) and upper horizontal one, and what the cell
-// adds to its left and right one.
+// The forces on the edges of one cell: on the lower (first) and upper (second) horizontal edge, and
+// the cell's part on its left and right vertical edge.
 struct CellForces {
     float2 first, second, left, right;
 };
 
 struct FilmTile {
     PlaneRange points;  // own
-    PlaneRange corners; // of all triangles that touch them
+    PlaneRange corners; // of all triangles that touch these points
     PlaneRange cells;
 
     __device__ FilmTile(const ProductionModel& model, int index) {
@@ -30,7 +31,8 @@ struct FilmTile {
     }
 };
 
-// The edges of a triangle between displaced points; `rest`: those of the undeformed film, or 0.
+// Returns the edges of a triangle between displaced points. restX, restZ: the undeformed edges, or
+// 0 for directions.
 template <typename At>
 __device__ inline numerics::EdgePair<float> triangleEdges(const numerics::TriangleCorners& triangle,
                                                           float restX, float restZ, const At& at) {
@@ -46,8 +48,9 @@ __device__ inline numerics::Matrix2<float> shapeOf(const ProductionDip& dip, int
     return {shape.x, shape.y, shape.z, shape.w};
 }
 
-// Runs triangleForces(triangle, corners, at) → EdgePair for both triangles of every cell of a tile,
-// with at(point) from `values` in shared memory, and gather(x, z, force) for every point of it.
+// Calls triangleForces(triangle, corners, x, z, at) → EdgePair for both triangles of each cell of a
+// tile; at(point) reads `values` in shared memory. Then calls gather(x, z, force) for each point of
+// the tile.
 template <typename TriangleForces, typename Gather>
 __device__ inline void gatherForces(const ProductionModel& model, const FilmTile& tile,
                                     const float2* values, CellForces* forces,
@@ -87,10 +90,10 @@ __device__ inline void gatherForces(const ProductionModel& model, const FilmTile
     __syncthreads();
 }
 
-// The forces, the water's drag of `drag` a point among them, at start + length·newtonStep, which
-// become the displacement, or at the displacement if there is no `length`; left in `forces`, and
-// where they were taken in `stress`. Returns the roots of the sums of
-// squares of the forces on free points, and of those within the film.
+// Computes the forces, including a water drag of `drag` per point. With `length`, start +
+// length·newtonStep first becomes the displacement. Leaves the forces in `forces` and the states of
+// linearisation in `stress`. Returns the roots of the sums of squares of the forces on free points
+// and of the elastic forces in the film.
 __device__ inline numerics::FilmForce force(const ProductionModel& model, const ProductionDip& dip,
                                             float drag, const float* length, Team& team,
                                             float2* memory) {
@@ -135,7 +138,7 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
                         numerics::stress(gradientOf(edges, shape), model.gatheredResistance, state),
                         shape, size.area());
                 }
-                if (x >= tile.points.x0 && z >= tile.points.z0) { // counted once
+                if (x >= tile.points.x0 && z >= tile.points.z0) { // counts each triangle once
                     dip.stress[triangle] = {state.cosine, state.sine, state.turn, state.resists};
                     float moves = 0;
                     for (const std::uint32_t point : corners.points) {
@@ -160,7 +163,7 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
     return {sqrt(sums[0]), sqrt(sums[1])};
 }
 
-// Calls work(point, product) for all points, with the Hessian times a vector, the drag in it.
+// Calls work(point, product) for all points, with the Hessian times `vector`, including the drag.
 template <typename Work>
 __device__ inline void multiply(const ProductionModel& model, const ProductionDip& dip, float drag,
                                 numerics::Tangent tangent, const float2* vector, const Team& team,

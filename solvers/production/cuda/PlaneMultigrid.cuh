@@ -1,9 +1,9 @@
-// The multigrid V-cycle on the GPU for the film's stiffness as it is now (GalerkinCycle.h). On the
-// way down, one tile after the other is smoothed, its residual taken and carried over to the
-// coarser level without leaving the block: it begins with so many points round the tile as the
-// smoothing steps use up. The same on the way up. The coarser levels, which one block can hold,
-// every block computes whole for itself, and so saves barriers with the others. Loops are kept from
-// being unrolled where all their copies would crowd the instructions of a step out of the caches.
+// The multigrid V-cycle on the GPU for the current stiffness of the film (GalerkinCycle.h). On the
+// way down, a block smooths one tile after the other, computes the residual and restricts it to the
+// coarser level. So that it need not exchange data, it starts with as many points around the tile
+// as the smoothing steps use up. The way up is the same. Each block computes all coarser levels
+// that fit into one block for itself, which saves barriers. Some loops must not be unrolled,
+// because their code would not fit into the instruction cache.
 #pragma once
 
 #include "common/cuda/Team.cuh"
@@ -34,7 +34,7 @@ __device__ inline PlaneRange grown(const PlaneRange& range, int by, int columns,
             min(range.z1 + by, rows)};
 }
 
-// Calls work(x, z) for every point of the range, by `threads` threads of which this is `thread`.
+// Calls work(x, z) for each point of the range. This is thread `thread` of `threads`.
 template <typename Work>
 __device__ inline void forRange(const PlaneRange& range, const Work& work,
                                 int thread = int(threadIdx.x), int threads = Team::threads) {
@@ -47,8 +47,8 @@ __device__ inline void forRange(const PlaneRange& range, const Work& work,
     }
 }
 
-// The stiffness of a level: of each point with itself and its eight neighbours, row after row; xx,
-// xz, zx, zz each.
+// The stiffness of a level: for each point, the blocks with itself and its eight neighbours, row by
+// row. Each block is xx, xz, zx, zz.
 struct PlaneStencils {
     float4* first;
     int points; // of the level
@@ -63,14 +63,14 @@ __device__ inline PlaneStencils stencilsOf(const ProductionDip& dip, const Plane
     return {dip.stencils + std::size_t(neighbours) * level.offset, level.columns * level.rows};
 }
 
-// Some points of a level in shared memory, with zeros round them. Smoothing goes from `result` to
-// `other` and back: so the threads have one barrier a step.
+// Some points of a level in shared memory, surrounded by zeros. Smoothing alternates between
+// `result` and `other`, so each step needs only one barrier.
 struct PlanePatch {
     const PlaneLevel* level;
     PlaneRange range;
     float2 *result, *other;
 
-    // Of each of the two.
+    // Returns the size of each of the two arrays.
     __host__ __device__ static constexpr int values(int width, int height) {
         return (width + 2) * (height + 2);
     }
@@ -88,7 +88,7 @@ struct PlanePatch {
         other = result;
         result = next;
     }
-    // A barrier of the block is yet to come.
+    // Does not include a barrier; the caller needs one.
     __device__ void clear() const {
         const int count = 2 * values(range.width(), range.height());
         float2* first = result < other ? result : other;
@@ -99,19 +99,18 @@ struct PlanePatch {
     }
 };
 
-// The points of a patch that this thread smooths, at most `most` of them, and what it keeps of them
-// in registers.
+// The points of a patch that this thread smooths, at most `most`, and their data in registers.
 template <int most>
 class PatchPoints {
 public:
     static constexpr int mostInPatch = most * Team::threads;
 
-    // Whether the threads of a block have room for a patch.
+    // Returns whether the threads of a block can hold a patch.
     __host__ __device__ static constexpr bool cover(int width, int height) {
         return width * height <= mostInPatch;
     }
 
-    // right(x, z): the right side.
+    // right(x, z): returns the right side.
     template <typename Right>
     __device__ PatchPoints(const PlanePatch& patch, const PlaneStencils& stencils,
                            const Right& right)
@@ -139,9 +138,9 @@ public:
         }
     }
 
-    // `degree` Chebyshev steps on the patch's `result` (from zero, or from what it is). Beside an
-    // edge of the patch that is none of the level, a point's result is of no use, and one point
-    // more with each step that takes a residual.
+    // Runs `degree` Chebyshev steps on the patch's `result`, from zero or from its current value.
+    // At edges of the patch that are not edges of the level, the results become invalid: one point
+    // deeper with each step that takes a residual.
     __device__ void smooth(PlanePatch& patch, const numerics::galerkin::ChebyshevStep* steps,
                            int degree, bool fromZero) {
 #pragma unroll 1
@@ -165,7 +164,7 @@ public:
         }
     }
 
-    // Leaves the residual in `other`.
+    // Writes the residual to `other`.
     __device__ void keepResidual(const PlanePatch& patch) const {
 #pragma unroll
         for (int k = 0; k < most; ++k) {
@@ -177,11 +176,11 @@ public:
     }
 
 private:
-    // Read once for all steps where a thread has one point only.
+    // A thread with only one point reads its stencil once for all steps.
     static constexpr bool keepsStencils = most == 1;
 
-    // Of the symmetric part of the point's own block; of one that is nearly singular, of its trace;
-    // nothing for a point that is held.
+    // Inverts the symmetric part of the point's own block. A nearly singular block is replaced by
+    // the inverse of its trace. The result is 0 for a held point.
     __device__ void setInverse(int k) {
         const float4 own = stencils_.at(middle, point_[k]);
         const float mixed = (own.y + own.z) / 2, trace = own.x + own.w;
@@ -213,13 +212,13 @@ private:
 
     PlaneStencils stencils_;
     int pitch_;
-    int index_[most], point_[most]; // in the patch, and in the level
+    int index_[most], point_[most]; // in the patch; in the level
     float2 right_[most], direction_[most];
     float3 inverse_[most]; // xx, xz, zz
     float4 kept_[keepsStencils ? neighbours : 1];
 };
 
-// One point a thread where there are threads enough; else as many as registers hold.
+// One point per thread if there are enough threads, otherwise as many as the registers hold.
 using FewPoints = PatchPoints<1>;
 using ManyPoints = PatchPoints<4>;
 
@@ -233,32 +232,32 @@ __device__ inline void withPoints(const PlanePatch& patch, const PlaneStencils& 
     }
 }
 
-// What the residual of a finer patch, in its `other`, comes to at a coarse point, by the transpose
-// of the interpolation.
+// Restricts the residual in `other` of a finer patch to a coarse point, by the transpose of the
+// interpolation.
 __device__ inline float2 restricted(const PlanePatch& fine, int coarseX, int coarseZ) {
     const float2* at = fine.other + fine.index(2 * coarseX, 2 * coarseZ);
     const int pitch = fine.pitch();
     const bool isInX = 2 * coarseX < fine.level->columns, isInZ = 2 * coarseZ < fine.level->rows;
     const auto row = [&](int z) {
         const float2* here = at + z * pitch;
-        // Past the last point of the level there are only the patch's zeros, for one point.
+        // Past the last point of the level, the patch has zeros for only one point.
         return isInX ? here[0] + (here[-1] + here[1]) * 0.5f : here[-1] * 0.5f;
     };
     return isInZ ? row(0) + (row(-1) + row(1)) * 0.5f : row(-1) * 0.5f;
 }
 
-// A coarser level's values, `pitch` from row to row, between its points, at a point of the finer
-// level.
+// Interpolates a coarser level's values at a point of the finer level. `pitch`: the distance
+// between coarse rows.
 __device__ inline float2 interpolated(const float2* coarse, int pitch, int x, int z) {
     const float2 *lower = coarse + (z / 2) * pitch, *upper = coarse + ((z + 1) / 2) * pitch;
     const int left = x / 2, right = (x + 1) / 2;
     return ((lower[left] + upper[left]) + (lower[right] + upper[right])) * 0.25f;
 }
 
-// Tile `index` of a level: its part of the coarser level, and the fine points that are its own.
+// Tile `index` of a level: its part of the coarser level, and the fine points that it owns.
 struct CoarseTile {
     PlaneRange coarse, own;
-    PlaneRange leaning; // fine points that its coarse points take from
+    PlaneRange leaning; // fine points that the coarse points depend on
 
     __device__ CoarseTile(const PlaneLevel& level, const PlaneLevel& coarser, int index) {
         const int across = index % level.tiles.across, down = index / level.tiles.across;
@@ -274,20 +273,20 @@ struct CoarseTile {
     }
 };
 
-// A patch round a tile, so large that smoothing is right within the tile.
+// Returns a patch around a tile that is large enough for a correct smoothing result in the tile.
 __device__ inline PlanePatch patchRound(const PlaneRange& tile, const PlaneLevel& level,
                                         float2* memory) {
     return {level, grown(tile, numerics::galerkin::smoothingDegree, level.columns, level.rows),
             memory};
 }
 
-// The right side of the finest level: a vector of its points times a factor.
+// The right side of a level: a vector of its points times a factor.
 struct ScaledVector {
     const float2* values;
     float factor;
 };
 
-// From a level to the right side of the next coarser one, and its own `result`.
+// Computes a level's `result` and the right side of the next coarser level.
 __device__ inline void descend(const ProductionModel& model, const ProductionDip& dip, int index,
                                ScaledVector right, const Team& team, float2* memory) {
     const PlaneLevel &level = model.levels[index], &coarser = model.levels[index + 1];
@@ -314,7 +313,7 @@ __device__ inline void descend(const ProductionModel& model, const ProductionDip
     }
 }
 
-// From a level's `result` and the coarser level's solution to this level's.
+// Computes a level's solution from its `result` and the coarser level's solution.
 __device__ inline void ascend(const ProductionModel& model, const ProductionDip& dip, int index,
                               ScaledVector right, const float2* coarse, int coarsePitch,
                               float2* solution, const Team& team, float2* memory) {
@@ -348,13 +347,12 @@ __device__ inline void ascend(const ProductionModel& model, const ProductionDip&
     }
 }
 
-// The levels from `wholeLevel` on, in this block's shared memory. Returns the patch with the
-// solution of the first of them, which lies where `memory` begins.
+// Solves the levels from `wholeLevel` on in this block's shared memory. Returns the patch with the
+// solution of the first of these levels, at the beginning of `memory`.
 __device__ inline PlanePatch solveWhole(const ProductionModel& model, const ProductionDip& dip,
                                         ScaledVector firstRight, float2* memory) {
     const int first = model.wholeLevel, last = model.levelCount - 1;
-    // Three values a point, and the zeros round them: a level's two of its patch and its right
-    // side.
+    // Each level has three arrays, surrounded by zeros: the two of its patch and its right side.
     const auto patchOf = [&](int l) {
         float2* start = memory;
         for (int finer = first; finer < l; ++finer) {
@@ -394,7 +392,7 @@ __device__ inline PlanePatch solveWhole(const ProductionModel& model, const Prod
                  [&](int x, int z) { coarseRight[coarser.index(x, z)] = restricted(patch, x, z); });
         __syncthreads();
     }
-    // Smoothing has an even number of steps: so each solution ends in `result`.
+    // Smoothing has an even number of steps, so each solution ends in `result`.
     static_assert(numerics::galerkin::smoothingDegree % 2 == 0 &&
                   numerics::galerkin::coarsestDegree % 2 == 0);
 #pragma unroll 1
@@ -420,7 +418,8 @@ __device__ inline PlanePatch solveWhole(const ProductionModel& model, const Prod
     return top;
 }
 
-// solution ≈ stiffness⁻¹ · right on the finest level by one V-cycle. Ends with a barrier.
+// Computes solution ≈ stiffness⁻¹ · right on the finest level with one V-cycle. Ends with a
+// barrier.
 __device__ inline void multigridCycle(const ProductionModel& model, const ProductionDip& dip,
                                       ScaledVector right, float2* solution, Team& team,
                                       float2* memory) {
@@ -453,7 +452,7 @@ __device__ inline void multigridCycle(const ProductionModel& model, const Produc
     }
 }
 
-// The stiffness of a triangle where the forces were last taken, projected.
+// Returns the projected stiffness of a triangle at the last force computation.
 __device__ inline numerics::EdgeStiffness<float>
 stiffnessOf(const ProductionModel& model, const ProductionDip& dip, int triangle) {
     const float4 shape = dip.inverseShape[triangle], stress = dip.stress[triangle];
@@ -468,7 +467,7 @@ stiffnessOf(const ProductionModel& model, const ProductionDip& dip, int triangle
 
 namespace detail {
 
-// Adds what one cell does to the point of it that `point` is.
+// Adds the stiffness of one cell to the stencil of its point `point`.
 template <numerics::CellPoint point>
 __device__ inline void addCell(const ProductionModel& model, const ProductionDip& dip, int x, int z,
                                float4 (&stencil)[neighbours]) {
@@ -493,7 +492,7 @@ __device__ inline void addCell(const ProductionModel& model, const ProductionDip
     add(first + 4, row.toUpperRight);
 }
 
-// The finest level's stencils, of points that move with those that move. Ends with a barrier.
+// Assembles the finest level's stencils, with free points only. Ends with a barrier.
 __device__ inline void assemble(const ProductionModel& model, const ProductionDip& dip, float drag,
                                 Team& team) {
     using numerics::CellPoint;
@@ -525,9 +524,9 @@ __device__ inline void assemble(const ProductionModel& model, const ProductionDi
     team.barrier();
 }
 
-// What a fine operator (its answers to the one before, to itself and to the one after) that lies
-// `offset` points from a coarse point gives to that one's: see coarsenAcross in
-// production/cpu/StencilKernels.cpp.
+// Adds the part of a fine operator to the operator of a coarse point that lies `offset` points from
+// it. `before`, `own`, `after`: the fine operator's blocks for the previous point, itself and the
+// next point. See coarsenAcross in production/cpu/StencilKernels.cpp.
 __device__ inline void addCoarse(int offset, float4 before, float4 own, float4 after,
                                  float4& toBefore, float4& toOwn, float4& toAfter) {
     if (offset == 0) {
@@ -543,7 +542,7 @@ __device__ inline void addCoarse(int offset, float4 before, float4 own, float4 a
     }
 }
 
-// A level's stencils from those of the finer one. Ends with a barrier.
+// Computes a level's stencils from the finer level's. Ends with a barrier.
 __device__ inline void coarsen(const ProductionModel& model, const ProductionDip& dip, int index,
                                Team& team) {
     const PlaneLevel &fine = model.levels[index - 1], &coarse = model.levels[index];
@@ -589,7 +588,7 @@ __device__ inline void coarsen(const ProductionModel& model, const ProductionDip
 
 } // namespace detail
 
-// Readies multigridCycle() for the film's stiffness where the forces were last taken.
+// Prepares multigridCycle() for the stiffness of the film at the last force computation.
 __device__ inline void prepareCycle(const ProductionModel& model, const ProductionDip& dip,
                                     float drag, Team& team) {
     detail::assemble(model, dip, drag, team);

@@ -1,4 +1,4 @@
-// The host's side of the production films on the GPU.
+// Runs the production films on the GPU, host side.
 
 #include "production/cuda/ProductionDips.h"
 
@@ -14,14 +14,14 @@ namespace dipwright::cuda {
 
 namespace {
 
-constexpr int mostTilePoints = 34 * 34; // of the film, those beside the tile's own among them
+constexpr int mostTilePoints = 34 * 34; // including the points around the tile's own
 
-// Bytes of shared memory beside what the kernel takes dynamically.
+// Bytes of shared memory in addition to the kernel's dynamic part.
 constexpr std::size_t staticSharedBytes =
     sizeof(Team) + sizeof(ProductionDip) + sizeof(SmallProblem) + 256;
 
-// The cut of a grid that `blocks` blocks are done with soonest. work(columns, rows): the points
-// that a block has to do with for a tile of this size; 0 where they are too many.
+// Returns the division of a grid that `blocks` blocks finish soonest. work(columns, rows): returns
+// the points that a block processes for a tile of this size, or 0 if there are too many.
 template <typename Work>
 PlaneTiles planeTiles(int columns, int rows, int blocks, const Work& work) {
     PlaneTiles best;
@@ -49,7 +49,7 @@ PlaneTiles filmTiles(int columns, int rows, int blocks) {
     });
 }
 
-// Of a level, by tiles of the coarser one.
+// Divides a level by tiles of the coarser level.
 PlaneTiles coarseTiles(const PlaneLevel& level, int blocks) {
     const auto fine = [](int points, int coarse) {
         return std::min(2 * coarse + 1 + 2 * numerics::galerkin::smoothingDegree, points);
@@ -63,13 +63,13 @@ PlaneTiles coarseTiles(const PlaneLevel& level, int blocks) {
                       });
 }
 
-// Shared memory for one tile, the largest there can be: of all patches with so many points the long
-// and narrow ones have most zeros round them.
+// Shared memory for the largest possible tile. Among patches of the same number of points, long and
+// narrow ones are surrounded by the most zeros.
 constexpr std::size_t tileBytes =
     std::max(2 * std::size_t(PlanePatch::values(1, ManyPoints::mostInPatch)) * sizeof(float2),
              std::size_t(mostTilePoints) * (sizeof(float2) + sizeof(CellForces)));
 
-// The levels of one film.
+// The multigrid levels of one film.
 class Levels {
 public:
     Levels(const Device& device, ProductionModel& model, int blocks) {
@@ -99,7 +99,8 @@ public:
     std::size_t sharedBytes() const { return sharedBytes_; }
 
 private:
-    // The first level that, with all after it, one block holds, a point or few a thread.
+    // Chooses the first level that, together with all coarser ones, fits into one block with few
+    // points per thread.
     void chooseWholeLevel(const Device& device, ProductionModel& model) {
         std::size_t bytes = 0;
         int level = model.levelCount;
@@ -111,7 +112,7 @@ private:
             const bool isHeld = level == model.levelCount
                                     ? ManyPoints::cover(finer.columns, finer.rows)
                                     : FewPoints::cover(finer.columns, finer.rows);
-            // The tiles on the way up lie behind the levels.
+            // On the way up, the tiles are stored behind the levels.
             if (!isHeld || all + tileBytes + staticSharedBytes > device.sharedBytes) {
                 break;
             }
@@ -129,7 +130,7 @@ private:
     std::size_t pointCount_ = 0, sharedBytes_ = 0;
 };
 
-// A film's lines along one axis on the device.
+// A film's columns or rows on the device.
 class DeviceLines {
 public:
     explicit DeviceLines(const numerics::FilmLineValues<float>& values)
@@ -155,10 +156,10 @@ ProductionModel modelOf(const solver::DipSetup& setup, int blocks, const DeviceL
     return model;
 }
 
-// Where one dip's numbers lie in one block of device memory.
+// Assigns the arrays of one dip to one block of device memory.
 class Layout {
 public:
-    // `start` may be null: then only the size is of use.
+    // With a null `start`, only the size is valid.
     explicit Layout(std::byte* start) : next_(start), start_(start) {}
 
     template <typename Value>
@@ -173,7 +174,7 @@ private:
     std::byte *next_, *start_;
 };
 
-// Places all arrays of a dip from `start` on; returns how many bytes they take.
+// Places all arrays of a dip from `start` on. Returns their total size in bytes.
 std::size_t placeArrays(ProductionDip& dip, const ProductionModel& model,
                         std::size_t pointsOfLevels, std::byte* start) {
     const std::size_t points = std::size_t(model.columns) * std::size_t(model.rows);
@@ -181,7 +182,7 @@ std::size_t placeArrays(ProductionDip& dip, const ProductionModel& model,
     Layout layout(start);
     layout.place(dip.state, 1);
     layout.place(dip.team, 1);
-    layout.place(dip.displacement, points); // these three: the stored film
+    layout.place(dip.displacement, points); // these three arrays form the stored film
     layout.place(dip.attached, points);
     layout.place(dip.states, points);
     for (float2** array : {&dip.before, &dip.start, &dip.best, &dip.forces, &dip.newtonStep}) {
@@ -241,7 +242,7 @@ private:
     std::vector<numerics::StepState<float>> states_;
 };
 
-// Before anything is put on the device, which is from then on the one in use.
+// Checks all setups before anything is uploaded, and makes the device current.
 void requireAllValid(const Device& device, Setups setups) {
     for (const solver::DipSetup* setup : setups) {
         numerics::requireValid(*setup);
@@ -270,7 +271,7 @@ ProductionDips::ProductionDips(const Device& device, Setups setups)
         states_.emplace_back();
     }
     dipsOnDevice_ = DeviceArray<ProductionDip>(std::span<const ProductionDip>(dips_));
-    // As much as any film takes, and not what these take: other threads' films share the function.
+    // The maximum for any film, because other threads' films share this function.
     check(cudaFuncSetAttribute(reinterpret_cast<const void*>(productionSteps),
                                cudaFuncAttributeMaxDynamicSharedMemorySize,
                                int(device.sharedBytes - staticSharedBytes)));
@@ -346,7 +347,7 @@ void ProductionDips::unpackPoints(std::size_t dip, const std::byte* stored,
     const float3* attached = inCopy(own.attached);
     const std::uint8_t* held = inCopy(own.states);
     const auto frame = numerics::bodyFrame<float>(own.body.motion, dipState.descent);
-    const auto floating = [&](std::size_t point, float2 way) { // as numerics::planePosition()
+    const auto floating = [&](std::size_t point, float2 way) { // same as numerics::planePosition()
         const int row = int(point) / film().columns, column = int(point) - row * film().columns;
         return numerics::Vector3<float>{float(film().restX(column)) + way.x, 0,
                                         float(film().restZ(row)) + way.y};
@@ -374,7 +375,7 @@ std::unique_ptr<Dips> makeProductionDips(const Device& device, Setups setups) {
 }
 
 std::size_t productionDipsAtOnce(const Device& device, const solver::DipSetup&) {
-    constexpr int fewestBlocks = 8; // below, the film waits for its blocks, not for its barriers
+    constexpr int fewestBlocks = 8; // with fewer blocks, computing takes longer than the barriers
     return std::size_t(std::max(1, device.multiprocessors / fewestBlocks));
 }
 

@@ -1,5 +1,5 @@
-// What the production films of a batch have in common, and what one dip has for itself, as the GPU
-// sees them.
+// Stores the data that all production films of a batch share, and the data of each dip, in the form
+// that the GPU uses.
 #pragma once
 
 #include "common/HostDevice.h"
@@ -25,7 +25,7 @@ struct PlaneRange {
     constexpr int count() const { return (x1 - x0) * (z1 - z0); }
 };
 
-// A cut of a grid into across × down tiles, one for each block of threads at a time.
+// A division of a grid into across × down tiles. A thread block works on one tile at a time.
 struct PlaneTiles {
     int across = 1, down = 1;
 
@@ -35,7 +35,7 @@ struct PlaneTiles {
 // One grid of the multigrid cycle.
 struct PlaneLevel {
     int columns = 0, rows = 0;
-    std::uint32_t offset = 0; // of its points in the arrays over all levels
+    std::uint32_t offset = 0; // of its points, in the arrays over all levels
     PlaneTiles tiles;         // of the coarser level
 };
 
@@ -44,7 +44,7 @@ struct ProductionModel : numerics::FilmModel<float> {
 
     PlaneTiles tiles; // of the film's points
     int levelCount = 0;
-    int wholeLevel = 0; // this level and those after it fit into one block
+    int wholeLevel = 0; // this level and all coarser ones fit into one block
     PlaneLevel levels[mostLevels];
     numerics::galerkin::ChebyshevStep smoothing[numerics::galerkin::smoothingDegree];
     numerics::galerkin::ChebyshevStep coarsest[numerics::galerkin::coarsestDegree];
@@ -55,20 +55,21 @@ struct ProductionDip {
     numerics::StepState<float>* state = nullptr; // between two launches
     TeamMemory* team = nullptr;
 
-    // One entry a film point.
-    float2 *displacement = nullptr, *before = nullptr; // mm from rest, now and a step ago
+    // One entry per film point.
+    float2 *displacement = nullptr, *before = nullptr; // from rest, mm: now and one step ago
     float2 *start = nullptr, *best = nullptr, *forces = nullptr, *newtonStep = nullptr;
-    // Each times its factor in the team's small problem; and each of them smoothed.
+    // The basis vectors, to be scaled by their factors in the team's small problem; and the basis
+    // vectors after smoothing.
     float2* basis[numerics::mostBasisVectors + 1] = {};
     float2* smoothed[numerics::mostBasisVectors] = {};
-    float3* attached = nullptr; // where an adhered point sits, body coordinates
+    float3* attached = nullptr; // place of an adhered point, body coordinates
     float* free = nullptr;      // 1: the equilibrium moves it
-    float* masked = nullptr;    // the same, as of the last setFree()
-    float* clearance = nullptr; // mm, at least so far from contact
+    float* masked = nullptr;    // `free` at the last setFree()
+    float* clearance = nullptr; // lower bound of the distance to contact, mm
     std::uint8_t* states = nullptr;
     unsigned* marks = nullptr; // solver::PointMark bits
 
-    // One entry a triangle, two a cell.
+    // One entry per triangle, two triangles per cell.
     float4* inverseShape = nullptr;
     float4* stress = nullptr; // StressState
     std::uint8_t* crosses = nullptr;
@@ -76,8 +77,8 @@ struct ProductionDip {
     numerics::CrossingAnchor<float>* anchors = nullptr;
     numerics::LaidCorners<float>* laid = nullptr;
 
-    // Over all levels.
-    float4* stencils = nullptr; // a level's first neighbours, then its second …
+    // Arrays over all levels.
+    float4* stencils = nullptr; // per level: all first neighbours, then all second neighbours …
     float2 *right = nullptr, *result = nullptr, *solution = nullptr;
 };
 

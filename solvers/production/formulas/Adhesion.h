@@ -1,6 +1,6 @@
-// Where film points stick to the body, and what the triangles see of those that have: the part of a
-// dip's step that is done point by point and triangle by triangle (docs/film-model.md, "Contact in
-// time" and "At the contact line").
+// Computes where film points adhere to the body and how the triangles see the adhered points. This
+// is the part of a step that works point by point and triangle by triangle (docs/film-model.md,
+// "Contact in time" and "At the contact line").
 #pragma once
 
 #include "production/formulas/ContactPath.h"
@@ -13,22 +13,23 @@
 
 namespace dipwright::numerics {
 
-// The body as a film point meets it.
+// The body during contact with the film.
 template <typename Real>
 struct ContactBody {
     FieldGrid<Real> field;
     solver::BodyMotion motion;
     Real contactDistance{};
-    // Of the unit normal's y. Up to the first film is held fast, past the second not at all.
+    // In terms of the y of the unit normal: up to `firmlyHeld` the body holds film fully, past
+    // `steepestHeld` not at all.
     Real firmlyHeld{}, steepestHeld{};
 };
 
-// The body of a dip. Its grip g, the share of its unfolding that film follows, fades so that no
-// film is laid past the overhang. Let u be the y of the body's normal at the contact line. While
-// the line moves on by 1 along the surface it recedes by u on the water; film that slips by 1 − g
-// of that is laid at the rate g − (1 − g) u, where film held fast is laid at the rate 1. With g
-// falling linearly in u this rate is zero at the overhang if g reaches zero at the `steepestHeld`
-// taken here.
+// Returns the body of a dip. The grip g is the share of its unfolding that film follows. It fades,
+// so that no film is laid past the overhang. Let u be the y of the body's normal at the contact
+// line. While the line advances by 1 along the surface, it recedes by u on the water. Film that
+// slips by 1 − g of this is laid at the rate g − (1 − g) u; film that is held fully is laid at the
+// rate 1. With g linear in u, the rate is zero at the overhang if g reaches zero at the value of
+// `steepestHeld` below.
 template <typename Real>
 ContactBody<Real> contactBody(const solver::DipSetup& setup) {
     const double last = std::sin(setup.settings.overhang);
@@ -37,17 +38,18 @@ ContactBody<Real> contactBody(const solver::DipSetup& setup) {
             Real(firmly), Real(last + std::max(last, 0.0) * (last - firmly))};
 }
 
-// A film point that has met the body in a step. A face that turns up too far does not hold it. It
-// stays free at first: film that is released in the same step draws it back. What is there still a
-// step later is trapped.
+// A film point that has met the body in a step. A face that turns up too far does not hold it. Such
+// a point first stays free, because film that is released in the same step may pull it back. If it
+// is still there one step later, it becomes trapped.
 template <typename Real>
 struct Attachment {
     Vector3<Real> place; // body coordinates
     solver::PointState state{};
 };
 
-// The point that went from `start` by `way` while the body came down from `descent` by `increment`,
-// to within the contact distance: at the moment in the step, and at the place, at which it met it.
+// Handles a point that moved from `start` by `way` while the body descended from `descent` by
+// `increment`, and that ended within the contact distance. Returns the place, and through it the
+// time within the step, of the contact.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Attachment<Real> attachment(const ContactBody<Real>& body,
                                                          double descent, double increment,
@@ -76,27 +78,29 @@ DIPWRIGHT_HOST_DEVICE inline Attachment<Real> attachment(const ContactBody<Real>
 template <typename Real>
 struct CrossingCorner {
     bool isFree{};
-    Vector3<Real> plane; // in the water plane
-    Vector3<Real> held;  // held: in the world, on the body
-    bool isTrapped{};    // caught by a face that turns up too far: never held on to
+    Vector3<Real> plane; // place in the water plane
+    Vector3<Real> held;  // if held: place on the body, in the world
+    bool isTrapped{}; // caught by a face that turns up too far; the triangle ignores its place on
+                      // the body
 };
 
-// How film lies at the corners of a triangle that the body holds, from step to step; all zero
-// before the triangle crosses the contact line. In the water plane, from the corner's place there.
+// How film lies at the held corners of a triangle, kept from step to step. All values are 0 before
+// the triangle crosses the contact line. Places are in the water plane, relative to the corner's
+// place there.
 //
-// The body holds on to film less and less where it turns up (grip). Film that it holds in part
-// follows its unfolding by that part, and slips.
+// The grip of the body fades where it turns up. Film that is held in part follows only this part of
+// its unfolding, and slips.
 template <typename Real>
 struct LaidCorners {
     Real unfoldedX[3] = {}, unfoldedZ[3] = {};
-    Real slipX[3] = {}, slipZ[3] = {}; // from where it would lie, unfolded, to where it does
-    Real upwards[3] = {};              // of the contact line, see ContactLine
+    Real slipX[3] = {}, slipZ[3] = {}; // from the unfolded place to the real one
+    Real upwards[3] = {};              // of the contact line, see ContactLine::upwards
     bool isHeld[3] = {};
-    bool isReleased[3] = {}; // no longer held: it stays where it is
-    Real lost = 0;           // of the triangle's weight: what was cut off when it was released
+    bool isReleased[3] = {}; // no longer held; it stays where it is
+    Real lost = 0;           // share of the triangle's weight that was cut off at the release
 };
 
-// Corner of a triangle; `held`: in the world, of a free point anything.
+// Returns the corner of a triangle. `held`: in the world; any value for a free point.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline CrossingCorner<Real>
 crossingCorner(solver::PointState state, const Vector3<Real>& plane, const Vector3<Real>& held) {
@@ -110,31 +114,31 @@ crossingCorner(solver::PointState state, const Vector3<Real>& plane, const Vecto
 
 template <typename Real>
 struct UnfoldedTriangle {
-    CrossingTriangle<Real> crossing; // but for its cell
-    Real steepness = 1;              // least of the contact line, see ContactLine
-    Vector3<Real> offset[3];         // of the corners, from `plane` to where film lies
-    Real upwards[3] = {-1, -1, -1};  // of the contact line of each corner that film holds on to
+    CrossingTriangle<Real> crossing; // without its cell
+    Real steepness = 1;              // smallest of the contact lines, see ContactLine
+    Vector3<Real> offset[3];         // of the corners, from `plane` to the film
+    Real upwards[3] = {-1, -1, -1};  // of the contact line of each held corner
 };
 
 namespace detail {
 
-// The share of its unfolding that film follows where the body turns up by `upwards`: all up to
-// `firmlyHeld`, nothing from `steepestHeld` on.
+// Returns the share of its unfolding that film follows where the body turns up by `upwards`: 1 up
+// to `firmlyHeld`, 0 from `steepestHeld` on.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Real grip(const ContactBody<Real>& body, Real upwards) {
     const Real share = (body.steepestHeld - upwards) / (body.steepestHeld - body.firmlyHeld);
     return std::fmin(std::fmax(share, Real(0)), Real(1));
 }
 
-// Where film lies, from the corner's place in the plane.
+// Returns the place of the film, relative to the corner's place in the plane.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Vector3<Real> offset(const LaidCorners<Real>& film, int k) {
     return {film.unfoldedX[k] + film.slipX[k], Real(0), film.unfoldedZ[k] + film.slipZ[k]};
 }
 
-// Corner `k` now unfolds to `position`, by a contact line of which the body turns up by `upwards`;
-// `moved`: because the body has. A corner that is new was on the line in the step, straight above
-// its place on the body.
+// Moves corner `k` to its new unfolded `position`. `upwards`: of the body at the contact line.
+// `moved`: the body has moved. A new corner was on the contact line during this step, vertically
+// above its place on the body.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline void
 slide(const ContactBody<Real>& body, const CrossingCorner<Real>& corner, int k,
@@ -157,7 +161,7 @@ slide(const ContactBody<Real>& body, const CrossingCorner<Real>& corner, int k,
     film.upwards[k] = upwards;
 }
 
-// The floating fraction of the side between two corners, as far as it is told apart.
+// Returns the floating fraction of the side between two corners, at least `leastFloatingFraction`.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Real floatingShare(bool isFree, Real distance, bool otherIsFree,
                                                 Real otherDistance, Real cell) {
@@ -175,7 +179,7 @@ DIPWRIGHT_HOST_DEVICE inline int freeCount(const CrossingCorner<Real> (&corners)
     return corners[0].isFree + corners[1].isFree + corners[2].isFree;
 }
 
-// Of the free corners.
+// Returns the mean of the free corners.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Vector3<Real> middleOfFree(const CrossingCorner<Real> (&corners)[3]) {
     Vector3<Real> sum;
@@ -185,7 +189,7 @@ DIPWRIGHT_HOST_DEVICE inline Vector3<Real> middleOfFree(const CrossingCorner<Rea
     return sum * (Real(1) / Real(freeCount(corners)));
 }
 
-// Of the held corners, on the body.
+// Returns the mean of the held corners on the body.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Vector3<Real> middleOfHeld(const CrossingCorner<Real> (&corners)[3]) {
     Vector3<Real> sum;
@@ -195,7 +199,7 @@ DIPWRIGHT_HOST_DEVICE inline Vector3<Real> middleOfHeld(const CrossingCorner<Rea
     return sum * (Real(1) / Real(3 - freeCount(corners)));
 }
 
-// Whether two corners hold on to two places of the body that face each other across the water.
+// Returns whether two corners lie on two parts of the body that face each other across the water.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool spansGap(const ContactBody<Real>& body,
                                            const BodyFrame<Real>& frame, Real cell,
@@ -246,8 +250,8 @@ DIPWRIGHT_HOST_DEVICE inline void setEdges(const TriangleCorners& triangle,
         std::fmax(result.upwards[0], std::fmax(result.upwards[1], result.upwards[2]));
 }
 
-// Every held corner unfolded by itself: of film that more than one contact line holds, or that has
-// been released in part.
+// Unfolds each held corner separately. This applies to film that more than one contact line holds,
+// or that has been released in part.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline UnfoldedTriangle<Real>
 unfoldedApart(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Real cell,
@@ -281,7 +285,7 @@ unfoldedApart(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Real 
     return result;
 }
 
-// All corners unfolded about one contact line.
+// Unfolds all corners about one contact line.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline UnfoldedTriangle<Real>
 unfoldedTogether(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Real cell,
@@ -292,7 +296,7 @@ unfoldedTogether(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Re
                                                middleOfHeld(corners), middleOfFree(corners));
     const Real perFree = Real(1) / Real(freeCount(corners));
     const Real perHeld = Real(1) / Real(3 - freeCount(corners));
-    Real distance[3] = {}; // from the contact line: along the surface, or across the water
+    Real distance[3] = {}; // to the contact line, along the surface or across the water
     Real floating(0), laid(0);
     for (int k = 0; k < 3 && line.found; ++k) {
         const CrossingCorner<Real>& corner = corners[k];
@@ -328,9 +332,9 @@ unfoldedTogether(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Re
 
 } // namespace detail
 
-// Unfolds the surface under a triangle of which one or two corners are held, and lets its film
-// follow. Where there is no contact line near (a flat face, a body that has gone under) its corners
-// stay where they are. `moved`: because the body has; else because the film has.
+// Unfolds the surface under a triangle with one or two held corners and moves the film along. If no
+// contact line is near (a flat face, a body that has submerged), the corners do not move. `moved`:
+// true if the body has moved, false if only the film has.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline UnfoldedTriangle<Real>
 unfoldedTriangle(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Real cell,
@@ -347,10 +351,9 @@ unfoldedTriangle(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Re
 
 namespace detail {
 
-// Cuts the laid part off a triangle of which all corners on the body have just been released: these
-// are moved to the contact line, towards the free ones, so that the floating film's new edge is
-// where the line was. Returns the factor of the triangle's inverse rest shape with which its
-// stretch stays the same.
+// Cuts the laid part off a triangle whose corners on the body have all just been released. Moves
+// these corners towards the free ones, to the contact line, so that the floating film's new edge is
+// there. Returns the factor for the triangle's inverse rest shape that keeps its stretch unchanged.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Matrix2<Real>
 cutAtLine(const TriangleCorners& triangle, const CrossingTriangle<Real>& crossing,
@@ -396,14 +399,14 @@ cutAtLine(const TriangleCorners& triangle, const CrossingTriangle<Real>& crossin
 
 } // namespace detail
 
-// Releases a triangle's corners at which the body turns up too far to hold film (`upwards` past
-// `steepestHeld`). Returns the factor of the triangle's inverse rest shape.
+// Releases the corners of a triangle where the body turns up too far to hold film (`upwards` past
+// `steepestHeld`). Returns the factor for the triangle's inverse rest shape.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Matrix2<Real>
 releaseTriangle(const ContactBody<Real>& body, const TriangleCorners& triangle,
                 const CrossingTriangle<Real>& crossing, const CrossingCorner<Real> (&corners)[3],
                 LaidCorners<Real>& film) {
-    // Not where each corner has a contact line of its own, or some were released before.
+    // Does not cut if the corners have different contact lines or some were released earlier.
     bool isWhole = crossing.normalX != Real(0) || crossing.normalZ != Real(0);
     for (int k = 0; k < 3; ++k) {
         if (!corners[k].isFree && !film.isReleased[k]) {

@@ -1,9 +1,8 @@
-// The film between a point that has adhered and the waterline lies on the body's surface
-// (docs/film-model.md, "At the contact line"). For the equilibrium in the water plane, every
-// triangle that crosses the contact line sees its adhered corners where they would lie if that
-// piece of surface were unfolded about the line: at their distance along the surface, inwards of
-// it, across the line where it is nearest. At a sharp tip one adhered point lies in a different
-// place for each triangle round it.
+// Unfolds the film between adhered points and the waterline, where it lies on the body's surface
+// (docs/film-model.md, "At the contact line"). For the equilibrium in the water plane, each
+// triangle that crosses the contact line sees its adhered corners unfolded about the line: inwards
+// of the line by their distance along the surface, opposite the nearest point of the line. At a
+// sharp tip, each triangle around an adhered point sees it in a different place.
 #pragma once
 
 #include "common/BodyFrame.h"
@@ -12,7 +11,7 @@
 
 namespace dipwright::numerics {
 
-// φ and its gradient in the world at a world point.
+// Returns φ and its gradient in world coordinates at a world point.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline FieldSample<Real>
 sampleWorld(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Vector3<Real> p) {
@@ -38,7 +37,7 @@ projectedOnSurface(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, R
     return p;
 }
 
-// The contact line near `start`, by Newton's method along the gradient in the water plane.
+// Finds the contact line near `start` by Newton's method along the gradient in the water plane.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool
 contactLineBySlope(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
@@ -65,7 +64,7 @@ contactLineBySlope(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, R
     return false;
 }
 
-// The contact line between `inside` (in the body) and `outside` (free water), by bisection.
+// Finds the contact line between `inside` (in the body) and `outside` (in free water) by bisection.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool
 contactLineBetween(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
@@ -88,19 +87,19 @@ contactLineBetween(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, R
 
 } // namespace detail
 
-// The contact line of one film triangle, taken as straight: a point on it, the unit vector across
-// it in the water plane, away from the body, and how steep the surface is there.
+// The contact line of one film triangle, approximated as straight: a point on it, its unit normal
+// in the water plane, away from the body, and the slope of the surface there.
 template <typename Real>
 struct ContactLine {
     Vector3<Real> place;
     Vector3<Real> outwards;
-    Real steepness{}; // horizontal share of the unit normal: 0 flat, 1 vertical
-    Real upwards{};   // vertical share of the unit normal: above 0 past the equator
+    Real steepness{}; // horizontal component of the unit normal: 0 flat, 1 vertical
+    Real upwards{};   // vertical component of the unit normal: positive past the equator
     bool found{};
 };
 
-// `adhered` and `free`: the middles of the triangle's adhered corners (at their true places) and of
-// its free ones. `cell`: the film's spacing.
+// `adhered`, `free`: the means of the triangle's adhered corners (at their real places) and of its
+// free corners. `cell`: the film's spacing.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline ContactLine<Real>
 contactLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
@@ -127,13 +126,13 @@ contactLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real con
 template <typename Real>
 struct Unfolded {
     Vector3<Real> position; // in the water plane
-    Real path{};            // mm along the surface to the contact line
+    Real path{};            // distance to the contact line along the surface, mm
 };
 
 namespace detail {
 
-// From `above`, over the body, across to the contact line: Newton's method along `outwards`, from
-// the distance `across`.
+// Returns the distance along `outwards` from `above`, over the body, to the contact line. Uses
+// Newton's method from the distance `across`.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Real
 acrossToLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
@@ -150,18 +149,18 @@ acrossToLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real co
     return across;
 }
 
-// The least cosine between a corner's own direction across the contact line and its triangle's.
+// The smallest cosine between a corner's own normal of the contact line and its triangle's normal.
 inline constexpr double leastAgreement = 0.5;
 
 } // namespace detail
 
-// Where an adhered corner at world point `corner` lies when its piece of surface is unfolded about
-// the contact line: inwards of it by its distance along the surface, across the line where it is
-// nearest to the corner. So the film there is drawn in, whatever triangle sees it: were all corners
-// of a triangle unfolded along the normal of `line`, they would be wrenched aside with every change
-// of it, and the film with them. The nearest place is taken to be where the line's own normal,
-// found straight across from the corner, leads to; right above a tip, where all ways are as short,
-// it stays the triangle's.
+// Returns the place of an adhered corner at the world point `corner` after unfolding about the
+// contact line. It lies inwards of the line's point nearest to the corner, by the distance along
+// the surface. So all triangles see the film there pulled in the same way. Unfolding along the
+// triangle's normal in `line` would instead move the corners sideways whenever that normal changes.
+// The nearest point is found along the normal of the contact line at the point straight across from
+// the corner. Directly above a tip, where all directions are equally short, the triangle's normal
+// is used.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Unfolded<Real>
 unfolded(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
@@ -180,8 +179,8 @@ unfolded(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contac
         across = detail::acrossToLine(field, frame, contactDistance, cell, above, outwards, across);
     }
     const Vector3<Real> foot = above + outwards * across;
-    // The way along the surface: chord, and two chords over the projected middle; the difference of
-    // the two tells the arc to fourth order (Richardson).
+    // The length along the surface, from one chord and from two chords over the projected midpoint.
+    // Richardson extrapolation makes it correct to fourth order.
     const Real chord = length(foot - corner);
     const Vector3<Real> middle =
         detail::projectedOnSurface(field, frame, contactDistance, (corner + foot) * Real(0.5));

@@ -1,21 +1,23 @@
-// A film triangle that crosses the contact line: in part on the body, in part on the water.
+// A film triangle that crosses the contact line: partly on the body, partly on the water.
 //
 // It differs from a floating triangle in three ways.
+//
 // 1. It sees its adhered corners unfolded (ContactPath.h), as an offset of its edges.
-// 2. Only its floating part strains. What is laid keeps the strain it was laid with, so that a
-//    change of the triangle's length across the contact line belongs to its floating fraction f.
-//    With F_whole the gradient of the whole triangle, F_anchor the floating part's at the start of
-//    the step and M the line's normal at rest:  F = F_whole + (1/f − 1)(F_whole − F_anchor) M Mᵀ.
-//    f is taken in the middle of the step: what is laid in it is laid, on the average, with the
-//    mean of the strains before and after.
-// 3. Only its floating part pulls at its free corners: the part beyond the contact line, where a
-//    virtual displacement falls from its corner's value to zero on the line instead of at the
-//    adhered corner. With constant stress P and test functions that are linear along the triangle's
-//    sides, the force on a free corner is  ½ P Σ share(e) (ℓ n)(e)  over the two sides e that meet
-//    in it, (ℓ n) the side's length times its outward normal at rest, share(e) the floating
-//    fraction of the side. With shares of one this is the ordinary constant-strain force.
-// Without 2 and 3 the film is laid with the strain of half a cell inside the contact line: an error
-// of first order in the spacing.
+// 2. Only its floating part strains. Laid film keeps its strain. So a change of the triangle's
+//    length across the contact line belongs to its floating fraction f:
+//    F = F_whole + (1/f − 1)(F_whole − F_anchor) M Mᵀ.  F_whole is the gradient of the whole
+//    triangle and F_anchor the floating part's at the start of the step. M is the line's normal at
+//    rest. f is taken in the middle of the step: film is laid, on average, with the mean of the
+//    strains before and after it.
+// 3. Only its floating part, beyond the contact line, pulls at its free corners. There a virtual
+//    displacement falls from its value at the corner to zero on the line instead of at the adhered
+//    corner. Let the stress P be constant and the test functions linear along the sides. Then the
+//    force on a free corner is  ½ P Σ share(e) (ℓ n)(e)  over the two sides e that meet there.
+//    (ℓ n) is the side's length times its outward normal at rest, and share(e) the side's floating
+//    fraction. With all shares 1 this is the ordinary constant-strain force.
+//
+// Without 2 and 3 the film would be laid with the strain half a cell inside the contact line. This
+// is an error of first order in the spacing.
 #pragma once
 
 #include "production/formulas/GridTriangle.h"
@@ -27,17 +29,17 @@ struct CrossingTriangle {
     std::uint32_t cell{}; // row·(columns − 1) + column
     bool second{};        // the triangle with the cell's second (higher) horizontal edge
     bool thirdOnRight{};  // its vertical edge is the cell's right one
-    // Added to the horizontal edge and to the vertical edge, from lower to higher grid index.
+    // Offsets of the horizontal and the vertical edge, from lower to higher grid index.
     Real hx{}, hz{}, vx{}, vz{};
-    // Floating fraction of the horizontal, vertical and diagonal side; and whether the corner
-    // shared by the first two, the other end of the horizontal and that of the vertical side are
-    // free.
+    // Floating fractions of the horizontal, vertical and diagonal side. Whether these corners are
+    // free: the one that the first two sides share, the other end of the horizontal side, and the
+    // other end of the vertical side.
     Real horizontalShare = 1, verticalShare = 1, diagonalShare = 1;
     bool sharedFree{}, horizontalFree{}, verticalFree{};
-    // Across the contact line in the water plane (unit, away from the body), and the floating
-    // fraction of the triangle across it. Zero normal: no contact line was found.
+    // Unit normal of the contact line in the water plane, away from the body, and the floating
+    // fraction of the triangle along it. A zero normal means that no contact line was found.
     Real normalX{}, normalZ{}, floating = 1;
-    // Vertical share of the body's unit normal on the contact line: above 0 past the equator.
+    // Vertical component of the body's unit normal on the contact line: positive past the equator.
     Real upwards{};
 };
 
@@ -50,14 +52,14 @@ struct CrossingAnchor {
     Real mx{}, mz{};        // M
 };
 
-// What little floats when the line has almost reached the free corners is not told apart from this:
-// a free corner that nothing but such shreds hold would move at the least force, or at none.
+// Lower limit of the floating fraction, used when the line has almost reached the free corners. A
+// free corner held only by smaller fractions would move at the slightest force.
 inline constexpr double leastFloatingFraction = 0.3;
 
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline CrossingAnchor<Real>
 crossingAnchor(const CrossingTriangle<Real>& triangle, const Matrix2<Real>& gradient) {
-    // The normal of a line maps back to rest by Fᵀ.
+    // Fᵀ maps the normal of a line back to rest.
     const Real mx = gradient.a * triangle.normalX + gradient.c * triangle.normalZ;
     const Real mz = gradient.b * triangle.normalX + gradient.d * triangle.normalZ;
     const Real size = std::sqrt(mx * mx + mz * mz);
@@ -67,7 +69,7 @@ crossingAnchor(const CrossingTriangle<Real>& triangle, const Matrix2<Real>& grad
     return {gradient, triangle.floating, Real(0), mx / size, mz / size};
 }
 
-// For a step at whose end the triangle is as given.
+// Sets the anchor's gain for a step that ends with the triangle in the state `end`.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline CrossingAnchor<Real>
 anchorOverStep(CrossingAnchor<Real> anchor, const CrossingTriangle<Real>& end) {
@@ -76,7 +78,7 @@ anchorOverStep(CrossingAnchor<Real> anchor, const CrossingTriangle<Real>& end) {
     return anchor;
 }
 
-// dF of the floating part for a change of the whole triangle.
+// Returns dF of the floating part for a change of the whole triangle.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> floatingChange(const CrossingAnchor<Real>& anchor,
                                                           const Matrix2<Real>& change) {
@@ -86,7 +88,7 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> floatingChange(const CrossingAnchor<R
             change.d + z * anchor.mz};
 }
 
-// F of the floating part, from that of the whole triangle.
+// Returns F of the floating part, from F of the whole triangle.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> floatingGradient(const CrossingAnchor<Real>& anchor,
                                                             const Matrix2<Real>& whole) {
@@ -96,7 +98,7 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> floatingGradient(const CrossingAnchor
     return {start.a + change.a, start.b + change.b, start.c + change.c, start.d + change.d};
 }
 
-// A crossing triangle's edges with its held corners unfolded.
+// Returns a crossing triangle's edges with its held corners unfolded.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline EdgePair<Real> unfoldedEdges(const EdgePair<Real>& edges,
                                                           const CrossingTriangle<Real>& triangle) {
@@ -104,9 +106,9 @@ DIPWRIGHT_HOST_DEVICE inline EdgePair<Real> unfoldedEdges(const EdgePair<Real>& 
             edges.vz + triangle.vz};
 }
 
-// The inverse rest shape of a triangle after a step in which it crossed the contact line: for which
-// all of it has the gradient F of its floating part (with edges E = F_whole·D that is F⁻¹·E), its
-// stretch decayed by `keep`.
+// Returns the inverse rest shape of a triangle after a step in which it crossed the contact line.
+// With edges E = F_whole·D, the new rest shape is F⁻¹·E, so the whole triangle has the gradient F
+// of its floating part. `keep`: the remaining share of its stretch.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Matrix2<Real>
 relaxedCrossingShape(const CrossingAnchor<Real>& anchor, const Matrix2<Real>& whole,
@@ -118,16 +120,16 @@ relaxedCrossingShape(const CrossingAnchor<Real>& anchor, const Matrix2<Real>& wh
                  : inverseShape;
 }
 
-// Forces on the edges of a crossing triangle.
-// `P` the stress, `inverseShape` the inverse of the rest shape, `area` the triangle's weight.
+// Returns the forces on the edges of a crossing triangle. `P`: the stress. `inverseShape`: the
+// inverse of the rest shape. `area`: the triangle's weight.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline EdgePair<Real>
 crossingForces(const CrossingTriangle<Real>& triangle, const Matrix2<Real>& P,
                const Matrix2<Real>& inverseShape, Real area) {
     const Real determinant =
         Real(1) / (inverseShape.a * inverseShape.d - inverseShape.b * inverseShape.c);
-    // Rest edges from the shared corner s outwards: to h along the horizontal, to v along the
-    // vertical.
+    // Rest edges from the shared corner s: to h along the horizontal edge, to v along the vertical
+    // edge.
     const Real signH = triangle.thirdOnRight ? Real(-1) : Real(1);
     const Real signV = triangle.second ? Real(-1) : Real(1);
     const Real hX = signH * inverseShape.d * determinant,
@@ -135,11 +137,11 @@ crossingForces(const CrossingTriangle<Real>& triangle, const Matrix2<Real>& P,
     const Real vX = -signV * inverseShape.b * determinant,
                vZ = signV * inverseShape.a * determinant;
     const Real orientation = hX * vZ - hZ * vX > Real(0) ? Real(1) : Real(-1);
-    // thickness of the crept film: its weight over its rest area
+    // Thickness of the crept film: its weight divided by its rest area.
     const Real half = orientation * area / std::fabs(determinant);
     const Real shareH = half * triangle.horizontalShare, shareV = half * triangle.verticalShare;
     const Real shareD = half * triangle.diagonalShare;
-    // outward normals times lengths, weighted: of s→h, h→v, v→s
+    // Outward normals times lengths, weighted, of the sides s→h, h→v and v→s.
     const Real nHx = shareH * hZ, nHz = -shareH * hX;
     const Real nDx = shareD * (vZ - hZ), nDz = -shareD * (vX - hX);
     const Real nVx = -shareV * vZ, nVz = shareV * vX;

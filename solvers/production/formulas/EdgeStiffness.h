@@ -1,34 +1,35 @@
-// How the forces on a triangle's two edges answer to changes of these edges, and what the triangles
-// of a cell together make of it for the cell's points: from this the preconditioner of the film's
-// equilibrium is put together (StiffnessMultigrid), on every device.
+// Computes how the forces on a triangle's two edges respond to changes of these edges, and how the
+// triangles of a cell combine to a stiffness between the cell's points. The preconditioner of the
+// film's equilibrium (StiffnessMultigrid) is assembled from this on every device.
 #pragma once
 
 #include "production/formulas/CrossingTriangle.h"
 
 namespace dipwright::numerics {
 
-// 2 × 2 blocks: of the force on the horizontal (h) or vertical (v) edge, for a change of the
-// horizontal or vertical edge.
+// 2 × 2 blocks: the force on the horizontal (h) or vertical (v) edge per change of the horizontal
+// or vertical edge.
 template <typename Real>
 struct EdgeStiffness {
     Matrix2<Real> hh, hv, vh, vv;
 };
 
-// Of a floating triangle, made positive semi-definite (Tangent::Projected). With P = 2 dF + (R :
-// dF) resists R + (RJ : dF) turns RJ the stiffness is a multiple of one and two dyads.
+// Returns the stiffness of a floating triangle, made positive semi-definite (Tangent::Projected).
+// Since P = 2 dF + (R : dF) resists R + (RJ : dF) turns RJ, it is a multiple of the identity plus
+// two dyads.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline EdgeStiffness<Real>
 edgeStiffness(const Matrix2<Real>& shape, const StressState<Real>& state, Real area) {
     const TangentFactors<Real> factors = tangentFactors(state, Tangent::Projected);
     const Real cosine = state.cosine, sine = state.sine;
     const Real a = shape.a, b = shape.b, c = shape.c, d = shape.d;
-    // R and RJ taken back to the edges.
+    // R and RJ, mapped back to the edges.
     const Real hx = cosine * a - sine * b, hz = sine * a + cosine * b;
     const Real vx = cosine * c - sine * d, vz = sine * c + cosine * d;
     const Real resists = area * factors.resists, turns = area * factors.turns;
     const Real hh = Real(2) * area * (a * a + b * b), hv = Real(2) * area * (a * c + b * d),
                vv = Real(2) * area * (c * c + d * d);
-    // RJ is R turned by a quarter: (x, z) of an edge become (−z, x).
+    // RJ is R rotated by 90°: (x, z) of an edge becomes (−z, x).
     return {{hh + resists * hx * hx + turns * hz * hz, (resists - turns) * hx * hz,
              (resists - turns) * hx * hz, hh + resists * hz * hz + turns * hx * hx},
             {hv + resists * hx * vx + turns * hz * vz, resists * hx * vz - turns * hz * vx,
@@ -39,7 +40,7 @@ edgeStiffness(const Matrix2<Real>& shape, const StressState<Real>& state, Real a
              (resists - turns) * vx * vz, vv + resists * vz * vz + turns * vx * vx}};
 }
 
-// Of a triangle that crosses the contact line: as it is, unsymmetric.
+// Returns the stiffness of a triangle that crosses the contact line. It is not symmetric.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline EdgeStiffness<Real>
 edgeStiffness(const CrossingTriangle<Real>& triangle, const CrossingAnchor<Real>& anchor,
@@ -62,7 +63,7 @@ edgeStiffness(const CrossingTriangle<Real>& triangle, const CrossingAnchor<Real>
 // The points of a cell.
 enum class CellPoint : int { LowerLeft, LowerRight, UpperLeft, UpperRight };
 
-// How the force on one point of a cell answers to the cell's points.
+// The response of the force on one point of a cell to each of the cell's points.
 template <typename Real>
 struct CellRow {
     Matrix2<Real> toLowerLeft, toLowerRight, toUpperLeft, toUpperRight;
@@ -81,9 +82,10 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> minus(const Matrix2<Real>& m, const M
 
 } // namespace detail
 
-// From the cell's two triangles. In an even cell the first one (on the lower edge) takes the right
-// vertical edge, the second one the left. A force on an edge acts with + on its higher end and with
-// − on its lower one, and so does a point's way on the edge.
+// Computes a row from the cell's two triangles. In an even cell, the first triangle (on the lower
+// edge) has the right vertical edge and the second the left one. A force on an edge acts with + on
+// its higher end and with − on its lower end. A point's displacement acts on the edge in the same
+// way.
 template <CellPoint point, typename Real>
 DIPWRIGHT_HOST_DEVICE inline CellRow<Real> cellRow(const EdgeStiffness<Real>& first,
                                                    const EdgeStiffness<Real>& second, bool even) {
@@ -93,11 +95,12 @@ DIPWRIGHT_HOST_DEVICE inline CellRow<Real> cellRow(const EdgeStiffness<Real>& fi
     constexpr bool isLeft = point == CellPoint::LowerLeft || point == CellPoint::UpperLeft;
     const Real one(1), none(0);
     const Real isEven = even ? one : none, isOdd = even ? none : one;
-    // Of the point's horizontal edge: with itself, with the left and the right vertical edge, and
-    // these with it.
+    // The point's horizontal edge: its block with itself, with the left and right vertical edge,
+    // and the transposed blocks.
     const EdgeStiffness<Real>& along = isLower ? first : second;
     const Real ofRight = isLower ? isEven : isOdd, ofLeft = isLower ? isOdd : isEven;
-    // Of the point's vertical edge: with itself, and with the lower and the upper horizontal one.
+    // The point's vertical edge: its block with itself, and with the lower and upper horizontal
+    // edge.
     const Real ofFirst = isLeft ? isOdd : isEven, ofSecond = isLeft ? isEven : isOdd;
     const Matrix2<Real> vv = plus(scaled(first.vv, ofFirst), scaled(second.vv, ofSecond));
     const Matrix2<Real> toLower = scaled(first.vh, ofFirst), toUpper = scaled(second.vh, ofSecond);
@@ -107,7 +110,7 @@ DIPWRIGHT_HOST_DEVICE inline CellRow<Real> cellRow(const EdgeStiffness<Real>& fi
         return Matrix2<Real>{signH * h.a + signV * v.a, signH * h.b + signV * v.b,
                              signH * h.c + signV * v.c, signH * h.d + signV * v.d};
     };
-    // What each of the cell's edges does to the force on the point when it grows.
+    // The change of the force on the point per growth of each of the cell's edges.
     const Matrix2<Real> zero{};
     const Matrix2<Real> lower = signedSum(isLower ? along.hh : zero, toLower);
     const Matrix2<Real> upper = signedSum(isLower ? zero : along.hh, toUpper);

@@ -1,7 +1,7 @@
-// The film in the water plane at rest under its forces: Newton's method with a line search, warm
-// started by the caller; and the method of least residuals (GMRES) for its linear systems, which
-// triangles on the contact line make unsymmetric. Written once for all devices (FilmBackend.h); the
-// limits are in Tolerances.h.
+// Finds the film's equilibrium in the water plane with Newton's method and a line search; the
+// caller provides a warm start. The linear systems are solved by the method of least residuals
+// (GMRES), because triangles on the contact line make them unsymmetric. The code is the same for
+// all devices (FilmBackend.h); Tolerances.h has the limits.
 #pragma once
 
 #include "production/formulas/FilmBackend.h"
@@ -12,8 +12,8 @@ namespace dipwright::numerics {
 
 namespace detail {
 
-// Whether some length of the Newton step makes the forces shrink: then the displacement has gone by
-// it and `now` is the force there. Else both are as after the whole step.
+// Returns whether some length of the Newton step reduces the forces. Then the displacement has
+// moved by it and `now` is the force there. Otherwise both belong to the whole step.
 template <FilmEquilibrium Film>
 DIPWRIGHT_TEAM inline bool searchAlongStep(Film& film, typename Film::Real drag, FilmForce& now) {
     using Real = typename Film::Real;
@@ -36,10 +36,10 @@ DIPWRIGHT_TEAM inline bool searchAlongStep(Film& film, typename Film::Real drag,
     return false;
 }
 
-// One Newton step, by the true derivative. Where that leads nowhere (film that gathers, or turns,
-// has directions in which it gives way), the film is taken to be stiffer by and by, as if it
-// stuck to the water, which makes the step shorter and turns it downhill (Levenberg, Marquardt).
-// `stiffening`, over the film's shear stiffness, is kept from step to step.
+// Takes one Newton step with the true derivative. This can fail, because film that gathers or
+// rotates gives way in some directions. Then the film is made stiffer step by step, as if it stuck
+// to the water. This shortens the step and turns it downhill (Levenberg–Marquardt). `stiffening`,
+// relative to the film's shear stiffness, is kept between steps.
 template <FilmEquilibrium Film>
 DIPWRIGHT_TEAM inline void newtonStep(Film& film, typename Film::Real drag, double tolerance,
                                       double& stiffening, FilmForce& now) {
@@ -57,25 +57,25 @@ DIPWRIGHT_TEAM inline void newtonStep(Film& film, typename Film::Real drag, doub
         }
         stiffening = std::fmax(leastStiffening, stiffening * stiffeningFactor);
     }
-    // Where that does not help either, the whole step downhill is taken all the same: the forces
-    // may have to grow on the way past a crease.
+    // If that fails too, take the whole step downhill. The forces may have to grow on the way past
+    // a crease.
     film.solveLinear(drag, Tangent::Projected, before, tolerance);
     searchAlongStep(film, drag, now);
 }
 
 } // namespace detail
 
-// How a search for equilibrium has ended: the forces left on the free points over the elastic
-// forces in the film (0 where these are nothing), and whether that is as little as asked for.
+// The result of a search for equilibrium: the remaining forces on the free points relative to the
+// elastic forces in the film (0 if these are zero), and whether they reach the required residual.
 struct FoundEquilibrium {
     double left = 0;
     bool isReached = true;
 };
 
-// Moves the free points until the forces left on them are at most the model's `residual` times the
-// elastic forces in the film, or nothing to the precision of their numbers; or as far as that goes,
-// to the least forces met after a step. `farthest`: mm that a point has come from its rest, or
-// the longest cell has, at most.
+// Moves the free points until the remaining forces are at most the model's `residual` times the
+// elastic forces, or zero within the precision of the numbers. If this is not reached, returns to
+// the smallest forces that were found after a step. `farthest`: mm, the largest displacement of a
+// point from rest, or the longest cell if that is larger.
 template <FilmEquilibrium Film>
 DIPWRIGHT_TEAM inline FoundEquilibrium findEquilibrium(Film& film, typename Film::Real drag,
                                                        double farthest) {
@@ -115,7 +115,7 @@ DIPWRIGHT_TEAM inline FoundEquilibrium findEquilibrium(Film& film, typename Film
 
 namespace detail {
 
-// Takes column `k` (k + 2 numbers) into the least-squares problem. The residual then.
+// Adds column `k` (k + 2 numbers) to the least-squares problem. Returns the new residual.
 DIPWRIGHT_HOST_DEVICE inline double takeColumn(LeastResiduals& problem, int k) {
     double* column = problem.matrix[k];
     for (int i = 0; i < k; ++i) {
@@ -132,7 +132,8 @@ DIPWRIGHT_HOST_DEVICE inline double takeColumn(LeastResiduals& problem, int k) {
     return std::fabs(problem.right[k + 1]);
 }
 
-// The weights of the first `count` basis vectors with the least residual, which it returns.
+// Computes the weights of the first `count` basis vectors with the smallest residual. Returns that
+// residual.
 DIPWRIGHT_HOST_DEVICE inline double solveTriangular(LeastResiduals& problem, int count) {
     for (int i = count - 1; i >= 0; --i) {
         double sum = problem.right[i];
@@ -146,9 +147,10 @@ DIPWRIGHT_HOST_DEVICE inline double solveTriangular(LeastResiduals& problem, int
 
 } // namespace detail
 
-// Solves H · step = −forces to a residual of `tolerance`, or as far as it goes, by restarted GMRES
-// preconditioned from the right (Saad, Iterative Methods for Sparse Linear Systems, algorithm 9.5):
-// so the residual that it sees is the true one. `start`: the residual of no step.
+// Solves H · step = −forces by restarted GMRES to a residual of `tolerance`, or as far as the
+// iterations allow. Preconditioning from the right (Saad, Iterative Methods for Sparse Linear
+// Systems, algorithm 9.5) means that its residual is the true one. `start`: the residual of a zero
+// step.
 template <LeastResidualBackend Film>
 DIPWRIGHT_TEAM inline void leastResiduals(Film& film, typename Film::Real drag, Tangent tangent,
                                           double start, double tolerance) {

@@ -1,10 +1,9 @@
-// What a step of the production film's dip asks of the device that computes it. The step itself
-// (FilmStep.h) and the search for equilibrium (Equilibrium.h) are written once, over this.
+// Defines what a step of the production film requires of the device that computes it. The step
+// (FilmStep.h) and the search for equilibrium (Equilibrium.h) are written once, on top of this.
 //
-// On a GPU a film is in the hands of a team of threads, all of which run the step together; on the
-// CPU the team is one thread, which may have others help it. Every member is called by the whole
-// team, in the same order. Points and triangles go by their number: row after row, and two
-// triangles a cell, cell after cell.
+// On a GPU, a team of threads runs the step of a film together. On the CPU, the team is one thread,
+// which may use helper threads. The whole team calls each member, in the same order. Points are
+// numbered row by row. Triangles are numbered cell by cell, two per cell.
 #pragma once
 
 #include "production/formulas/Adhesion.h"
@@ -15,22 +14,22 @@
 
 namespace dipwright::numerics {
 
-// Roots of sums of squares: of the forces left on the free points, and of the elastic forces within
-// the film, on the horizontal edges of triangles that move.
+// Roots of sums of squares: of the remaining forces on free points, and of the elastic forces on
+// the horizontal edges of moving triangles.
 struct FilmForce {
     double left = 0, elastic = 0;
 };
 
-// What the whole contact line does to a step.
+// The effect of the whole contact line on a step.
 template <typename Real>
 struct LineState {
-    Real steepness{1};   // the least of all its places
-    bool driven = false; // some triangle crosses it that still moves
+    Real steepness{1};   // smallest of the whole line
+    bool driven = false; // a triangle that can still move crosses the line
 };
 
-// The small least-squares problem of GMRES: the Hessenberg matrix, turned upper triangular by
-// Givens rotations as it grows; the right side, of which the last number taken is the residual; and
-// the weights of the basis vectors.
+// The small least-squares problem of GMRES. It contains the Hessenberg matrix, made upper
+// triangular by Givens rotations, and the right side, whose last number is the residual. The
+// weights belong to the basis vectors.
 struct LeastResiduals {
     double matrix[mostBasisVectors][mostBasisVectors + 1] = {}; // by columns
     double cosine[mostBasisVectors] = {}, sine[mostBasisVectors] = {};
@@ -40,7 +39,7 @@ struct LeastResiduals {
 
 namespace detail {
 
-// Stand-ins for what a step has done for each point and triangle.
+// Placeholders for the functions that a step passes to the backend.
 struct PointWork {
     void operator()(int point) const;
 };
@@ -64,8 +63,8 @@ struct Unfolding {
 
 } // namespace detail
 
-// What is kept of each film point and triangle, read and written by their numbers. In what kind of
-// array is the device's affair.
+// Stores the values of each film point and triangle, addressed by number. The device chooses the
+// arrays.
 template <typename Film, typename Real = typename Film::Real>
 concept FilmStorage = requires(Film& film, const Film& seen, int i, Vector2<Real> way,
                                Vector3<Real> place, Real value, Matrix2<Real> shape) {
@@ -73,26 +72,26 @@ concept FilmStorage = requires(Film& film, const Film& seen, int i, Vector2<Real
     { seen.body() } -> std::convertible_to<const ContactBody<Real>&>;
     { film.state() } -> std::same_as<StepState<Real>&>;
 
-    // mm from rest in the water plane: now, and at the end of the step before.
+    // mm from rest in the water plane: now, and at the end of the previous step.
     { seen.displacement(i) } -> std::same_as<Vector2<Real>>;
     { seen.before(i) } -> std::same_as<Vector2<Real>>;
     film.setDisplacement(i, way);
     film.setBefore(i, way);
-    // Why a point lies where it does. Threads of a team may mark the same point at once.
+    // Marks why a point lies where it does. Several threads may mark the same point at once.
     film.mark(i, solver::PointMark::Torn);
-    // What has become of a point, and where it sits on the body (body coordinates).
+    // The state of a point and its place on the body (body coordinates).
     { seen.pointState(i) } -> std::same_as<solver::PointState>;
     { seen.attached(i) } -> std::same_as<Vector3<Real>>;
     film.attach(i, place, solver::PointState{});
-    // Whether the equilibrium may move the point; hold(): no more, from the next setFree() on.
+    // Whether the equilibrium may move the point. hold() takes effect at the next setFree().
     { seen.moves(i) } -> std::same_as<bool>;
     film.hold(i);
-    // mm, at least so far from contact.
+    // Lower bound of the distance to contact, mm.
     { seen.clearance(i) } -> std::same_as<Real>;
     film.setClearance(i, value);
 
-    // A triangle's inverse rest shape, its edges in the plane now, whether a corner of it moves as
-    // of the last setFree(), and how it lies on the body.
+    // A triangle's inverse rest shape, its current edges in the plane, whether a corner could move
+    // at the last setFree(), and how it lies on the body.
     { seen.shape(i) } -> std::same_as<Matrix2<Real>>;
     film.setShape(i, shape);
     { seen.edges(i) } -> std::same_as<EdgePair<Real>>;
@@ -105,52 +104,54 @@ concept FilmTeam = requires(Film& film, Real value, bool flag, detail::PointWork
                             detail::TriangleWork forTriangle, detail::TriangleQuestion crosses,
                             detail::CrossingWork<Real> forCrossing,
                             detail::Unfolding<Real> unfolding) {
-    // A barrier: what any thread of the team has written before, all see afterwards.
+    // A barrier: afterwards all threads see what any thread of the team wrote before.
     film.barrier();
-    // The least value, or whether any flag is set, of all threads of the team; a barrier as well.
+    // Return the smallest value, or whether any flag is set, over all threads of the team. Both act
+    // as barriers.
     { film.least(value) } -> std::same_as<Real>;
     { film.anyOf(flag) } -> std::same_as<bool>;
 
-    // work(point) for all points, each thread its share of them in ascending order: so work may
-    // gather in variables of its own thread.
+    // Calls work(point) for all points. Each thread gets its points in ascending order, so `work`
+    // may use variables of its own thread.
     film.forPoints(forPoint);
-    // The triangles that cross the contact line become those of which crosses(corners) holds, each
-    // as unfold(triangle, corners) has it; where they are the same as before they keep their
-    // anchors. Both may be called by helping threads.
+    // Makes the triangles that satisfy crosses(corners) the crossing triangles, with the values of
+    // unfold(triangle, corners). If the set has not changed, they keep their anchors. Helper
+    // threads may call both functions.
     { film.findCrossing(crosses, unfolding) } -> std::same_as<LineState<Real>>;
-    // work(triangle, crossing, anchor) for these, as forPoints.
+    // Calls work(triangle, crossing, anchor) for the crossing triangles, in the same way as
+    // forPoints.
     film.forCrossing(forCrossing);
-    // onLine(triangle, crossing, anchor) for these, and floating(triangle) for all others. May be
-    // called by helping threads.
+    // Calls onLine(triangle, crossing, anchor) for the crossing triangles and floating(triangle)
+    // for all others. Helper threads may call both functions.
     film.forTriangles(forCrossing, forTriangle);
-    // The same for all triangles that may be stretched to more than `value` times their length or
-    // area, and perhaps for others; as forPoints.
+    // Does the same for all triangles that may be stretched to more than `value` times their length
+    // or area, and possibly for others. Each thread gets its triangles as in forPoints.
     film.forStretched(value, forCrossing, forTriangle);
 };
 
-// The film's forces, with a drag of the water of so much on each point (WaterDrag.h).
+// Computes the film's forces, including a water drag of `drag` on each point (WaterDrag.h).
 template <typename Film, typename Real = typename Film::Real>
 concept FilmEquilibrium = requires(Film& film, Real drag, Real length, double number) {
     { film.model() } -> std::convertible_to<const FilmModel<Real>&>;
     { Film::newtonLimits() } -> std::same_as<NewtonLimits>;
-    // Tells the equilibrium which points move; a barrier.
+    // Tells the equilibrium which points can move. Acts as a barrier.
     film.setFree();
-    // At the displacement; then at that of the last startOfStep() plus `length` Newton steps, which
-    // becomes the displacement.
+    // Computes the force at the displacement; or at the displacement of the last startOfStep() plus
+    // `length` Newton steps, which then becomes the displacement.
     { film.force(drag) } -> std::same_as<FilmForce>;
     { film.forceAlong(length, drag) } -> std::same_as<FilmForce>;
-    // What is left on a point of the forces last taken; nothing on one that is held.
+    // The remaining force on a point at the last force computation; zero for a held point.
     { film.forceOn(0) } -> std::same_as<Vector2<Real>>;
-    // Readies solveLinear() for the stiffness that the film has where the forces were last taken:
-    // which it is to solve for there or near by.
+    // Prepares solveLinear() for the film's stiffness at the last force computation. solveLinear()
+    // is called for that place or nearby.
     film.prepareLinear(drag);
-    // Solves H · step = −(the forces last taken) for the Newton step, H their derivative. The first
-    // number is the residual of no step at all, the second the one at which the search may stop.
+    // Solves H · step = −(the last forces) for the Newton step; H is their derivative. The first
+    // number is the residual of a zero step, the second the residual at which the search may stop.
     film.solveLinear(drag, Tangent::True, number, number);
-    // Remembers the displacement as where the step starts. Returns the farthest that the whole
-    // step moves a point along X or Z, mm.
+    // Saves the displacement as the start of the step. Returns the largest motion of a point along
+    // X or Z in the whole step, mm.
     { film.startOfStep() } -> std::same_as<double>;
-    // Remembers the displacement as the best yet, and goes back to it.
+    // Saves the displacement as the best so far, and restores it.
     film.keepBest();
     film.takeBest();
 };
@@ -158,23 +159,24 @@ concept FilmEquilibrium = requires(Film& film, Real drag, Real length, double nu
 template <typename Film>
 concept FilmBackend = FilmStorage<Film> && FilmTeam<Film> && FilmEquilibrium<Film>;
 
-// What the method of least residuals asks of such a device: vectors of a basis, and each of them
-// smoothed, which is M⁻¹ times it, M⁻¹ a multigrid cycle (GalerkinCycle.h).
+// Defines what the method of least residuals requires of a device: basis vectors, and each of them
+// smoothed, that is multiplied by M⁻¹, a multigrid cycle (GalerkinCycle.h).
 template <typename Film, typename Real = typename Film::Real>
 concept LeastResidualBackend = requires(Film& film, Real value, int count, double* column) {
-    // Has one thread do work(problem) → double on the small problem, for all that share it.
+    // Lets one thread call work(problem) → double on the small problem, for all threads that share
+    // it.
     { film.inSmallProblem(detail::SmallWork{}) } -> std::same_as<double>;
-    // No step yet, the residual being the forces.
+    // Starts with a zero step; the residual is the forces.
     film.startLinear();
-    // The first basis vector is `value` times the residual.
+    // Makes the residual times `value` the first basis vector.
     film.startBasis(value);
-    // Smooths basis vector `count` and makes the next one: H times the smoothed one, orthogonal to
-    // those before, of length one. Column `count` of the small problem's matrix becomes its
-    // products with these and its length.
+    // Smooths basis vector `count` and makes the next one: H times the smoothed vector, orthogonal
+    // to the earlier ones and of length 1. Column `count` of the small problem's matrix receives
+    // its products with the earlier vectors and its length.
     film.extendBasis(count, value, Tangent::True);
-    // step −= the first `count` smoothed vectors, each times its weight in the small problem.
+    // Computes step −= the first `count` smoothed vectors times their weights in the small problem.
     film.addToStep(count);
-    // The residual becomes forces + H · step. Returns its root of the sum of squares.
+    // Sets the residual to forces + H · step. Returns its root of the sum of squares.
     { film.linearResidual(value, Tangent::True) } -> std::same_as<double>;
 };
 

@@ -1,4 +1,4 @@
-// What a step of the production film's dip knows of its film, and where it stands.
+// Holds what a step of the production film needs to know about its film, and the state of its dip.
 #pragma once
 
 #include "common/Vector3.h"
@@ -11,15 +11,15 @@
 
 namespace dipwright::numerics {
 
-// Two numbers of a film point, in the water plane.
+// Two numbers of a film point in the water plane.
 template <typename Real>
 struct Vector2 {
     Real x{}, z{};
 };
 
-// A film's lines along one axis, columns along X or rows along Z: where they rest, mm; the length
-// of the edges from each but the last to the next, as the forces know it; and the length of film
-// that a point on each stands for, over that of the finest cell. Owned by the film, on its device.
+// A film's lines along one axis: columns along X or rows along Z. `places`: their rest positions,
+// mm. `edges`: the length from each line to the next, as the forces use it. `spans`: the film
+// length per line, relative to the finest cell. The film owns the arrays, on its device.
 template <typename Real>
 struct FilmLines {
     const double* places = nullptr;
@@ -27,7 +27,7 @@ struct FilmLines {
     const Real* spans = nullptr;
 };
 
-// What they point to.
+// The arrays that FilmLines points to.
 template <typename Real>
 struct FilmLineValues {
     std::vector<double> places;
@@ -36,7 +36,7 @@ struct FilmLineValues {
     FilmLines<Real> lines() const { return {places.data(), edges.data(), spans.data()}; }
 };
 
-// rest(line) and spacing(line) of `count` lines, as of solver::FilmGrid.
+// Returns the values of `count` lines. rest(line) and spacing(line) are those of solver::FilmGrid.
 template <typename Real, typename Rest, typename Spacing>
 FilmLineValues<Real> filmLineValues(int count, double leastSpacing, const Rest& rest,
                                     const Spacing& spacing) {
@@ -65,19 +65,19 @@ FilmLineValues<Real> rowsOf(const solver::FilmGrid& film) {
         [&](int line) { return film.spacingZ(line); });
 }
 
-// How film that nothing has touched grows along one axis: about a place, mm, as if it were free
-// there, or not at all. From its middle where neither side is held, from the one that is.
+// The origin about which untouched film grows along one axis, mm. It is the film's middle if
+// neither side is held, or the held side. If both sides are held, there is no free growth.
 struct GrowthOrigin {
     double place = 0;
     bool isAny = true;
 };
 
-// Of a film `length` long: which of its two sides are held.
+// Returns the origin for a film of this length, by which of its two sides are held.
 inline GrowthOrigin growthOrigin(double length, bool isFirstHeld, bool isLastHeld) {
     return {isFirstHeld ? -length / 2 : isLastHeld ? length / 2 : 0, !(isFirstHeld && isLastHeld)};
 }
 
-// What all steps of a dip have in common.
+// The constants of all steps of a dip.
 template <typename Real>
 struct FilmModel {
     int columns = 0, rows = 0;
@@ -85,7 +85,8 @@ struct FilmModel {
     Real cell{};                       // mm, the smaller of the two
     double longestEdge = 0;            // mm, of all cells
     FilmLines<Real> alongX, alongZ;
-    double contactTravel = 0, residual = 0, tearStretch = 0, relaxationTime = 0; // as in Settings
+    double contactTravel = 0, residual = 0, tearStretch = 0,
+           relaxationTime = 0; // see solver::Settings
     double growthRate = 0, growthLimit = 0;
     GrowthOrigin alongXFrom, alongZFrom;
     Real gatheredResistance{}; // PlaneStress.h
@@ -115,7 +116,7 @@ FilmModel<Real> filmModel(const solver::DipSetup& setup, const FilmLines<Real>& 
     model.relaxationTime = setup.settings.relaxationTime;
     model.growthRate = setup.settings.growthRate;
     model.growthLimit = setup.settings.growthLimit;
-    // A side is held that is held in its middle.
+    // A side counts as held if its middle is held.
     const auto isHeld = [&](int column, int row) {
         return !setup.pinned.empty() &&
                setup.pinned[std::size_t(row) * std::size_t(film.columns) + std::size_t(column)] !=
@@ -133,13 +134,13 @@ template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline int pointCount(const FilmModel<Real>& model) {
     return model.columns * model.rows;
 }
-// Two triangles a cell, cell after cell.
+// Two triangles per cell, cell by cell.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline int triangleCount(const FilmModel<Real>& model) {
     return 2 * (model.columns - 1) * (model.rows - 1);
 }
 
-// Of an undeformed triangle of a column and row of cells: its edges, mm, and its area, mm².
+// The edges (mm) and the area (mm²) of an undeformed triangle in one column and row of cells.
 template <typename Real>
 struct TriangleSize {
     Real x{}, z{};
@@ -150,7 +151,7 @@ DIPWRIGHT_HOST_DEVICE inline TriangleSize<Real> triangleSize(const FilmModel<Rea
                                                              int column, int row) {
     return {model.alongX.edges[column], model.alongZ.edges[row]};
 }
-// By number: two triangles a cell, cell after cell.
+// By number: two triangles per cell, cell by cell.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline TriangleSize<Real> triangleSize(const FilmModel<Real>& model,
                                                              int triangle) {
@@ -158,7 +159,7 @@ DIPWRIGHT_HOST_DEVICE inline TriangleSize<Real> triangleSize(const FilmModel<Rea
     return triangleSize(model, cell - row * (model.columns - 1), row);
 }
 
-// The film that a point stands for, over that of the finest cell.
+// Returns the film area per point, relative to the finest cell.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Real pointArea(const FilmModel<Real>& model, int column, int row) {
     return model.alongX.spans[column] * model.alongZ.spans[row];
@@ -170,7 +171,7 @@ DIPWRIGHT_HOST_DEVICE inline Real pointArea(const FilmModel<Real>& model, int po
     return pointArea(model, point - row * model.columns, row);
 }
 
-// World place of a floating point.
+// Returns the world position of a floating point.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Vector3<Real>
 planePosition(const FilmModel<Real>& model, std::uint32_t point, Vector2<Real> displacement) {
@@ -180,15 +181,15 @@ planePosition(const FilmModel<Real>& model, std::uint32_t point, Vector2<Real> d
             Real(model.alongZ.places[row]) + displacement.z};
 }
 
-// Where a dip stands between two steps.
+// The state of a dip between two steps.
 template <typename Real>
 struct StepState {
-    double descent = 0, increment = 0; // mm: of the body, and in the last step
-    Real steepness{1};                 // the least of all places on the contact line
+    double descent = 0, increment = 0; // mm: of the body; in the last step
+    Real steepness{1};                 // smallest of the contact line
     int steps = 0;
     bool anyAdhered = false;
-    bool driven = false; // the contact line still pulls at the film
-    double grown = 1;    // how many times as long as at the start floating film is at rest
+    bool driven = false; // the contact line still moves the film
+    double grown = 1;    // rest length of floating film, relative to the start
     solver::EquilibriumAccount equilibrium;
 };
 

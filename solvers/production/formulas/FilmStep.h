@@ -1,14 +1,16 @@
-// A step of the production film's dip (docs/film-model.md), the same on every device.
+// Computes one step of the production film's dip (docs/film-model.md), in the same way on all
+// devices.
 //
-// The film is a plane problem: every point has a place in the water plane. A free point is where
-// the equilibrium puts it. A point that has adhered is held; the triangles that cross the contact
-// line see it where its piece of the body's surface lies when that is unfolded about the line
-// (ContactPath.h). One step lowers the body by so much that the contact line travels a fraction of
-// a cell along the surface, lets the film find its equilibrium, and lets every point that met the
-// surface on the way adhere when and where it met it. Where the body turns up it loses its grip,
-// and film follows its unfolding less and less (LaidCorners). Where it turns up too far to hold
-// film at all it releases the film, whose edge then stays where it lay on the water. Film that
-// tears is held where it is on the water: it is soft, and does not spring back.
+// The film is a plane problem: each point has a place in the water plane. The equilibrium places
+// the free points. Adhered points are held. Triangles that cross the contact line see them where
+// the body's surface lies when it is unfolded about the line (ContactPath.h).
+//
+// A step lowers the body so far that the contact line travels a fraction of a cell along the
+// surface. Then the film finds its equilibrium. Each point that met the surface on the way adheres
+// when and where it met it. Where the body turns up, its grip fades, and film follows its unfolding
+// less and less (LaidCorners). Where the body turns up too far, it releases the film, whose edge
+// then stays at its place on the water. Torn film is held at its place on the water: it is soft and
+// does not spring back.
 #pragma once
 
 #include "production/formulas/Equilibrium.h"
@@ -34,8 +36,8 @@ DIPWRIGHT_TEAM inline bool isFree(const Film& film, int point) {
     return film.pointState(point) == solver::PointState::Free;
 }
 
-// The least distance to the body of the points that are not next to film on it, or `most` if none
-// is nearer.
+// Returns the smallest distance to the body of all points that are not next to film on the body, or
+// `most` if none is nearer.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline double nearestClearance(Film& film, double most) {
     using Real = typename Film::Real;
@@ -57,8 +59,8 @@ DIPWRIGHT_TEAM inline double nearestClearance(Film& film, double most) {
     return double(film.least(nearest));
 }
 
-// As far as the contact line may travel, and not past the moment at which another part of the body
-// touches.
+// Returns the largest increment that respects the contact line's travel and stops when another part
+// of the body makes contact.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline double nextIncrement(Film& film) {
     const double cell = double(film.model().cell);
@@ -76,7 +78,7 @@ DIPWRIGHT_TEAM inline void enter(const FoundEquilibrium& found,
     }
 }
 
-// Free points go on as in the step before: the warm start of the equilibrium.
+// Moves free points as in the previous step, as a warm start for the equilibrium.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void predict(Film& film, double increment) {
     using Real = typename Film::Real;
@@ -107,9 +109,9 @@ DIPWRIGHT_TEAM inline void findCorners(const Film& film, const TriangleCorners& 
     }
 }
 
-// Finds the triangles that cross the contact line with the body at `descent` and still move, and
-// unfolds the surface under them. Where there is no contact line near (a flat face, a body that has
-// gone under) their corners stay where they are. `moved`: because the body has; else because the
+// Finds the triangles that cross the contact line with the body at `descent` and can still move,
+// and unfolds the surface under them. If no contact line is near (a flat face, a body that has
+// submerged), their corners do not move. `moved`: true if the body has moved, false if only the
 // film has.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void findContactLine(Film& film, double descent, bool moved) {
@@ -145,7 +147,7 @@ DIPWRIGHT_TEAM inline void moveAnchors(Film& film) {
     film.barrier();
 }
 
-// The floating parts of the crossing triangles have the gradient that they have now.
+// Sets the anchors of the crossing triangles to the current gradients of their floating parts.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void setAnchors(Film& film) {
     film.forCrossing([&](int triangle, const auto& crossing, auto& anchor) {
@@ -154,8 +156,8 @@ DIPWRIGHT_TEAM inline void setAnchors(Film& film) {
     });
 }
 
-// Holds the corners of film that is stretched too far and, where the film finds no rest
-// (`isRestless`), of film that is folded. Whether this thread has any.
+// Holds the corners of film that is stretched too far. If the film did not converge (`isRestless`),
+// also holds the corners of folded film. Returns whether this thread found any.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline bool holdLost(Film& film, bool isRestless) {
     using Real = typename Film::Real;
@@ -171,7 +173,7 @@ DIPWRIGHT_TEAM inline bool holdLost(Film& film, bool isRestless) {
         }
         any = true;
     };
-    // `isTurned`: inside out in what floats of it.
+    // `isTurned`: its floating part is turned inside out.
     const auto holdIfLost = [&](int triangle, const EdgePair<Real>& edges, bool isTurned) {
         const TriangleSize<Real> size = triangleSize(model, triangle);
         const TriangleStretch<Real> stretch = triangleStretch(edges, size.x, size.z);
@@ -199,8 +201,8 @@ DIPWRIGHT_TEAM inline bool holdLost(Film& film, bool isRestless) {
     return any;
 }
 
-// work(point) for the points that keep the film from its rest: those on which the most force is
-// left.
+// Calls work(point) for the points with the largest remaining forces, which keep the film from
+// converging.
 template <FilmBackend Film, typename Work>
 DIPWRIGHT_TEAM inline void forUnbalanced(Film& film, const Work& work) {
     using Real = typename Film::Real;
@@ -219,7 +221,7 @@ DIPWRIGHT_TEAM inline void forUnbalanced(Film& film, const Work& work) {
     });
 }
 
-// mm that a point has come from its rest along X or Z, at most.
+// Returns the largest displacement of a point from rest along X or Z, mm.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline double farthestFromRest(Film& film) {
     using Real = typename Film::Real;
@@ -231,13 +233,13 @@ DIPWRIGHT_TEAM inline double farthestFromRest(Film& film) {
     return double(-film.least(-farthest));
 }
 
-// The film at rest at the end of a step. What keeps it from that is held, and the search goes on:
-// film at its own free edge that is pushed together, or caught between two parts of the body, may
-// have no rest in the water plane; real film gives way out of it.
+// Finds the film's equilibrium at the end of a step. Points that prevent convergence are held, and
+// the search continues. Film that is compressed at its own free edge, or caught between two parts
+// of the body, may have no equilibrium in the water plane; real film leaves the plane.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline FoundEquilibrium settle(Film& film, typename Film::Real drag) {
-    // What is left of the rounding of a triangle's gradient goes by its edge: at a first contact it
-    // may be all the force there is, and nearly all points would be held for it.
+    // The rounding error of a triangle's gradient grows with its edge. At first contact it may be
+    // the only force. Without this limit, nearly all points would then be held.
     const double farthest = std::fmax(farthestFromRest(film), film.model().longestEdge);
     FoundEquilibrium found = findEquilibrium(film, drag, farthest);
     for (int holds = 0; holds < mostHolds && !found.isReached; ++holds) {
@@ -256,8 +258,9 @@ DIPWRIGHT_TEAM inline FoundEquilibrium settle(Film& film, typename Film::Real dr
     return found;
 }
 
-// Lets stretch decay to `keep` of it, rest shapes creeping to current ones (PlaneStress.h), and
-// makes the floating part of a crossing triangle stand for all of it.
+// Lets the stretch decay to the share `keep`, as rest shapes creep to current shapes
+// (PlaneStress.h). Also makes the floating part of a crossing triangle represent the whole
+// triangle.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void relax(Film& film, typename Film::Real keep) {
     const auto& model = film.model();
@@ -281,8 +284,9 @@ DIPWRIGHT_TEAM inline void relax(Film& film, typename Film::Real keep) {
     });
 }
 
-// How many times as long as at the start floating film is at rest in a step of `increment`: in its
-// middle, for what is laid in it is laid, on the average, then; at its end while nothing is laid.
+// Returns the rest length of floating film in a step of `increment`, relative to the start. While
+// film is laid, the middle of the step counts, which is the average time of laying. Before that,
+// the end of the step counts.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline double grownIn(Film& film, double increment) {
     const FilmModel<typename Film::Real>& model = film.model();
@@ -291,8 +295,8 @@ DIPWRIGHT_TEAM inline double grownIn(Film& film, double increment) {
     return grownLength(seconds, model.growthRate, model.growthLimit);
 }
 
-// Lets the rest shapes of floating film grow. What is on the body already does not count any more.
-// A barrier is yet to come.
+// Grows the rest shapes of floating film. Film on the body no longer counts. Does not include a
+// barrier; the caller needs one.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void growTo(Film& film, double grown) {
     using Real = typename Film::Real;
@@ -306,7 +310,7 @@ DIPWRIGHT_TEAM inline void growTo(Film& film, double grown) {
     film.state().grown = grown;
 }
 
-// Where `way` leads in a film that has grown by `share` of its rest, as if nothing touched it.
+// Returns the displacement of a point after free growth by `share` of its rest, starting at `way`.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Vector2<Real> grownFreely(const FilmModel<Real>& model, int point,
                                                        const Vector2<Real>& way, Real share) {
@@ -317,8 +321,8 @@ DIPWRIGHT_HOST_DEVICE inline Vector2<Real> grownFreely(const FilmModel<Real>& mo
     return {grown(model.alongXFrom, way.x, rest.x), grown(model.alongZFrom, way.z, rest.z)};
 }
 
-// As long as nothing has touched it, a film that grows lies so, but near a side that is held; and
-// the water drags at film that moves otherwise.
+// While nothing touches it, growing film takes this place, except near a held side. The water drags
+// at film that moves in another way.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void growFreely(Film& film, double share) {
     using Real = typename Film::Real;
@@ -334,7 +338,7 @@ DIPWRIGHT_TEAM inline void growFreely(Film& film, double share) {
     });
 }
 
-// After the equilibrium: the film's way in the step began where the film was.
+// After the equilibrium, restores the start of the film's motion in this step.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void restoreBefore(Film& film, double share) {
     using Real = typename Film::Real;
@@ -343,7 +347,7 @@ DIPWRIGHT_TEAM inline void restoreBefore(Film& film, double share) {
     });
 }
 
-// A point that has come within the contact distance. Whether it stays on the body.
+// Handles a point within the contact distance. Returns whether it stays on the body.
 template <FilmStorage Film>
 DIPWRIGHT_TEAM inline bool stick(Film& film, int point, double increment,
                                  const Vector3<typename Film::Real>& start,
@@ -357,9 +361,9 @@ DIPWRIGHT_TEAM inline bool stick(Film& film, int point, double increment,
     return sticks;
 }
 
-// Free points within the contact distance at the end of the step stick. A point far from the body
-// is not looked at again before it or the body can have come so far. Whether this thread has met
-// any.
+// Makes free points within the contact distance at the end of the step adhere. A point far from the
+// body is tested again only when it or the body may have come near enough. Returns whether this
+// thread found a contact.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline bool touch(Film& film, double increment) {
     using Real = typename Film::Real;
@@ -383,7 +387,8 @@ DIPWRIGHT_TEAM inline bool touch(Film& film, double increment) {
                     planePosition(film.model(), std::uint32_t(point), before);
                 hasTouched = stick(film, point, increment, start, end) || hasTouched;
             } else {
-                clearance = distance / Real(3); // a third: safe outside the field's grid too
+                clearance =
+                    distance / Real(3); // a third, so that it is safe outside the field's grid too
             }
         }
         film.setClearance(point, clearance);
@@ -391,8 +396,8 @@ DIPWRIGHT_TEAM inline bool touch(Film& film, double increment) {
     return hasTouched;
 }
 
-// Releases film where the body at `descent` has turned up too far to hold it. Whether the team has
-// any.
+// Releases film where the body at `descent` turns up too far to hold it. Returns whether any thread
+// of the team released film.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline bool releaseOverhang(Film& film, double descent) {
     using Real = typename Film::Real;
@@ -419,7 +424,7 @@ DIPWRIGHT_TEAM inline bool releaseOverhang(Film& film, double descent) {
 
 } // namespace detail
 
-// One step of a film that has not finished.
+// Computes one step of a film that is not finished.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void step(Film& film) {
     using Real = typename Film::Real;

@@ -1,28 +1,28 @@
-// What a multigrid cycle for the film's stiffness consists of, whatever computes it.
+// The constants and formulas of the multigrid cycle for the film's stiffness, for all devices.
 //
-// The operator of the finest grid is put together of the stiffness of every triangle as it is now
-// (EdgeStiffness.h): drawn out, gathered, turned, crossing the contact line, beside film that is
-// held. Every second point of a grid stays in the next coarser one, with bilinear interpolation P
-// between them, and the coarse operator is PᵀKP (Galerkin): so the coarse grids know what a
-// constant stencil of the flat film does not, where film is soft and what holds it. Smoothing is by
-// Chebyshev polynomials over the points' own 2 × 2 blocks, the same for any number of threads.
+// The finest grid's operator is assembled from the current stiffness of every triangle
+// (EdgeStiffness.h), including stretched, gathered, rotated and crossing triangles and those beside
+// held film. A coarser grid keeps every second point. With bilinear interpolation P between them,
+// the coarse operator is PᵀKP (Galerkin). So, unlike a constant stencil of the flat film, the
+// coarse grids represent where film is soft and what holds it. Smoothing uses Chebyshev polynomials
+// over the points' own 2 × 2 blocks. It does not depend on the number of threads.
 #pragma once
 
 #include <array>
 
 namespace dipwright::numerics::galerkin {
 
-// Smoothing takes care of the part of the spectrum (of block⁻¹·stiffness) between these.
+// Smoothing covers the part of the spectrum of block⁻¹·stiffness between these two values.
 inline constexpr double largestEigenvalue = 2.4;
 inline constexpr double smallestSmoothed = 0.4;
 inline constexpr int smoothingDegree = 2;
 inline constexpr int coarsestDegree = 16;
-// A point's own block counts as singular below this determinant, over the square of its trace.
+// A point's own block counts as singular below this determinant, relative to its squared trace.
 inline constexpr float leastDeterminant = 1e-4f;
-inline constexpr int coarsestPoints = 5; // along the shorter edge: no coarser
+inline constexpr int coarsestPoints = 5; // along the shorter edge of the coarsest grid, at most
 
-// One step of the polynomial: direction ← keep·direction + gain·block⁻¹·residual, added to the
-// result.
+// One step of the polynomial: direction ← keep·direction + gain·block⁻¹·residual. The direction is
+// then added to the result.
 struct ChebyshevStep {
     float keep = 0, gain = 0;
 };
@@ -50,7 +50,8 @@ inline constexpr std::array<ChebyshevStep, std::size_t(coarsestDegree)> coarsest
 constexpr bool isCoarsest(int columns, int rows) {
     return (columns < rows ? columns : rows) <= coarsestPoints;
 }
-// Coarse point c lies on fine point 2c; of an even number of points the last one lies past the end.
+// Coarse point c lies on fine point 2c. If the number of fine points is even, the last coarse point
+// lies past the end.
 constexpr int coarser(int points) {
     return points / 2 + 1;
 }

@@ -1,7 +1,8 @@
-// The film's triangles: their corners in the grid, their edges, and the forces on these.
+// Defines the film's triangles: their corners in the grid, their edges, and the forces on these
+// edges.
 //
-// Every triangle has one horizontal and one vertical grid edge; its forces are taken as forces on
-// these two (FilmSolver.h, FilmGrid, tells how cells are cut).
+// Each triangle has one horizontal and one vertical grid edge. Its forces act on these two edges
+// (FilmSolver.h, FilmGrid, defines how cells are divided).
 #pragma once
 
 #include "production/formulas/PlaneStress.h"
@@ -11,18 +12,18 @@
 
 namespace dipwright::numerics {
 
-// Film points: the two ends of a triangle's horizontal edge, and the third corner, which shares the
-// vertical edge with one of them.
+// The film points of a triangle: the two ends of its horizontal edge, and the third corner, which
+// shares the vertical edge with one of them.
 struct TriangleCorners {
     std::uint32_t points[3]; // left, right, third
     bool thirdOnRight;
     bool thirdAbove; // in the next row
 
-    // Which of `points` is the corner of both edges.
+    // Returns the index of the corner that both edges share.
     DIPWRIGHT_HOST_DEVICE int shared() const { return thirdOnRight ? 1 : 0; }
 };
 
-// Of the first triangle of a cell (on its lower horizontal edge), or of the second.
+// Returns the corners of a cell's first triangle (on its lower horizontal edge) or second triangle.
 DIPWRIGHT_HOST_DEVICE inline TriangleCorners triangleCorners(int columns, int column, int row,
                                                              bool second) {
     const bool even = (column + row) % 2 == 0;
@@ -34,27 +35,27 @@ DIPWRIGHT_HOST_DEVICE inline TriangleCorners triangleCorners(int columns, int co
     return {{base, base + 1, third}, onRight, !second};
 }
 
-// By number: two triangles a cell, cell after cell.
+// By number: two triangles per cell, cell by cell.
 DIPWRIGHT_HOST_DEVICE inline TriangleCorners triangleCorners(int columns, std::size_t number) {
     const int cell = int(number / 2), cells = columns - 1;
     return triangleCorners(columns, cell % cells, cell / cells, number % 2 != 0);
 }
 
-// x and z of a triangle's horizontal and vertical edge, from lower to higher grid index; or of the
-// forces on them, as a gradient: the higher end gets +, the lower end −.
+// x and z of a triangle's horizontal and vertical edge, from lower to higher grid index. Also the
+// forces on these edges, as a gradient: + at the higher end, − at the lower end.
 template <typename Real>
 struct EdgePair {
     Real hx{}, hz{}, vx{}, vz{};
 };
 
-// The deformation gradient.
+// Returns the deformation gradient.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> gradientOf(const EdgePair<Real>& edges,
                                                       const Matrix2<Real>& inverseShape) {
     return Matrix2<Real>{edges.hx, edges.vx, edges.hz, edges.vz} * inverseShape;
 }
 
-// Stress back to forces on the two edges: area · P · inverseShapeᵀ.
+// Converts stress to forces on the two edges: area · P · inverseShapeᵀ.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline EdgePair<Real>
 edgeForces(const Matrix2<Real>& P, const Matrix2<Real>& inverseShape, Real area) {

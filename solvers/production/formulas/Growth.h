@@ -1,4 +1,5 @@
-// How floating film grows with time (docs/film-model.md, "Swell, relaxation and edges").
+// Computes the growth of floating film over time (docs/film-model.md, "Swell, relaxation and
+// edges").
 #pragma once
 
 #include "common/HostDevice.h"
@@ -7,9 +8,9 @@
 
 namespace dipwright::numerics {
 
-// How many times as long as at the start of the dip its rest shape is after so many seconds: it
-// begins to grow by `rate` of its length a second, towards `limit` of it (Settings in
-// FilmSolver.h).
+// Returns the rest length of floating film after `seconds`, relative to the start of the dip.
+// Growth starts with `rate` of the length per second and tends to `limit` of the length (Settings
+// in FilmSolver.h).
 DIPWRIGHT_HOST_DEVICE inline double grownLength(double seconds, double rate, double limit) {
     return rate > 0 && limit > 0 ? 1 - limit * std::expm1(-rate * seconds / limit) : 1.0;
 }

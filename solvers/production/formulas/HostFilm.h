@@ -1,6 +1,6 @@
-// The points of a production film in the host's memory, for those backends that have it there
-// (FilmBackend.h, FilmStorage), and its dip as the solver interface wants it. One thread is the
-// team.
+// Stores the points of a production film in host memory for the backends that need it
+// (FilmBackend.h, FilmStorage), and implements the functions of the solver interface. The team is
+// one thread.
 #pragma once
 
 #include "production/formulas/FilmStep.h"
@@ -12,7 +12,7 @@
 
 namespace dipwright::numerics {
 
-// `Vector`: two arrays x and z of its Real, one entry a film point.
+// `Vector`: has two arrays x and z of its type Real, with one entry per film point.
 template <typename Vector>
 class HostFilm {
 public:
@@ -66,7 +66,7 @@ public:
         }
     }
 
-    // As solver::FilmSolver::read.
+    // See solver::FilmSolver::read.
     void read(std::span<float> positions, std::span<solver::PointState> states) const {
         const BodyFrame<Real> frame = bodyFrame<Real>(body_.motion, state_.descent);
         forPoints([&](int point) {
@@ -82,13 +82,13 @@ public:
         std::copy_n(states_.begin(), states.size(), states.begin());
     }
 
-    // As solver::FilmSolver::readMarks.
+    // See solver::FilmSolver::readMarks.
     void readMarks(std::span<std::uint8_t> marks) const {
         std::copy_n(marks_.begin(), marks.size(), marks.begin());
     }
 
 protected:
-    Vector displacement_, before_; // from rest, now and a step ago
+    Vector displacement_, before_; // from rest: now and one step ago
     std::vector<float> free_;      // 1: the equilibrium moves it
 
 private:
@@ -106,12 +106,12 @@ private:
     StepState<Real> state_;
     std::vector<solver::PointState> states_;
     std::vector<std::uint8_t> marks_;     // solver::PointMark bits
-    std::vector<Vector3<Real>> attached_; // where an adhered point sits, body coordinates
+    std::vector<Vector3<Real>> attached_; // place of an adhered point, body coordinates
     std::vector<Real> clearance_;
     std::vector<LaidCorners<Real>> laid_;
 };
 
-// At most `maximumSteps` steps; as solver::FilmSolver::advance.
+// Runs at most `maximumSteps` steps. See solver::FilmSolver::advance.
 template <FilmBackend Film>
 solver::DipState advance(Film& film, int maximumSteps) {
     for (int i = 0; i < maximumSteps && !isFinished(film); ++i) {

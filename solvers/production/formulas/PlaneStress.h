@@ -1,20 +1,22 @@
-// The elastic sheet of the production film: a constant-strain triangle in the water plane.
+// The elastic law of the production film: constant-strain triangles in the water plane.
 //
-// Energy per rest area, with F the deformation gradient, F = R·U its polar decomposition and s = tr
-// U:
+// Let F be the deformation gradient, F = R·U its polar decomposition and s = tr U. The energy per
+// rest area is
+//
 //     W = μ |F − R|² + (λ/2)(s − 2)²,
-// the corotated (Biot strain) plane-stress law. Poisson ratio 1/3 makes λ = μ, and as only the
-// ratio matters in equilibrium both are 1. In two dimensions R comes without a decomposition: s =
-// √((a + d)² + (c − b)²), cos = (a + d)/s, sin = (c − b)/s for F = [a b; c d].
 //
-// Gathered film. With δ = λ1 − λ2 the same law reads  W = δ²/2 + (s − 2)².  Film under a mean
-// stretch s/2 below 2/3 could then give way by turning in its own plane, triangle against triangle,
-// and which way it turns would hang on nothing but the grid. (W is rank-one convex where the
-// second term's derivative g′ is at least −s.) Real film wrinkles out of the plane instead and
-// hardly resists any more. So below the mean stretch 4/5 the second term goes on as g′ = −s/2,
-// which is 2 (s − 2) there: the film still has one equilibrium, and it gathers evenly. A twentieth
-// of mean stretch to either side the two pass into each other smoothly: film at its free edge comes
-// to rest just there, where at a kink Newton's method would go to and fro.
+// the corotated (Biot strain) plane-stress law. Poisson's ratio 1/3 makes λ = μ. Only the ratio
+// matters in equilibrium, so both are 1. In two dimensions R needs no decomposition. For
+// F = [a b; c d], s = √((a + d)² + (c − b)²), cos = (a + d)/s, sin = (c − b)/s.
+//
+// Gathered film. With δ = λ1 − λ2 the same law reads W = δ²/2 + (s − 2)². Below a mean stretch s/2
+// of 2/3, film could give way by rotating in its own plane, triangle against triangle. The
+// direction would depend only on the grid. (W is rank-one convex where the second term's derivative
+// g′ is at least −s.) Real film wrinkles out of the plane instead and hardly resists any more. So
+// below the mean stretch 4/5 the second term continues as g′ = −s/2, which equals 2 (s − 2) there.
+// The film keeps a single equilibrium and gathers evenly. The two laws blend smoothly over a
+// twentieth of mean stretch on each side. Film at its free edge comes to rest in this range, where
+// Newton's method would alternate at a kink.
 #pragma once
 
 #include "common/HostDevice.h"
@@ -23,8 +25,8 @@
 
 namespace dipwright::numerics {
 
-// A 2 × 2 matrix [a b; c d]: x and z of the film's X direction in the first column, of its Z
-// direction in the second.
+// A 2 × 2 matrix [a b; c d]. The first column is the film's X direction, the second its Z
+// direction, each as x and z.
 template <typename Real>
 struct Matrix2 {
     Real a{}, b{}, c{}, d{};
@@ -41,23 +43,23 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> scaled(const Matrix2<Real>& m, Real f
     return {m.a * factor, m.b * factor, m.c * factor, m.d * factor};
 }
 
-// h′(s) where film that begins to gather at the mean stretch `gatheringStretch` has gathered;
-// P = 2F + h(s)·R in all, see stress(). −3/2 for 4/5.
+// Returns h′(s) of gathered film if gathering begins at the mean stretch `gatheringStretch`; −3/2
+// for 4/5. In total P = 2F + h(s)·R, see stress().
 DIPWRIGHT_HOST_DEVICE constexpr double gatheredResistance(double gatheringStretch) {
     return 1 - 2 / gatheringStretch;
 }
-// s within so much of where it begins to gather: there h passes from the one law to the other.
+// Half width, in s, of the range around the start of gathering in which the two laws blend.
 inline constexpr double gatheringWidth = 0.1;
 
-// What the Hessian needs to remember of the point of linearisation.
+// The state of the linearisation point that the Hessian needs.
 template <typename Real>
 struct StressState {
     Real cosine{}, sine{}; // of the rotation R
-    Real turn{};           // h(s)/s, the coefficient of the rotation's own derivative
-    Real resists{};        // h′(s), that of the derivative of s
+    Real turn{};           // h(s)/s, coefficient of the derivative of R
+    Real resists{};        // h′(s), coefficient of the derivative of s
 };
 
-// P = ∂W/∂F at F, and the state for stressDerivative.
+// Returns P = ∂W/∂F at F, and the state for stressDerivative.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> stress(const Matrix2<Real>& F, Real gatheredResistance,
                                                   StressState<Real>& state) {
@@ -65,12 +67,12 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> stress(const Matrix2<Real>& F, Real g
     const Real s = std::sqrt(sum * sum + skew * skew) + Real(1e-12);
     const Real inverse = Real(1) / s;
     const Real cosine = sum * inverse, sine = skew * inverse;
-    // P = 2(F − R) + (s − 2)R = 2F + (s − 4)R, or 2F + h′sR where the film gathers: the larger of
-    // the two, max(a, b) = (a + b + |a − b|)/2, with a parabola in place of |a − b| near zero.
+    // P = 2(F − R) + (s − 2)R = 2F + (s − 4)R, or 2F + h′sR where the film gathers. The larger one
+    // counts: max(a, b) = (a + b + |a − b|)/2, with a parabola instead of |a − b| near zero.
     const Real change = Real(1) - gatheredResistance; // of h′
     const Real firm = s - Real(4), gathered = gatheredResistance * s;
     const Real difference = firm - gathered, width = change * Real(gatheringWidth);
-    const Real share = difference / width; // outside: beyond ±1
+    const Real share = difference / width; // outside the blend: beyond ±1
     const Real within = share < Real(-1) ? Real(-1) : share > Real(1) ? Real(1) : share;
     const Real size = difference < Real(0) ? -difference : difference;
     const Real apart = within == share ? (difference * share + width) / Real(2) : size;
@@ -81,18 +83,18 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> stress(const Matrix2<Real>& F, Real g
             Real(2) * F.c + rotation * sine, Real(2) * F.d + rotation * cosine};
 }
 
-// Which derivative of the stress: the true one, with which Newton's method converges; or one made
-// positive semi-definite, which leads downhill from anywhere.
+// The derivative of the stress to use. With the true one, Newton's method converges. The positive
+// semi-definite one leads downhill from anywhere.
 enum class Tangent { True, Projected };
 
-// What a change of s and a change of R add to 2 dF: h′ and h/s.
+// The factors by which changes of s and of R contribute in addition to 2 dF: h′ and h/s.
 template <typename Real>
 struct TangentFactors {
     Real resists{}, turns{};
 };
 
-// Projected: both are held at −1, where a change of R or of s alone costs nothing, when the film is
-// compressed on the whole.
+// Projected: limits both to at least −1. At −1, a change of R or s alone costs nothing when the
+// film is compressed overall.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline TangentFactors<Real> tangentFactors(const StressState<Real>& state,
                                                                  Tangent tangent) {
@@ -102,7 +104,7 @@ DIPWRIGHT_HOST_DEVICE inline TangentFactors<Real> tangentFactors(const StressSta
     return {atLeast(state.resists), atLeast(state.turn)};
 }
 
-// dP for a change dF, at the point where `state` was taken: dR = (RJ : dF)/s · RJ enters with h/s.
+// Returns dP for a change dF at the point of `state`. dR = (RJ : dF)/s · RJ enters with h/s.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Matrix2<Real>
 stressDerivative(const Matrix2<Real>& dF, const StressState<Real>& state, Tangent tangent) {
@@ -128,9 +130,9 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> inverse(const Matrix2<Real>& m) {
     return {m.d * scale, -m.b * scale, -m.c * scale, m.a * scale};
 }
 
-// Stress decay: the inverse rest shape after the stretch U = RᵀF has relaxed to
-// I + (U − I)·keep (keep = exp(−Δt/τ); 0: viscous, 1: elastic). With edges E = F·D, D the rest
-// shape, the new rest shape is U'⁻¹·U·D.
+// Returns the inverse rest shape after the stretch U = RᵀF has relaxed to I + (U − I)·keep. keep =
+// exp(−Δt/τ); 0: viscous, 1: elastic. With edges E = F·D and rest shape D, the new rest shape is
+// U'⁻¹·U·D.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> relaxedInverseShape(const Matrix2<Real>& inverseShape,
                                                                const Matrix2<Real>& F, Real keep) {
@@ -141,7 +143,7 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> relaxedInverseShape(const Matrix2<Rea
                           cosine * F.c - sine * F.a, cosine * F.d - sine * F.b};
     const Real determinant = U.a * U.d - U.b * U.c;
     if (!(determinant > Real(1e-6))) {
-        return inverseShape; // turned inside out or flat: leave it to recover elastically
+        return inverseShape; // inside out or flat: let it recover elastically
     }
     const Matrix2<Real> kept{Real(1) + (U.a - Real(1)) * keep, U.b * keep, U.c * keep,
                              Real(1) + (U.d - Real(1)) * keep};

@@ -1,4 +1,4 @@
-// How far the production film's step goes, and what the film's stress has decayed to by then.
+// Computes the length of the production film's step and the stress that is left after it.
 #pragma once
 
 #include "common/HostDevice.h"
@@ -10,23 +10,24 @@
 
 namespace dipwright::numerics {
 
-// The step grows no shorter on faces flatter than this: horizontal share of the surface's unit
-// normal, 0 flat, 1 vertical.
+// Steps do not become shorter on faces flatter than this. Horizontal component of the surface's
+// unit normal: 0 flat, 1 vertical.
 inline constexpr double leastSteepness = 0.15;
 
-// Descent in which the contact line travels `travel` mm along a surface of this steepness.
+// Returns the descent in which the contact line travels `travel` mm along a surface of this
+// steepness.
 DIPWRIGHT_HOST_DEVICE inline double contactIncrement(double travel, double steepness) {
     return travel * (steepness > leastSteepness ? steepness : leastSteepness);
 }
 
-// As far as the nearest point is away that is not next to film on the body. So the first contact of
-// every part of the body is met when it comes, and not run over.
+// Returns the distance to the nearest point that is not next to film on the body. So the step does
+// not run past the first contact of any part of the body.
 DIPWRIGHT_HOST_DEVICE inline double approachIncrement(double travel, double nearestClearance) {
     const double least = 0.1 * travel;
     return nearestClearance > least ? nearestClearance : least;
 }
 
-// Whether a point of the two cells around this one, or itself, is on the body.
+// Returns whether this point, or a point up to two cells away, is on the body.
 template <typename IsFree>
 DIPWRIGHT_HOST_DEVICE inline bool isNextToContact(int columns, int rows, int point,
                                                   const IsFree& isFree) {
@@ -42,7 +43,8 @@ DIPWRIGHT_HOST_DEVICE inline bool isNextToContact(int columns, int rows, int poi
     return false;
 }
 
-// The share of its stress that the film keeps over a step of `increment` mm at `speed` mm/s.
+// Returns the share of its stress that the film keeps over a step of `increment` mm at `speed`
+// mm/s.
 DIPWRIGHT_HOST_DEVICE inline double keptStress(double increment, double speed,
                                                double relaxationTime) {
     return relaxationTime > 0 ? std::exp(-(increment / speed) / relaxationTime) : 0.0;

@@ -1,18 +1,16 @@
-// The laws by which film tears or folds (docs/film-model.md, Where film does not go), on every
-// device. What is drawn and counted as torn afterwards goes by the same law,
-// PrincipalStretch::isTorn in core/film.
+// Defines when film tears or folds (docs/film-model.md, "Where film does not go"), for all devices.
+// PrincipalStretch::isTorn in core/film applies the same law to drawings and counts.
 #pragma once
 
 #include "production/formulas/GridTriangle.h"
 
 namespace dipwright::numerics {
 
-// Of a triangle whose edges were spacingX and spacingZ long before anything happened: how much it
-// is stretched against then.
+// The stretch of a triangle whose undeformed edges were spacingX and spacingZ.
 template <typename Real>
 struct TriangleStretch {
     Real larger{}; // λ1
-    Real area{};   // λ1 λ2; negative where the triangle is turned inside out
+    Real area{};   // λ1 λ2; negative if the triangle is turned inside out
 };
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline TriangleStretch<Real> triangleStretch(const EdgePair<Real>& edges,
@@ -26,39 +24,40 @@ DIPWRIGHT_HOST_DEVICE inline TriangleStretch<Real> triangleStretch(const EdgePai
         F.a * F.d - F.b * F.c};
 }
 
-// Whether film is stretched to more than `limit` times its length in some direction or its area:
-// then it tears.
+// Returns whether film tears: it is stretched to more than `limit` times its length in some
+// direction, or its area.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool isTorn(const TriangleStretch<Real>& stretch, Real limit) {
     return stretch.larger > limit || stretch.area > limit;
 }
-// Whether film is turned inside out. Real film has long gone out of the plane there; in the plane
-// its forces may have no rest.
+// Returns whether film is turned inside out. Real film has left the plane by then. In the plane,
+// its forces may have no equilibrium.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool isFolded(const TriangleStretch<Real>& stretch) {
     return stretch.area < Real(0);
 }
 
-// Whether triangles may be torn or folded of which λ1² + λ2², the sum of squares of the deformation
-// gradient's entries, is at most `squares` and λ1 λ2 at least `leastArea`. A quick look, which lets
-// whole rows of film be passed over: neither the larger stretch nor, with λ1 λ2 ≤ (λ1² + λ2²)/2,
-// the area can be past the limit while that sum is small. To be changed with isTorn() and
-// isFolded().
+// Returns whether some of several triangles may be torn or folded. `squares`: an upper bound of λ1²
+// + λ2², the sum of the squared entries of the deformation gradient. `leastArea`: a lower bound of
+// λ1 λ2. This quick test skips whole rows of film: while the sum is small, neither the larger
+// stretch nor, as λ1 λ2 ≤ (λ1² + λ2²)/2, the area can exceed the limit. Change it together with
+// isTorn() and isFolded().
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool mayBeLost(Real squares, Real leastArea, Real limit) {
     return squares > limit * limit || squares > Real(2) * limit || leastArea < Real(0);
 }
 
-// How far the rest shape of a triangle on the contact line may have crept from the undeformed one,
-// in length, either way. What floats of it can be so little that its gradient, taken for the whole
-// triangle step after step, grows without bound: past this the shape stays.
+// Limits how far the rest shape of a triangle on the contact line may creep from the undeformed
+// one, as a factor in length in either direction. Its floating part can be so small that its
+// gradient, applied to the whole triangle step after step, would grow without bound. Beyond this
+// limit the shape is kept.
 inline constexpr double mostCrept = 16;
 
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool isSoundShape(const Matrix2<Real>& inverseShape, Real spacingX,
                                                Real spacingZ) {
-    // Of F⁻¹ of the rest shape against the undeformed one: the larger singular value is at most the
-    // root of the sum of squares, and the smaller one is the determinant over it.
+    // F⁻¹ of the rest shape relative to the undeformed one. Its larger singular value is at most
+    // the root of the sum of squares. The smaller one is the determinant divided by the larger one.
     const Matrix2<Real> F{inverseShape.a * spacingX, inverseShape.b * spacingX,
                           inverseShape.c * spacingZ, inverseShape.d * spacingZ};
     const Real size = std::sqrt(F.a * F.a + F.b * F.b + F.c * F.c + F.d * F.d);

@@ -12,8 +12,8 @@ static_assert(numerics::FilmBackend<ReferenceBackend>);
 
 namespace {
 
-// The four ends of a triangle's edges: right, left, upper, lower. A gradient on an edge reaches its
-// higher end with +, its lower end with −.
+// Returns the sign of the four ends of a triangle's edges: right, left, upper, lower. A gradient on
+// an edge acts with + on its higher end and with − on its lower end.
 double sign(std::size_t end) {
     return end % 2 == 0 ? 1.0 : -1.0;
 }
@@ -105,7 +105,7 @@ double ReferenceBackend::addTriangleForces(int number, Eigen::VectorXd& force,
     return f[0] * f[0] + f[1] * f[1];
 }
 
-// Adds the derivative of these forces to each displacement of a moving point.
+// Adds the derivative of these forces with respect to each displacement of a moving point.
 void ReferenceBackend::addTriangleJacobian(const Triangle& triangle,
                                            const numerics::StressState<double>& state,
                                            numerics::Tangent tangent,

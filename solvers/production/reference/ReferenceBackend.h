@@ -1,6 +1,6 @@
-// The production film the plain way: double precision, one triangle after the other, Newton's
-// method with the exact Jacobian and a direct sparse solver. Slow; the oracle for the fast
-// backends. The same model, formulae and step (production/formulas).
+// Computes the production film in the simplest way: double precision, one triangle after the other,
+// Newton's method with the exact Jacobian and a direct sparse solver. It is slow, and the reference
+// for the fast backends. It shares their model, formulas and step (production/formulas).
 #pragma once
 
 #include "production/formulas/HostFilm.h"
@@ -64,7 +64,7 @@ public:
     numerics::FilmForce force(double drag);
     numerics::FilmForce forceAlong(double length, double drag);
     numerics::Vector2<double> forceOn(int point) const;
-    static void prepareLinear(double) {} // the direct solver needs none
+    static void prepareLinear(double) {} // not needed by the direct solver
     void solveLinear(double drag, numerics::Tangent tangent, double start, double tolerance);
     double startOfStep();
     void keepBest() { best_ = displacement_; }
@@ -72,8 +72,8 @@ public:
 
 private:
     using Crossing = numerics::CrossingTriangle<double>;
-    // A triangle by its grid edges: the horizontal one from `left` to `right`, the vertical one
-    // from `lower` to `upper` (grid index); one corner belongs to both.
+    // A triangle by its grid edges: the horizontal one from `left` to `right` and the vertical one
+    // from `lower` to `upper` (point indices). They share one corner.
     struct Triangle {
         std::size_t left, right, lower, upper;
         double area; // at rest, mm²
@@ -96,11 +96,11 @@ private:
     std::vector<Triangle> triangles_; // first and second of every cell
     std::vector<Crossing> crossing_;
     std::vector<numerics::CrossingAnchor<double>> anchors_;
-    std::vector<int> unknown_; // of a point: its place among the moving points, or −1
+    std::vector<int> unknown_; // per point: its index among the moving points, or −1
     int unknowns_ = 0;
     Eigen::VectorXd force_, step_;
     std::vector<numerics::StressState<double>>
-        states_; // of the triangles, at the forces last taken
+        states_; // of the triangles, at the last force computation
     PlaneVector start_, best_;
 };
 

@@ -1,4 +1,4 @@
-// The artwork of a project, laid on it from the command line.
+// Tests `dipwright-cli artwork`: adding, changing and printing a project's artwork.
 #include "CliProcess.h"
 #include "TestFolders.h"
 
@@ -26,7 +26,7 @@ private slots:
         QVERIFY(logo.save(logo_));
     }
 
-    void layersAreAddedListedMovedAndRemoved() {
+    void artwork_addSetMoveRemove_changeLayers() {
         QVERIFY(artwork({"add", job_, "carbon", "--set", "repeat_mm=6"}));
         QVERIFY(artwork({"add", job_, "picture", logo_, "--set", "size_mm=20;10"}));
         QVERIFY(artwork({"add", job_, "text", "Nr. 7", "--set", "colour=#ff0000"}));
@@ -45,7 +45,7 @@ private slots:
         QVERIFY(cli({"artwork", "list", job_}).out.contains("Number"));
     }
 
-    void whatMakesNoSenseIsRefusedAndTheFileStays() {
+    void artwork_invalidArguments_leaveFileUnchanged() {
         QVERIFY(artwork({"add", job_, "wood"}));
         QFile file(job_);
         QVERIFY(file.open(QIODevice::ReadOnly));
@@ -66,7 +66,7 @@ private slots:
         QCOMPARE(file.readAll(), before);
     }
 
-    void theSheetShowsItAndTheReportListsIt() {
+    void run_withArtwork_sheetAndReportShowIt() {
         QVERIFY(artwork({"base", job_, "#ff0000"}));
         const QString out = folder_.filePath(QStringLiteral("out"));
         const Outcome run = cli({"run", job_, "--out", out, "--quiet", "--set", "film.points=40x56",

@@ -1,4 +1,5 @@
-// Whatever a user hands to dipwright-cli: one sentence, the right exit code, nothing half-written.
+// Gives dipwright-cli bad input. It must print one sentence, return the right exit code and leave
+// nothing half-written.
 #include "BallModel.h"
 #include "CliProcess.h"
 #include "TestFiles.h"
@@ -14,7 +15,7 @@ using namespace dipwright::test;
 
 namespace {
 
-// A PNG that claims these many pixels a side and holds none.
+// Returns a PNG whose header gives this size, but which contains no pixels.
 QByteArray pngClaiming(quint32 width, quint32 height) {
     QByteArray header("IHDR");
     for (const quint32 number : {width, height}) {
@@ -79,7 +80,7 @@ private slots:
         writeFile(path("file"), "a file, not a folder");
     }
 
-    void usageIsTwo_data() {
+    void cli_wrongUsage_exitCodeIsTwo_data() {
         QTest::addColumn<QStringList>("arguments");
         const QString job = path("ball.dipw");
         QTest::newRow("no command") << QStringList{};
@@ -129,9 +130,9 @@ private slots:
         QTest::newRow("three immersions")
             << newWith({"--immersion", "name=A", "--immersion", "name=B", "--immersion", "name=C"});
     }
-    void usageIsTwo() { refused(2); }
+    void cli_wrongUsage_exitCodeIsTwo() { refused(2); }
 
-    void failureIsOne_data() {
+    void cli_failure_exitCodeIsOne_data() {
         QTest::addColumn<QStringList>("arguments");
         const QString job = path("ball.dipw");
         for (const char* model : {"missing.obj", "empty.obj", "picture.obj", "text.stl", "cut.stl",
@@ -161,9 +162,9 @@ private slots:
         QTest::newRow("out is a file") << QStringList{"run", job, "--out", path("file")};
         QTest::newRow("out is below a file") << QStringList{"run", job, "--out", path("file/out")};
     }
-    void failureIsOne() { refused(1); }
+    void cli_failure_exitCodeIsOne() { refused(1); }
 
-    void filesOutsideAreReadWhereThatIsAllowed() {
+    void new_allowOutside_readsFilesOutsideModelFolder() {
         const Outcome outcome = cli(
             {"new", path("allowed.dipw"), "--model", path("deep/outside.obj"), "--allow-outside"});
         QVERIFY2(outcome.exitCode == 0, outcome.err);
@@ -171,8 +172,8 @@ private slots:
     }
 
 #ifndef _WIN32 // which moc knows, unlike Q_OS_UNIX
-    // The file size limit stands for a full disk: a write fails in the middle of a file.
-    void aFullDiskLeavesNothingBehind_data() {
+    // A file size limit simulates a full disk: a write fails in the middle of a file.
+    void cli_fullDisk_leavesNothingBehind_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("blocks");
         QTest::newRow("new") << newWith({}) << "8";
@@ -182,7 +183,7 @@ private slots:
             QTest::newRow(QByteArray("run ") + blocks) << run << QString(blocks);
         }
     }
-    void aFullDiskLeavesNothingBehind() {
+    void cli_fullDisk_leavesNothingBehind() {
         QFETCH(QStringList, arguments);
         QFETCH(QString, blocks);
         const QSet<QString> before = everythingIn(folder_.path());
@@ -195,8 +196,8 @@ private slots:
         QCOMPARE(everythingIn(folder_.path()), before);
     }
 
-    // A device that never ends, and a pipe that never begins.
-    void whatIsNoFileIsNotWaitedFor_data() {
+    // A device that never ends, and a pipe that nobody writes to.
+    void cli_deviceOrPipeAsFile_isRefusedAtOnce_data() {
         QTest::addColumn<QStringList>("arguments");
         const QString pipe = path("pipe"), job = path("ball.dipw");
         QCOMPARE(mkfifo(pipe.toLocal8Bit().constData(), 0600), 0);
@@ -215,16 +216,16 @@ private slots:
             row("model", {"new", path("out"), "--model", file});
             row("texture", newWith({"--texture", file}));
             row("film image", run + QStringList{"--film-image", file});
-            row("template of the motion", run + QStringList{"--motion-template", file});
+            row("motion template contains", run + QStringList{"--motion-template", file});
             row("parts of a search", {"optimize", job, "--immersions", "1", "--merge", file});
             row("picture", {"artwork", "add", job, "picture", file});
         }
     }
-    void whatIsNoFileIsNotWaitedFor() {
+    void cli_deviceOrPipeAsFile_isRefusedAtOnce() {
         refused(1);
     }
 
-    void filesThatAreTooLargeAreLeft() {
+    void profileImport_fileTooLarge_isRefused() {
         QFile file(path("large.json"));
         QVERIFY(file.open(QIODevice::WriteOnly) && file.resize(qint64(1) << 30));
         const Outcome outcome = cli({"profile", "import", path("large.json")});
@@ -233,37 +234,37 @@ private slots:
         QVERIFY(file.remove());
     }
 
-    void onlyProfilesAreReplacedByProfiles() {
+    void profileExport_ontoProject_isRefused() {
         const QByteArray project = bytesOf(path("ball.dipw"));
         const Outcome outcome = cli({"profile", "export", "film", firstFilm(), path("ball.dipw")});
         QCOMPARE(outcome.exitCode, 1);
         QVERIFY2(outcome.errorLines().size() == 1 && outcome.err.contains("not replaced"),
                  outcome.err);
         QCOMPARE(bytesOf(path("ball.dipw")), project);
-        for (int time = 0; time < 2; ++time) { // a profile may be
+        for (int time = 0; time < 2; ++time) { // a profile may be replaced
             QCOMPARE(cli({"profile", "export", "film", firstFilm(), path("film.json")}).exitCode,
                      0);
         }
         QVERIFY(QFile::remove(path("film.json")));
     }
 
-    void outputThatCannotBeWrittenIsAFailure() {
+    void info_outputNotWritable_exitCodeIsOne() {
         const Outcome outcome = program(
             "/bin/sh", {"-c", "exec \"$0\" info \"$1\" > /dev/full", cliPath(), path("ball.dipw")});
         QCOMPARE(outcome.exitCode, 1);
         QVERIFY2(outcome.errorLines().size() == 1, outcome.err);
     }
 
-    // Where functions of the names of QuaZip's own are loaded before them it packs into a file with
-    // a name of rubbish, here in a folder of its own, and says that all is well.
-    void aProjectThatCannotBePackedReplacesNone() {
+    // A preloaded libminizip has functions with the names of QuaZip's. QuaZip then packs into a
+    // file with a random name, here in a folder of its own, and reports success.
+    void new_archiveNotWritable_keepsOldProject() {
 #ifdef Q_OS_LINUX
         const QTemporaryDir rubbish;
         const QByteArray before = bytesOf(path("ball.dipw"));
         const Outcome outcome = program(
             "/bin/sh",
             {"-c",
-             // An instrumented program does not mind then that it is not loaded first.
+             // The address sanitizer must accept that it is not loaded first.
              "cd \"$0\" && export ASAN_OPTIONS=$ASAN_OPTIONS:verify_asan_link_order=0 && "
              "LD_PRELOAD=libminizip.so.1 exec \"$@\"",
              rubbish.path(), cliPath(), "new", path("ball.dipw"), "--model", path("ball.obj")});
@@ -282,7 +283,7 @@ private:
         return QStringList{"new", path("out"), "--model", path("ball.obj")} + options;
     }
 
-    // The name of a film's profile that is there.
+    // Returns the name of an existing film profile.
     static QString firstFilm() {
         for (const QByteArray& line : cli({"profile", "list"}).out.split('\n')) {
             if (line.startsWith("film ")) {
@@ -299,7 +300,7 @@ private:
         QVERIFY2(outcome.exitCode == exitCode, outcome.out + outcome.err);
         const QList<QByteArray> errors = outcome.errorLines();
         QVERIFY2(errors.size() == 1, outcome.err);
-        // What (where), and no trace of the code behind it.
+        // "Sentence (place)", without traces of the code.
         QVERIFY2(errors.first().endsWith(')') && errors.first().contains(" ("), errors.first());
         QVERIFY2(!errors.first().contains("std::"), errors.first());
         QCOMPARE(everythingIn(folder_.path()), before);

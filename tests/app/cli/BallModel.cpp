@@ -21,7 +21,7 @@ QString ballObj() {
         for (int segment = 0; segment <= segments; ++segment) {
             const double polar = pi * ring / rings;
             const double reach = ring % rings == 0 ? 0 : radius * std::sin(polar);
-            // The seam's two edges fall on each other, and so do all points of a pole.
+            // The two edges of the texture seam coincide, and so do all points of a pole.
             const double turn = 2 * pi * (segment % segments) / segments;
             obj << "v " << reach * std::cos(turn) << ' ' << radius * std::cos(polar) << ' '
                 << -reach * std::sin(turn) << "\nvt " << double(segment) / segments << ' '

@@ -1,4 +1,4 @@
-// A textured ball as an OBJ file: the model of the program tests.
+// Writes a textured ball as an OBJ file, the model of the command-line tests.
 #pragma once
 
 #include <QString>

@@ -1,4 +1,4 @@
-// `dipwright-cli bench` as a user's shell runs it.
+// Tests `dipwright-cli bench` through the program itself.
 
 #include "CliProcess.h"
 #include "TestFiles.h"
@@ -20,7 +20,7 @@ class BenchTest : public QObject {
 private slots:
     void initTestCase() { QVERIFY(folder_.isValid()); }
 
-    void theBenchmarkPrintsTableOne() {
+    void bench_json_listsTableOne() {
         const Outcome bench = cli({"bench", "--json", "--rows", "1", "--runs", "1"});
         QVERIFY2(bench.exitCode == 0, bench.err);
         const QJsonObject json = QJsonDocument::fromJson(bench.out).object();
@@ -34,7 +34,7 @@ private slots:
         QVERIFY(row["steps_per_second"].toDouble() > 0);
     }
 
-    void theBenchmarkMeasuresWhatItIsAskedFor() {
+    void bench_parts_measuresOnlyThese() {
         const Outcome bench = cli({"bench", "--json", "--quick", "--runs", "1", "--parts",
                                    "sweep,field,texture", "--solver", "pbd-cpu"});
         QVERIFY2(bench.exitCode == 0, bench.err);
@@ -59,7 +59,7 @@ private slots:
         }
     }
 
-    void theBenchmarkDrawsItsFigures() {
+    void bench_plot_drawsFigures() {
         const auto draw = [&](const QString& parts, const QString& file) {
             return cli({"bench", "--quick", "--runs", "1", "--rows", "2", "--parts", parts,
                         "--plot", path(file)});
@@ -75,7 +75,7 @@ private slots:
         QVERIFY(svg.readAll().contains("GeForce 940MX"));
     }
 
-    void theBenchmarkRefusesWhatItDoesNotKnow() {
+    void bench_invalidArguments_areRefused() {
         const Outcome unknown = cli({"bench", "--parts", "steps,luck"});
         QCOMPARE(unknown.exitCode, 2);
         QVERIFY2(unknown.err.contains("luck") && unknown.err.contains("--parts"), unknown.err);

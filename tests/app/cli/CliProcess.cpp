@@ -23,7 +23,7 @@ Outcome program(const QString& path, const QStringList& arguments, const QString
     QProcess process;
     process.setProcessEnvironment([&] {
         QProcessEnvironment all = QProcessEnvironment::systemEnvironment();
-        // As on a machine without a display.
+        // Like a machine without a display.
         all.remove(QStringLiteral("DISPLAY"));
         all.remove(QStringLiteral("QT_QPA_PLATFORM"));
         for (const QString& variable : environment) {

@@ -1,4 +1,4 @@
-// The real dipwright-cli, run as a user's shell runs it.
+// Runs the real dipwright-cli like a user's shell.
 #pragma once
 
 #include <QByteArray>
@@ -10,14 +10,14 @@ struct Outcome {
     int exitCode = -1; // −1: it crashed
     QByteArray out, err;
 
-    // The lines of standard error that begin with "error:".
+    // Returns the lines of standard error that begin with "error:".
     QList<QByteArray> errorLines() const;
 };
 
 QString cliPath();
-// `environment`: "NAME=value" on top of this process's own.
+// Runs dipwright-cli to its end. `environment`: entries "NAME=value", added to this process's own.
 Outcome cli(const QStringList& arguments, const QStringList& environment = {});
-// Any other program, such as a shell that limits what the program may use.
+// Runs any other program to its end, such as a shell that sets limits for dipwright-cli.
 Outcome program(const QString& path, const QStringList& arguments,
                 const QStringList& environment = {});
 

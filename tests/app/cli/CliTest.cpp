@@ -1,4 +1,4 @@
-// dipwright-cli from a model to a sheet, through the program itself.
+// Tests dipwright-cli from a model to a sheet, through the program itself.
 #include "BallModel.h"
 #include "CliProcess.h"
 #include "TestFiles.h"
@@ -22,7 +22,7 @@ using namespace dipwright::test;
 
 namespace {
 
-// Coarse and small, so that a run takes about a second.
+// Coarse and small settings, so that a run takes about a second.
 const QStringList quickly{"--set", "film.size_mm=120x120",   "--set", "film.points=41x41",
                           "--set", "body.sdf_resolution=64", "--set", "sheet.dpi=100"};
 
@@ -57,7 +57,7 @@ private slots:
         summary_ = done;
     }
 
-    void everyHelpAndTheVersionAreThere() {
+    void helpAndVersion_everyCommand_arePrinted() {
         const Outcome help = cli({"--help"});
         QCOMPARE(help.exitCode, 0);
         for (const char* command :
@@ -75,7 +75,7 @@ private slots:
                     .hasMatch());
     }
 
-    void aRunWritesWhatIsPromisedAndNothingElse() {
+    void run_twoDips_writesDocumentedFilesOnly() {
         QStringList expected{"coverage.png",   "proof.png",     "report.json",
                              "ticket.json",    "traveller.pdf", "motion-1.csv",
                              "motion-1.gcode", "motion-2.csv",  "motion-2.gcode"};
@@ -90,7 +90,7 @@ private slots:
         QVERIFY(summary_.out.contains("Top") && summary_.out.contains("Bottom"));
     }
 
-    void tolerancesAreToldWhenAskedFor() {
+    void run_tolerancesOption_reportsZones() {
         const Outcome told =
             cli(QStringList{"run", path("ball.dipw"), "--out", path("told"), "--tolerances",
                             "--no-certainty", "--set", "tolerance.samples=0", "--set",
@@ -103,7 +103,7 @@ private slots:
         QVERIFY(!QImage(path("told/immersion-1/tolerance.png")).isNull());
     }
 
-    void severalProjectsAreRunOneAfterTheOther() {
+    void run_severalProjects_continuesAfterFailure() {
         const Outcome all =
             cli(QStringList{"run", path("ball.dipw"), path("missing.dipw"), path("ball.dipw"),
                             "--out", path("queue"), "--no-certainty"} +
@@ -118,7 +118,7 @@ private slots:
         QCOMPARE(cli({"run", "--out", path("queue")}).exitCode, 2);
     }
 
-    void theSheetHasItsSizeItsResolutionAndItsProfile() {
+    void run_sheet_hasSizeResolutionAndProfile() {
         const QImage sheet(path("out/immersion-1/sheet.png"));
         QCOMPARE(sheet.size(), QSize(472, 472)); // 120 mm at 100 dpi
         QVERIFY(std::abs(sheet.dotsPerMeterX() * 0.0254 - 100) < 0.02);
@@ -127,7 +127,7 @@ private slots:
         QVERIFY(pdf.startsWith("%PDF-") && pdf.trimmed().endsWith("%%EOF"));
     }
 
-    void theFilmIsReadByVtk() {
+    void run_filmVtp_isReadByVtk() {
         vtkNew<vtkXMLPolyDataReader> reader;
         reader->SetFileName(path("out/immersion-1/film.vtp").toLocal8Bit().constData());
         reader->Update();
@@ -141,7 +141,7 @@ private slots:
         compareArray(points->GetArray("stretch"), 1, 41 * 41, VTK_FLOAT);
     }
 
-    void theBodyIsReadByVtk() {
+    void run_bodyVtp_isReadByVtk() {
         vtkNew<vtkXMLPolyDataReader> reader;
         reader->SetFileName(path("out/immersion-2/body.vtp").toLocal8Bit().constData());
         reader->Update();
@@ -150,15 +150,19 @@ private slots:
         QVERIFY(body->GetCellData()->GetArray("covered"));
         double box[6];
         body->GetBounds(box);
-        QVERIFY2(std::abs(box[2]) < 1e-3 && std::abs(box[3] - 40) < 0.1, "lowest point at y = 0");
+        QVERIFY2(
+            std::abs(box[2]) < 1e-3 && std::abs(box[3] - 40) < 0.1,
+            qPrintable(QStringLiteral("body.vtp reaches from y = %1 to %2 mm, expected 0 to 40 mm")
+                           .arg(box[2])
+                           .arg(box[3])));
     }
 
-    void picturesArePictures() {
+    void run_pngFiles_canBeRead() {
         QVERIFY(!QImage(path("out/proof.png")).isNull());
         QVERIFY(!QImage(path("out/immersion-2/stretch.png")).isNull());
     }
 
-    void theReportHasTheShapeThatIsPromised() {
+    void run_reportJson_hasDocumentedFields() {
         const QJsonObject report = jsonOf(path("out/report.json"));
         QCOMPARE(report["version"].toInt(), 1);
         QCOMPARE(report["project"].toString(), QStringLiteral("ball"));
@@ -198,18 +202,22 @@ private slots:
         const double second = immersions[1].toObject()["coverage"].toDouble();
         const double total = report["coverage_total"].toDouble();
         QVERIFY2(total >= std::max(first, second) - 0.01 && total <= first + second + 0.01,
-                 qPrintable(QString::number(total)));
-        // A ball dipped from both sides is painted all round, but for a belt at the waterline.
-        QVERIFY2(total > 0.8, qPrintable(QString::number(total)));
+                 qPrintable(QStringLiteral("coverage is %1 in total, %2 by dip 1, %3 by dip 2")
+                                .arg(total)
+                                .arg(first)
+                                .arg(second)));
+        // A ball dipped from both sides is painted all round, except for a belt at the waterline.
+        QVERIFY2(total > 0.8,
+                 qPrintable(QStringLiteral("coverage is %1, expected more than 0.8").arg(total)));
     }
 
-    void theSameProjectGivesTheSameBytesOnAnyNumberOfThreads() {
+    void run_anyThreadCount_givesSameBytes() {
         const Outcome one = run({"--out", path("one"), "--threads", "1", "--quiet"});
         QCOMPARE(one.exitCode, 0);
         QVERIFY2(one.err.isEmpty(), one.err);
         QCOMPARE(run({"--out", path("two"), "--threads", "2"}).exitCode, 0);
         for (const QString& file : filesBelow(path("out"))) {
-            if (file != "report.json") { // which holds the seconds it took
+            if (file != "report.json") { // contains the times
                 QVERIFY2(bytesOf(path("one/" + file)) == bytesOf(path("out/" + file)),
                          qPrintable(file));
                 QVERIFY2(bytesOf(path("two/" + file)) == bytesOf(path("out/" + file)),
@@ -218,11 +226,11 @@ private slots:
         }
     }
 
-    void progressIsPlainLines() {
+    void run_progress_isPlainLines() {
         QVERIFY(summary_.err.contains(" %  ") && !summary_.err.contains('\r'));
     }
 
-    void settingsHoldForTheRun() {
+    void run_setOption_changesFilmAndSheet() {
         const Outcome done = cli({"run", path("ball.dipw"), "--out", path("set"), "--dpi", "75",
                                   "--set", "film.points=31x41", "--set", "film.size_mm=90x120",
                                   "--set", "body.sdf_resolution=64"});
@@ -236,7 +244,7 @@ private slots:
         QCOMPARE(QImage(path("set/immersion-1/sheet.png")).size(), QSize(266, 354));
     }
 
-    void theStandardSheetIsA4At300Dpi() {
+    void run_defaultSheet_isA4At300Dpi() {
         const Outcome done =
             cli({"run", path("single.dipw"), "--out", path("a4"), "--set", "film.points=31x43",
                  "--set", "body.sdf_resolution=64", "--film-image", path("ball.png")});
@@ -244,12 +252,12 @@ private slots:
         const QImage sheet(path("a4/immersion-1/sheet.png"));
         QCOMPARE(sheet.size(), QSize(2480, 3508));
         QCOMPARE(sheet.dotsPerMeterX(), 11811);
-        // The picture is stretched over all of the film: its corner is the sheet's.
+        // The picture is stretched over the whole film, so the corners match.
         const QImage picture(path("ball.png"));
         QCOMPARE(sheet.pixel(0, 0), picture.convertToFormat(sheet.format()).pixel(0, 0));
     }
 
-    void theChessboardReplacesEarlierResultsAndNothingElse() {
+    void run_ontoEarlierResults_replacesOnlyThese() {
         QFile note(path("two/note.txt"));
         QVERIFY(note.open(QIODevice::WriteOnly));
         note.close();
@@ -268,7 +276,7 @@ private slots:
                 qGray(chess.pixel(middle - 30, middle + 30)));
     }
 
-    void infoTellsWhatIsInside() {
+    void info_project_printsContents() {
         const Outcome text = cli({"info", path("ball.dipw"), "--set", "film.swell=1.1;1"});
         QCOMPARE(text.exitCode, 0);
         QVERIFY(text.out.contains("Top") && text.out.contains("1.1"));
@@ -282,7 +290,7 @@ private slots:
         QCOMPARE(document["model_info"].toObject()["closed"].toBool(), true);
     }
 
-    void validateTellsWhetherItCanRun() {
+    void validate_project_reportsWhetherItCanRun() {
         QCOMPARE(cli({"validate", path("ball.dipw")}).exitCode, 0);
         const Outcome edge =
             cli({"validate", path("ball.dipw"), "--set", "immersions[0].offset_mm=100;0"});
@@ -294,7 +302,7 @@ private slots:
         QCOMPARE(missed.errorLines().size(), 1);
     }
 
-    void validateTellsHowCertainTheSheetIs() {
+    void validate_sheetOption_reportsNumericalError() {
         const QStringList coarse{"validate",
                                  path("ball.dipw"),
                                  "--sheet",
@@ -318,7 +326,7 @@ private slots:
         QCOMPARE(cli(coarse + QStringList{"--physics"}).exitCode, 2);
     }
 
-    void optionsThatSayNothingAreRefused() {
+    void cli_uselessOption_isRefused() {
         const QString ball = path("ball.dipw");
         const std::vector<QStringList> wrong{
             {"validate", ball, "--maps", path("maps")},
@@ -333,17 +341,17 @@ private slots:
             QVERIFY2(refused.exitCode == 2, qPrintable(command.join(' ')));
             QCOMPARE(refused.errorLines().size(), 1);
         }
-        QCOMPARE(cli({"info", ball}).exitCode, 0); // not written over
+        QCOMPARE(cli({"info", ball}).exitCode, 0); // not overwritten
         QVERIFY(cli({"run", "--version"}).out.startsWith("dipwright-cli "));
     }
 
-    void aProjectDoesNotReplaceItsSource() {
+    void new_outputIsTheModel_isRefused() {
         QVERIFY(QFile::copy(path("ball.obj"), path("same.obj")));
         QCOMPARE(cli({"new", path("./same.obj"), "--model", path("same.obj")}).exitCode, 2);
         QCOMPARE(bytesOf(path("same.obj")), bytesOf(path("ball.obj")));
     }
 
-    void aBodySmallerThanTheFilmsCellsIsRefused() {
+    void validate_bodySmallerThanCells_isRefused() {
         QCOMPARE(cli({"new", path("speck.dipw"), "--model", path("ball.obj"), "--size-mm", "0.1"})
                      .exitCode,
                  0);
@@ -352,7 +360,7 @@ private slots:
         QVERIFY2(refused.err.contains("more points"), refused.err);
     }
 
-    void theOriginalsAreNotNeededToRun() {
+    void project_modelFilesRemoved_stillOpens() {
         QTemporaryDir away;
         const QString model = writeBall(away.path());
         QVERIFY(cli({"new", path("own.dipw"), "--model", model}).exitCode == 0);
@@ -360,7 +368,7 @@ private slots:
         QCOMPARE(cli({"info", path("own.dipw")}).exitCode, 0);
     }
 
-    void aModelIsScaledByItsLongestEdge() {
+    void new_sizeOption_scalesLongestEdge() {
         QVERIFY(cli({"new", path("large.dipw"), "--model", path("ball.obj"), "--size-mm", "110"})
                     .exitCode == 0);
         const QJsonObject info =
@@ -369,7 +377,7 @@ private slots:
         QVERIFY(std::abs(size[1].toDouble() - 110) < 1e-3);
     }
 
-    void severalModelsOnAJigAreOneBody() {
+    void new_severalModelsOnJig_makeOneBody() {
         const QString ball = path("ball.obj");
         const QString jig = path("jig.dipw");
         const Outcome made = cli({"new", jig, "--jig", ball + ",name=Left,offset=-25;0", "--jig",
@@ -387,9 +395,9 @@ private slots:
         QVERIFY(std::abs(both["size_mm"].toArray()[1].toDouble() - 45) < 0.1);
         const Outcome ran = cli(QStringList{"run", jig, "--out", path("jig")} + quickly);
         QVERIFY2(ran.exitCode == 0, ran.err);
-        // Both are painted from their own places on the film.
+        // Each ball is painted from its own place on the film.
         const QImage sheet(path("jig/immersion-1/sheet.png"));
-        const auto printed = [&](double x) { // of the pixels within 8 mm
+        const auto printed = [&](double x) { // counts inked pixels within 8 mm of x
             int count = 0;
             const double unit = sheet.width() / 120.0;
             for (int row = -int(8 * unit); row < 8 * unit; ++row) {
@@ -406,7 +414,7 @@ private slots:
         QVERIFY2(met.err.contains("overlap"), met.err);
     }
 
-    void thePresetIsStored() {
+    void new_presetOption_isStored() {
         QVERIFY(
             cli({"new", path("paper.dipw"), "--model", path("ball.obj"), "--preset", "paper-2020"})
                 .exitCode == 0);
@@ -419,22 +427,22 @@ private slots:
         QVERIFY2(done.exitCode == 0, done.err);
     }
 
-    void theBestPosesAreWrittenIntoTheProject() {
+    void optimize_bestPoses_areWrittenToProject() {
         QVERIFY(QFile::copy(path("single.dipw"), path("best.dipw")));
         const Outcome done =
             cli({"optimize", path("best.dipw"), "--immersions", "2", "--candidates", "6",
                  "--directions", "40", "--refined", "1", "--finer", "1", "--confirmed", "1",
                  "--set", "film.size_mm=100x100"});
         QVERIFY2(done.exitCode == 0, done.err);
-        QVERIFY2(done.out.contains("painted"), done.out);
+        QVERIFY2(done.out.contains("coverage"), done.out);
         const QJsonObject info =
             QJsonDocument::fromJson(cli({"info", path("best.dipw"), "--json"}).out).object();
         QCOMPARE(info["immersions"].toArray().size(), 2);
-        // What was set for the search stays out of the file.
+        // Settings for the search alone are not saved.
         QCOMPARE(info["film"].toObject()["size_mm"].toArray(), (QJsonArray{210, 297}));
     }
 
-    void aVerdictWorseThanRequiredIsAnExitCodeOfItsOwn() {
+    void run_verdictWorseThanRequired_exitCodeIsThree() {
         const QStringList quick{"run",   path("single.dipw"),   "--out", path("required"),
                                 "--set", "film.size_mm=100x100"};
         const Outcome unjudged = cli(quick + QStringList{"--no-certainty", "--require", "check"});
@@ -448,7 +456,7 @@ private slots:
         QCOMPARE(cli(quick + QStringList{"--require", "perhaps"}).exitCode, 2);
     }
 
-    void aSearchWantsWhatTheProjectSays() {
+    void optimize_limitsOfProject_areUsed() {
         QVERIFY(QFile::copy(path("single.dipw"), path("wanting.dipw")));
         const QByteArray misses = "misses a limit";
         const QStringList quick{"optimize",     path("wanting.dipw"),
@@ -482,7 +490,7 @@ private slots:
     }
 
 #ifdef Q_OS_UNIX
-    void aRequestToTerminateLeavesNothingBehind() {
+    void run_terminateSignal_leavesNothingBehind() {
         QProcess process;
         process.start(cliPath(), {"run", path("ball.dipw"), "--out", path("cancelled"), "--set",
                                   "film.points=600x848", "--set", "body.sdf_resolution=64"});

@@ -17,7 +17,7 @@ QByteArray repeated(const QByteArray& text, int times) {
     return text.repeated(times);
 }
 
-// `made(i)` for i = 0, 1 … one after the other.
+// Joins `made(i)` for i = 0 … count − 1.
 template <typename Made>
 QByteArray sequence(int count, const Made& made) {
     QByteArray text;
@@ -66,7 +66,7 @@ void writeObj(const QDir& folder) {
     const QByteArray triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     writeFile(folder.filePath("corners.obj"), star(60'000) + face(60'000));
 #if defined(DIPWRIGHT_SANITIZED)
-    constexpr int stars = 600; // reading has three times as long
+    constexpr int stars = 600; // reading is allowed three times as long
 #else
     constexpr int stars = 120;
 #endif

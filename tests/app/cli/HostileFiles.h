@@ -1,4 +1,4 @@
-// Files as an attacker makes them, one of each kind that has once done harm or was made to.
+// Writes malicious files, one of each kind that once did harm or was made to do harm.
 #pragma once
 
 #include <QString>

@@ -1,5 +1,5 @@
-// Files made to read, break or take what is not theirs: each is refused with one sentence, within
-// five seconds of computing and a gigabyte.
+// Malicious files that try to read private files, crash the program or exhaust the machine. Each
+// must be refused with one sentence, within five seconds of processor time and one gigabyte.
 #include "HostileFiles.h"
 #include "CliProcess.h"
 #include "TestFiles.h"
@@ -18,7 +18,7 @@ namespace {
 
 const QDir shared(sharedFolder("/data/hostile"));
 
-// The system ends what computes for longer than `seconds`.
+// The system ends the program after `seconds` of processor time.
 Outcome cliWithin(int seconds, const QStringList& arguments) {
 #ifdef Q_OS_UNIX
     return program("/bin/sh", QStringList{"-c", "ulimit -t \"$0\"; exec \"$@\"",
@@ -42,10 +42,10 @@ private slots:
         QVERIFY(!QDir(folder_.path()).isEmpty());
     }
 
-    void ownFilesAreRefused_data() { listFiles(QDir(folder_.path())); }
-    void ownFilesAreRefused() { refused(); }
+    void cli_hostileFile_isRefused_data() { listFiles(QDir(folder_.path())); }
+    void cli_hostileFile_isRefused() { refused(); }
 
-    void sharedFilesAreRefused_data() {
+    void cli_sharedHostileFile_isRefused_data() {
         QTest::addColumn<QString>("file");
         if (shared.exists()) {
             listFiles(shared);
@@ -53,17 +53,17 @@ private slots:
             QTest::newRow("none") << QString();
         }
     }
-    void sharedFilesAreRefused() {
+    void cli_sharedHostileFile_isRefused() {
         if (!shared.exists()) {
             QSKIP("no shared models");
         }
         refused();
     }
 
-    // Of the programs and of what they start, at their largest.
-    void noneTakesAGigabyte() {
+    // Measures the largest memory of all programs so far and of their children.
+    void cli_hostileFiles_useLessThanOneGigabyte() {
 #ifdef Q_OS_UNIX
-#if !defined(DIPWRIGHT_SANITIZED) // sanitizers take it for themselves
+#if !defined(DIPWRIGHT_SANITIZED) // sanitizers need more themselves
         rusage used{};
         QCOMPARE(getrusage(RUSAGE_CHILDREN, &used), 0);
 #ifdef Q_OS_MACOS
@@ -71,7 +71,9 @@ private slots:
 #else
         const qint64 bytes = qint64(used.ru_maxrss) << 10;
 #endif
-        QVERIFY2(bytes < qint64(1) << 30, qPrintable(QString::number(bytes)));
+        QVERIFY2(bytes < qint64(1) << 30,
+                 qPrintable(QStringLiteral("a program used %1 MiB, expected less than 1024 MiB")
+                                .arg(bytes >> 20)));
 #endif
 #endif
     }
@@ -90,7 +92,7 @@ private:
         QDir().mkpath(QFileInfo(out).path());
         const bool isProject = file.endsWith(QLatin1String(".dipw"));
 #if defined(DIPWRIGHT_SANITIZED)
-        constexpr int mostSeconds = 100; // sanitizers slow programs down up to twenty times
+        constexpr int mostSeconds = 100; // sanitizers slow programs down by up to 20
 #else
         constexpr int mostSeconds = 5;
 #endif
@@ -98,7 +100,7 @@ private:
             cliWithin(mostSeconds, isProject ? QStringList{"info", file}
                                              : QStringList{"new", out, "--model", file, "--quiet"});
         QVERIFY2(outcome.exitCode == 1, outcome.out + outcome.err);
-        // No word of libraries, and no byte that a terminal would obey.
+        // No output of libraries, and no escape byte for the terminal.
         QVERIFY2(outcome.err.count('\n') == 1 && outcome.errorLines().size() == 1, outcome.err);
         QVERIFY(!outcome.err.contains('\x1b'));
         QVERIFY(!QFileInfo::exists(out));

@@ -1,4 +1,5 @@
-// A printer's own inks on stretched film, from the wedge to the sheet, on the command line.
+// Tests the compensation of each ink on stretched film by the command line, from the wedge to the
+// sheet.
 #include "CliProcess.h"
 #include "PaperMeasure.h"
 #include "TestFolders.h"
@@ -29,7 +30,7 @@ QByteArray read(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-// Rows of a plate that have ink between the wedge's names and the paper's right edge.
+// Returns the rows of a plate that have ink between the wedge's labels and the paper's right edge.
 QSet<int> inkedRows(const QImage& plate) {
     QSet<int> rows;
     for (int y = plate.height() / 8; y < plate.height() * 2 / 5; ++y) {
@@ -58,7 +59,7 @@ private slots:
                  0);
     }
 
-    void wedgeIsOfThePrintersOwnInks() {
+    void calibrateWedge_cmykProfile_printsEachInkAlone() {
         QCOMPARE(
             cli({"calibrate", "wedge", "--profile", "Press", "--to", in("wedge.pdf")}).exitCode, 0);
         QVERIFY(read(in("wedge.csv")).contains("\nblack,0.3,,,,"));
@@ -76,7 +77,7 @@ private slots:
             0);
     }
 
-    void aSheetIsMadeUpForInkByInk() {
+    void run_perInkReadings_reportsPerInkShortfall() {
         QByteArray readings = "ink,nominal,flat,across,down,shown\n";
         for (const auto& [ink, exponent] :
              {std::pair("cyan", 0.8), std::pair("magenta", 0.4), std::pair("black", 0.2)}) {

@@ -1,5 +1,5 @@
-// What film and dip were, and how a part came out, by the command line: a job, photos of a dipped
-// part, and tables of what is seen in them.
+// Tests `inspect fit` and `inspect built` by the command line, with a job, photos of a dipped part,
+// and tables of the places seen in them.
 #include "../../core/inspection/PhotographedPart.h"
 #include "CliProcess.h"
 #include "TestFiles.h"
@@ -67,7 +67,7 @@ private slots:
         QVERIFY(photo.save(path("1.png")) && photo.save(path("2.png")));
     }
 
-    void refusalsAreASentence() {
+    void inspect_invalidInput_isRefusedInOneSentence() {
         QCOMPARE(cli({"inspect", "fit", path("1.png"), "--out", path("no")}).exitCode, 2);
         QCOMPARE(cli(words("fit", {"--fit", "weather"})).exitCode, 2);
         const Outcome depth = cli(words("fit", {"--fit", "depth"}));
@@ -85,7 +85,7 @@ private slots:
         QVERIFY(!QFileInfo::exists(path("out")));
     }
 
-    void aPartIsKeptAndTheNextSheetCorrected() {
+    void inspectBuilt_acceptedPart_correctsNextSheet() {
         const Outcome outcome = cli(words("built", {"--accepted-by", "Ada", "--correct", "1",
                                                     "--date", "2026-11-22", "--update-job"}));
         QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
@@ -112,10 +112,10 @@ private slots:
         QCOMPARE(dip.value("parts").toInt(), 1);
     }
 
-    void whereTheBodyWasGoesIntoTheJob() {
+    void inspectFit_updateJob_writesFittedOffset() {
         const Outcome outcome = cli(words(
             "fit", {"--fit", "shift_x,shift_z", "--update-job", "--profile", "Fitted", "--set"}));
-        QCOMPARE(outcome.exitCode, 2); // --set is none of its options
+        QCOMPARE(outcome.exitCode, 2); // it has no option --set
         const Outcome fitted =
             cli(words("fit", {"--fit", "shift_x,shift_z,swell_x,swell_y", "--film-image",
                               "chessboard", "--update-job", "--profile", "Fitted"}));

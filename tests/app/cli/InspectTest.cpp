@@ -1,4 +1,4 @@
-// A film measured by the command line from photos, as a user has them: JPEG files from a camera.
+// Tests `inspect film` and `inspect part` by the command line, with JPEG photos like a camera's.
 #include "CliProcess.h"
 #include "TankPhoto.h"
 #include "TestFiles.h"
@@ -32,8 +32,8 @@ QByteArray entry(quint16 tag, quint16 type, quint32 count, quint32 value) {
     return number(tag, 2) + number(type, 2) + number(count, 4) + number(value, 4);
 }
 
-// JPEG with a camera's tags: how it was held, when, and its focal length. Before those of a camera
-// that was turned stand a byte that fills and a comment, past which libexif finds no tags.
+// Returns a JPEG with a camera's tags: orientation, time and focal length. If the orientation is
+// not 1, a fill byte and a comment precede the tags, behind which libexif does not find them.
 QByteArray cameraFile(const QImage& picture, int orientation, const QByteArray& taken) {
     QByteArray tags = "II" + number(42, 2) + number(8, 4);
     tags += number(2, 2) + entry(0x0112, 3, 1, quint32(orientation)) + entry(0x8769, 4, 1, 38) +
@@ -50,7 +50,7 @@ QByteArray cameraFile(const QImage& picture, int orientation, const QByteArray& 
            char(length >> 8) + char(length & 255) + segment + buffer.data().mid(2);
 }
 
-// As a raster image processor writes it: cyan, magenta, yellow and black.
+// Writes a TIFF like a raster image processor's: cyan, magenta, yellow and black.
 void writeCmykTiff(const QImage& picture, const QString& path) {
     TIFF* file = TIFFOpen(qPrintable(path), "w");
     TIFFSetField(file, TIFFTAG_IMAGEWIDTH, picture.width());
@@ -81,7 +81,7 @@ private slots:
         qputenv("DIPWRIGHT_PROFILE_PATH", path("profiles").toLocal8Bit());
         for (const int seconds : times_) {
             const QImage picture = tankPhoto(film, seconds, 0);
-            // The second was made with a camera that stores pictures flipped, and says so.
+            // The second photo is stored mirrored, with the matching orientation tag.
             const bool isFlipped = seconds == times_[1];
             const QByteArray taken = QTime(14, 0).addSecs(seconds).toString("hh:mm:ss").toLatin1();
             writeFile(path(photoName(seconds)),
@@ -91,7 +91,7 @@ private slots:
         }
     }
 
-    void pagesAreWrittenToPrint() {
+    void calibrate_filmAndCardPages_areWritten() {
         for (const char* page : {"film", "card"}) {
             const QString name = path(QString::fromLatin1(page));
             QCOMPARE(cli({"calibrate", page, "--to", name + ".pdf"}).exitCode, 0);
@@ -104,7 +104,7 @@ private slots:
         QCOMPARE(small.errorLines().size(), 1);
     }
 
-    void filmIsMeasuredByTheCamerasClock() {
+    void inspectFilm_cameraTimes_measuresSwellAndGrowth() {
         QStringList arguments{"inspect", "film"};
         arguments << photos_ << "--out" << path("out") << "--laid"
                   << "2026-11-22T14:00:00"
@@ -139,14 +139,14 @@ private slots:
         QVERIFY(profile.contains("L7"));
     }
 
-    void timesAreAskedFor() {
+    void inspectFilm_noTimes_isRefused() {
         const Outcome outcome =
             cli(QStringList{"inspect", "film"} + photos_ + QStringList{"--out", path("none")});
         QCOMPARE(outcome.exitCode, 2);
         QVERIFY(!QFileInfo::exists(path("none")));
     }
 
-    void badFilesGetASentence_data() {
+    void inspectFilm_badPhoto_isRefusedInOneSentence_data() {
         QTest::addColumn<QByteArray>("bytes");
         QTest::newRow("cut off") << bytesOf(photos_.first()).left(4000);
         QTest::newRow("no picture") << QByteArray("once upon a time");
@@ -163,7 +163,7 @@ private slots:
         QTest::newRow("mirrored") << encoded(QImage(photos_.first()).mirrored(true, false), "PNG");
     }
 
-    void badFilesGetASentence() {
+    void inspectFilm_badPhoto_isRefusedInOneSentence() {
         QFETCH(QByteArray, bytes);
         writeFile(path("bad.jpg"), bytes);
         const Outcome outcome = cli({"inspect", "film", path("bad.jpg"), "--out", path("bad-out"),
@@ -175,8 +175,8 @@ private slots:
         QVERIFY(!cli({"profile", "list"}).out.contains("Never written"));
     }
 
-    // Places on a ball seen by a camera of 1000 pixels' focal length from 300 mm.
-    void partIsHeldAgainstItsPhoto() {
+    // Places on a ball, seen by a camera with a focal length of 1000 pixels from 300 mm.
+    void inspectPart_pairsTable_reportsFigures() {
         QByteArray table("photo,x_px,y_px,x_mm,y_mm,z_mm\n");
         for (int i = 0; i < 16; ++i) {
             const double up = -60 + 8 * i, around = 2.4 * i;
@@ -204,7 +204,7 @@ private slots:
             QCOMPARE(bad.errorLines().size(), 1);
             QVERIFY(!QFileInfo::exists(path("part")));
         }
-        // Deep ones and those in cyan, magenta, yellow and black are read.
+        // Photos with 16 bits and CMYK photos are read.
         writeFile(path("deep-part.png"),
                   encoded(QImage(photos_.first()).convertToFormat(QImage::Format_RGBX64), "PNG"));
         writeCmykTiff(QImage(photos_.first()), path("cmyk-part.tiff"));
@@ -229,14 +229,14 @@ private slots:
         QCOMPARE(bytesOf(path("part/part-pairs.csv")).count('\n'), 17);
     }
 
-    void sixteenBitsAreRead() {
+    void inspectFilm_16BitPhoto_isRead() {
         writeFile(path("deep.png"),
                   encoded(QImage(photos_.first()).convertToFormat(QImage::Format_RGBX64), "PNG"));
         const Outcome outcome = cli({"inspect", "film", path("deep.png"), "--out", path("deep")});
         QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
     }
 
-    void cyanMagentaYellowAndBlackAreRead() {
+    void inspectFilm_cmykPhoto_isRead() {
         writeCmykTiff(QImage(photos_.first()), path("cmyk.tiff"));
         const Outcome outcome = cli({"inspect", "film", path("cmyk.tiff"), "--out", path("cmyk")});
         QVERIFY2(outcome.exitCode == 0, outcome.err.constData());

@@ -1,5 +1,5 @@
-// Names and places that systems allow and nobody thinks of: what can be done is done, what cannot
-// is refused in one line.
+// Tests unusual but valid names and paths. The program must either handle them or refuse them in
+// one line.
 #include "CliProcess.h"
 #include "TestFolders.h"
 
@@ -23,7 +23,7 @@ QByteArray contentsOf(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-// All files below but those that tell the time.
+// Returns all files below a folder, except those that contain times.
 QMap<QString, QByteArray> timelessFiles(const QString& folder) {
     QMap<QString, QByteArray> files;
     QDirIterator all(folder, QDir::Files, QDirIterator::Subdirectories);
@@ -47,13 +47,13 @@ class OddPlacesTest : public QObject {
 
 private slots:
     void init() { folder_ = std::make_unique<QTemporaryDir>(); }
-    void namesAreAsLongAsTheSystemAllows();
-    void pathsThatAreTooLongAreRefused();
-    void namesThatAreNotTextAreRefused();
-    void noEscapeByteReachesTheTerminal_data();
-    void noEscapeByteReachesTheTerminal();
-    void theSessionsLanguageChangesNoFile_data();
-    void theSessionsLanguageChangesNoFile();
+    void cli_longestFileName_isWritten();
+    void cli_pathTooLong_isRefused();
+    void cli_nameNotUtf8_isRefused();
+    void cli_escapeBytesInName_areNotPrinted_data();
+    void cli_escapeBytesInName_areNotPrinted();
+    void run_anyLocale_writesSameFiles_data();
+    void run_anyLocale_writesSameFiles();
 
 private:
     QString path(const QString& name) const { return folder_->filePath(name); }
@@ -61,10 +61,10 @@ private:
     std::unique_ptr<QTemporaryDir> folder_;
 };
 
-// Though what is written stands beside under a longer name for a while.
-void OddPlacesTest::namesAreAsLongAsTheSystemAllows() {
+// While a file is written, a hidden file with a longer name lies beside it.
+void OddPlacesTest::cli_longestFileName_isWritten() {
     const QString job = path(QString(250, QLatin1Char('x')) + QStringLiteral(".dipw"));
-    for (int time = 0; time < 2; ++time) { // made, and replaced
+    for (int time = 0; time < 2; ++time) { // created, then replaced
         const Outcome made = cli({"new", job, "--model", model, "--size-mm", "40", "--quiet"});
         QVERIFY2(made.exitCode == 0, made.err.constData());
     }
@@ -80,7 +80,7 @@ void OddPlacesTest::namesAreAsLongAsTheSystemAllows() {
             {QFileInfo(out).fileName(), QFileInfo(job).fileName(), QFileInfo(umlauts).fileName()}));
 }
 
-void OddPlacesTest::pathsThatAreTooLongAreRefused() {
+void OddPlacesTest::cli_pathTooLong_isRefused() {
     QString deep = folder_->path();
     while (deep.size() < 4200) {
         deep += QLatin1Char('/') + QString(200, QLatin1Char('d'));
@@ -93,8 +93,8 @@ void OddPlacesTest::pathsThatAreTooLongAreRefused() {
     QVERIFY(QDir(folder_->path()).isEmpty());
 }
 
-// They cannot be told from others once they have been read.
-void OddPlacesTest::namesThatAreNotTextAreRefused() {
+// Once read as text, such names could be mistaken for others.
+void OddPlacesTest::cli_nameNotUtf8_isRefused() {
 #ifndef Q_OS_UNIX
     return; // every name is text there
 #endif
@@ -107,9 +107,9 @@ void OddPlacesTest::namesThatAreNotTextAreRefused() {
     QCOMPARE(shell.exitCode(), 2);
     const QByteArray said = shell.readAllStandardError();
     QCOMPARE(said.count('\n'), 1);
-    QVERIFY2(said.contains("not text in UTF-8"), said.constData());
+    QVERIFY2(said.contains("not UTF-8 text"), said.constData());
     QVERIFY(QDir(folder_->path()).isEmpty());
-    // Nor is what lies in a folder of such a name, reached by whatever names.
+    // Files in a folder with such a name are refused, too, by any path.
     shell.start(QStringLiteral("sh"),
                 {"-c",
                  "mkdir \"$(printf 'b\\377')\" && cd b* && \"$0\" new a.dipw --model \"$1\" "
@@ -121,11 +121,11 @@ void OddPlacesTest::namesThatAreNotTextAreRefused() {
     QVERIFY(QDir(folder_->path()).isEmpty());
 }
 
-void OddPlacesTest::noEscapeByteReachesTheTerminal_data() {
+void OddPlacesTest::cli_escapeBytesInName_areNotPrinted_data() {
     QTest::addColumn<QString>("words");
     QTest::newRow("a file that is not there") << "info NAME";
     QTest::newRow("a model that is not there") << "new OUT --model NAME";
-    QTest::newRow("what is made") << "new NAME --model MODEL";
+    QTest::newRow("a project that is made") << "new NAME --model MODEL";
     QTest::newRow("a folder of results")
         << "run SAMPLE --out NAME --no-certainty --set film.points=17x17 "
            "--set body.sdf_resolution=64 --set sheet.dpi=40";
@@ -139,8 +139,8 @@ void OddPlacesTest::noEscapeByteReachesTheTerminal_data() {
     QTest::newRow("a printer") << "print SAMPLE --printer NAME";
 }
 
-// A name that, printed as it is, would rename the window, ring the bell and clear the screen.
-void OddPlacesTest::noEscapeByteReachesTheTerminal() {
+// Printed unchanged, the name would rename the window, ring the bell and clear the screen.
+void OddPlacesTest::cli_escapeBytesInName_areNotPrinted() {
     QFETCH(QString, words);
     const QString name =
         path(QStringLiteral("e\x1b]0;owned\x07\x1b[2J") + QChar(0x9b) + QStringLiteral("31m.dipw"));
@@ -157,7 +157,7 @@ void OddPlacesTest::noEscapeByteReachesTheTerminal() {
     }
 }
 
-void OddPlacesTest::theSessionsLanguageChangesNoFile_data() {
+void OddPlacesTest::run_anyLocale_writesSameFiles_data() {
     QTest::addColumn<QString>("locale");
     QTest::newRow("C") << "C";
     QTest::newRow("German") << "de_DE.UTF-8";
@@ -166,7 +166,7 @@ void OddPlacesTest::theSessionsLanguageChangesNoFile_data() {
     QTest::newRow("Arabic") << "ar_EG.UTF-8";
 }
 
-void OddPlacesTest::theSessionsLanguageChangesNoFile() {
+void OddPlacesTest::run_anyLocale_writesSameFiles() {
     QFETCH(QString, locale);
     const auto run = [&](const QString& language, const QString& out) {
         return cli(QStringList{"run", sample, "--out", path(out), "--set", "film.swell=1.06x1.02"} +

@@ -1,4 +1,4 @@
-// `dipwright-cli pack` as a print shop types it: what comes out is what each job alone would be.
+// Tests `dipwright-cli pack`. Each piece on a packed film must equal the sheet of its job alone.
 #include "CliProcess.h"
 #include "TestFolders.h"
 
@@ -36,7 +36,7 @@ class PackCommandTest : public QObject {
     QTemporaryDir folder_;
 
 private slots:
-    void aPieceIsItsOwnSheetMoved() {
+    void pack_pieces_equalTheirSheets() {
         const QString out = folder_.filePath("films");
         const Outcome packed =
             cli(QStringList{"pack", turtle + ":2", "--out", out, "--film", "roll:400"} + coarse);
@@ -61,7 +61,7 @@ private slots:
             const auto at = [&](const char* key, int number) {
                 return piece[QLatin1String(key)].toArray()[number].toDouble() * unit;
             };
-            // The sheet's middle on the film: the picture is in the middle of its box's width.
+            // The picture stands in the middle of the width of its box.
             const QSize size(int(std::lround(at("picture_mm", 0))),
                              int(std::lround(at("picture_mm", 1))));
             const QImage box =
@@ -87,7 +87,7 @@ private slots:
         }
     }
 
-    void fewerFilmsReplaceMore() {
+    void pack_fewerFilms_removesEarlierOnes() {
         const QString out = folder_.filePath("fewer");
         const auto pack = [&](const QString& copies) {
             return cli(QStringList{"pack", turtle + copies, "--out", out, "--film", "A3"} + coarse);
@@ -98,12 +98,12 @@ private slots:
         QVERIFY(QFile::exists(out + "/film-1.pdf") && !QFile::exists(out + "/film-2.pdf"));
     }
 
-    void aPartThatIsTooLargeIsSaid() {
+    void pack_pieceTooLarge_isRefused() {
         const Outcome packed = cli(
             QStringList{"pack", turtle, "--out", folder_.filePath("small"), "--film", "100x100"} +
             coarse);
         QCOMPARE(packed.exitCode, 1);
-        QVERIFY2(packed.err.contains("take a larger film"), packed.err);
+        QVERIFY2(packed.err.contains("use a larger film"), packed.err);
         QVERIFY(!QFile::exists(folder_.filePath("small")));
     }
 };

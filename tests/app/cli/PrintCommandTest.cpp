@@ -1,5 +1,4 @@
-// dipwright-cli print, profile and calibrate, as a user types them, against a print system of the
-// test's own.
+// Tests `dipwright-cli print`, `profile` and `calibrate` with the test's own print system.
 #include "CliProcess.h"
 #include "PaperMeasure.h"
 #include "PrivateCups.h"
@@ -17,12 +16,13 @@ using dipwright::test::Outcome;
 namespace {
 
 const QString turtle = sampleFolder("/turtle.dipw");
-// Coarse, to be quick: what is tried here is the way to the paper.
+// Coarse, to be quick. The test checks printing, not dipping.
 const QStringList coarse{"--set",  "film.preset=A4",         "--set", "film.points=41x58",
                          "--set",  "body.sdf_resolution=64", "--set", "sheet.dpi=150",
                          "--quiet"};
 
-// From 0 to 100 mm on the ruler of a calibration page, as received; 0 where there is none.
+// Returns the length from 0 to 100 mm on the ruler of a received calibration page, in mm; 0 if
+// there is no ruler.
 double calibrationRuler(const QString& path, bool across, int ticksWanted) {
     constexpr int dpi = 1200;
     const QImage strip =
@@ -61,16 +61,16 @@ class PrintCommandTest : public QObject {
 private slots:
     void initTestCase();
     void printersAreListed();
-    void turtlesTwoSheetsArrive();
-    void chessboardIsTrue();
-    void calibrationMakesPrintsTrue();
-    void sheetsAreWrittenAsFiles();
-    void filesKeepToWhatThePrinterReaches();
-    void sheetsAreInThePrintersColours();
-    void wideColoursReachAWidePrinter();
-    void projectKeepsItsProfile();
-    void refusalsPrintNothing();
-    void wrongUsageIsToldApart();
+    void print_turtle_bothSheetsArrive();
+    void print_chessboard_hasTrueSize();
+    void calibrate_measuredRulers_makePrintsTrue();
+    void print_toFile_writesSheet();
+    void print_toFile_keepsPrinterMargins();
+    void print_iccProfile_convertsColours();
+    void print_wideGamutProfile_keepsWideColours();
+    void print_profileChangedLater_usesProjectsCopy();
+    void print_refused_sendsNothing();
+    void printCommands_wrongUsage_exitCodeIsTwo();
 };
 
 void PrintCommandTest::initTestCase() {
@@ -90,7 +90,7 @@ void PrintCommandTest::printersAreListed() {
     QVERIFY(outcome.out.contains("210 × 297 mm, borderless"));
 }
 
-void PrintCommandTest::turtlesTwoSheetsArrive() {
+void PrintCommandTest::print_turtle_bothSheetsArrive() {
     const int before = received();
     const Outcome outcome = cli(QStringList{"print", turtle, "--printer", "pigment"} + coarse);
     QVERIFY2(outcome.exitCode == 0, outcome.err);
@@ -103,8 +103,8 @@ void PrintCommandTest::turtlesTwoSheetsArrive() {
         QVERIFY(std::abs(rulerLength(paper) - 100) < 0.02);
         QVERIFY(pdfWords(paper).contains("Film A4 210 × 297 mm"));
     }
-    QVERIFY(pdfWords(papers[0]) != pdfWords(papers[1])); // each names its immersion
-    // The history finds each by the job number that stands on it.
+    QVERIFY(pdfWords(papers[0]) != pdfWords(papers[1])); // each names its dip
+    // The history lists each sheet with the job number printed on it.
     const QStringList kept = QString::fromUtf8(cli({"print", "--history"}).out).split('\n');
     for (int i : {0, 1}) {
         const QString& print = kept[1 - i]; // the newest first
@@ -114,7 +114,7 @@ void PrintCommandTest::turtlesTwoSheetsArrive() {
     }
 }
 
-void PrintCommandTest::chessboardIsTrue() {
+void PrintCommandTest::print_chessboard_hasTrueSize() {
     const int before = received();
     const Outcome outcome = cli(QStringList{"print", turtle, "--printer", "pigment", "--immersion",
                                             "2", "--film-image", "chessboard"} +
@@ -130,13 +130,15 @@ void PrintCommandTest::chessboardIsTrue() {
         QVERIFY(found.size() >= 10);
         for (std::size_t i = 1; i < found.size(); ++i) {
             const double square = (found[i] - found[i - 1]) / dpi * millimetresPerInch;
-            QVERIFY2(std::abs(square - 17) <= 0.02, qPrintable(QString::number(square)));
+            QVERIFY2(
+                std::abs(square - 17) <= 0.02,
+                qPrintable(QStringLiteral("a square is %1 mm, expected 17 ± 0.02 mm").arg(square)));
         }
     }
 }
 
-// A printer that prints 1.004 × 0.997 too large is measured, corrected and verified.
-void PrintCommandTest::calibrationMakesPrintsTrue() {
+// The printer scales by 1.004 × 0.997. The scale is measured, corrected and verified.
+void PrintCommandTest::calibrate_measuredRulers_makePrintsTrue() {
     const int before = received();
     Outcome outcome = cli({"calibrate", "--profile", "Mine", "--printer", "pigment"});
     QVERIFY2(outcome.exitCode == 0, outcome.err);
@@ -146,7 +148,8 @@ void PrintCommandTest::calibrationMakesPrintsTrue() {
     QVERIFY2(outcome.out.contains("1.00400 × 0.99700"), outcome.out);
     outcome = cli({"calibrate", "--profile", "Mine", "--printer", "pigment", "--verify"});
     QVERIFY2(outcome.exitCode == 0, outcome.err);
-    QVERIFY(outcome.out.contains("--verify --measured 170x220")); // else it would start anew
+    QVERIFY(outcome.out.contains(
+        "--verify --measured 170x220")); // without --verify, a new calibration would start
     const QStringList pages = cups_->received("pigment").mid(before);
     QCOMPARE(pages.size(), 2);
     QVERIFY(pdfWords(pages[0]).contains("Calibration"));
@@ -157,19 +160,27 @@ void PrintCommandTest::calibrationMakesPrintsTrue() {
                              calibrationRuler(pages[1], false, 221)};
     const double error[] = {1.004, 0.997};
     for (int axis : {0, 1}) {
-        QVERIFY2(std::abs(first[axis] - 100) < 0.02, qPrintable(QString::number(first[axis])));
+        QVERIFY2(
+            std::abs(first[axis] - 100) < 0.02,
+            qPrintable(QStringLiteral("ruler before the correction: %1 mm, expected 100 ± 0.02 mm")
+                           .arg(first[axis])));
         const double length = second[axis] * error[axis];
-        QVERIFY2(std::abs(length - 100) <= 0.05, qPrintable(QString::number(length)));
+        QVERIFY2(
+            std::abs(length - 100) <= 0.05,
+            qPrintable(QStringLiteral("ruler after the correction: %1 mm, expected 100 ± 0.05 mm")
+                           .arg(length)));
     }
     outcome = cli(QStringList{"print", turtle, "--printer", "pigment", "--immersion", "1",
                               "--profile", "Mine"} +
                   coarse);
     QVERIFY2(outcome.exitCode == 0, outcome.err);
     const double onPaper = rulerLength(cups_->received("pigment").last()) * 1.004;
-    QVERIFY2(std::abs(onPaper - 100) < 0.05, qPrintable(QString::number(onPaper)));
+    QVERIFY2(std::abs(onPaper - 100) < 0.05,
+             qPrintable(
+                 QStringLiteral("ruler of the sheet: %1 mm, expected 100 ± 0.05 mm").arg(onPaper)));
 }
 
-void PrintCommandTest::sheetsAreWrittenAsFiles() {
+void PrintCommandTest::print_toFile_writesSheet() {
     for (const QString& name : {QString("sheet.pdf"), QString("sheet.tiff")}) {
         const QString path = folder_.filePath(name);
         const Outcome outcome =
@@ -182,8 +193,8 @@ void PrintCommandTest::sheetsAreWrittenAsFiles() {
     QCOMPARE(cli({"print", turtle, "--to", folder_.filePath("both.pdf")}).exitCode, 2);
 }
 
-// What is written for a printer is judged as what is sent to one.
-void PrintCommandTest::filesKeepToWhatThePrinterReaches() {
+// A file for a printer is checked like a job sent to it.
+void PrintCommandTest::print_toFile_keepsPrinterMargins() {
     QVERIFY(
         cli({"profile", "set", "printer", "Inset", "--set", "margins_mm=12;12;12;12"}).exitCode ==
         0);
@@ -214,8 +225,8 @@ void PrintCommandTest::filesKeepToWhatThePrinterReaches() {
     QCOMPARE(write(pieces, {"--tile-paper", "quarto"}).exitCode, 2);
 }
 
-// A printer whose colours are those of Adobe RGB: the sheet's sRGB gets other numbers there.
-void PrintCommandTest::sheetsAreInThePrintersColours() {
+// The printer's profile is Adobe RGB, in which the sheet's sRGB colours have other values.
+void PrintCommandTest::print_iccProfile_convertsColours() {
     const QString icc = folder_.filePath("wide.icc");
     const QColorSpace wide(QColorSpace::AdobeRgb);
     QFile file(icc);
@@ -252,8 +263,8 @@ void PrintCommandTest::sheetsAreInThePrintersColours() {
         output("qpdf", {"--qdf", folder_.filePath("colour.pdf"), "-"}).contains(wide.iccProfile()));
 }
 
-// Adobe RGB's green is none of sRGB's, and no stop there cuts it off.
-void PrintCommandTest::wideColoursReachAWidePrinter() {
+// Adobe RGB's green is outside sRGB. No step on the way to the printer may clip it to sRGB.
+void PrintCommandTest::print_wideGamutProfile_keepsWideColours() {
     const QColorSpace wide(QColorSpace::AdobeRgb);
     const QString icc = folder_.filePath("adobe.icc");
     QFile file(icc);
@@ -274,16 +285,16 @@ void PrintCommandTest::wideColoursReachAWidePrinter() {
                 coarse);
         QVERIFY2(outcome.exitCode == 0, outcome.err);
         QVERIFY2(outcome.out.contains("0.0 % of the printed colour is out"), outcome.out);
-        output("pdfimages", {"-png", path, folder_.filePath("wide")}); // of the PDF
+        output("pdfimages", {"-png", path, folder_.filePath("wide")}); // from the PDF
         QImage found(name.endsWith("pdf") ? folder_.filePath("wide-000.png") : path);
         QVERIFY(!found.isNull());
-        found.setColorSpace(QColorSpace()); // the numbers themselves
+        found.setColorSpace(QColorSpace()); // compare the stored values
         const QColor middle = found.pixelColor(found.width() / 2, found.height() / 2);
         QVERIFY2(middle == green, qPrintable(name + middle.name()));
     }
 }
 
-void PrintCommandTest::projectKeepsItsProfile() {
+void PrintCommandTest::print_profileChangedLater_usesProjectsCopy() {
     const QString job = folder_.filePath("job.dipw");
     QVERIFY(QFile::copy(turtle, job));
     QVERIFY(cli({"profile", "set", "printer", "Old", "--set", "scale=1.004;0.997"}).exitCode == 0);
@@ -298,14 +309,14 @@ void PrintCommandTest::projectKeepsItsProfile() {
     const QString path = folder_.filePath("kept.pdf");
     const QByteArray before = printed(path);
     QVERIFY(std::abs(rulerLength(path) * 1.004 - 100) < 0.05);
-    // Next year the profile of that name is another one, and the year after there is none.
+    // The profile is changed, then removed. The project keeps using its own copy.
     QVERIFY(cli({"profile", "set", "printer", "Old", "--set", "scale=0.98;1.02"}).exitCode == 0);
     QVERIFY(printed(folder_.filePath("next.pdf")) == before);
     QVERIFY(cli({"profile", "remove", "printer", "Old"}).exitCode == 0);
     QVERIFY(printed(folder_.filePath("after.pdf")) == before);
 }
 
-void PrintCommandTest::refusalsPrintNothing() {
+void PrintCommandTest::print_refused_sendsNothing() {
     const int before = received();
     const auto refused = [&](const QStringList& arguments, const QByteArray& word) {
         const Outcome outcome = cli(QStringList{"print", turtle, "--quiet"} + arguments);
@@ -328,7 +339,7 @@ void PrintCommandTest::refusalsPrintNothing() {
     QVERIFY(cups_->received("grey").isEmpty());
 }
 
-void PrintCommandTest::wrongUsageIsToldApart() {
+void PrintCommandTest::printCommands_wrongUsage_exitCodeIsTwo() {
     for (const QStringList& arguments :
          {QStringList{"print", turtle},
           QStringList{"print", turtle, "--printer", "pigment", "--to", "x.pdf"},

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int longestStart = 60'000, longestEnd = 20'000; // ms
 
-// Daemons are not in every user's path.
+// Finds daemons, too, which are not in every user's path.
 QString programPath(const QString& name) {
     const QString found = QStandardPaths::findExecutable(name);
     return found.isEmpty() ? QStandardPaths::findExecutable(
@@ -27,7 +27,7 @@ QString programPath(const QString& name) {
                            : found;
 }
 
-// Two that nobody listens on.
+// Returns two ports on which nobody listens.
 std::array<int, 2> freePorts() {
     std::array<int, 2> ports{}, sockets{};
     for (std::size_t number = 0; number < ports.size(); ++number) {
@@ -41,13 +41,13 @@ std::array<int, 2> freePorts() {
             ports[number] = ntohs(address.sin_port);
         }
     }
-    for (const int socket : sockets) { // only now, so that they differ
+    for (const int socket : sockets) { // closed together, so that the ports differ
         close(socket);
     }
     return ports;
 }
 
-// `requeued` jobs wait for as long as their old credential holds: seconds here, not minutes.
+// A requeued job waits until its old credential expires: 5 seconds here, instead of minutes.
 constexpr char configuration[] = R"(ClusterName=test
 SlurmctldHost=HOST(127.0.0.1)
 SlurmctldPort=PORT1
@@ -113,9 +113,9 @@ PrivateSlurm::PrivateSlurm() {
     text.replace("PORT2", QByteArray::number(ports[1]));
     text.replace("USER", getpwuid(geteuid())->pw_name);
     text.replace("FOLDER", folder_.path().toUtf8());
-    QByteArray key(128, '\0'); // nobody else's: who knows it may run what he likes
+    QByteArray key(128, '\0'); // secret: whoever knows it may run any program
     QRandomGenerator::system()->generate(key.begin(), key.end());
-    // Munge lets anybody read the way to its socket, or nobody ask.
+    // Munge requires that everybody can read the path to its socket.
     QFile::setPermissions(folder_.path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner |
                                               QFile::ReadGroup | QFile::ExeGroup |
                                               QFile::ReadOther | QFile::ExeOther);

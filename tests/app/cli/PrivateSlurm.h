@@ -1,6 +1,6 @@
-// A cluster of the test's own: Slurm's controller and one node on this machine, with munge, which
-// tells them who asks, all in one temporary folder and on free ports. Nothing of the machine's is
-// touched, and everything ends with the object.
+// Runs the test's own cluster: Slurm's controller and one node on this machine, with munge for
+// authentication, in one temporary folder and on free ports. Changes nothing else on the machine.
+// Everything ends with the object.
 #pragma once
 
 #include "CliProcess.h"
@@ -12,17 +12,17 @@ namespace dipwright::test {
 
 class PrivateSlurm {
 public:
-    // Whether its programs are installed (Debian's slurm-wlm and munge).
+    // Returns whether Slurm's programs are installed (Debian's slurm-wlm and munge).
     static bool isInstalled();
 
-    // Starts it, with two processors for jobs; problem() says what went wrong.
+    // Starts the cluster, with two processors for jobs. If that fails, problem() says why.
     PrivateSlurm();
     ~PrivateSlurm();
     QString problem() const { return problem_; }
 
-    // One of Slurm's own commands: "sbatch", "scontrol", "squeue".
+    // Runs one of Slurm's own commands: "sbatch", "scontrol", "squeue".
     Outcome command(const QString& name, const QStringList& arguments) const;
-    // Submits a script and returns the number of its job; empty where that is refused.
+    // Submits a script. Returns its job number; empty if Slurm refuses it.
     QString submit(const QString& script, const QStringList& options = {}) const;
     bool isInState(const QString& job, const QByteArray& state) const; // "RUNNING"
     bool isEmpty() const;                                              // nothing runs or waits

@@ -1,5 +1,5 @@
-// One pose search in several processes, of which one is killed and started again, as an array job
-// of a cluster does.
+// Runs one pose search in several processes, like an array job of a cluster. One process is killed
+// and started again.
 
 #include "CliProcess.h"
 #include "TestFolders.h"
@@ -24,7 +24,7 @@ private slots:
         }
     }
 
-    void partsOfSeveralProcessesMakeTheSameTable() {
+    void optimizeMerge_shardsOfTwoProcesses_equalsSingleRun() {
         const Outcome single = cli(search(QStringLiteral("single.dipw")));
         QVERIFY2(single.exitCode == 0, single.err);
         QProcess killed;
@@ -33,7 +33,8 @@ private slots:
         QTest::qWait(100);
         killed.kill();
         QVERIFY(killed.waitForFinished());
-        QVERIFY2(!QFile::exists(path(QStringLiteral("part1"))), "written whole or not at all");
+        QVERIFY2(!QFile::exists(path(QStringLiteral("part1"))),
+                 "the killed process left an incomplete part1");
         QProcess first, second;
         first.start(cliPath(), shard(1));
         second.start(cliPath(), shard(2));
@@ -48,7 +49,7 @@ private slots:
         QCOMPARE(poses(QStringLiteral("parts.dipw")), poses(QStringLiteral("single.dipw")));
     }
 
-    void halfOfThePartsIsRefused() {
+    void optimizeMerge_missingShard_isRefused() {
         const Outcome merged =
             cli(search(QStringLiteral("parts.dipw")) << "--merge" << path(QStringLiteral("part1")));
         QVERIFY(merged.exitCode != 0);

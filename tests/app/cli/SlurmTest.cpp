@@ -1,6 +1,5 @@
-// A pose search as an array job of a real Slurm of one node, as docs/pose-search.md, "On several
-// machines", has it: one part is killed and requeued, and the merged ranking is that of a single
-// run.
+// Runs a pose search as an array job of a real Slurm with one node, as in docs/pose-search.md, "On
+// several machines". One part is killed and requeued. The merged ranking must equal a single run's.
 
 #include "CliProcess.h"
 #include "PrivateSlurm.h"
@@ -28,7 +27,7 @@ class SlurmTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void partsOfAnArrayJobMakeTheSameTable() {
+    void optimizeMerge_slurmArrayJob_equalsSingleRun() {
         if (!PrivateSlurm::isInstalled()) {
             QSKIP("no Slurm here: install slurm-wlm and munge");
         }
@@ -62,7 +61,8 @@ private slots:
         QVERIFY(QTest::qWaitFor([&] { return slurm.isEmpty(); }, longestJob));
 
         const QByteArray begun = bytesOf("begun");
-        QVERIFY2(begun.contains("1.1") && begun.contains("2.0"), begun); // killed, and done again
+        QVERIFY2(begun.contains("1.1") && begun.contains("2.0"),
+                 begun); // part 1 was killed and ran again
         QVERIFY2(!bytesOf("merged").isEmpty(), bytesOf("merged.err"));
         QCOMPARE(bytesOf("merged"), single.out);
         QCOMPARE(poses(QStringLiteral("job.dipw")), poses(QStringLiteral("single.dipw")));

@@ -1,4 +1,5 @@
-// Two who write one file: the second is told, and nothing of the first's work is lost.
+// Tests two writers of the same file or folder. The second must get an error, and the first must
+// lose nothing.
 
 #include "CliProcess.h"
 #include "TestFolders.h"
@@ -50,27 +51,27 @@ class WritersTest : public QObject {
 
 private slots:
     void init();
-    void whatIsOpenElsewhereIsNotWritten_data();
-    void whatIsOpenElsewhereIsNotWritten();
-    void resultsAreNotWrittenBesideOthers();
-    void twoAtOnceLoseNothing();
-    void whatWasChangedMeanwhileIsNotReplaced();
-    void aProfileThatWasChangedMeanwhileIsNotReplaced();
-    void aFolderThatCannotTakeResultsIsRefusedBeforeTheWork();
-    void linksInAFolderForResultsLeadNowhere();
-    void whatADeadWriterSeemsToHaveLeftIsNotMovedThroughLinks();
-    void whatADeadWriterSeemsToHaveLeftIsNoLink();
-    void aJournalOfWhatIsNoResultTouchesNothing();
-    void aJournalOfNamesThatAreNoneTouchesNothing_data();
-    void aJournalOfNamesThatAreNoneTouchesNothing();
-    void noStartDependsOnWhatOthersLeft();
-    void recoveryEndsWhenItIsCancelled();
-    void resultsThatWentMissingMeanwhileReplaceNothing();
-    void foldersThatNothingCameIntoGo();
-    void pipesAndCirclesOfLinksAreNotReplaced();
-    void whatAnotherUserHasOpenIsNotWritten();
-    void theNextStartRemovesNothingByTheNameOfAFolder();
-    void onlyWhatCanBeReadIsReplacedAsAProfile();
+    void cli_projectOpenElsewhere_isNotWritten_data();
+    void cli_projectOpenElsewhere_isNotWritten();
+    void run_folderUsedByOtherRun_isRefused();
+    void profileUse_twoProcessesAtOnce_loseNothing();
+    void projectFile_changedMeanwhile_isNotReplaced();
+    void profileLibrary_changedMeanwhile_isNotReplaced();
+    void run_folderCannotTakeResults_isRefusedBeforeDip();
+    void run_linkInResultsFolder_isRefused();
+    void folderTransaction_linkInTarget_isNotFollowed();
+    void folderTransaction_linkInHiddenFolder_isNotFollowed();
+    void folderTransaction_journalOfOtherFiles_changesNothing();
+    void folderTransaction_journalWithInvalidName_changesNothing_data();
+    void folderTransaction_journalWithInvalidName_changesNothing();
+    void programStart_foreignNotes_startsAnyway();
+    void recoverUnfinishedWrites_cancelled_removesNothing();
+    void folderTransaction_resultMissing_replacesNothing();
+    void folderTransaction_unfilledFolder_isRemoved();
+    void replaceFile_pipeOrLinkCycle_isRefused();
+    void profileUse_projectOpenByOtherUser_isNotWritten();
+    void recoverUnfinishedWrites_lineBreakInFolderName_keepsOtherFiles();
+    void profileSet_unreadableProfile_isNotReplaced();
 
 private:
     QString path(const QString& name) const { return folder_->filePath(name); }
@@ -89,14 +90,14 @@ void WritersTest::init() {
     QVERIFY(QFile::setPermissions(job_, QFile::ReadOwner | QFile::WriteOwner));
 }
 
-void WritersTest::whatIsOpenElsewhereIsNotWritten_data() {
+void WritersTest::cli_projectOpenElsewhere_isNotWritten_data() {
     QTest::addColumn<QString>("words");
     QTest::newRow("optimize") << "optimize JOB --immersions 1 --candidates 6";
     QTest::newRow("use") << "profile use film DIPPED JOB";
     QTest::newRow("new") << "new JOB --model " + sampleFolder("/models/sphere.obj");
 }
 
-void WritersTest::whatIsOpenElsewhereIsNotWritten() {
+void WritersTest::cli_projectOpenElsewhere_isNotWritten() {
     QFETCH(QString, words);
     const QByteArray before = contentsOf(job_);
     FileLock window;
@@ -111,18 +112,18 @@ void WritersTest::whatIsOpenElsewhereIsNotWritten() {
     QVERIFY2(outcome.err.contains("open elsewhere"), outcome.err.constData());
     QVERIFY(outcome.err.contains(QByteArray::number(QCoreApplication::applicationPid())));
     QVERIFY(contentsOf(job_) == before);
-    QCOMPARE(cli({QStringLiteral("info"), job_}).exitCode, 0); // may be read
+    QCOMPARE(cli({QStringLiteral("info"), job_}).exitCode, 0); // reading is allowed
 }
 
-void WritersTest::resultsAreNotWrittenBesideOthers() {
+void WritersTest::run_folderUsedByOtherRun_isRefused() {
     const FolderTransaction other(path(QStringLiteral("out")), {QStringLiteral("proof.png")});
     const Outcome outcome =
         cli({QStringLiteral("run"), job_, QStringLiteral("--out"), path(QStringLiteral("out"))});
     QCOMPARE(outcome.exitCode, 1);
-    QVERIFY2(outcome.err.contains("writing results there"), outcome.err.constData());
+    QVERIFY2(outcome.err.contains("writing results to this folder"), outcome.err.constData());
 }
 
-void WritersTest::twoAtOnceLoseNothing() {
+void WritersTest::profileUse_twoProcessesAtOnce_loseNothing() {
     int told = 0;
     for (int race = 0; race < races; ++race) {
         init();
@@ -152,26 +153,26 @@ void WritersTest::twoAtOnceLoseNothing() {
     qInfo("%d races, the second was told in %d", races, told);
 }
 
-void WritersTest::whatWasChangedMeanwhileIsNotReplaced() {
+void WritersTest::projectFile_changedMeanwhile_isNotReplaced() {
     ProjectFile file(job_);
     Project mine = loadProject(job_);
     Project theirs = mine;
     theirs.film.swellX = 1.25;
-    saveProject(theirs, job_); // by who does not ask
+    saveProject(theirs, job_); // another program, without the lock
     const QByteArray before = contentsOf(job_);
     mine.film.swellX = 1.125;
     QVERIFY_EXCEPTION_THROWN(file.save(mine), ChangedFile);
     QVERIFY(contentsOf(job_) == before);
 }
 
-void WritersTest::aProfileThatWasChangedMeanwhileIsNotReplaced() {
+void WritersTest::profileLibrary_changedMeanwhile_isNotReplaced() {
     const ProfileLibrary library(path(QStringLiteral("profiles")));
     FilmProfile profile;
     profile.name = QStringLiteral("Mine");
     library.save(Profile(profile), std::nullopt);
     const auto known = library.found(ProfileKind::Film, profile.name);
     profile.swellX = 1.25;
-    library.save(Profile(profile), known); // the other
+    library.save(Profile(profile), known); // another writer
     profile.swellX = 1.125;
     QVERIFY_EXCEPTION_THROWN(library.save(Profile(profile), known), ChangedFile);
     QCOMPARE(std::get<FilmProfile>(*library.found(ProfileKind::Film, profile.name)).swellX, 1.25);
@@ -179,17 +180,17 @@ void WritersTest::aProfileThatWasChangedMeanwhileIsNotReplaced() {
     QCOMPARE(std::get<FilmProfile>(*library.found(ProfileKind::Film, profile.name)).swellX, 1.125);
 }
 
-void WritersTest::aFolderThatCannotTakeResultsIsRefusedBeforeTheWork() {
+void WritersTest::run_folderCannotTakeResults_isRefusedBeforeDip() {
     const QString out = path(QStringLiteral("out"));
     QVERIFY(QDir().mkpath(out + QStringLiteral("/proof.png")));
     const Outcome outcome = cli({QStringLiteral("run"), job_, QStringLiteral("--out"), out});
     QCOMPARE(outcome.exitCode, 1);
     QVERIFY2(outcome.err.contains("in the way"), outcome.err.constData());
-    QVERIFY2(!outcome.err.contains("Dipping"), outcome.err.constData()); // no work was begun
+    QVERIFY2(!outcome.err.contains("Dipping"), outcome.err.constData()); // the dip has not begun
 }
 
-// Who shares a folder with somebody could have put them there.
-void WritersTest::linksInAFolderForResultsLeadNowhere() {
+// Another user of a shared folder could have put the links there.
+void WritersTest::run_linkInResultsFolder_isRefused() {
     const QString thesis = path(QStringLiteral("documents/thesis.txt"));
     QVERIFY(QDir().mkpath(path(QStringLiteral("documents"))));
     QVERIFY(QDir().mkpath(path(QStringLiteral("out"))));
@@ -209,7 +210,7 @@ void WritersTest::linksInAFolderForResultsLeadNowhere() {
     }
 }
 
-void WritersTest::whatADeadWriterSeemsToHaveLeftIsNotMovedThroughLinks() {
+void WritersTest::folderTransaction_linkInTarget_isNotFollowed() {
     const QString keys = path(QStringLiteral("home/keys/allowed"));
     const QString work = path(QStringLiteral("out/")) + FolderTransaction::workName();
     QVERIFY(QDir().mkpath(path(QStringLiteral("home/keys"))));
@@ -223,8 +224,8 @@ void WritersTest::whatADeadWriterSeemsToHaveLeftIsNotMovedThroughLinks() {
     QCOMPARE(contentsOf(keys), QByteArray("mine"));
 }
 
-// Nor are files of other folders fetched by a link in the hidden one.
-void WritersTest::whatADeadWriterSeemsToHaveLeftIsNoLink() {
+// A link in the hidden folder must not fetch files from other folders.
+void WritersTest::folderTransaction_linkInHiddenFolder_isNotFollowed() {
     const QString victim = path(QStringLiteral("documents/proof.png"));
     const QString work = path(QStringLiteral("out/")) + FolderTransaction::workName();
     QVERIFY(QDir().mkpath(path(QStringLiteral("documents"))));
@@ -243,8 +244,8 @@ void WritersTest::whatADeadWriterSeemsToHaveLeftIsNoLink() {
     }
 }
 
-// An unpacked archive of somebody's could hold it.
-void WritersTest::aJournalOfWhatIsNoResultTouchesNothing() {
+// An unpacked archive from somebody else could contain the journal.
+void WritersTest::folderTransaction_journalOfOtherFiles_changesNothing() {
     const QString out = path(QStringLiteral("out/")), work = out + FolderTransaction::workName();
     QVERIFY(QDir().mkpath(work + QStringLiteral("/new")));
     QVERIFY(QDir().mkpath(work + QStringLiteral("/old")));
@@ -268,7 +269,7 @@ void WritersTest::aJournalOfWhatIsNoResultTouchesNothing() {
     }
 }
 
-void WritersTest::aJournalOfNamesThatAreNoneTouchesNothing_data() {
+void WritersTest::folderTransaction_journalWithInvalidName_changesNothing_data() {
     QTest::addColumn<QString>("name");
     QTest::newRow("empty") << QString();
     QTest::newRow("the folder itself") << QStringLiteral(".");
@@ -279,7 +280,7 @@ void WritersTest::aJournalOfNamesThatAreNoneTouchesNothing_data() {
     QTest::newRow("deep") << QStringLiteral("a/").repeated(500'000) + QLatin1Char('a');
 }
 
-void WritersTest::aJournalOfNamesThatAreNoneTouchesNothing() {
+void WritersTest::folderTransaction_journalWithInvalidName_changesNothing() {
     QFETCH(QString, name);
     const QString out = path(QStringLiteral("out/")), work = out + FolderTransaction::workName();
     QVERIFY(QDir().mkpath(work + QStringLiteral("/new")));
@@ -295,8 +296,8 @@ void WritersTest::aJournalOfNamesThatAreNoneTouchesNothing() {
     }
 }
 
-// Notes of folders with such a journal, of what cannot be, and what is no note.
-void WritersTest::noStartDependsOnWhatOthersLeft() {
+// The notes name folders with an invalid journal or impossible paths, or are no notes at all.
+void WritersTest::programStart_foreignNotes_startsAnyway() {
     const QString work = path(QStringLiteral("out/")) + FolderTransaction::workName();
     QVERIFY(QDir().mkpath(work));
     write(work + QStringLiteral("/journal.json"), R"({"written":[],"there":[""]})");
@@ -328,14 +329,14 @@ void WritersTest::noStartDependsOnWhatOthersLeft() {
     for (const char* command :
          {"--version", "--help", "run --help", "info --version", "manual man", "solvers"}) {
         start(QString::fromLatin1(command).split(QLatin1Char(' ')));
-        QCOMPARE(count(), before); // nothing was looked at
+        QCOMPARE(count(), before); // these commands read no notes
     }
     start({QStringLiteral("info"), job_});
-    QCOMPARE(count(), before - 2);                                // of which nothing is to be done
-    QVERIFY(QFileInfo::exists(path(QStringLiteral("profiles")))); // not made for that work
+    QCOMPARE(count(), before - 2); // the two without work are removed
+    QVERIFY(QFileInfo::exists(path(QStringLiteral("profiles")))); // not created for that work
 }
 
-void WritersTest::recoveryEndsWhenItIsCancelled() {
+void WritersTest::recoverUnfinishedWrites_cancelled_removesNothing() {
     qputenv("XDG_DATA_HOME", QFile::encodeName(path(QStringLiteral("data"))));
     const QString left = path(QStringLiteral(".~new.left"));
     write(left, "half");
@@ -349,7 +350,7 @@ void WritersTest::recoveryEndsWhenItIsCancelled() {
     QVERIFY(!QFileInfo::exists(left));
 }
 
-void WritersTest::resultsThatWentMissingMeanwhileReplaceNothing() {
+void WritersTest::folderTransaction_resultMissing_replacesNothing() {
     const QString out = path(QStringLiteral("out/"));
     const QStringList names{QStringLiteral("a.txt"), QStringLiteral("b.txt")};
     QVERIFY(QDir().mkpath(out));
@@ -373,19 +374,19 @@ void WritersTest::resultsThatWentMissingMeanwhileReplaceNothing() {
              QStringList(names[0]));
 }
 
-// Killed when they are made for what is to come, and before it counts.
-void WritersTest::foldersThatNothingCameIntoGo() {
+// The writer is killed after it made the folders and before the results count.
+void WritersTest::folderTransaction_unfilledFolder_isRemoved() {
     const QString out = path(QStringLiteral("out/")), work = out + FolderTransaction::workName();
     QVERIFY(QDir().mkpath(work + QStringLiteral("/new/immersion-1")));
     QVERIFY(QDir().mkpath(out + QStringLiteral("immersion-1")));
-    QVERIFY(QDir().mkpath(out + QStringLiteral("immersion-2"))); // somebody's
+    QVERIFY(QDir().mkpath(out + QStringLiteral("immersion-2"))); // made by somebody else
     write(work + QStringLiteral("/new/immersion-1/sheet.png"), "new");
     QVERIFY(FolderTransaction::putRight(path(QStringLiteral("out"))));
     QCOMPARE(QDir(out).entryList(QDir::NoDotAndDotDot | QDir::AllEntries | QDir::Hidden),
              QStringList(QStringLiteral("immersion-2")));
 }
 
-void WritersTest::pipesAndCirclesOfLinksAreNotReplaced() {
+void WritersTest::replaceFile_pipeOrLinkCycle_isRefused() {
     const QString one = path(QStringLiteral("one")), other = path(QStringLiteral("other"));
     QVERIFY(QFile::link(one, other) && QFile::link(other, one));
     QVERIFY(!replaceFile(one, "new").isEmpty());
@@ -398,8 +399,8 @@ void WritersTest::pipesAndCirclesOfLinksAreNotReplaced() {
 #endif
 }
 
-// In a folder that several share. What one of them holds, the others may only read.
-void WritersTest::whatAnotherUserHasOpenIsNotWritten() {
+// Several users share the folder. The lock file of one can only be read by the others.
+void WritersTest::profileUse_projectOpenByOtherUser_isNotWritten() {
 #ifdef Q_OS_UNIX
     constexpr int nobody = 65534;
     const auto all = QFile::Permissions(0x7777), readable = QFile::Permissions(0x4444);
@@ -410,7 +411,7 @@ void WritersTest::whatAnotherUserHasOpenIsNotWritten() {
     FileLock lock;
     QVERIFY(lock.acquire(job_).acquired);
     QVERIFY(QFile::setPermissions(path(QStringLiteral(".~lock.job.dipw")), readable));
-    QProcess process; // root may write what it may only read
+    QProcess process; // not as root, who may write everything
     process.setChildProcessModifier([] {
         if (geteuid() == 0 && (setgid(nobody) != 0 || setuid(nobody) != 0)) {
             _exit(1);
@@ -429,24 +430,24 @@ void WritersTest::whatAnotherUserHasOpenIsNotWritten() {
 #endif
 }
 
-// What it says was written by a program of ours, yet of a folder with whatever name.
-void WritersTest::theNextStartRemovesNothingByTheNameOfAFolder() {
+// The program itself wrote the note, but the folder has an unusual name.
+void WritersTest::recoverUnfinishedWrites_lineBreakInFolderName_keepsOtherFiles() {
     const QString kept = path(QStringLiteral("keep")), odd = kept + QStringLiteral("\nx");
     write(kept, "mine");
     QVERIFY(QDir().mkpath(odd));
     qputenv("XDG_DATA_HOME", path(QStringLiteral("data")).toUtf8());
     {
         UnfinishedWrite note(odd + QStringLiteral("/.~new.a"), {odd});
-        note.leave(); // as the dying do
+        note.leave(); // like a killed program
     }
     UnfinishedWrite(kept).leave();
     recoverUnfinishedWrites();
     qunsetenv("XDG_DATA_HOME");
     QCOMPARE(contentsOf(kept), QByteArray("mine"));
-    QVERIFY(!QFileInfo::exists(odd)); // empty, and made for what was left
+    QVERIFY(!QFileInfo::exists(odd)); // it was empty and made for the unfinished work
 }
 
-void WritersTest::onlyWhatCanBeReadIsReplacedAsAProfile() {
+void WritersTest::profileSet_unreadableProfile_isNotReplaced() {
     const ProfileLibrary library(path(QStringLiteral("profiles")));
     FilmProfile profile;
     profile.name = QStringLiteral("Mine");

@@ -1,4 +1,4 @@
-// A sheet that can be measured when it has been printed.
+// Makes a sheet whose size can be measured after printing, and measures it.
 #pragma once
 
 #include "sheet/page/Sheet.h"
@@ -7,11 +7,11 @@
 
 namespace dipwright {
 
-// 17 mm squares over a film, with a coloured one in the middle.
+// Returns a sheet of 17 mm squares over the film, with a coloured square in the middle. `film`: mm.
 Sheet chessSheet(const QString& immersion, QSizeF film = {210, 297});
 
-// In mm on a page as received: widths of the squares along a line across it, or heights along one
-// down it, off the middle, where the red square is, and away from the marks.
+// Returns the widths of the squares along a horizontal line of a received page, or the heights
+// along a vertical line, in mm. The line avoids the marks and the red square in the middle.
 std::vector<double> squares(const QString& path, bool across);
 
 } // namespace dipwright

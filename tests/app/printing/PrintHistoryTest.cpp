@@ -1,5 +1,5 @@
-// The print history, with printers that do as the test says: what was printed is found again by the
-// job number on its sheet, whatever became of it.
+// Tests the print history with simulated printers. Every print can be found by the job number on
+// its sheet, whatever its outcome.
 #include "printing/PrintHistory.h"
 
 #include "ChessSheet.h"
@@ -17,11 +17,11 @@ using namespace dipwright;
 
 namespace {
 
-// One printer that has A4, on which jobs end as they are told.
+// A simulated printer with A4 paper. Its jobs end as the test sets.
 class ToldPrinter : public PrintSystem {
 public:
     JobStatus end{JobState::Printed, {}};
-    bool isGone = false; // once it has the job
+    bool isGone = false; // stops answering after submit()
     bool tellsPrinted = true;
 
     QStringList printers() override { return {QStringLiteral("pigment")}; }
@@ -76,7 +76,7 @@ private slots:
         printer_ = {};
     }
 
-    void everySheetIsFoundByItsJob() {
+    void printHistory_twoSheets_areRecorded() {
         QVERIFY(history().records().empty());
         const QDateTime before = QDateTime::currentDateTime().addMSecs(-1);
         print({QStringLiteral("Top"), QStringLiteral("Below")}, history());
@@ -97,7 +97,7 @@ private slots:
         QCOMPARE(top.fate, PrintFate::Printed);
     }
 
-    void whatFailsIsKeptWithItsReason() {
+    void printHistory_failedJob_keepsReason() {
         printer_.end = {JobState::Failed, QStringLiteral("out of paper")};
         QVERIFY_EXCEPTION_THROWN(print({QStringLiteral("Top"), QStringLiteral("Below")}, history()),
                                  Error);
@@ -108,8 +108,8 @@ private slots:
                  qPrintable(fateText(records[0])));
     }
 
-    // A printer that stops, or a print system that tells nothing more: the sheet may be on paper.
-    void whatIsNotKnownIsNotKeptAsFailed() {
+    // The printer stops, or the print system stops answering. The sheet may be on paper anyway.
+    void printHistory_printerStoppedOrGone_isNotFailed() {
         printer_.end = {JobState::Stopped, QStringLiteral("cover open")};
         QVERIFY_EXCEPTION_THROWN(print({QStringLiteral("Top")}, history()), Error);
         QCOMPARE(history().records()[0].fate, PrintFate::Stopped);
@@ -120,17 +120,17 @@ private slots:
         QVERIFY(fateText(history().records()[0]).contains(QStringLiteral("no answer")));
     }
 
-    void whatOnlyItsQueueCountsAsPrintedWasHandedOver() {
+    void printHistory_printingNotConfirmed_isHandedOver() {
         printer_.tellsPrinted = false;
         QCOMPARE(print({QStringLiteral("Top")}, history()).state, JobState::HandedOver);
         QCOMPARE(history().records()[0].fate, PrintFate::HandedOver);
     }
 
-    void whatIsCancelledIsKeptAsSuch() {
+    void printHistory_cancelledJob_isCancelled() {
         printer_.end = {JobState::Held, {}};
         Progress progress;
         progress.report = [&](double, const QString&) {
-            QCOMPARE(history().records()[0].fate, PrintFate::Sent); // kept before its end
+            QCOMPARE(history().records()[0].fate, PrintFate::Sent); // recorded before the job ends
             progress.cancelToken.cancel();
         };
         QVERIFY_EXCEPTION_THROWN(print({QStringLiteral("Top")}, history(), progress), Cancelled);
@@ -138,7 +138,7 @@ private slots:
         QCOMPARE(history().records()[0].fate, PrintFate::Cancelled);
     }
 
-    void filesForPrintersAreKept() {
+    void printHistory_sheetWrittenToFile_isRecorded() {
         const QString path = folder_->filePath(QStringLiteral("sheet.pdf"));
         PrintFileRequest file;
         file.tilePaper = QSizeF(120, 160);
@@ -150,8 +150,8 @@ private slots:
         QCOMPARE(records[0].fate, PrintFate::WrittenToFile);
     }
 
-    // One job on paper in two ways is two sheets: a number finds one of them.
-    void otherPlatesOfAJobHaveAnotherNumber() {
+    // A job printed with different profiles makes different sheets, so each has its own number.
+    void jobNumber_otherPlates_differs() {
         PrinterProfile inks;
         inks.name = QStringLiteral("Pigment");
         inks.iccProfile = simpleCmykProfile(0.002);
@@ -176,7 +176,7 @@ private slots:
                  jobs[3]);
         jobs.removeDuplicates();
         QCOMPARE(jobs.size(), qsizetype(profiles.size()));
-        // Nothing of this profile changes what is printed.
+        // This profile does not change what is printed.
         PrinterProfile plain = inks;
         plain.iccProfile.clear();
         plain.queue = QStringLiteral("pigment");
@@ -186,8 +186,8 @@ private slots:
         QCOMPARE(history().records()[0].job, QStringLiteral("3fa9c2d1"));
     }
 
-    // In RGB, whose lettering is text.
-    void theNumberOfThePlatesStandsOnTheSheet() {
+    // Without an ICC profile, because only then the lettering of the PDF is text.
+    void writePrintFile_jobNumber_isOnSheet() {
         PrintFileRequest file;
         file.profile = PrinterProfile();
         file.profile->scaleY = 0.99;
@@ -197,7 +197,7 @@ private slots:
         QVERIFY2(words.contains("Job " + history().records()[0].job.toLatin1()), words);
     }
 
-    void printsGoOnWhereNothingCanBeKept() {
+    void printHistory_folderNotWritable_stillPrints() {
         QFile inTheWay(folder_->filePath(QStringLiteral("prints")));
         QVERIFY(inTheWay.open(QIODevice::WriteOnly));
         const PrintEnd end = print({QStringLiteral("Top")}, history());
@@ -205,7 +205,7 @@ private slots:
         QVERIFY(!end.notKept.isEmpty());
     }
 
-    void damagedRecordsTakeNoOthersAway() {
+    void printHistory_damagedRecords_areSkipped() {
         print({QStringLiteral("Top")}, history());
         const QDir folder(folder_->filePath(QStringLiteral("prints")));
         QFile whole(folder.filePath(folder.entryList(QDir::Files).front()));
@@ -219,7 +219,7 @@ private slots:
         QCOMPARE(history().records().size(), std::size_t(1));
     }
 
-    void theOldestGoFirst() {
+    void printHistory_full_removesOldest() {
         const QDir folder(folder_->filePath(QStringLiteral("prints")));
         QVERIFY(folder.mkpath(QStringLiteral(".")));
         for (int i = 0; i < PrintHistory::mostRecords + 3; ++i) {
@@ -227,7 +227,7 @@ private slots:
                 folder.filePath(QStringLiteral("1%1.print.json").arg(i, 6, 10, QLatin1Char('0'))));
             QVERIFY(old.open(QIODevice::WriteOnly));
         }
-        QFile others(folder.filePath(QStringLiteral("0.json"))); // somebody else's
+        QFile others(folder.filePath(QStringLiteral("0.json"))); // not a record
         QVERIFY(others.open(QIODevice::WriteOnly));
         print({QStringLiteral("Top")}, history());
         QVERIFY(others.exists());

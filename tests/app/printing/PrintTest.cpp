@@ -1,4 +1,4 @@
-// Sheets through a real print system to real (software) printers: what arrives is measured.
+// Prints sheets through a real print system to software printers and measures what arrives.
 #include "ChessSheet.h"
 #include "PaperMeasure.h"
 #include "PrivateCups.h"
@@ -22,9 +22,14 @@ namespace {
 
 void verifySquares(const QString& path, bool across, double size, double tolerance = 0.02) {
     const std::vector<double> found = squares(path, across);
-    QVERIFY2(found.size() >= 8, qPrintable(QString::number(found.size())));
+    QVERIFY2(found.size() >= 8,
+             qPrintable(QStringLiteral("found %1 squares, expected at least 8").arg(found.size())));
     for (const double one : found) {
-        QVERIFY2(std::abs(one - size) <= tolerance, qPrintable(QString::number(one)));
+        QVERIFY2(std::abs(one - size) <= tolerance,
+                 qPrintable(QStringLiteral("a square is %1 mm, expected %2 ± %3 mm")
+                                .arg(one)
+                                .arg(size)
+                                .arg(tolerance)));
     }
 }
 
@@ -59,38 +64,38 @@ class PrintTest : public QObject {
 private slots:
     void initTestCase();
     void printersAreListed();
-    void printerSaysWhatItCanDo();
-    void twoSheetsArriveInOrderAndTrue();
-    void imageArrivesWithoutLoss();
-    void scaleOfThePrinterIsTakenOut();
-    void sheetInCmykArrivesTrue();
-    void wideSheetLiesAcrossThePaper();
-    void copiesArrive();
-    void otherPaperThanTheDefaultIsAskedFor();
-    void habitsOfTheQueueAreOverruled();
-    void printerThatScalesUnaskedIsRefused();
-    void printerThatScalesUnaskedIsToldItself();
-    void sheetThatGrowsPastThePaperIsRefused();
-    void marksStayInReachOfAPrinterThatPrintsTooSmall();
-    void largeSheetArrivesInPieces();
-    void marksStayInReachOfThePrinter();
-    void unknownPrinterIsRefused();
-    void stoppedPrinterIsRefused();
-    void printerThatTakesNoJobsIsRefused();
-    void wrongPaperIsRefused();
-    void paperThatIsNotLoadedIsRefused();
-    void paperThatIsTooSmallIsRefused();
-    void colourOutOfReachIsRefused();
-    void greyPrinterIsRefusedForColour();
-    void nothingWasPrintedByRefusals();
-    void cancelledJobIsNotPrinted();
-    void jobOnAStoppedPrinterEndsWithItsReason();
-    void printerThatGoesInMidJobIsNotWaitedFor();
-    void printerThatIsNotThereIsNotWaitedFor_data();
-    void printerThatIsNotThereIsNotWaitedFor();
-    void queueThatKnowsNothingOfPaperIsNotBelieved();
-    void deviceThatIsNotAskedGetsTheSheetAlone();
-    void portableRouteIsTrueAsWell();
+    void printer_capabilities_areRead();
+    void print_twoSheets_arriveInOrderAtTrueSize();
+    void print_image_arrivesWithoutLoss();
+    void print_printerScale_isCompensated();
+    void print_cmykSheet_arrivesAtTrueSize();
+    void print_landscapeSheet_isTurnedOnPaper();
+    void print_twoCopies_arrive();
+    void print_paperNotDefault_isRequested();
+    void print_queueDefaults_areOverridden();
+    void planPrint_printerAlwaysScales_isRefused();
+    void print_printerScalesByDefault_bypassesQueue();
+    void planPrint_scaledSheetLargerThanPaper_isRefused();
+    void print_printerPrintsTooSmall_marksStayOnPaper();
+    void print_largeSheet_arrivesInTiles();
+    void print_printerMargins_marksStayInside();
+    void planPrint_unknownPrinter_isRefused();
+    void planPrint_stoppedPrinter_isRefused();
+    void planPrint_printerRejectsJobs_isRefused();
+    void planPrint_otherPaperSize_isRefused();
+    void planPrint_paperNotLoaded_isRefused();
+    void planPrint_paperTooSmall_isRefused();
+    void planPrint_colourInMargins_isRefused();
+    void planPrint_greyPrinterForColour_isRefused();
+    void planPrint_refused_printsNothing();
+    void followJob_cancelled_isNotPrinted();
+    void followJob_printerStopped_endsWithReason();
+    void followJob_printerGoneMidJob_cancelsJob();
+    void followJob_printerNotThere_cancelsJob_data();
+    void followJob_printerNotThere_cancelsJob();
+    void followJob_printingNotConfirmed_isNotPrinted();
+    void print_socketDevice_receivesOnlyTheSheet();
+    void qtPrintSystem_sheet_arrivesAtTrueSize();
 };
 
 void PrintTest::initTestCase() {
@@ -104,7 +109,7 @@ void PrintTest::initTestCase() {
     TestMedia a3{"iso_a3_297x420mm", 297, 420, 6.35};
     a3.loaded = false;
     QVERIFY(cups_->add({"office", true, {a4Margins, a3}}));
-    QVERIFY(cups_->add({"refusing", true, {letter}})); // refuses in one way or another
+    QVERIFY(cups_->add({"refusing", true, {letter}})); // the tests make it refuse jobs
     system_ = cupsPrintSystem();
     QVERIFY2(system_, "built without CUPS");
 }
@@ -114,7 +119,7 @@ void PrintTest::printersAreListed() {
     QVERIFY(!system_->printer("nosuch"));
 }
 
-void PrintTest::printerSaysWhatItCanDo() {
+void PrintTest::printer_capabilities_areRead() {
     const auto pigment = system_->printer("pigment");
     QVERIFY(pigment);
     QCOMPARE(pigment->state, PrinterState::Idle);
@@ -135,7 +140,7 @@ void PrintTest::printerSaysWhatItCanDo() {
     QVERIFY(!system_->printer("grey")->printsColour);
 }
 
-void PrintTest::twoSheetsArriveInOrderAndTrue() {
+void PrintTest::print_twoSheets_arriveInOrderAtTrueSize() {
     const int before = receivedBy("pigment");
     for (const char* immersion : {"Top", "Bottom"}) {
         QCOMPARE(print(chessSheet(immersion), to("pigment")), JobState::Printed);
@@ -157,7 +162,7 @@ void PrintTest::twoSheetsArriveInOrderAndTrue() {
     }
 }
 
-void PrintTest::imageArrivesWithoutLoss() {
+void PrintTest::print_image_arrivesWithoutLoss() {
     const Sheet sheet = chessSheet("Top");
     QCOMPARE(print(sheet, to("pigment")), JobState::Printed);
     const QTemporaryDir folder;
@@ -169,21 +174,21 @@ void PrintTest::imageArrivesWithoutLoss() {
     QCOMPARE(image.convertToFormat(QImage::Format_RGB888), sent);
 }
 
-void PrintTest::scaleOfThePrinterIsTakenOut() {
+void PrintTest::print_printerScale_isCompensated() {
     PrintRequest request = to("pigment");
     request.profile.emplace();
     request.profile->name = "Measured";
     request.profile->scaleX = 1.004;
     request.profile->scaleY = 0.997;
     QCOMPARE(print(chessSheet("Top"), request), JobState::Printed);
-    // What arrives is off by just as much the other way.
+    // The received page is scaled by the inverse of the printer's scale.
     verifySquares(cups_->received("pigment").last(), true, 17 / 1.004);
     verifySquares(cups_->received("pigment").last(), false, 17 / 0.997);
 }
 
-// A black square and the white one beside it, halved: half-inked pixels at their edges are darker
-// in inks than in RGB.
-void PrintTest::sheetInCmykArrivesTrue() {
+// Measures the mean of a black square and the white one beside it, because half-inked pixels at
+// their edges are darker in CMYK than in RGB.
+void PrintTest::print_cmykSheet_arrivesAtTrueSize() {
     PrintRequest request = to("pigment");
     request.profile.emplace();
     request.profile->name = "Press";
@@ -196,12 +201,14 @@ void PrintTest::sheetInCmykArrivesTrue() {
         QVERIFY(sizes.size() >= 8);
         for (std::size_t i = 1; i < sizes.size(); ++i) {
             const double pitch = (sizes[i - 1] + sizes[i]) / 2;
-            QVERIFY2(std::abs(pitch - 17) <= 0.02, qPrintable(QString::number(pitch)));
+            QVERIFY2(std::abs(pitch - 17) <= 0.02,
+                     qPrintable(QStringLiteral("the squares' pitch is %1 mm, expected 17 ± 0.02 mm")
+                                    .arg(pitch)));
         }
     }
 }
 
-void PrintTest::wideSheetLiesAcrossThePaper() {
+void PrintTest::print_landscapeSheet_isTurnedOnPaper() {
     QCOMPARE(print(chessSheet("Top", {297, 210}), to("pigment")), JobState::Printed);
     const QString paper = cups_->received("pigment").last();
     QVERIFY(std::abs(pdfPage(paper).width() - 210) < 0.02);
@@ -209,7 +216,7 @@ void PrintTest::wideSheetLiesAcrossThePaper() {
     verifySquares(paper, false, 17);
 }
 
-void PrintTest::copiesArrive() {
+void PrintTest::print_twoCopies_arrive() {
     const int before = receivedBy("pigment");
     PrintRequest request = to("pigment");
     request.copies = 2;
@@ -222,8 +229,8 @@ void PrintTest::copiesArrive() {
     QCOMPARE(pages, 2);
 }
 
-// The queue's default is A4, and Letter has margins: the job says what it is for.
-void PrintTest::otherPaperThanTheDefaultIsAskedFor() {
+// The queue's default paper is A4, so the job must request Letter, although it has margins.
+void PrintTest::print_paperNotDefault_isRequested() {
     QCOMPARE(print(chessSheet("Top", {215.9, 279.4}), to("pigment")), JobState::Printed);
     const QString paper = cups_->received("pigment").last();
     QVERIFY(std::abs(pdfPage(paper).width() - 215.9) < 0.02);
@@ -232,8 +239,8 @@ void PrintTest::otherPaperThanTheDefaultIsAskedFor() {
     verifySquares(paper, false, 17);
 }
 
-// Whoever set the queue up may have wished for duplex, two pages on one, mirroring or grey.
-void PrintTest::habitsOfTheQueueAreOverruled() {
+// A queue may be set up for duplex, two pages on one, mirroring or grey.
+void PrintTest::print_queueDefaults_areOverridden() {
     const QStringList habits{"sides=two-sided-long-edge",
                              "number-up=2",
                              "mirror=true",
@@ -261,16 +268,18 @@ void PrintTest::habitsOfTheQueueAreOverruled() {
     verifySquares(path, true, 17);
     verifySquares(path, false, 17);
     QCOMPARE(pdfWords(path).count("Habits"), 1);
-    // The red square is to the right of the page's middle, and to the left there is none.
+    // The red square is to the right of the page's middle, so the page is not mirrored.
     const QImage middle = renderedPage(path, 100, QRectF(105 - 17, 148.5, 34, 17));
     const int red = qGray(middle.pixel(middle.width() * 3 / 4, middle.height() / 2));
-    QVERIFY2(red > 40 && red < 150, qPrintable(QString::number(red)));
+    QVERIFY2(red > 40 && red < 150,
+             qPrintable(
+                 QStringLiteral("grey level of the red square: %1, expected 40 to 150").arg(red)));
     QVERIFY(qGray(middle.pixel(middle.width() / 4, middle.height() / 2)) > 250);
 }
 
-// What the queue is told of scaling ends there: the printer itself never hears of it, and this one
-// would not heed it.
-void PrintTest::printerThatScalesUnaskedIsRefused() {
+// The queue does not pass the option for scaling on to the printer, and this printer does not
+// support it.
+void PrintTest::planPrint_printerAlwaysScales_isRefused() {
     const TestMedia margins{"iso_a4_210x297mm", 210, 297, 6.35};
     QVERIFY(cups_->add({"fitting", true, {margins}, "fit", {}, false}));
     const QString sentence = refusal(*system_, chessSheet("Top"), to("fitting"));
@@ -281,12 +290,12 @@ void PrintTest::printerThatScalesUnaskedIsRefused() {
     QVERIFY(cups_->received("fitting").isEmpty());
 }
 
-// Past the queue the word arrives, and the job is followed and cancelled there.
-void PrintTest::printerThatScalesUnaskedIsToldItself() {
+// Sent past the queue, the option reaches the printer. The job is followed and cancelled there.
+void PrintTest::print_printerScalesByDefault_bypassesQueue() {
     const TestMedia margins{"iso_a4_210x297mm", 210, 297, 6.35};
     QVERIFY(cups_->add({"filling", true, {margins}, "fill"}));
     const PrintPlan plan = planPrint(*system_, chessSheet("Top"), to("filling"));
-    QVERIFY2(plan.warnings.join(' ').contains("past the queue"),
+    QVERIFY2(plan.warnings.join(' ').contains("bypasses the queue"),
              qPrintable(plan.warnings.join(' ')));
     QCOMPARE(followJob(*system_, system_->submit(plan.task), {}), JobState::Printed);
     QCOMPARE(cups_->told("filling", "print-scaling"), QByteArray("none"));
@@ -306,8 +315,8 @@ void PrintTest::printerThatScalesUnaskedIsToldItself() {
     QTRY_COMPARE_WITH_TIMEOUT(system_->status(job).state, JobState::Cancelled, 60000);
 }
 
-// A printer that prints too small is sent a larger page, and paper ends where it did.
-void PrintTest::sheetThatGrowsPastThePaperIsRefused() {
+// A printer that prints too small gets a larger page, which may exceed the paper.
+void PrintTest::planPrint_scaledSheetLargerThanPaper_isRefused() {
     Sheet sheet = chessSheet("Top");
     sheet.image.fill(Qt::darkGreen);
     PrintRequest request = to("pigment");
@@ -315,12 +324,12 @@ void PrintTest::sheetThatGrowsPastThePaperIsRefused() {
     QVERIFY(planPrint(*system_, sheet, request).warnings.isEmpty());
     request.profile->scaleX = request.profile->scaleY = 0.985;
     const QString sentence = refusal(*system_, sheet, request);
-    QVERIFY2(sentence.contains("2.23 mm"), qPrintable(sentence)); // of 297 mm, half of 1.5 %
+    QVERIFY2(sentence.contains("2.23 mm"), qPrintable(sentence)); // half of 1.5 % of 297 mm
     request.acceptClipping = true;
     QCOMPARE(planPrint(*system_, sheet, request).warnings.size(), 1);
 }
 
-void PrintTest::marksStayInReachOfAPrinterThatPrintsTooSmall() {
+void PrintTest::print_printerPrintsTooSmall_marksStayOnPaper() {
     PrintRequest request = to("pigment");
     request.profile.emplace();
     request.profile->scaleX = request.profile->scaleY = 0.97; // 4.5 mm of 297 on either side
@@ -335,7 +344,7 @@ void PrintTest::marksStayInReachOfAPrinterThatPrintsTooSmall() {
     }
 }
 
-void PrintTest::largeSheetArrivesInPieces() {
+void PrintTest::print_largeSheet_arrivesInTiles() {
     PrintRequest request = to("office");
     request.tile = true;
     const Sheet sheet = chessSheet("Top", {400, 560});
@@ -344,11 +353,11 @@ void PrintTest::largeSheetArrivesInPieces() {
     const QString paper = cups_->received("office").last();
     QVERIFY(output("pdfinfo", {paper}).contains("Pages:           9"));
     QVERIFY(pdfWords(paper, 4).contains("row 2 of 3, column 1 of 3"));
-    // What has a paper of its own stays whole.
+    // A sheet for which there is paper is not tiled.
     QCOMPARE(planPrint(*system_, chessSheet("Top"), request).task.pages, 1);
 }
 
-void PrintTest::marksStayInReachOfThePrinter() {
+void PrintTest::print_printerMargins_marksStayInside() {
     QCOMPARE(print(chessSheet("Top"), to("office")), JobState::Printed);
     const QString paper = cups_->received("office").last();
     for (const QRectF& edge : {QRectF(0, 0, 210, 6.2), QRectF(0, 297 - 6.2, 210, 6.2)}) {
@@ -360,34 +369,34 @@ void PrintTest::marksStayInReachOfThePrinter() {
     QVERIFY(pdfWords(cups_->received("office").last()).contains("100 mm"));
 }
 
-void PrintTest::unknownPrinterIsRefused() {
+void PrintTest::planPrint_unknownPrinter_isRefused() {
     const QString sentence = refusal(*system_, chessSheet("Top"), to("nosuch"));
     QVERIFY2(sentence.contains("no such printer") && sentence.contains("pigment"),
              qPrintable(sentence));
 }
 
-void PrintTest::stoppedPrinterIsRefused() {
+void PrintTest::planPrint_stoppedPrinter_isRefused() {
     QVERIFY(cups_->command("cupsdisable", {"-r", "out of ink", "refusing"}));
     const QString sentence = refusal(*system_, chessSheet("Top"), to("refusing"));
     QVERIFY2(sentence.contains("stopped") && sentence.contains("refusing"), qPrintable(sentence));
     QVERIFY(cups_->command("cupsenable", {"refusing"}));
 }
 
-void PrintTest::printerThatTakesNoJobsIsRefused() {
+void PrintTest::planPrint_printerRejectsJobs_isRefused() {
     QVERIFY(cups_->command("cupsreject", {"refusing"}));
     const QString sentence = refusal(*system_, chessSheet("Top"), to("refusing"));
-    QVERIFY2(sentence.contains("takes no jobs"), qPrintable(sentence));
+    QVERIFY2(sentence.contains("does not accept jobs"), qPrintable(sentence));
     QVERIFY(cups_->command("cupsaccept", {"refusing"}));
 }
 
-void PrintTest::wrongPaperIsRefused() {
-    // A sheet of 200 × 260 mm would lie on Letter paper, but nowhere on it for certain.
+void PrintTest::planPrint_otherPaperSize_isRefused() {
+    // A sheet of 200 × 260 mm fits on Letter paper, but its position there would be unknown.
     const QString sentence = refusal(*system_, chessSheet("Top", {200, 260}), to("refusing"));
     QVERIFY2(sentence.contains("no paper of 200 × 260 mm") && sentence.contains("215.9"),
              qPrintable(sentence));
 }
 
-void PrintTest::paperThatIsNotLoadedIsRefused() {
+void PrintTest::planPrint_paperNotLoaded_isRefused() {
     const Sheet sheet = chessSheet("Top", {297, 420});
     const QString sentence = refusal(*system_, sheet, to("office"));
     QVERIFY2(sentence.contains("no paper of 297 × 420 mm loaded"), qPrintable(sentence));
@@ -396,12 +405,12 @@ void PrintTest::paperThatIsNotLoadedIsRefused() {
     QCOMPARE(planPrint(*system_, sheet, request).warnings.size(), 1);
 }
 
-void PrintTest::paperThatIsTooSmallIsRefused() {
+void PrintTest::planPrint_paperTooSmall_isRefused() {
     const QString sentence = refusal(*system_, chessSheet("Top"), to("refusing"));
     QVERIFY2(sentence.contains("larger than every paper"), qPrintable(sentence));
 }
 
-void PrintTest::colourOutOfReachIsRefused() {
+void PrintTest::planPrint_colourInMargins_isRefused() {
     Sheet sheet = chessSheet("Top");
     sheet.image.fill(Qt::darkGreen);
     const QString sentence = refusal(*system_, sheet, to("office"));
@@ -412,7 +421,7 @@ void PrintTest::colourOutOfReachIsRefused() {
     QVERIFY(planPrint(*system_, sheet, to("pigment")).warnings.isEmpty());
 }
 
-void PrintTest::greyPrinterIsRefusedForColour() {
+void PrintTest::planPrint_greyPrinterForColour_isRefused() {
     const Sheet coloured = chessSheet("Top");
     const QString sentence = refusal(*system_, coloured, to("grey"));
     QVERIFY2(sentence.contains("grey only"), qPrintable(sentence));
@@ -424,13 +433,13 @@ void PrintTest::greyPrinterIsRefusedForColour() {
     QVERIFY(planPrint(*system_, black, to("grey")).warnings.isEmpty());
 }
 
-void PrintTest::nothingWasPrintedByRefusals() {
+void PrintTest::planPrint_refused_printsNothing() {
     QCOMPARE(receivedBy("refusing"), 0);
     QCOMPARE(receivedBy("grey"), 0);
 }
 
-void PrintTest::cancelledJobIsNotPrinted() {
-    // CUPS prints a job that comes in parts even where "cupsdisable --hold" holds new ones.
+void PrintTest::followJob_cancelled_isNotPrinted() {
+    // "cupsdisable --hold" is not enough: CUPS still prints a job whose document arrives later.
     const auto queueHolds = [&](const QString& until) {
         return cups_->command("lpadmin",
                               {"-p", "pigment", "-o", "job-hold-until-default=" + until});
@@ -443,7 +452,7 @@ void PrintTest::cancelledJobIsNotPrinted() {
     QCOMPARE(system_->status(job).state, JobState::Held);
     Progress progress;
     progress.cancelToken.cancel();
-    // A held job is no stopped printer's fault, but waits: the user gives up.
+    // A held job waits without an error, until the user cancels it.
     QVERIFY_EXCEPTION_THROWN(followJob(*system_, job, progress), std::exception);
     QCOMPARE(system_->status(job).state, JobState::Cancelled);
     QVERIFY(queueHolds("no-hold"));
@@ -452,14 +461,14 @@ void PrintTest::cancelledJobIsNotPrinted() {
     QVERIFY(pdfWords(cups_->received("pigment").last()).contains("After"));
 }
 
-void PrintTest::jobOnAStoppedPrinterEndsWithItsReason() {
+void PrintTest::followJob_printerStopped_endsWithReason() {
     const PrintTask task = planPrint(*system_, chessSheet("Top"), to("office")).task;
     const int before = receivedBy("office");
     QVERIFY(cups_->command("cupsdisable", {"-r", "out of ink", "office"}));
     const PrintJob job = system_->submit(task);
     try {
         followJob(*system_, job, {});
-        QFAIL("a stopped printer printed");
+        QFAIL("followJob() returned on a stopped printer, expected Error");
     } catch (const Error& error) {
         QVERIFY2(error.sentence().contains("stopped"), qPrintable(error.sentence()));
     }
@@ -468,7 +477,7 @@ void PrintTest::jobOnAStoppedPrinterEndsWithItsReason() {
     QCOMPARE(receivedBy("office"), before);
 }
 
-void PrintTest::printerThatGoesInMidJobIsNotWaitedFor() {
+void PrintTest::followJob_printerGoneMidJob_cancelsJob() {
     QVERIFY(cups_->add({"fading",
                         true,
                         {{"iso_a4_210x297mm", 210, 297, 0}},
@@ -485,7 +494,7 @@ void PrintTest::printerThatGoesInMidJobIsNotWaitedFor() {
     };
     try {
         followJob(*system_, job, progress, std::chrono::milliseconds(500));
-        QFAIL("a printer that is gone printed");
+        QFAIL("followJob() returned with the printer gone, expected Error");
     } catch (const Error& error) {
         QVERIFY2(error.sentence().contains("does not answer"), qPrintable(error.sentence()));
     }
@@ -493,8 +502,8 @@ void PrintTest::printerThatGoesInMidJobIsNotWaitedFor() {
     QCOMPARE(system_->status(job).state, JobState::Cancelled);
 }
 
-// Each of these tries again for days.
-void PrintTest::printerThatIsNotThereIsNotWaitedFor_data() {
+// Each of these backends or queues would retry for days.
+void PrintTest::followJob_printerNotThere_cancelsJob_data() {
     QTest::addColumn<QString>("device");
     QTest::addColumn<QString>("policy");
     QTest::newRow("backend that tries again") << "socket://localhost:%1"
@@ -505,7 +514,7 @@ void PrintTest::printerThatIsNotThereIsNotWaitedFor_data() {
                                             << "retry-job";
 }
 
-void PrintTest::printerThatIsNotThereIsNotWaitedFor() {
+void PrintTest::followJob_printerNotThere_cancelsJob() {
     QFETCH(QString, device);
     QFETCH(QString, policy);
     const auto remove = qScopeGuard([&] { cups_->command("lpadmin", {"-x", "dead"}); });
@@ -514,7 +523,7 @@ void PrintTest::printerThatIsNotThereIsNotWaitedFor() {
     const PrintJob job = system_->submit(planPrint(*system_, chessSheet("Top"), to("dead")).task);
     QElapsedTimer clock;
     clock.start();
-    Progress progress; // the test ends, whatever happens
+    Progress progress; // cancels after 20 s
     progress.report = [&](double, const QString&) {
         if (clock.hasExpired(20'000)) {
             progress.cancelToken.cancel();
@@ -522,20 +531,20 @@ void PrintTest::printerThatIsNotThereIsNotWaitedFor() {
     };
     try {
         followJob(*system_, job, progress, std::chrono::milliseconds(500));
-        QFAIL("a printer that is not there printed");
+        QFAIL("followJob() returned without a printer, expected NotPrinted");
     } catch (const NotPrinted& end) {
         QCOMPARE(end.fate(), PrintFate::Stopped);
         QVERIFY2(end.sentence().contains("does not answer") &&
-                     end.sentence().contains("the job is cancelled"),
+                     end.sentence().contains("the job was cancelled"),
                  qPrintable(end.sentence()));
     } catch (const Cancelled&) {
-        QFAIL("it is waited for");
+        QFAIL("followJob() waited longer than 20 s, expected NotPrinted");
     }
     QCOMPARE(system_->status(job).state, JobState::Cancelled);
 }
 
-// "Completed" there means sent, and behind some backends not even that.
-void PrintTest::queueThatKnowsNothingOfPaperIsNotBelieved() {
+// For such a queue, "completed" only means sent, and with some backends not even that.
+void PrintTest::followJob_printingNotConfirmed_isNotPrinted() {
     const auto remove = qScopeGuard([&] {
         cups_->command("lpadmin", {"-x", "nothing"});
         cups_->command("lpadmin", {"-x", "dropping"});
@@ -546,15 +555,15 @@ void PrintTest::queueThatKnowsNothingOfPaperIsNotBelieved() {
     QVERIFY(cups_->addQueue("dropping", once.arg(PrivateCups::freePort()), "pigment"));
     try {
         print(chessSheet("Top"), to("dropping"));
-        QFAIL("a printer that is not there printed");
+        QFAIL("print() returned without a printer, expected NotPrinted");
     } catch (const NotPrinted& end) {
         QCOMPARE(end.fate(), PrintFate::Unknown);
         QVERIFY2(end.sentence().contains("does not answer"), qPrintable(end.sentence()));
     }
 }
 
-// What is asked by IPP of a device that does not speak it would be printed.
-void PrintTest::deviceThatIsNotAskedGetsTheSheetAlone() {
+// A device that does not speak IPP would print an IPP request.
+void PrintTest::print_socketDevice_receivesOnlyTheSheet() {
     QTcpServer device;
     QVERIFY(device.listen(QHostAddress::LocalHost));
     QByteArrayList received;
@@ -568,7 +577,7 @@ void PrintTest::deviceThatIsNotAskedGetsTheSheetAlone() {
     const auto remove = qScopeGuard([&] { cups_->command("lpadmin", {"-x", "plain"}); });
     const QString uri = QStringLiteral("socket://localhost:%1").arg(device.serverPort());
     QVERIFY(cups_->addQueue("plain", uri, "pigment"));
-    // The device answers on this thread, the print system works on another.
+    // The device answers on this thread, so the print system works on another.
     JobState end = JobState::Waiting;
     const std::unique_ptr<QThread> printing(QThread::create([&] {
         const auto system = cupsPrintSystem();
@@ -578,12 +587,12 @@ void PrintTest::deviceThatIsNotAskedGetsTheSheetAlone() {
     printing->start();
     QTRY_VERIFY_WITH_TIMEOUT(printing->isFinished(), 30000);
     QCOMPARE(end, JobState::HandedOver);
-    received.removeAll(QByteArray()); // whether it is there was looked at
+    received.removeAll(QByteArray()); // an empty connection only checks that the device answers
     QCOMPARE(received.size(), 1);
     QVERIFY2(!received[0].startsWith("POST"), received[0].left(100).constData());
 }
 
-void PrintTest::portableRouteIsTrueAsWell() {
+void PrintTest::qtPrintSystem_sheet_arrivesAtTrueSize() {
     const auto portable = qtPrintSystem();
     QVERIFY2(portable, "built without Qt's printing");
     QVERIFY(portable->printers().contains("pigment"));
@@ -593,7 +602,7 @@ void PrintTest::portableRouteIsTrueAsWell() {
     const PrintPlan plan = planPrint(*portable, chessSheet("Portable"), to("pigment"));
     QCOMPARE(followJob(*portable, portable->submit(plan.task), {}), JobState::HandedOver);
     QTRY_COMPARE_WITH_TIMEOUT(receivedBy("pigment"), before + 1, 30000);
-    // A document that is still arriving is no PDF yet.
+    // The PDF is complete only when pdfinfo can read it.
     const QString paper = cups_->received("pigment").last();
     QTRY_VERIFY_WITH_TIMEOUT(!output("pdfinfo", {paper}).isEmpty(), 30000);
     verifySquares(paper, true, 17);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int patience = 20000; // milliseconds, on a machine that is busy with other tests
 
-// System programs stand outside an ordinary user's path.
+// Finds system programs, too, which are not in an ordinary user's path.
 QString programPath(const QString& name) {
     const QString found = QStandardPaths::findExecutable(name);
     return found.isEmpty()
@@ -24,7 +24,7 @@ QString programPath(const QString& name) {
                : found;
 }
 
-// A test that crashes leaves nothing running.
+// Ends the process with the test, even if the test crashes.
 void endWithTheTest(QProcess& process) {
 #ifdef Q_OS_LINUX
     process.setChildProcessModifier([] { prctl(PR_SET_PDEATHSIG, SIGTERM); });
@@ -103,7 +103,7 @@ QByteArray attributes(const TestPrinter& printer) {
 } // namespace
 
 PrivateCups::PrivateCups() {
-    // A scheduler that was started as root works as another user.
+    // A scheduler started as root works as another user, who needs access to the folder.
     QFile::setPermissions(folder_.path(), QFile::Permissions(0x7755));
     for (const char* name : {"root", "spool", "cache", "state", "log", "tmp"}) {
         QDir().mkpath(folder_.filePath(name));
@@ -164,7 +164,7 @@ bool PrivateCups::startScheduler() {
                                             folder_.filePath("cups-files.conf")});
     qputenv("CUPS_SERVER", path("socket"));
     const auto runs = [] {
-        QProcess process; // its exit code is 0 in any case
+        QProcess process; // its exit code is always 0
         process.start(programPath("lpstat"), {"-r"});
         return process.waitForFinished(patience) &&
                process.readAllStandardOutput().contains("is running");
@@ -183,8 +183,8 @@ bool PrivateCups::command(const QString& program, const QStringList& arguments) 
            process.exitCode() == 0;
 }
 
-// The program that a printer hands its jobs to, with their attributes in its environment. Without
-// one it plays at being slow, for some ten seconds a job.
+// Writes the program to which a printer passes its jobs, with their attributes in its environment.
+// Without a program, ippeveprinter simulates a slow printer, about ten seconds per job.
 QString PrivateCups::jobCommand(const TestPrinter& printer) const {
     const QString name = "job-" + printer.name;
     const QByteArray end = printer.trouble.isEmpty() ? "exit 0\n"
@@ -215,7 +215,7 @@ bool PrivateCups::add(const TestPrinter& printer) {
         return false;
     }
     devices_[printer.name] = std::move(device);
-    // lpadmin comes back before the printer was asked what it can do.
+    // lpadmin returns before CUPS has asked the printer for its capabilities.
     const QString ppd = folder_.filePath("root/ppd/" + printer.name + ".ppd");
     return command("lpadmin",
                    {"-p", printer.name, "-E", "-v",
@@ -242,7 +242,7 @@ void PrivateCups::switchOff(const QString& printer) {
 
 QStringList PrivateCups::received(const QString& printer) const {
     const QDir folder(devices_.at(printer).folder);
-    // "1-Top.pdf": by the printer's own job numbers. Its logs lie beside them.
+    // Sorted by the printer's job number ("1-Top.pdf"). Its logs lie in the same folder.
     QFileInfoList files = folder.entryInfoList({"*.pdf"}, QDir::Files);
     std::sort(files.begin(), files.end(), [](const QFileInfo& a, const QFileInfo& b) {
         return a.fileName().section('-', 0, 0).toInt() < b.fileName().section('-', 0, 0).toInt();

@@ -1,6 +1,6 @@
-// A print system of the test's own: a CUPS scheduler with its own folders and socket, real IPP
-// printers in software behind it (ippeveprinter), and the message bus that those ask for. Nothing
-// of the machine's is touched, and everything ends with the object.
+// Runs the test's own print system: a CUPS scheduler with its own folders and socket, IPP software
+// printers (ippeveprinter), and the message bus that they need. Changes nothing else on the
+// machine. Everything ends with the object.
 #pragma once
 
 #include <QProcess>
@@ -14,7 +14,7 @@ namespace dipwright {
 struct TestMedia {
     QString keyword; // "iso_a4_210x297mm"
     double width = 210, height = 297;
-    double margin = 0; // mm, all round
+    double margin = 0; // mm, on all sides
     bool loaded = true;
 };
 
@@ -22,33 +22,33 @@ struct TestPrinter {
     QString name;
     bool colour = true;
     std::vector<TestMedia> media{{"iso_a4_210x297mm", 210, 297, 0}};
-    QString scaling = QStringLiteral("auto"); // what it does with a job that says nothing of it
-    // What it reports when it gets a job ("media-empty-error"), on which it then stays for half a
-    // minute; empty: it prints.
+    QString scaling = QStringLiteral("auto"); // for jobs that do not set print-scaling
+    // State that it reports on a job ("media-empty-error"), before it stays in it for half a
+    // minute. Empty: it prints.
     QString trouble = {};
-    bool takesTrueSize = true; // whether it knows print-scaling "none"
+    bool takesTrueSize = true; // supports print-scaling "none"
 };
 
 class PrivateCups {
 public:
-    // Starts the scheduler; `problem()` says what went wrong.
+    // Starts the scheduler. If that fails, problem() says why.
     PrivateCups();
     ~PrivateCups();
     QString problem() const { return problem_; }
 
-    // A printer and its queue, ready to print.
+    // Starts a printer and makes its queue. Returns whether they are ready.
     bool add(const TestPrinter& printer);
-    // A queue to a device by its URI, which takes the same paper as the printer `like`.
+    // Makes a queue for the device URI `device`, with the paper of the printer `like`.
     bool addQueue(const QString& name, const QString& device, const QString& like) const;
-    // A port at which nobody is.
+    // Returns a port on which nobody listens.
     static quint16 freePort();
-    // Runs one of CUPS's own commands, "cupsdisable office".
+    // Runs one of CUPS's own commands, such as "cupsdisable office".
     bool command(const QString& program, const QStringList& arguments) const;
-    // A printer is switched off, its queue stays.
+    // Switches a printer off. Its queue stays.
     void switchOff(const QString& printer);
-    // The documents that a printer has got, in the order of its jobs.
+    // Returns the documents that a printer received, in the order of its jobs.
     QStringList received(const QString& printer) const;
-    // What the last job that a printer printed said of an attribute ("print-scaling"); empty: none.
+    // Returns the attribute ("print-scaling") of the last job that a printer received; empty: none.
     QByteArray told(const QString& printer, const QByteArray& attribute) const;
 
 private:

@@ -1,4 +1,4 @@
-// What a process can still do that is about to read a foreign file.
+// Tests what a process can still do inside the sandbox of the reader.
 #include "reader/Sandbox.h"
 #include "TestFolders.h"
 
@@ -35,27 +35,27 @@ class SandboxTest : public QObject {
 
 #ifdef Q_OS_LINUX
 private slots:
-    void filesCannotBeOpened() {
+    void sandbox_openFile_isDenied() {
         QVERIFY(isFalse([] { return ::open("/etc/passwd", O_RDONLY) >= 0; }));
         QVERIFY(isFalse([] { return ::open("confinement", O_CREAT | O_WRONLY, 0600) >= 0; }));
         QVERIFY(isFalse([] { return ::access("/etc/passwd", R_OK) == 0; }));
         QVERIFY(isFalse([] { return ::unlink("confinement") == 0 || errno == ENOENT; }));
     }
 
-    void nobodyCanBeCalled() {
+    void sandbox_openSocket_isDenied() {
         for (const int family : {AF_INET, AF_INET6, AF_UNIX}) {
             QVERIFY(isFalse([family] { return ::socket(family, SOCK_STREAM, 0) >= 0; }));
         }
     }
 
-    void noOtherProgramCanBeStartedOrHarmed() {
+    void sandbox_startOrKillProcess_isDenied() {
         QVERIFY(isFalse([] { return ::fork() >= 0; }));
         QVERIFY(
             isFalse([] { return ::execl("/bin/true", "true", nullptr) == 0 || errno != EPERM; }));
         QVERIFY(isFalse([] { return ::kill(::getppid(), 0) == 0; }));
     }
 
-    void nothingCanBeMadeAProgram() {
+    void sandbox_executableMemory_isDenied() {
         QVERIFY(isFalse([] {
             return ::mmap(nullptr, 4096, PROT_READ | PROT_EXEC, MAP_PRIVATE | MAP_ANONYMOUS, -1,
                           0) != MAP_FAILED;
@@ -67,8 +67,8 @@ private slots:
         }));
     }
 
-    // Libraries spread their work.
-    void threadsCanBeStarted() {
+    // Libraries need threads.
+    void sandbox_startThread_isAllowed() {
         QVERIFY(isTrue([] {
             int answer = 0;
             std::thread([&] { answer = 42; }).join();
@@ -76,7 +76,7 @@ private slots:
         }));
     }
 
-    void memoryIsThatOfTheFile() {
+    void sandbox_memoryLimit_growsWithFile() {
 #if defined(DIPWRIGHT_SANITIZED)
         return; // a sanitizer reserves terabytes
 #endif
@@ -94,7 +94,7 @@ private slots:
         }));
     }
 
-    void computingForeverEnds() {
+    void sandbox_endlessLoop_isEnded() {
         QCOMPARE(outcome([]() -> bool {
                      volatile unsigned turns = 0;
                      while (true) {
@@ -104,14 +104,14 @@ private slots:
                  outOfTime);
     }
 
-    void limitsCannotBeLifted() {
+    void sandbox_raiseLimits_isDenied() {
         const auto lift = [] {
             rlimit none{};
             none.rlim_cur = none.rlim_max = RLIM_INFINITY;
             return ::setrlimit(RLIMIT_CPU, &none) == 0 || ::setrlimit(RLIMIT_FSIZE, &none) == 0 ||
                    ::setrlimit(RLIMIT_CORE, &none) == 0;
         };
-        const auto becomeNobody = [] { // root may lift any
+        const auto becomeNobody = [] { // root may raise any limit
             if (::geteuid() == 0 && ::setuid(65534) != 0) {
                 ::_exit(yes);
             }
@@ -119,12 +119,12 @@ private slots:
         QCOMPARE(outcome(lift, becomeNobody), no);
     }
 
-    void aSystemWithoutFiltersIsTold() {
+    void sandbox_noSystemFilters_isReported() {
         QCOMPARE(outcome([] { return true; }, refuseFilters), unconfined);
     }
 
-    // But where the user wants it so.
-    void nothingIsReadUnconfined() {
+    // DIPWRIGHT_READ_UNCONFINED=1 allows reading without a sandbox.
+    void new_noSandbox_readsModelOnlyIfAllowed() {
         const QTemporaryDir folder;
         const QString model = folder.filePath(QStringLiteral("body.obj"));
         QFile file(model);
@@ -156,14 +156,15 @@ private slots:
 private:
     static constexpr int outOfTime = 3, yes = 10, no = 11, unconfined = 12;
 
-    // From now on this process and those that it starts are refused filters of their own, as by a
-    // system that has none: by the call of its own, and by the older way.
+    // Makes the system refuse filters to this process and its children, like a system without
+    // seccomp: both the call seccomp() and the older prctl() fail.
     static void refuseFilters() {
         static sock_filter filter[] = {
             BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
             BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_seccomp, 3, 0),
             BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_prctl, 0, 3),
-            BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, args)), // its lower half
+            BPF_STMT(BPF_LD | BPF_W | BPF_ABS,
+                     offsetof(seccomp_data, args)), // lower 32 bits of the first argument
             BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, PR_SET_SECCOMP, 0, 1),
             BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EINVAL),
             BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
@@ -173,7 +174,7 @@ private:
         ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program);
     }
 
-    // How a process ends that asks `question` when it is confined.
+    // Answers `question` in a sandboxed child. Returns its exit code; −N: ended by signal N.
     static int outcome(
         const std::function<bool()>& question, const std::function<void()>& before = [] {}) {
         const pid_t child = ::fork();

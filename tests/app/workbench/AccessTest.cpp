@@ -1,5 +1,5 @@
-// Everything that can be operated has a name that a screen reader says, can be reached by keyboard,
-// and can be read: in all windows and dialogs, in both themes.
+// Checks accessibility in all windows and dialogs and in both themes: every control has a name for
+// screen readers and can be reached by keyboard, and every text has enough contrast.
 #include "Contrast.h"
 #include "Patience.h"
 #include "TestFolders.h"
@@ -42,7 +42,7 @@ using namespace dipwright;
 
 namespace {
 
-// What belongs to another widget, which is looked at itself.
+// Returns whether the widget is a part of another widget that is checked itself.
 bool isPart(const QWidget* widget) {
     const QString name = widget->objectName();
     return name.startsWith(QLatin1String("qt_")) || name.startsWith(QLatin1String("Scroll")) ||
@@ -78,7 +78,7 @@ QString spokenName(QWidget* widget) {
     return spoken ? spoken->text(QAccessible::Name) : QString();
 }
 
-// A button of the main tool bars stands in a menu too, with its keys; others take the focus.
+// A button of a main tool bar is in a menu, too, so the keyboard reaches it. Others need the focus.
 bool isReachable(const QWidget* widget) {
     const auto* button = qobject_cast<const QToolButton*>(widget);
     if (button && qobject_cast<const QToolBar*>(button->parentWidget()) &&
@@ -114,9 +114,9 @@ private slots:
         workbench_.reset();
     }
 
-    void theStartPage() { check(*window_); }
+    void accessibility_startPage_hasNoFaults() { check(*window_); }
 
-    void aProjectAndItsResults() {
+    void accessibility_projectAndResults_haveNoFaults() {
         WindowDriver driver(*window_);
         QVERIFY(driver.create(sampleFolder("/models/turtle.obj"),
                               sampleFolder("/models/turtle.png"), 90, [](Project& project) {
@@ -144,7 +144,7 @@ private slots:
         check(*window_);
     }
 
-    void theDialogs() {
+    void accessibility_dialogs_haveNoFaults() {
         NewProjectDialog create({}, workbench_->preferences());
         PreferencesDialog preferences(workbench_->preferences(), workbench_->registry(),
                                       window_->actions());
@@ -172,7 +172,7 @@ private slots:
         window_->findChild<QWidget*>(QStringLiteral("tour"))->close();
     }
 
-    void theMessages() {
+    void accessibility_messages_haveNoFaults() {
         window_->document()->edit(QStringLiteral("Change"), {},
                                   [](Project& project) { project.ink.limit = 1.7; });
         checkMessage("closeQuestion", [this] { window_->close(); });
@@ -186,7 +186,7 @@ private slots:
     }
 
 private:
-    // What `ask` has to say or ask, now or when its job is done: checked, then closed.
+    // Calls `ask`, waits for the message of that name, checks it and closes it.
     void checkMessage(const char* name, const std::function<void()>& ask) {
         bool checked = false;
         QTimer timer;
@@ -233,7 +233,7 @@ private:
         }
         if (takesValues(&widget) && widget.toolTip().isEmpty() && widget.whatsThis().isEmpty()) {
             faults +=
-                what + QStringLiteral(" “%1” does not say what it is for").arg(spokenName(&widget));
+                what + QStringLiteral(" “%1” has no tool tip or help").arg(spokenName(&widget));
         }
         if (isOperated(&widget) && !isReachable(&widget)) {
             faults += what + QStringLiteral(" cannot be reached by keyboard");
@@ -242,7 +242,7 @@ private:
             const double ratio =
                 contrast(label->palette().color(label->foregroundRole()), groundOf(label));
             if (ratio < 4.5) {
-                faults += QStringLiteral("%1 “%2” has a contrast of %3")
+                faults += QStringLiteral("%1 “%2” has a contrast of %3, expected at least 4.5")
                               .arg(what, label->text())
                               .arg(ratio);
             }

@@ -1,5 +1,5 @@
-// Artwork in the real window: from a model without a texture to a printed sheet, and a decal moved,
-// turned and sized in the view.
+// Tests artwork in the real window: from a model without a texture to a sheet as PDF, and a decal
+// moved, turned and sized in the view.
 #include "FileAnswer.h"
 #include "Patience.h"
 #include "WindowDriver.h"
@@ -23,7 +23,7 @@ using namespace dipwright;
 
 namespace {
 
-// A ball as a text STL, which knows no texture.
+// Writes a ball of 60 mm as a text STL, which has no texture.
 void writeBall(const QString& path) {
     const TriangleMesh ball = sphereMesh(30, 24, 48);
     QFile file(path);
@@ -88,7 +88,7 @@ private slots:
         workbench_.reset();
     }
 
-    void anUntexturedModelALogoAndAPatternBecomeASheetInTenActions() {
+    void artwork_logoAndPattern_makeSheetInTenActions() {
         int actions = 0;
         actions += 2; // the file dropped on the window, and its questions accepted
         QVERIFY(driver_->create(ball_, {}, 60, [](Project& project) {
@@ -114,15 +114,20 @@ private slots:
         answerWithFile(pdf);
         driver_->trigger("exportPdf");
         QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(pdf).size() > 1000, patience());
-        QVERIFY2(actions <= 10, qPrintable(QString::number(actions)));
+        QVERIFY2(actions <= 10,
+                 qPrintable(
+                     QStringLiteral("it took %1 user actions, expected at most 10").arg(actions)));
 
         const ImmersionResult& result = window_->session().outcome().result->immersions[0];
         const double red = shareOfRed(result.texture->image);
-        QVERIFY2(red > 0.003 && red < 0.05, qPrintable(QString::number(red)));
+        QVERIFY2(
+            red > 0.003 && red < 0.05,
+            qPrintable(
+                QStringLiteral("red share of the sheet is %1, expected 0.003 to 0.05").arg(red)));
         QVERIFY(!window_->session().outcome().result->painted->textures.empty());
     }
 
-    void everyChangeIsOneStepToUndo() {
+    void artwork_everyChange_isOneUndoStep() {
         const Artwork before = artwork();
         driver_->find<QDoubleSpinBox>("layerTurn")->setValue(30);
         QCOMPARE(artwork().layers[1].turn, Degrees(30));
@@ -136,7 +141,7 @@ private slots:
         QCOMPARE(artwork(), before);
     }
 
-    void aLayerIsPrintedWithASpotInk() {
+    void artwork_layerWithSpotInk_makesPlate() {
         driver_->find<QListWidget>("artworkLayers")->setCurrentRow(0); // the logo
         const Artwork before = artwork();
         auto* name = driver_->find<QLineEdit>("layerSpot");
@@ -161,7 +166,7 @@ private slots:
         QCOMPARE(artwork(), before);
     }
 
-    void keysOfTheListHideMoveAndRemove() {
+    void layerList_keys_hideMoveAndRemoveLayers() {
         const Artwork before = artwork();
         auto* list = driver_->find<QListWidget>("artworkLayers");
         list->setCurrentRow(0); // the logo
@@ -181,10 +186,10 @@ private slots:
         QCOMPARE(list->currentRow(), -1);
     }
 
-    void aDecalIsMovedTurnedAndSizedInTheView() {
+    void decal_dragInView_movesTurnsAndSizes() {
         driver_->find<QListWidget>("artworkLayers")->setCurrentRow(0);
         driver_->action("front")->trigger();
-        driver_->action("rings")->setChecked(false); // they are taken hold of before all else
+        driver_->action("rings")->setChecked(false); // they would get the mouse first
         document().edit(QStringLiteral("Front"), {}, [](Project& changed) {
             changed.immersions[0].rotation[0] = Degrees(0); // the front faces the eye
             changed.artwork.layers[1].place = {Millimetres(0), Millimetres(0), Millimetres(30)};
@@ -194,9 +199,13 @@ private slots:
         const auto middle = positionOf(placeOf(artwork().layers[1]));
         drag(middle, middle + QPointF(40, 0));
         const Eigen::Vector3f moved = placeOf(artwork().layers[1]) - placeOf(before.layers[1]);
-        QVERIFY2(moved.x() > 2 && std::abs(moved.y()) < 1.5F,
-                 qPrintable(QString::number(moved.x())));
-        QCOMPARE(document().undoStack().undoText(), QStringLiteral("Move Layer"));
+        QVERIFY2(
+            moved.x() > 2 && std::abs(moved.y()) < 1.5F,
+            qPrintable(
+                QStringLiteral("the decal moved by x = %1, y = %2 mm, expected x > 2 and |y| < 1.5")
+                    .arg(moved.x())
+                    .arg(moved.y())));
+        QCOMPARE(document().undoStack().undoText(), QStringLiteral("Move layer"));
         driver_->trigger("undo");
         QCOMPARE(artwork(), before);
 
@@ -219,7 +228,7 @@ private slots:
         QCOMPARE(artwork(), before);
     }
 
-    void aPictureBesideTheBodyIsATextureAsBefore() {
+    void droppedPicture_besideBody_addsNoLayer() {
         const std::size_t layers = artwork().layers.size();
         dropOn(view(), logo_, QPointF(5, 5));
         QTest::qWait(100);

@@ -1,4 +1,4 @@
-// A project of a plain box, for tests that need some document.
+// A project with a plain box, for tests that need any document.
 #pragma once
 
 #include "geometry/Shapes.h"

@@ -1,4 +1,4 @@
-// How well two colours can be told apart, after WCAG 2.
+// Computes the contrast of two colours after WCAG 2.
 #pragma once
 
 #include <QColor>
@@ -15,7 +15,7 @@ inline double relativeLuminance(const QColor& colour) {
            0.0722 * linear(colour.blueF());
 }
 
-// 1 … 21; text wants 4.5 at least.
+// Returns the contrast ratio, 1 to 21. Text needs at least 4.5.
 inline double contrast(const QColor& a, const QColor& b) {
     const auto [darker, lighter] = std::minmax({relativeLuminance(a), relativeLuminance(b)});
     return (lighter + 0.05) / (darker + 0.05);

@@ -1,7 +1,7 @@
-// The program is killed in the middle of editing; the next start gives the work back.
+// Kills the program while a project is edited. The next start must restore the work.
 //
-// Run with --edit FOLDER MODEL, this program is the one that gets killed: it edits an untitled
-// project and says so when its recovery copy is on the disk.
+// With --edit FOLDER MODEL, this program is the one that is killed. It edits an untitled project
+// and prints "kept" when its recovery copy is on the disk.
 #include "Patience.h"
 #include "TestFolders.h"
 #include "WindowDriver.h"
@@ -54,7 +54,7 @@ class CrashTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void workIsRestoredAfterAKill() {
+    void recovery_programKilled_restoresWork() {
         const QTemporaryDir folder;
         const QString model = sampleFolder("/models/turtle.obj");
         QProcess editor;
@@ -67,7 +67,7 @@ private slots:
             said += editor.readAllStandardOutput();
         }
         QVERIFY(said.contains("kept"));
-        // While it lives, its copy is its own.
+        // While the process lives, nobody else may recover its copy.
         QVERIFY(findRecoveredDocuments(folder.path()).empty());
         editor.kill();
         QVERIFY(editor.waitForFinished(patience()));
@@ -97,7 +97,7 @@ private slots:
         QCOMPARE(restored->document()->project().film.swellX, editedSwell);
         QVERIFY(restored->document()->isModified());
         QVERIFY(restored->document()->path().isEmpty());
-        // It is kept again under the restored document; the crash's own copy is gone.
+        // The restored document has a new recovery copy, and the old one is gone.
         QTRY_COMPARE(QDir(folder.path()).entryList({QStringLiteral("*.dipw")}).size(), 1);
         QVERIFY(findRecoveredDocuments(folder.path()).empty());
         delete restored;

@@ -1,5 +1,5 @@
-// A whole day with the real window: new, run, scrub, read, change, undo, save, close, reopen, and
-// the files that cannot be opened.
+// Works with the real window for a whole day: create, run, scrub, read values, change, undo, save,
+// close and reopen. Also opens files that cannot be opened.
 #include "Patience.h"
 #include "TestFolders.h"
 #include "WindowDriver.h"
@@ -56,7 +56,7 @@ void writeNewerProject(const QString& original, const QString& path) {
     file.write(writer.finish());
 }
 
-// In the browser's viewport, which is scrolled there.
+// Scrolls to the link and returns its place in the browser's viewport.
 QPoint placeOfLink(QTextBrowser& browser, const QString& link) {
     for (QTextBlock block = browser.document()->begin(); block.isValid(); block = block.next()) {
         for (auto part = block.begin(); !part.atEnd(); ++part) {
@@ -93,13 +93,13 @@ void answerWhenAsked(const char* name, QMessageBox::StandardButton answer) {
     timer->start(20);
 }
 
-// The view with the body as it comes out of both dips, which the window is told to show.
+// Shows the finished part in the view and returns the picture.
 QImage printOnTheBody(MainWindow& window, const WindowDriver& driver) {
     driver.find<ProjectTree>("projectTree")->select({ProjectPart::Share, 0});
     const QImage own = window.view().picture();
     driver.trigger("bodyPrint");
     [&] { QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() != own, patience()); }();
-    QTest::qWait(patience() / 240); // the last of the prints
+    QTest::qWait(patience() / 240); // until the preview is complete
     return window.view().picture();
 }
 
@@ -117,11 +117,11 @@ private slots:
     }
     void cleanupTestCase() { workbench_.reset(); }
 
-    void wholeDay() {
+    void window_newRunSaveReopen_givesSameSheets() {
         auto window = std::make_unique<MainWindow>(*workbench_);
         window->show();
         WindowDriver driver(*window);
-        QVERIFY(!driver.action("run")->isEnabled()); // there is nothing to run
+        QVERIFY(!driver.action("run")->isEnabled()); // no project yet
 
         // New, from a model.
         QVERIFY(driver.create(model, texture, 90, makeTwoCoarseDips));
@@ -129,7 +129,7 @@ private slots:
         QCOMPARE(document.project().immersions.size(), std::size_t(2));
         QVERIFY(window->isWindowModified());
 
-        // Run both immersions.
+        // Run both dips.
         QVERIFY(driver.run());
         QVERIFY(document.isFresh());
         const QImage sheet = document.result()->immersions[0].sheet.image;
@@ -159,7 +159,7 @@ private slots:
         QVERIFY(again->close());
     }
 
-    void aPlaceOfTheVerdictLeadsThere() {
+    void verdict_clickOnPlace_showsItInView() {
         MainWindow window(*workbench_);
         window.show();
         WindowDriver driver(window);
@@ -181,9 +181,9 @@ private slots:
         const QPoint link = placeOfLink(*words, QStringLiteral("0"));
         QVERIFY2(words->viewport()->rect().contains(link), qPrintable(words->toPlainText()));
         QTest::mouseClick(words->viewport(), Qt::LeftButton, {}, link);
-        QCOMPARE(timeline->position(), timeline->frames()); // where the film is on the body
+        QCOMPARE(timeline->position(), timeline->frames()); // the end of the dip
         QVERIFY(window.view().picture() != before);
-        // The place, by the way from the model to the water, is now in the middle of the view.
+        // The place, transformed from the model to the tank, is in the middle of the view.
         const Eigen::Isometry3d pose = result.body->modelToPose;
         const Eigen::Vector3d world =
             poseToWorld(result.immersion,
@@ -191,14 +191,19 @@ private slots:
             pose * result.verdict.places.front().place.cast<double>();
         const QPointF shown = window.view().positionOf(world.cast<float>());
         const QPointF middle = QRectF(window.view().rect()).center();
-        QVERIFY2((shown - middle).manhattanLength() < 20,
-                 qPrintable(QStringLiteral("%1 %2").arg(shown.x()).arg(shown.y())));
-        QVERIFY(driver.find<QLabel>("reading")->text().contains(QStringLiteral("on the body")));
+        QVERIFY2(
+            (shown - middle).manhattanLength() < 20,
+            qPrintable(QStringLiteral("the place is shown at (%1, %2) px, expected (%3, %4) px")
+                           .arg(shown.x())
+                           .arg(shown.y())
+                           .arg(middle.x())
+                           .arg(middle.y())));
+        QVERIFY(driver.find<QLabel>("reading")->text().contains(QStringLiteral("on the part")));
         answerWhenAsked("closeQuestion", QMessageBox::Discard);
         QVERIFY(window.close());
     }
 
-    void cancellingKeepsTheWindowUsable() {
+    void run_cancelled_windowStaysUsable() {
         MainWindow window(*workbench_);
         window.show();
         WindowDriver driver(window);
@@ -212,12 +217,12 @@ private slots:
         QVERIFY(!window.session().isRunning());
         QVERIFY(driver.action("run")->isEnabled());
         QVERIFY(!window.document()->result());
-        QVERIFY(driver.run()); // and now to the end
+        QVERIFY(driver.run()); // runs to the end
         answerWhenAsked("closeQuestion", QMessageBox::Discard);
         QVERIFY(window.close());
     }
 
-    void closingAsksForUnsavedChanges() {
+    void close_unsavedChanges_asksFirst() {
         MainWindow window(*workbench_);
         window.show();
         WindowDriver driver(window);
@@ -232,7 +237,7 @@ private slots:
         QCOMPARE(loadProject(window.document()->path()).name, QStringLiteral("turtle!"));
     }
 
-    void filesThatCannotBeOpenedSayWhy_data() {
+    void openProject_damagedFile_namesFile_data() {
         QTest::addColumn<QByteArray>("content");
         QTest::newRow("empty") << QByteArray();
         QTest::newRow("not a project") << QByteArray("This is a letter.");
@@ -241,7 +246,7 @@ private slots:
         const QByteArray bytes = whole.readAll();
         QTest::newRow("truncated") << bytes.left(bytes.size() / 2);
     }
-    void filesThatCannotBeOpenedSayWhy() {
+    void openProject_damagedFile_namesFile() {
         QFETCH(QByteArray, content);
         const QString path = folder_.filePath(QStringLiteral("damaged.dipw"));
         QFile file(path);
@@ -257,7 +262,7 @@ private slots:
         shownMessage("failure")->accept();
     }
 
-    void aNewerFileNamesBothVersions() {
+    void openProject_newerVersion_namesVersion() {
         const QString path = folder_.filePath(QStringLiteral("newer.dipw"));
         writeNewerProject(folder_.filePath(QStringLiteral("turtle.dipw")), path);
         MainWindow window(*workbench_);
@@ -268,7 +273,7 @@ private slots:
         shownMessage("failure")->accept();
     }
 
-    void aMissingFileSaysSo() {
+    void openProject_missingFile_showsFailure() {
         MainWindow window(*workbench_);
         window.show();
         window.documents().openProject(folder_.filePath(QStringLiteral("nowhere.dipw")));
@@ -276,7 +281,7 @@ private slots:
         shownMessage("failure")->accept();
     }
 
-    void aDroppedPictureBecomesTheTexture() {
+    void droppedPicture_onWindow_becomesTexture() {
         MainWindow window(*workbench_);
         window.show();
         WindowDriver driver(window);
@@ -293,11 +298,12 @@ private slots:
         QVERIFY(!window.document()->isModified());
     }
 
-    void aClickMovesTheJoinAndUndoTakesItBack() {
+    void seamBrush_click_movesSeamUntilUndo() {
         MainWindow window(*workbench_);
         window.show();
         WindowDriver driver(window);
-        // Coarse film reaches little twice: the band is to leave the join some of it.
+        // Both dips reach only a narrow band on coarse film. A small error keeps the overlap
+        // narrow.
         QVERIFY(driver.create(model, texture, 90, [](Project& project) {
             makeTwoCoarseDips(project);
             project.share.registrationError = Millimetres(0.1);
@@ -307,8 +313,8 @@ private slots:
         const double before = document.result()->share->areas.second;
         driver.find<ProjectTree>("projectTree")->select({ProjectPart::Share, 0});
         driver.find<QDoubleSpinBox>("joinBrushRadius")->setValue(15);
-        driver.trigger("coverage"); // without film over the body
-        driver.trigger("right");    // where both dips reach
+        driver.trigger("coverage"); // hides the film over the body
+        driver.trigger("right");    // shows where both dips reach
         const auto areaGivenTo = [&](ShareMarkKind kind) {
             auto* brush = driver.find<QComboBox>("joinBrush");
             brush->setCurrentIndex(brush->findData(int(kind)));
@@ -326,14 +332,19 @@ private slots:
         driver.trigger("undo");
         QVERIFY(document.project().share.marks.empty());
         const double less = areaGivenTo(ShareMarkKind::First);
-        QVERIFY2(less > 0 && less <= before && before <= more && less + 20 < more,
-                 qPrintable(QStringLiteral("%1 %2 %3").arg(less).arg(before).arg(more)));
+        QVERIFY2(
+            less > 0 && less <= before && before <= more && less + 20 < more,
+            qPrintable(QStringLiteral("dip 2 paints %1 mm² after a mark for dip 1, %2 mm² without "
+                                      "marks, %3 mm² after a mark for dip 2")
+                           .arg(less)
+                           .arg(before)
+                           .arg(more)));
         driver.trigger("undo");
         QVERIFY(driver.run());
         QCOMPARE(document.result()->share->areas.second, before);
     }
 
-    void aDragMarksAlongItAndIsOneStep() {
+    void seamBrush_drag_isOneUndoStep() {
         MainWindow window(*workbench_);
         window.show();
         WindowDriver driver(window);
@@ -349,14 +360,15 @@ private slots:
         const QImage unmarked = window.view().picture();
         WindowDriver::drag(window.view(), {0.5, 0.5}, {0.56, 0.52});
         QVERIFY2(document.project().share.marks.size() > 2,
-                 qPrintable(QString::number(document.project().share.marks.size())));
+                 qPrintable(QStringLiteral("the drag set %1 marks, expected more than 2")
+                                .arg(document.project().share.marks.size())));
         QVERIFY(window.view().picture() != unmarked); // the marks are drawn
         driver.trigger("undo");
         QVERIFY(document.project().share.marks.empty());
-        QTRY_VERIFY(window.view().picture() == unmarked); // once the banner has gone
+        QTRY_VERIFY(window.view().picture() == unmarked); // after the banner is hidden
     }
 
-    void thePrintIsShownAfterEachDipAndWithTheSecondFilmOff() {
+    void finishedPart_firstDipOrSlip_changesPreview() {
         MainWindow window(*workbench_);
         window.show();
         WindowDriver driver(window);
@@ -380,7 +392,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() == both, patience());
     }
 
-    void thePrintIsShownWithTheSecondDipDeeper() {
+    void finishedPart_secondDipDeeper_changesPreview() {
         MainWindow window(*workbench_);
         window.show();
         WindowDriver driver(window);
@@ -401,7 +413,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(window.view().picture() == both, patience());
     }
 
-    void swappedDipsAreSwappedBack() {
+    void swapDips_undo_restoresOrder() {
         MainWindow window(*workbench_);
         window.show();
         WindowDriver driver(window);
@@ -416,8 +428,8 @@ private slots:
     }
 
 private:
-    // What poses are searched for is changed, the body moved by an arrow's signal, and a snapshot
-    // looked at beside the project; all of it is undone.
+    // Changes a weight of the pose search, moves the body by the signal of an arrow, and compares a
+    // snapshot with the project. Then undoes all of it.
     void plan(MainWindow& window, const WindowDriver& driver) {
         Document& document = *window.document();
         const Project before = document.project();
@@ -455,7 +467,7 @@ private:
         QCOMPARE(window.view().picture(), end);
     }
 
-    // The stretch under the cursor, in the flat film and in the view.
+    // Reads the stretch under the cursor in the flat film. The view marks the same place.
     void readValue(MainWindow& window, const WindowDriver& driver) {
         driver.find<QTabWidget>("results")->setCurrentIndex(1); // after the verdict
         auto* map = driver.find<PictureView>("stretchMap");
@@ -465,7 +477,7 @@ private:
         QTest::mouseMove(map, QPoint(map->width() / 2, map->height() / 5));
         QTRY_VERIFY(reading->text().contains(QStringLiteral("stretch")));
         const QImage marked = window.view().picture();
-        QTest::mouseMove(map, QPoint(2, 2)); // beside the film
+        QTest::mouseMove(map, QPoint(2, 2)); // outside the film
         QTRY_VERIFY(reading->text().isEmpty());
         QVERIFY(window.view().picture() != marked); // the linked cursor is gone
     }

@@ -1,4 +1,4 @@
-// The document without a window: undo, freshness, file, lock and recovery.
+// Tests the document without a window: undo, freshness, file, lock and recovery.
 #include "workbench/document/Document.h"
 #include "BoxProject.h"
 #include "disk/FileLock.h"
@@ -31,7 +31,7 @@ double width(const Document& document) {
     return document.project().film.width.value();
 }
 
-// As a run on the solver that "auto" chose leaves it, but for what no freshness depends on.
+// Returns the result of a run on the solver that "auto" chose, with only the data for freshness.
 std::shared_ptr<const JobResult> resultOf(const Project& project) {
     auto result = std::make_shared<JobResult>();
     result->project = project;
@@ -49,7 +49,7 @@ QByteArray contentsOf(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-// As the window does for who wants it all the same.
+// Saves and overwrites changes of others, like the window after "Overwrite".
 void saveAnyway(Document& document, const QString& path) {
     try {
         document.save();
@@ -66,7 +66,7 @@ class DocumentTest : public QObject {
 private slots:
     void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
 
-    void undoGivesBackTheValueAndRedoTakesItAgain() {
+    void undoRedo_edit_restoresValues() {
         Document document(boxProject());
         setWidth(document, "", 100);
         document.undoStack().undo();
@@ -75,7 +75,7 @@ private slots:
         QCOMPARE(width(document), 100);
     }
 
-    void aDraggedSliderIsOneStep() {
+    void edit_draggedSlider_isOneUndoStep() {
         Document document(boxProject());
         for (const double value : {200.0, 190.0, 180.0}) {
             setWidth(document, "width", value);
@@ -90,7 +90,7 @@ private slots:
         QCOMPARE(width(document), 210);
     }
 
-    void aChangeOfNothingIsNoStep() {
+    void edit_sameValue_isNoUndoStep() {
         Document document(boxProject());
         QSignalSpy changed(&document, &Document::projectChanged);
         setWidth(document, "", 210);
@@ -98,7 +98,7 @@ private slots:
         QCOMPARE(changed.count(), 0);
     }
 
-    void aDragBackToWhereItBeganIsNoStep() {
+    void edit_dragBackToStart_isNoUndoStep() {
         Document document(boxProject());
         setWidth(document, "width", 200);
         setWidth(document, "width", 210);
@@ -106,7 +106,7 @@ private slots:
         QCOMPARE(width(document), 210);
     }
 
-    void aRefusedChangeLeavesTheProjectAsItWas() {
+    void edit_refusedValue_leavesProjectUnchanged() {
         Document document(boxProject());
         const Project before = document.project();
         QVERIFY_EXCEPTION_THROWN(document.edit({}, {},
@@ -119,7 +119,7 @@ private slots:
         QCOMPARE(document.undoStack().count(), 0);
     }
 
-    void everyValueOfTheSchemaCanBeReadAndWritten() {
+    void projectValue_everySchemaField_canBeReadAndWritten() {
         Project project = boxProject();
         for (const auto& field : projectFields()) {
             const QJsonValue value = valueAt(project, field.path);
@@ -131,7 +131,7 @@ private slots:
         QVERIFY(valueAt(project, QStringLiteral("immersions[1].name")).isUndefined());
     }
 
-    void onlyWhatDependsOnAChangeGoesOutOfDate_data() {
+    void isFresh_changedValue_onlyDependentStepsAreStale_data() {
         QTest::addColumn<QString>("path");
         QTest::addColumn<QString>("value");
         QTest::addColumn<bool>("dip");
@@ -162,7 +162,7 @@ private slots:
         QTest::newRow("overlap") << "share.overlap_mm"
                                  << "3" << false << true << true;
     }
-    void onlyWhatDependsOnAChangeGoesOutOfDate() {
+    void isFresh_changedValue_onlyDependentStepsAreStale() {
         QFETCH(QString, path);
         QFETCH(QString, value);
         Project before = boxProject();
@@ -176,7 +176,7 @@ private slots:
         QTEST(!document.isFresh(JobStep::Sheet, 0), "sheet");
     }
 
-    void aSecondImmersionComesFromTheOtherSide() {
+    void addImmersion_secondDip_comesFromOtherSide() {
         Document document(boxProject());
         document.edit({}, {}, [](Project& project) {
             project.immersions[0].rotation = {Degrees(30), Degrees(10), Degrees(0)};
@@ -194,7 +194,7 @@ private slots:
         QCOMPARE(document.project().immersions[0].rotation[0].value(), 30);
     }
 
-    void theBodyCanBeMadeLargerWithWhatIsMarkedOnIt() {
+    void resizeModel_withMarks_scalesMarks() {
         Project project = boxProject();
         ShareMark mark;
         mark.place = {Millimetres(1), Millimetres(-2), Millimetres(3)};
@@ -203,7 +203,7 @@ private slots:
         const double unit = project.modelOrigin.unitMillimetres;
         Document document(project);
         resizeModel(document, Millimetres(1.5 * edge));
-        resizeModel(document, Millimetres(2 * edge)); // the field is still being worked
+        resizeModel(document, Millimetres(2 * edge)); // merges with the change before
         QVERIFY(std::abs(longestEdgeOf(document.project().model->mesh) - 2 * edge) < 1e-4 * edge);
         QVERIFY(std::abs(document.project().modelOrigin.unitMillimetres - 2 * unit) < 1e-6);
         QVERIFY(std::abs(document.project().share.marks[0].place[1].value() + 4) < 1e-6);
@@ -211,7 +211,7 @@ private slots:
         QCOMPARE(document.project(), project);
     }
 
-    void freshnessTellsEachStep() {
+    void freshness_inkChanged_onlyDipStaysFresh() {
         Document document(boxProject());
         QVERIFY(document.freshness(0) == Freshness({false, false, false}));
         document.setResult(resultOf(document.project()));
@@ -220,10 +220,10 @@ private slots:
         QVERIFY(document.freshness(0) == Freshness({true, false, false}));
         document.undoStack().undo();
         QVERIFY(document.freshness(0) == Freshness({true, true, true}));
-        QVERIFY(document.freshness(1) == Freshness({false, false, false})); // there is none
+        QVERIFY(document.freshness(1) == Freshness({false, false, false})); // no second dip
     }
 
-    void savingMakesTheDocumentUnmodified() {
+    void saveAs_newFile_documentIsUnmodified() {
         const QTemporaryDir folder;
         Document document(boxProject());
         QVERIFY(document.isModified()); // it has no file
@@ -236,7 +236,7 @@ private slots:
         QVERIFY(!document.isModified());
     }
 
-    void aFileThatCannotBeWrittenLeavesTheDocumentModified() {
+    void saveAs_folderMissing_documentStaysModified() {
         Document document(boxProject());
         QVERIFY_EXCEPTION_THROWN(document.saveAs(QStringLiteral("/no/such/folder/box.dipw")),
                                  std::exception);
@@ -244,8 +244,8 @@ private slots:
         QVERIFY(document.path().isEmpty());
     }
 
-    // A network folder that vanishes and comes back, empty or as it was.
-    void aFolderThatVanishesTakesNothingAlong() {
+    // A network folder vanishes and comes back, unchanged or empty.
+    void save_folderVanished_losesNothing() {
         const QTemporaryDir folder;
         const QString place = folder.filePath(QStringLiteral("server"));
         const QString away = folder.filePath(QStringLiteral("away"));
@@ -275,14 +275,14 @@ private slots:
         QCOMPARE(loadProject(file).film.width.value(), 150);
     }
 
-    // Clocks are set back, and machines come up in 1970: copies are found by their names alone.
-    void unsavedWorkIsFoundWhateverTheClockSays_data() {
+    // Clocks may be wrong, so recovery copies are found by their names alone.
+    void findRecoveredDocuments_anyClock_findsCopy_data() {
         QTest::addColumn<QDate>("day");
         QTest::newRow("in 1970") << QDate(1970, 1, 2);
         QTest::newRow("before the project was saved") << QDate(2001, 2, 3);
         QTest::newRow("in the future") << QDate(2099, 12, 31);
     }
-    void unsavedWorkIsFoundWhateverTheClockSays() {
+    void findRecoveredDocuments_anyClock_findsCopy() {
         QFETCH(QDate, day);
         const QTemporaryDir folder;
         const QString file = folder.filePath(QStringLiteral("job.dipw"));
@@ -293,7 +293,7 @@ private slots:
         auto saver = std::make_unique<AutoSaver>(document, kept);
         setWidth(document, "", 123);
         saver->keepNow();
-        // As a crash leaves it: what is kept, without the lock.
+        // Like after a crash: the copies without their lock.
         const QString left = folder.filePath(QStringLiteral("left"));
         QVERIFY(QDir().mkpath(left));
         for (const QFileInfo& each : QDir(kept).entryInfoList(QDir::Files)) {
@@ -309,7 +309,7 @@ private slots:
         QCOMPARE(contentsOf(file), saved);
     }
 
-    void anOpenProjectIsLocked() {
+    void fileLock_projectOpen_refusesOthers() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("box.dipw"));
         FileLock mine, other;
@@ -317,17 +317,17 @@ private slots:
         const LockState state = other.acquire(path);
         QVERIFY(!state.acquired);
         QCOMPARE(state.process, QCoreApplication::applicationPid());
-        QVERIFY(mine.acquire({}).acquired); // lets go
+        QVERIFY(mine.acquire({}).acquired); // releases the lock
         QVERIFY(other.acquire(path).acquired);
     }
 
-    void whatAnotherHasSavedIsNotOverwrittenUnasked() {
+    void save_changedByOther_isRefused() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("box.dipw"));
         Document document(boxProject());
         document.saveAs(path);
         setWidth(document, "", 123);
-        document.save(); // mine, twice
+        document.save(); // the own changes, twice
         Project theirs = boxProject();
         theirs.name = QStringLiteral("Theirs");
         saveProject(theirs, path);
@@ -335,33 +335,34 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(document.save(), ChangedFile);
         QVERIFY(document.isModified());
         QCOMPARE(loadProject(path).name, QStringLiteral("Theirs"));
-        document.saveAs(path); // the user has said so
+        document.saveAs(path); // the user chose to overwrite
         QCOMPARE(loadProject(path).film.width.value(), 124.0);
         setWidth(document, "", 125);
         document.save();
         Document other(boxProject());
-        QVERIFY_EXCEPTION_THROWN(other.saveAs(path), Error); // it is open here
+        QVERIFY_EXCEPTION_THROWN(other.saveAs(path), Error); // the other document has it open
     }
 
-    void aLockLeftByACrashIsTakenOver() {
+    void fileLock_leftByCrash_isTakenOver() {
         const QTemporaryDir folder;
         QFile stale(folder.filePath(QStringLiteral(".~lock.box.dipw")));
         QVERIFY(stale.open(QIODevice::WriteOnly));
-        // What QLockFile leaves behind: process, program and machine.
+        // The content of a lock of QLockFile: process, program and machine.
         stale.write("2147483000\ndipwright\n" + QSysInfo::machineHostName().toLocal8Bit() + "\n");
         stale.close();
         FileLock lock;
         QVERIFY(lock.acquire(folder.filePath(QStringLiteral("box.dipw"))).acquired);
     }
 
-    void unsavedWorkIsFoundAfterACrashAndOnlyThen() {
+    void findRecoveredDocuments_afterCrashOnly_findsCopy() {
         const QTemporaryDir folder;
         Document document(boxProject());
         {
             AutoSaver saver(document, folder.path());
             setWidth(document, "", 123);
             saver.keepNow();
-            QVERIFY(findRecoveredDocuments(folder.path()).empty()); // it is open, here
+            QVERIFY(
+                findRecoveredDocuments(folder.path()).empty()); // this process still has it open
         }
         const auto found = findRecoveredDocuments(folder.path()); // as after a crash
         QCOMPARE(found.size(), std::size_t(1));
@@ -372,7 +373,7 @@ private slots:
         QVERIFY(findRecoveredDocuments(folder.path()).empty());
     }
 
-    void savingRemovesTheRecoveryCopy() {
+    void saveAs_recoveryCopy_isRemoved() {
         const QTemporaryDir folder;
         Document document(boxProject());
         {
@@ -383,7 +384,7 @@ private slots:
         QVERIFY(findRecoveredDocuments(folder.filePath(QStringLiteral("recovery"))).empty());
     }
 
-    void recentProjectsKeepTheLastFirst() {
+    void recentProjects_openedAgain_comesFirst() {
         addRecentProject(QStringLiteral("/a/one.dipw"));
         addRecentProject(QStringLiteral("/a/two.dipw"));
         addRecentProject(QStringLiteral("/a/one.dipw"));

@@ -42,7 +42,7 @@ private slots:
         window_->show(window_->page<FilmPage>());
     }
 
-    void photosAreDroppedOnThePage() {
+    void filmPage_droppedPhotos_areAdded() {
         drop(files_);
         QTRY_COMPARE_WITH_TIMEOUT(film().photos.size(), files_.size(), patience());
         QCOMPARE(film().photos[0].sha256.size(), 64);
@@ -52,7 +52,7 @@ private slots:
         QCOMPARE(table()->rowCount(), int(files_.size()));
     }
 
-    void aPictureThatIsNoneGetsASentence() {
+    void filmPage_droppedFileNoPicture_showsFailure() {
         const QString bad = home_.filePath(QStringLiteral("bad.jpg"));
         QFile file(bad);
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write("once upon a time") > 0);
@@ -63,7 +63,7 @@ private slots:
         QCOMPARE(film().photos.size(), std::size_t(files_.size()));
     }
 
-    void whatIsToldGoesIntoTheProjectStepByStep() {
+    void filmPage_typedValues_areUndoSteps() {
         WindowDriver& driver = window_->driver();
         for (int row = 0; row < table()->rowCount(); ++row) {
             qobject_cast<NumberBox*>(table()->cellWidget(row, 1))->setValue(times_[row]);
@@ -95,7 +95,7 @@ private slots:
         driver.find<NumberBox>("waterTemperature")->setValue(28);
     }
 
-    void theFilmIsMeasured() {
+    void filmPage_measure_showsSwellAndGrowth() {
         WindowDriver& driver = window_->driver();
         driver.find<QPushButton>("measureFilm")->click();
         auto* save = driver.find<QPushButton>("saveFilmProfile");
@@ -109,14 +109,14 @@ private slots:
         }
     }
 
-    void canBeLookedAt() {
+    void filmPage_picturesWanted_takesScreenshots() {
         window_->photograph(QStringLiteral("film"), 2, [this](int number) {
             window_->find<QTabWidget>("filmPictures")->setCurrentIndex(number);
             window_->find<QToolButton>("filmRulers")->setChecked(number == 0);
         });
     }
 
-    void howRulersWereReadWidensTheInterval() {
+    void filmPage_rulerError_widensInterval() {
         WindowDriver& driver = window_->driver();
         const QString without = words();
         driver.find<NumberBox>("rulerError")->setValue(0.1);
@@ -129,7 +129,7 @@ private slots:
         QCOMPARE(words().section(u'\n', 1, 1), without.section(u'\n', 1, 1)); // growth is as it was
     }
 
-    void theProfileTakesWhatWasMeasured() {
+    void filmPage_saveProfile_storesMeasuredFilm() {
         WindowDriver& driver = window_->driver();
         driver.find<QPushButton>("saveFilmProfile")->click();
         auto* dialog =
@@ -147,7 +147,7 @@ private slots:
         QCOMPARE(profile.measured.photos.split(u' ').size(), files_.size());
     }
 
-    void aFilmWithoutACardGetsASentence() {
+    void filmPage_photoWithoutCard_showsFailure() {
         WindowDriver& driver = window_->driver();
         const QString bare = home_.filePath(QStringLiteral("bare.png"));
         QImage(800, 600, QImage::Format_Grayscale8).save(bare);
@@ -162,7 +162,7 @@ private slots:
     }
 
     // And a project from elsewhere has its photos read only when its user allows it.
-    void theProjectKeepsThePhotos() {
+    void filmPage_savedProject_keepsPhotos() {
         const QString copy = home_.filePath(QStringLiteral("copy.dipw"));
         saveProject(window_->project(), copy);
         const Document read(loadProject(copy), copy);

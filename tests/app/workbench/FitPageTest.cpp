@@ -72,7 +72,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(button("fitFilm")->isEnabled(), 3 * patience());
     }
 
-    void whatWasHiddenIsFound() {
+    void fitPage_fit_findsHiddenValues() {
         QVERIFY(!button("useFit")->isEnabled() && !button("saveFit")->isEnabled());
         button("fitFilm")->click();
         QTRY_VERIFY_WITH_TIMEOUT(button("useFit")->isEnabled(), 6 * patience());
@@ -112,14 +112,14 @@ private slots:
         }
     }
 
-    void canBeLookedAt() {
+    void fitPage_picturesWanted_takesScreenshots() {
         auto* pages = window_->find<QTabWidget>("inspection");
         window_->photograph(QStringLiteral("fit"), 2,
                             [pages](int number) { pages->setCurrentIndex(1 - number); });
         window_->show(window_->page<FitPage>());
     }
 
-    void itIsUsedInTheProjectAndTakenBack() {
+    void fitPage_useFit_canBeUndone() {
         const Project before = window_->project();
         button("useFit")->click();
         const Project& used = window_->project();
@@ -138,7 +138,7 @@ private slots:
         QCOMPARE(table("fitQuantities").rowCount(), 6);
     }
 
-    void aProfileTakesIt() {
+    void fitPage_saveProfile_storesFit() {
         button("saveFit")->click();
         auto* dialog =
             window_->window().findChild<QInputDialog*>(QStringLiteral("filmProfileName"));
@@ -152,7 +152,7 @@ private slots:
         QVERIFY(std::abs(profile.relaxationTime.value() - hidden.relaxation) < 1);
     }
 
-    void itIsExported() {
+    void fitPage_export_writesJson() {
         const QString folder = home_.filePath(QStringLiteral("fit"));
         QVERIFY(QDir().mkpath(folder));
         QTimer::singleShot(0, [&folder] {
@@ -171,7 +171,7 @@ private slots:
         QCOMPARE(written.value("photos").toArray().size(), 3);
     }
 
-    void whatChangesTheDipTakesItAway() {
+    void fitPage_filmChanged_clearsFit() {
         window_->window().document()->edit(QStringLiteral("film"), {},
                                            [](Project& project) { project.film.swellX = 1.01; });
         QCOMPARE(table("fitQuantities").rowCount(), 0);

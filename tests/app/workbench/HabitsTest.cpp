@@ -74,7 +74,7 @@ private slots:
         workbench_.reset();
     }
 
-    void aLayoutIsKeptUnderItsName() {
+    void layout_savedByName_isRestored() {
         const WindowDriver driver(*window_);
         QVERIFY(makeProject());
         auto* log = driver.find<QDockWidget>("logDock");
@@ -94,7 +94,7 @@ private slots:
         QVERIFY(!results->isVisible() && log->isVisible());
     }
 
-    void keysThatTwoCommandsWantAreRefused() {
+    void shortcuts_keyUsedTwice_isRefused() {
         PreferencesDialog dialog(workbench_->preferences(), workbench_->registry(),
                                  window_->actions());
         dialog.show();
@@ -114,7 +114,7 @@ private slots:
                  QKeySequence(QStringLiteral("Ctrl+Shift+K")));
     }
 
-    void theReportNamesProgramMachineAndSolvers() {
+    void copyReport_text_namesProgramMachineAndSolvers() {
         window_->findChild<QPushButton*>(QStringLiteral("copyReport"))->click();
         const QString report = QGuiApplication::clipboard()->text();
         for (const char* fact : {"Dipwright ", "Qt ", "OpenGL: ", "pbd-cpu"}) {
@@ -122,7 +122,7 @@ private slots:
         }
     }
 
-    void aSolverThatTookOverIsAnnounced() {
+    void run_preferredSolverFails_showsNotice() {
         window_.reset();
         const PluginFolder folder;
         addFailingGpu(folder);
@@ -142,7 +142,7 @@ private slots:
         QVERIFY2(notice->text().contains(QStringLiteral("took over")), qPrintable(notice->text()));
     }
 
-    void howCertainTheSheetIsIsShown() {
+    void certaintyDialog_automaticCells_showsNumericalError() {
         const WindowDriver driver(*window_);
         QVERIFY(!driver.action("certainty")->isEnabled());
         QVERIFY(WindowDriver(*window_).create(model, texture, 90, [](Project& project) {
@@ -154,7 +154,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(driver.find<QDialog>("certaintyDialog"), patience());
         auto* dialog = driver.find<QDialog>("certaintyDialog");
         const auto* verdict = dialog->findChild<QLabel*>(QStringLiteral("verdict"));
-        QVERIFY2(verdict->text().contains(QStringLiteral("this sheet is certain")),
+        QVERIFY2(verdict->text().contains(QStringLiteral("this sheet is accurate enough")),
                  qPrintable(verdict->text()));
         const auto* figures = dialog->findChild<QTableWidget*>(QStringLiteral("figures"));
         QCOMPARE(figures->rowCount(), 2);
@@ -167,7 +167,7 @@ private slots:
         dialog->close();
     }
 
-    void certaintyThatIsNotWaitedForIsCancelled() {
+    void certaintyCheck_cancelled_showsNoDialog() {
         const WindowDriver driver(*window_);
         QVERIFY(makeProject());
         driver.trigger("certainty");
@@ -177,7 +177,7 @@ private slots:
         QVERIFY(!driver.find<QMessageBox>("failure"));
     }
 
-    void howFarColoursMayLandOffTheirPlacesIsShown() {
+    void toleranceDialog_computed_showsZones() {
         WindowDriver driver(*window_);
         QVERIFY(makeProject());
         Document& document = *window_->document();
@@ -208,7 +208,7 @@ private slots:
         QCOMPARE(window_->view().picture(), told);
     }
 
-    void tolerancesThatAreNotWaitedForAreCancelled() {
+    void tolerances_cancelled_showsNoDialog() {
         const WindowDriver driver(*window_);
         QVERIFY(makeProject());
         driver.trigger("tolerances");
@@ -218,7 +218,7 @@ private slots:
         QVERIFY(!driver.find<QMessageBox>("failure"));
     }
 
-    void aClickOnTheBodyMarksAZone() {
+    void zoneBrush_click_marksZone() {
         WindowDriver driver(*window_);
         QVERIFY(makeProject());
         const Document& document = *window_->document();
@@ -241,7 +241,7 @@ private slots:
         QCOMPARE(window_->view().picture(), before);
     }
 
-    void aDragOverTheBodyMarksAZoneInOneStep() {
+    void zoneBrush_drag_isOneUndoStep() {
         WindowDriver driver(*window_);
         QVERIFY(makeProject());
         const Document& document = *window_->document();
@@ -257,7 +257,7 @@ private slots:
         QVERIFY(marks.empty());
     }
 
-    void theMapIsExportedAsItIsShown() {
+    void stretchPanel_quantityAndIsolines_changePicture() {
         WindowDriver driver(*window_);
         QVERIFY(makeProject());
         QVERIFY(driver.run());
@@ -271,7 +271,7 @@ private slots:
         QVERIFY(stretch->picture() != area);
     }
 
-    void aTextureIsReplacedWithoutTheModelsFile() {
+    void droppedPicture_modelFileGone_replacesTexture() {
         const WindowDriver driver(*window_);
         QVERIFY(makeProject());
         window_->document()->edit({}, {}, [](Project& project) {
@@ -285,7 +285,7 @@ private slots:
         QTRY_COMPARE(window_->document()->project().model->textures.at(0).size(), QSize(32, 32));
     }
 
-    void aSheetOnTheShelfLeadsToItsProject() {
+    void printHistory_openProject_opensProjectOfSheet() {
         const WindowDriver driver(*window_);
         QVERIFY(makeProject());
         const QString path = folder_.filePath(QStringLiteral("shelf.dipw"));
@@ -320,7 +320,7 @@ private slots:
         QCOMPARE(window_->document()->path(), path);
     }
 
-    void resultsOfAnotherModelAreGone() {
+    void droppedPicture_afterRun_clearsResults() {
         WindowDriver driver(*window_);
         QVERIFY(makeProject());
         QVERIFY(driver.run());
@@ -340,7 +340,7 @@ private slots:
         QVERIFY(driver.find<QLabel>("reading")->text().isEmpty());
     }
 
-    void aScreenOf1024By700HasRoomForAllPages() {
+    void propertyPages_minimumSize_fits1024By700() {
         WindowDriver driver(*window_);
         QVERIFY(makeProject());
         auto* tree = driver.find<ProjectTree>("projectTree");
@@ -358,7 +358,7 @@ private slots:
         }
     }
 
-    void aBodyDraggedOffItsFilmIsSaidAtOnce() {
+    void placeWarning_bodyPastFilmEdge_isShown() {
         WindowDriver driver(*window_);
         QVERIFY(makeProject());
         auto* warning = driver.find<QToolButton>("placeWarning");
@@ -373,7 +373,7 @@ private slots:
         QVERIFY(!warning->isVisible());
     }
 
-    void posesAreSearchedAndTakenOver() {
+    void poseSearch_takePose_canBeUndone() {
         WindowDriver driver(*window_);
         QVERIFY(makeProject());
         driver.trigger("findPoses");
@@ -399,7 +399,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), patience());
     }
 
-    void aSnapshotIsComparedAndGoneBackTo() {
+    void snapshot_goBack_restoresProject() {
         const WindowDriver driver(*window_);
         QVERIFY(!driver.action("snapshots")->isEnabled());
         QVERIFY(makeProject());
@@ -449,7 +449,7 @@ private slots:
         dialog->close();
     }
 
-    void theViewLooksInside() {
+    void view_sectionAndSeeThrough_showInside() {
         const WindowDriver driver(*window_);
         QVERIFY(!driver.action("section")->isEnabled());
         QVERIFY(makeProject());
@@ -479,7 +479,7 @@ private slots:
         QTRY_COMPARE(view.picture(), whole);
     }
 
-    void theGuideIsSearched() {
+    void guide_search_findsChapters() {
         GuideWindow guide;
         auto* chapters = guide.findChild<QListWidget*>();
         auto* text = guide.findChild<QTextBrowser*>();
@@ -513,7 +513,7 @@ private slots:
         QVERIFY(text->extraSelections().isEmpty());
     }
 
-    void escapeEndsMeasuring() {
+    void measureTool_escapeKey_endsIt() {
         WindowDriver driver(*window_);
         QVERIFY(makeProject());
         QAction* measure = driver.action("measure");
@@ -525,7 +525,7 @@ private slots:
         QVERIFY(!measure->isChecked());
     }
 
-    void whileTheBodyIsTurnedItsCoverageIsPreviewed() {
+    void view_bodyBeingTurned_previewsCoverage() {
         WindowDriver driver(*window_);
         QVERIFY(makeProject());
         DipView& view = window_->view();
@@ -540,7 +540,7 @@ private slots:
         QCOMPARE(window_->document()->project().immersions[0].rotation[0].value(), 30.0);
     }
 
-    void theFilmOfANewProjectIsChosenAndMarked() {
+    void newProjectDialog_chosenFilm_isUsed() {
         NewProjectDialog dialog(model, workbench_->preferences());
         auto* films = dialog.findChild<QComboBox*>(QStringLiteral("filmProfile"));
         QVERIFY(films->count() > 1);
@@ -553,13 +553,13 @@ private slots:
         QCOMPARE(project.profiles.film->name, films->currentData().toString());
     }
 
-    void howLargeTheBodyBecomesIsSaidBeforeItIsMade() {
+    void newProjectDialog_chosenSize_isShown() {
         NewProjectDialog dialog(model, workbench_->preferences());
         auto* extent = dialog.findChild<QLabel*>(QStringLiteral("extent"));
         const auto said = [&](const char* text) {
             return extent->text().contains(QLatin1String(text));
         };
-        QTRY_VERIFY_WITH_TIMEOUT(said("The body is") && said("guess"), patience());
+        QTRY_VERIFY_WITH_TIMEOUT(said("The part measures") && said("guess"), patience());
         for (auto* choice : dialog.findChildren<QRadioButton*>()) {
             if (!choice->isChecked()) {
                 choice->click();
@@ -570,7 +570,7 @@ private slots:
         QVERIFY2(said("123.00 mm") && !said("guess"), qPrintable(extent->text()));
     }
 
-    void newProjectsBeginWithTheChosenPrinter() {
+    void newProjectDialog_preferredPrinter_isUsed() {
         Preferences preferences = workbench_->preferences();
         const QString wanted = firstPrinter();
         preferences.printerProfile = wanted;

@@ -51,7 +51,7 @@ private slots:
                 .save(photo_));
     }
 
-    void photosAreDroppedOnThePage() {
+    void partPage_droppedPhoto_isAdded() {
         WindowDriver& driver = window_->driver();
         InspectionWindow::drop(*page(), {photo_});
         QTRY_COMPARE_WITH_TIMEOUT(part().photos.size(), std::size_t(1), patience());
@@ -60,7 +60,7 @@ private slots:
         QVERIFY(hint().contains(QStringLiteral("0 of 6")));
     }
 
-    void aPictureThatIsNoneGetsASentence() {
+    void partPage_droppedFileNoPicture_showsFailure() {
         const QString bad = home_.filePath(QStringLiteral("bad.jpg"));
         QFile file(bad);
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write("once upon a time") > 0);
@@ -71,7 +71,7 @@ private slots:
         QCOMPARE(part().photos.size(), std::size_t(1));
     }
 
-    void aPairIsClickedInThePhotoAndOnTheBody() {
+    void partPage_clickPhotoAndBody_makesPair() {
         WindowDriver& driver = window_->driver();
         auto* view = driver.find<PhotoView>("partPhoto");
         QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center());
@@ -98,7 +98,7 @@ private slots:
         QVERIFY(part().pairs.empty());
     }
 
-    void tooFewPairsAreRefused() {
+    void partPage_tooFewPairs_areRefused() {
         WindowDriver& driver = window_->driver();
         driver.find<QPushButton>("measurePairs")->click();
         QTRY_VERIFY_WITH_TIMEOUT(window_->window().findChild<QMessageBox*>(), patience());
@@ -109,7 +109,7 @@ private slots:
         window_->window().findChild<QMessageBox*>()->close();
     }
 
-    void cornersAreFoundAndShown() {
+    void partPage_findCorners_showsFigures() {
         WindowDriver& driver = window_->driver();
         window_->window().document()->edit(QStringLiteral("pairs"), {}, [](Project& project) {
             for (int i = 0; i < 10; ++i) {
@@ -138,7 +138,7 @@ private slots:
         QVERIFY(driver.find<QPushButton>("exportPart")->isEnabled());
     }
 
-    void aPartIsKeptAndTheCorrectionSeenBeforeItIsUsed() {
+    void builtPage_keepPart_previewsCorrection() {
         WindowDriver& driver = window_->driver();
         auto* keep = driver.find<QPushButton>("keepPart");
         QVERIFY(!keep->isEnabled()); // nobody has accepted it
@@ -169,8 +169,8 @@ private slots:
         QCOMPARE(built().parts.size(), std::size_t(1));
     }
 
-    // A film so coarse makes no fit that comes to rest, which is said where the fit would stand.
-    void aFitThatIsRefusedSaysWhy() {
+    // With such a coarse film the fit does not converge, and the page says so in place of a result.
+    void fitPage_fitDoesNotConverge_saysWhy() {
         WindowDriver& driver = window_->driver();
         auto* fit = driver.find<QPushButton>("fitFilm");
         QTRY_VERIFY_WITH_TIMEOUT(fit->isEnabled(), patience());
@@ -181,18 +181,18 @@ private slots:
                                  3 * patience());
         qInfo("%s", qPrintable(words->text()));
         QCOMPARE(quantities->rowCount(), 0);
-        QVERIFY(words->text().contains(QStringLiteral("does not come to rest")));
+        QVERIFY(words->text().contains(QStringLiteral("did not converge")));
         QVERIFY(!driver.find<QPushButton>("useFit")->isEnabled());
     }
 
-    void canBeLookedAt() {
+    void inspection_picturesWanted_takesScreenshots() {
         auto* pages = window_->find<QTabWidget>("inspection");
         window_->photograph(QStringLiteral("inspection"), pages->count(),
                             [pages](int number) { pages->setCurrentIndex(number); });
         pages->setCurrentIndex(0);
     }
 
-    void whatWasMeasuredIsNotShownForAnotherProject() {
+    void inspection_settingChanged_clearsResults() {
         WindowDriver& driver = window_->driver();
         driver.find<QCheckBox>("partKeepsCamera")->click();
         QCOMPARE(driver.find<QTableWidget>("partFigures")->rowCount(), 0);
@@ -204,7 +204,7 @@ private slots:
         QVERIFY(!built().corrects && !driver.find<QCheckBox>("corrects")->isChecked());
     }
 
-    void theProjectKeepsPhotosAndPairs() {
+    void inspection_savedProject_keepsPhotosAndPairs() {
         const QString copy = home_.filePath(QStringLiteral("copy.dipw"));
         saveProject(window_->project(), copy);
         const Project read = loadProject(copy);

@@ -77,7 +77,7 @@ class JobTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void worksOnAnotherThreadAndEndsOnThisOne() {
+    void jobRunner_job_runsOnWorkerEndsOnCaller() {
         ProbeJob::Log log;
         JobRunner runner;
         QSignalSpy idle(&runner, &JobRunner::idle);
@@ -90,7 +90,7 @@ private slots:
         QVERIFY(!runner.isBusy());
     }
 
-    void oneAfterTheOther() {
+    void jobRunner_twoJobs_runInOrder() {
         ProbeJob::Log first, second;
         JobRunner runner;
         QSignalSpy idle(&runner, &JobRunner::idle);
@@ -101,7 +101,7 @@ private slots:
         QCOMPARE(idle.count(), 1);
     }
 
-    void aFailureReachesTheEnd() {
+    void jobRunner_jobThrows_finalizeGetsError() {
         ProbeJob::Log log;
         JobRunner runner;
         QSignalSpy idle(&runner, &JobRunner::idle);
@@ -112,7 +112,7 @@ private slots:
         QCOMPARE(log.failure, QStringLiteral("The tank is empty"));
     }
 
-    void cancellingStopsWhatRunsAndWhatWaits() {
+    void cancelAll_runningAndWaitingJob_areCancelled() {
         ProbeJob::Log running, waiting;
         bool waitingBegan = false;
         QSemaphore begun;
@@ -134,7 +134,7 @@ private slots:
         QVERIFY(!waitingBegan);
     }
 
-    void cancellingOneLeavesTheOthers() {
+    void cancelToken_runningJob_leavesWaitingJob() {
         ProbeJob::Log running, waiting;
         JobRunner runner;
         QSignalSpy idle(&runner, &JobRunner::idle);
@@ -151,7 +151,7 @@ private slots:
         QVERIFY(!waiting.cancelled);
     }
 
-    void aRunnerThatGoesAwayWaitsForItsWork() {
+    void jobRunner_destroyed_waitsForJob() {
         ProbeJob::Log log;
         QSemaphore begun;
         {
@@ -170,7 +170,7 @@ private slots:
 
     // Nothing but the process can be ended where a solver hangs; and it is, so that a window that
     // is closed does not stay for ever.
-    void aRunnerEndsThoughItsWorkDoesNot() {
+    void jobRunner_jobHangs_endsProcess() {
         QProcess program;
         program.start(QCoreApplication::applicationFilePath(), {QLatin1String(hanging)});
         QVERIFY(program.waitForFinished(patience()));
@@ -179,7 +179,7 @@ private slots:
         QCOMPARE(program.exitCode(), EXIT_FAILURE);
     }
 
-    void aThinnedFilmKeepsItsBorder() {
+    void thinFilm_largeFilm_keepsBorder() {
         const solver::FilmGrid grid{280, 396, 210, 297};
         const ThinnedFilm film = thinFilm(grid, 6000);
         QCOMPARE(film.points.size(), std::size_t(film.columns) * std::size_t(film.rows));
@@ -189,12 +189,12 @@ private slots:
         QCOMPARE(film.points[std::size_t(film.columns) - 1], 279u);
     }
 
-    void aSmallFilmIsNotThinned() {
+    void thinFilm_smallFilm_isUnchanged() {
         const solver::FilmGrid grid{8, 9, 210, 297};
         QCOMPARE(thinFilm(grid, 6000).points.size(), std::size_t(72));
     }
 
-    void aLongRecordingStaysShortAndKeepsItsEnds() {
+    void dipRecording_manyFrames_keepsFirstAndLast() {
         std::vector<float> positions(8 * 8 * 3, 0);
         DipRecording recording({}, 1000, 50);
         for (int number = 0; number < 1234; ++number) {
@@ -211,7 +211,7 @@ private slots:
         }
     }
 
-    void whenFilmWasHeldIsRemembered() {
+    void dipRecording_heldPoints_remembersDescent() {
         std::vector<float> positions(8 * 8 * 3, 0);
         std::vector<solver::PointState> states = freeFilm;
         DipRecording recording({}, 1000, 50);

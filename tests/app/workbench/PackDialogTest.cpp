@@ -53,7 +53,7 @@ private slots:
         QSettings().clear();
     }
 
-    void projectsAreLaidOutLookedAtAndCounted() {
+    void packDialog_layOut_showsFilmsAndCopies() {
         PackDialog dialog(registry_);
         auto* layOut = part<QPushButton>(dialog, "packLayOut");
         auto* write = part<QPushButton>(dialog, "packExport");
@@ -91,7 +91,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(films->count() > 1, patience());
     }
 
-    void filmsAreWrittenAndPrinted() {
+    void packDialog_exportAndPrint_deliversFilm() {
         PrivateCups cups;
         QVERIFY2(cups.problem().isEmpty(), qPrintable(cups.problem()));
         QVERIFY(cups.add({"pigment"}));
@@ -130,7 +130,7 @@ private slots:
         QVERIFY(std::abs(page.width() - 210) < 0.1 && std::abs(page.height() - 297) < 0.1);
     }
 
-    void whatDoesNotFitIsSaid() {
+    void packDialog_filmTooSmall_saysSo() {
         PackDialog dialog(registry_);
         dialog.add({ball(QStringLiteral("Large"))});
         auto* film = part<QComboBox>(dialog, "packFilm");

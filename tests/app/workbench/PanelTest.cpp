@@ -57,7 +57,7 @@ class PanelTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void everyValueThatTheUserSetsHasAField() {
+    void propertySections_everyProjectValue_hasField() {
         QSet<QString> shown;
         for (const PropertySpec& spec : allSpecs()) {
             QVERIFY2(!spec.label.isEmpty() && !spec.help.isEmpty(), qPrintable(spec.path));
@@ -80,7 +80,7 @@ private slots:
         }
     }
 
-    void aFieldTellsWhatWasTyped() {
+    void propertyField_typedInches_emitsMillimetres() {
         const PropertySpec spec = specOf(QStringLiteral("film.size_mm"));
         const std::unique_ptr<PropertyField> field(
             PropertyField::make(spec, valueRule(spec.path), LengthUnit::Inch, nullptr));
@@ -97,7 +97,7 @@ private slots:
         QCOMPARE(told.at(1).toDouble(), 297.0); // not rounded by being shown in inches
     }
 
-    void aColourIsChosenOrTyped() {
+    void propertyField_colour_opensColourDialog() {
         const PropertySpec spec = specOf(QStringLiteral("body.base_colour"));
         const std::unique_ptr<PropertyField> field(
             PropertyField::make(spec, valueRule(spec.path), LengthUnit::Millimetre, nullptr));
@@ -119,7 +119,7 @@ private slots:
                      ->findChild<QToolButton*>());
     }
 
-    void widthAndHeightAreOneNumberUnlessUnlinked() {
+    void propertyField_linkedPair_setsBothNumbers() {
         const PropertySpec spec = specOf(QStringLiteral("film.swell"));
         const std::unique_ptr<PropertyField> field(
             PropertyField::make(spec, valueRule(spec.path), LengthUnit::Millimetre, nullptr));
@@ -141,7 +141,7 @@ private slots:
         QVERIFY(!link->isChecked());
     }
 
-    void aCommaOrAPointIsTheDecimalSign_data() {
+    void numberBox_commaOrPoint_isDecimalSign_data() {
         QTest::addColumn<QLocale>("locale");
         QTest::addColumn<QString>("typed");
         for (const QLocale::Language language :
@@ -153,7 +153,7 @@ private slots:
             }
         }
     }
-    void aCommaOrAPointIsTheDecimalSign() {
+    void numberBox_commaOrPoint_isDecimalSign() {
         QFETCH(QLocale, locale);
         QFETCH(QString, typed);
         NumberBox box;
@@ -166,7 +166,7 @@ private slots:
         QCOMPARE(box.value(), 1.06);
     }
 
-    void aLengthIsReadInItsUnit_data() {
+    void numberBox_typedUnit_isConverted_data() {
         QTest::addColumn<QLocale>("locale");
         QTest::addColumn<QString>("suffix");
         QTest::addColumn<QString>("typed");
@@ -195,7 +195,7 @@ private slots:
         row(english, " mm", "0,125", 0.125);
         row(english, " ×", "4,321", 4.321); // its other meaning is beyond the limits
     }
-    void aLengthIsReadInItsUnit() {
+    void numberBox_typedUnit_isConverted() {
         QFETCH(QLocale, locale);
         QFETCH(QString, suffix);
         QFETCH(QString, typed);
@@ -213,7 +213,7 @@ private slots:
         QVERIFY2(std::abs(box.value() - value) < 1e-9, QByteArray::number(box.value(), 'g', 12));
     }
 
-    void whatCannotBeReadIsRefusedAndTold_data() {
+    void numberBox_invalidText_isRefused_data() {
         QTest::addColumn<QString>("typed");
         QTest::addColumn<QString>("says");
         QTest::newRow("unknown unit") << "2 furlongs"
@@ -231,7 +231,7 @@ private slots:
         QTest::newRow("nothing") << ""
                                  << "no number";
     }
-    void whatCannotBeReadIsRefusedAndTold() {
+    void numberBox_invalidText_isRefused() {
         QFETCH(QString, typed);
         QFETCH(QString, says);
         NumberBox box;
@@ -252,7 +252,7 @@ private slots:
         QCOMPARE(box.text(), QStringLiteral("12 mm")); // what holds is what is shown
     }
 
-    void areasAndPlacesFollowTheUnitToo() {
+    void shownAreaAndPlace_inches_areConverted() {
         QCOMPARE(shownArea(645.16, LengthUnit::Millimetre), QStringLiteral("645 mm²"));
         QCOMPARE(shownArea(645.16, LengthUnit::Inch), QStringLiteral("1.000 in²"));
         QCOMPARE(shownPlace({25.4f, -12.7f, 0}, LengthUnit::Millimetre),
@@ -261,7 +261,7 @@ private slots:
                  QStringLiteral("1.000, -0.500, 0.000 in"));
     }
 
-    void aPressBesideTheHandleTakesItThere() {
+    void timeline_clickBesideHandle_movesHandle() {
         Timeline timeline;
         timeline.resize(600, 40);
         timeline.show();
@@ -271,7 +271,7 @@ private slots:
         QVERIFY2(std::abs(timeline.position() - 25) <= 4, QByteArray::number(timeline.position()));
     }
 
-    void momentsAreMarkedWhereTheHandleWillBe() {
+    void timeline_marks_standAtHandlePositions() {
         Timeline timeline;
         timeline.resize(600, 40);
         timeline.show();
@@ -295,7 +295,7 @@ private slots:
         QCOMPARE(slider->grab().toImage(), before);
     }
 
-    void undoIsTheProjectsWhereNothingIsBeingTyped() {
+    void propertyField_ctrlZ_isTakenOnlyWhileTyping() {
         const std::unique_ptr<PropertyField> field(
             PropertyField::make(allSpecs().front(), {.kind = FieldKind::Number, .maximum = 100},
                                 LengthUnit::Millimetre, nullptr));
@@ -314,7 +314,7 @@ private slots:
         QVERIFY(!takesUndo());
     }
 
-    void fieldsAreNamedForThoseWhoCannotSeeThem() {
+    void propertyField_everyField_hasAccessibleName() {
         for (const PropertySpec& spec : allSpecs()) {
             const std::unique_ptr<PropertyField> field(
                 PropertyField::make(spec, valueRule(spec.path), LengthUnit::Millimetre, nullptr));
@@ -325,7 +325,7 @@ private slots:
         }
     }
 
-    void textCanBeReadInBothThemes() {
+    void themePalette_bothThemes_haveContrast() {
         for (const bool dark : {false, true}) {
             const QPalette palette = themePalette(dark);
             const std::vector<std::pair<QPalette::ColorRole, QPalette::ColorRole>> pairs{
@@ -351,7 +351,7 @@ private slots:
         }
     }
 
-    void valuesOverTheLimitAreMarked() {
+    void heatScale_valueOverLimit_isMarked() {
         HeatScale scale{.map = QStringLiteral("lagoon"), .low = 1, .high = 2, .limit = 1.3};
         const QRgb marked = scale.colour(1.31);
         QVERIFY(marked != scale.colour(1.29));
@@ -360,7 +360,7 @@ private slots:
         QVERIFY(scale.colour(1.31) != marked);
     }
 
-    void theHeatPictureShowsColumnsAcrossAndRowsDown() {
+    void heatPicture_grid_columnsAcrossRowsDown() {
         const HeatScale scale{.map = QStringLiteral("grey"), .low = 0, .high = 3};
         // Two columns, two rows: 0 1 / 2 3.
         const QImage picture = heatPicture({0, 1, 2, 3}, {2, 2, 40, 60}, {40, 60}, scale);
@@ -369,7 +369,7 @@ private slots:
         QVERIFY(qGray(picture.pixel(0, 59)) > qGray(picture.pixel(39, 0)));
     }
 
-    void isolinesOfASlopeAreStraight() {
+    void isolines_slope_areStraight() {
         std::vector<float> values;
         for (int row = 0; row < 11; ++row) {
             for (int column = 0; column < 11; ++column) {
@@ -384,7 +384,7 @@ private slots:
         }
     }
 
-    void isolinesFollowTheLinesOfAGradedFilm() {
+    void isolines_gradedFilm_followUnevenCells() {
         const solver::FilmGrid film{4, 2, 100, 50, {-50, -40, 10, 50}, {-25, 25}};
         std::vector<float> values;
         for (int row = 0; row < film.rows; ++row) {
@@ -404,7 +404,7 @@ private slots:
         }
     }
 
-    void theFilmsCellsAreTold() {
+    void filmFacts_eachResolution_showsPointsOrCells() {
         Project project;
         auto model = std::make_shared<TexturedMesh>();
         model->mesh = boxMesh({60, 40, 60});
@@ -420,7 +420,7 @@ private slots:
                  qPrintable(facts.text(project, nullptr, LengthUnit::Millimetre)));
     }
 
-    void automaticRangeHoldsNearlyAllValues() {
+    void automaticScale_outlier_isOutsideRange() {
         std::vector<float> values(1000, 1.0f);
         values[0] = 50; // a torn point
         for (std::size_t entry = 1; entry < 500; ++entry) {
@@ -431,7 +431,7 @@ private slots:
         QVERIFY(scale.high > 1.45 && scale.high < 1.6);
     }
 
-    void theVerdictTellsWhatMarkedFilmPaints() {
+    void verdictPanel_tornFilm_showsPaintedArea() {
         auto coverage = std::make_shared<Coverage>();
         coverage->paintedArea = 1000;
         auto result = std::make_shared<JobResult>();
@@ -452,7 +452,7 @@ private slots:
         QVERIFY(!text({}).contains(QStringLiteral("mm²")));
     }
 
-    void theVerdictsWordsAreNeverWiderThanTheirPanel() {
+    void verdictPanel_narrow_scrollsOnlyVertically() {
         auto coverage = std::make_shared<Coverage>();
         coverage->paintedArea = 1000;
         coverage->marked.add(std::uint8_t(solver::PointMark::Torn), 25);
@@ -474,7 +474,7 @@ private slots:
         QCOMPARE(text->horizontalScrollBar()->maximum(), 0);
     }
 
-    void thePictureTellsTheMillimetreUnderTheCursor() {
+    void pictureView_hover_reportsMillimetres() {
         PictureView view;
         view.resize(400, 400);
         QImage picture(200, 100, QImage::Format_RGB32);
@@ -488,7 +488,7 @@ private slots:
         QVERIFY(std::abs(place.y() - 25) < 0.5);
     }
 
-    void trueSizeIsAMillimetreAMillimetre() {
+    void pictureView_trueSize_matchesScreen() {
         PictureView view;
         view.resize(400, 400);
         view.setPicture(QImage(100, 100, QImage::Format_RGB32), {100, 100});

@@ -53,7 +53,7 @@ private slots:
         library_.replace(mine);
     }
 
-    void everyValueOfAProfileHasAField() {
+    void profileSections_everyProfileValue_hasField() {
         for (const auto kind : {ProfileKind::Printer, ProfileKind::Film, ProfileKind::Tank}) {
             QStringList shown{QStringLiteral("icc_profile")}; // a file to choose
             for (const PropertySection& section : profileSections(kind)) {
@@ -72,7 +72,7 @@ private slots:
         }
     }
 
-    void typedValuesAreKept() {
+    void profilesDialog_closed_savesTypedValues() {
         ProfilesDialog dialog(library_, LengthUnit::Millimetre);
         dialog.choose(ProfileKind::Printer, "Mine");
         dialog.findChildren<QDoubleSpinBox*>("scale").at(0)->setValue(1.004);
@@ -83,7 +83,7 @@ private slots:
         QCOMPARE(printer(library_, "Mine").margins[1].value(), 4.5);
     }
 
-    void aNewNameMovesTheProfile() {
+    void profilesDialog_newName_renamesProfile() {
         ProfilesDialog dialog(library_, LengthUnit::Millimetre);
         dialog.choose(ProfileKind::Printer, "Mine");
         auto* name = dialog.findChild<QLineEdit*>("name");
@@ -98,7 +98,7 @@ private slots:
         library_.remove(ProfileKind::Printer, "Ours");
     }
 
-    void aTakenNameIsRefused() {
+    void profilesDialog_takenName_isRefused() {
         const QString taken = library_.profiles(ProfileKind::Tank).front().name;
         const QString other = library_.profiles(ProfileKind::Tank).back().name;
         ProfilesDialog dialog(library_, LengthUnit::Millimetre);
@@ -112,7 +112,7 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(dialog.copyAs(taken), Error);
     }
 
-    void aProfileTravelsAsAFile() {
+    void profilesDialog_exportAndImport_keepsProfile() {
         const QString path = folder_.filePath("mine.json");
         ProfilesDialog dialog(library_, LengthUnit::Millimetre);
         dialog.choose(ProfileKind::Printer, "Mine");
@@ -127,7 +127,7 @@ private slots:
         QVERIFY(printer(library_, "Mine").iccProfile.isEmpty());
     }
 
-    void printingFollowsPaperAndPrinter() {
+    void printDialog_paperAndOrientation_changePage() {
         qputenv("CUPS_SERVER", "/nonexistent");
         Sheet sheet;
         sheet.settings.resolution = DotsPerInch(50);
@@ -166,17 +166,17 @@ private slots:
         };
         QTRY_VERIFY_WITH_TIMEOUT(told(), patience());
         QVERIFY(!button(dialog, "Print")->isEnabled());
-        QVERIFY(button(dialog, "Save as File…")->isEnabled());
+        QVERIFY(button(dialog, "Save as file…")->isEnabled());
     }
 
-    void measuredRulersBecomeTheScale() {
+    void calibrationDialog_measuredRulers_setScale() {
         CalibrationDialog dialog(library_);
         dialog.findChildren<QComboBox*>().at(0)->setCurrentText("Mine");
         QVERIFY(!dialog.page().verifies());
         const QList<QDoubleSpinBox*> lengths = dialog.findChildren<QDoubleSpinBox*>();
         QCOMPARE(lengths.at(0)->value(), 170.0);
         QCOMPARE(lengths.at(1)->value(), 220.0);
-        QPushButton* take = button(dialog, "Take over into Profile");
+        QPushButton* take = button(dialog, "Save scale to profile");
         lengths.at(0)->setValue(250); // a printer that was told to scale
         QVERIFY(!take->isEnabled());
         lengths.at(0)->setValue(170 * 1.004);

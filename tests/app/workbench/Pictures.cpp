@@ -274,7 +274,7 @@ void photographHistory(MainWindow& window, Workbench& workbench, const Photograp
             record.id.clear();
             record.fate = fate;
             record.reason = QStringLiteral("The printer stopped in the middle of the job: media "
-                                           "jam; the rest is cancelled, print the sheet anew");
+                                           "jam; the rest was cancelled, so print the sheet again");
             history.keep(record);
         }
     }
@@ -550,7 +550,7 @@ int main(int argc, char* argv[]) {
         photographDialogs(window, workbench, camera);
         driver.action("live")->setChecked(false);
         window.document()->edit(
-            QCoreApplication::translate("dipwright::BodyHandles", "Turn Body"), {},
+            QCoreApplication::translate("dipwright::BodyHandles", "Turn part"), {},
             [](Project& project) { project.immersions.front().rotation[1] = Degrees(20); });
         driver.find<QWidget>("logDock")->show();
         camera.take(window, QStringLiteral("stale"));

@@ -60,7 +60,7 @@ private slots:
         workbench_.reset();
     }
 
-    void resultsAreThereWhenAProjectIsOpenedAgain() {
+    void openProject_keptResults_areShown() {
         const QString path = savedProject("kept");
         QVERIFY(WindowDriver(*window_).run());
         const QImage sheet = firstSheet();
@@ -79,7 +79,7 @@ private slots:
         QVERIFY(!driver.action("play")->isEnabled());
     }
 
-    void anotherProjectThanWasRunHasNoResults() {
+    void openProject_changedSinceRun_hasNoResults() {
         const QString path = savedProject("other");
         QVERIFY(WindowDriver(*window_).run());
         window_->document()->edit(QStringLiteral("turn"), {}, [](Project& project) {
@@ -93,7 +93,7 @@ private slots:
         QVERIFY(!window_->document()->result());
     }
 
-    void nothingIsKeptWhereThatIsNotWanted() {
+    void run_keepResultsOff_writesNoDipsFile() {
         PreferencesDialog dialog(workbench_->preferences(), workbench_->registry(), {});
         dialog.findChild<QCheckBox*>(QStringLiteral("keepResults"))->setChecked(false);
         workbench_->setPreferences(dialog.preferences());
@@ -104,7 +104,7 @@ private slots:
         QVERIFY(!QFile::exists(folder_.filePath(QStringLiteral("unkept.dips"))));
     }
 
-    void damageBesideAProjectIsToldAndNothingMore() {
+    void openProject_damagedDipsFile_opensWithoutResults() {
         const QString path = savedProject("damaged");
         QFile file(folder_.filePath(QStringLiteral("damaged.dips")));
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write("nonsense") == 8);
@@ -120,7 +120,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(window_->document()->result(), patience());
     }
 
-    void aSmallerFilmIsTakenByAClick() {
+    void report_smallerFilmLink_setsFilm() {
         WindowDriver driver(*window_);
         QVERIFY(driver.create(model, texture, 60, makeCoarse));
         Document& document = *window_->document();
@@ -138,13 +138,13 @@ private slots:
         const double now = document.result()->coverageTotal; // its cells lie otherwise
         QVERIFY2(std::abs(now - coverage) < 0.05,
                  qPrintable(QStringLiteral("%1, %2").arg(coverage).arg(now)));
-        QVERIFY(!report->toPlainText().contains(QStringLiteral("Take this film")));
+        QVERIFY(!report->toPlainText().contains(QStringLiteral("Use this film")));
         document.undoStack().undo();
         QCOMPARE(document.project().film.preset, QStringLiteral("A4"));
         QCOMPARE(document.project().immersions[0].offset[0].value(), 40.0);
     }
 
-    void theBodyIsHandledByItsMenu() {
+    void bodyMenu_actions_markFaceAndLayItDown() {
         WindowDriver driver(*window_);
         QVERIFY(driver.create(model, texture, 90, makeCoarse));
         Document& document = *window_->document();
@@ -167,7 +167,7 @@ private slots:
         QVERIFY(document.project().tolerance.marks.empty());
     }
 
-    void aFaceThatIsLaidDownLooksDown() {
+    void laidDown_anyFace_pointsDown() {
         Immersion immersion;
         immersion.rotation = {Degrees(20), Degrees(-70), Degrees(130)};
         const Eigen::Vector3d down = -Eigen::Vector3d::UnitY();
@@ -182,7 +182,7 @@ private slots:
     }
 
     // 1024 × 700, and 1440 lines at scale 2, which are 720; windows beside it, too.
-    void everythingFitsASmallScreen() {
+    void window_allPagesShown_fits1024By700() {
         WindowDriver driver(*window_);
         QVERIFY(driver.create(model, texture, 90, makeCoarse));
         QVERIFY(driver.run());
@@ -199,7 +199,7 @@ private slots:
                  qPrintable(QStringLiteral("%1 × %2").arg(least.width()).arg(least.height())));
     }
 
-    void theBodyIsMovedByAnArrow() {
+    void moveArrows_drag_changeOffsetAndDepth() {
         WindowDriver driver(*window_);
         QVERIFY(driver.create(model, texture, 90, [](Project& project) {
             makeCoarse(project);
@@ -241,7 +241,7 @@ private slots:
         QCOMPARE(document.project().process.depth->value(), 20.0);
     }
 
-    void whatPosesAreSearchedForIsKeptWithTheProject() {
+    void searchPage_weightsAndLimits_areSavedWithProject() {
         const QString path = savedProject("aims");
         auto* page = window_->findChild<SearchPage*>();
         auto* weight = page->findChild<QDoubleSpinBox*>(QStringLiteral("weight_coverage"));
@@ -271,7 +271,7 @@ private slots:
         QVERIFY(!window_->document()->isModified());
     }
 
-    void twoStatesAreComparedSideBySide() {
+    void compareWindow_twoStates_shareCamera() {
         WindowDriver driver(*window_);
         QVERIFY(driver.create(model, texture, 90, makeCoarse));
         const Document& document = *window_->document();
@@ -315,7 +315,7 @@ private slots:
         snapshots->close();
     }
 
-    void theBodyIsTurnedAndMovedByKeys() {
+    void shortcuts_turnAndMoveKeys_changePose() {
         WindowDriver driver(*window_);
         QVERIFY(driver.create(model, texture, 90, makeCoarse));
         Document& document = *window_->document();
@@ -338,7 +338,7 @@ private slots:
         QCOMPARE(document.project().immersions[0].offset[0].value(), 5.0);
     }
 
-    void theGuideOpensWhereOneIs() {
+    void guide_helpKey_opensAtFocusedPlace() {
         WindowDriver driver(*window_);
         QVERIFY(driver.create(model, texture, 90, makeCoarse));
         driver.find<ProjectTree>("projectTree")->select({ProjectPart::Tolerance, 0});
@@ -348,7 +348,7 @@ private slots:
         QCOMPARE(guidePlaceOf(driver.find<QWidget>("report")).chapter, 7); // the verdict's
         driver.find<ResultsPanel>("results")->setCurrentIndex(5);
         QCOMPARE(wordsAt(driver.find<QWidget>("report")), QStringLiteral("Report"));
-        QCOMPARE(wordsAt(driver.find<QWidget>("startSearch")), QStringLiteral("Dip ▸ Find Poses"));
+        QCOMPARE(wordsAt(driver.find<QWidget>("startSearch")), QStringLiteral("Dip ▸ Find poses"));
         QCOMPARE(guidePlaceOf(nullptr).chapter, 0);
         // In the window by its action …
         window_->activateWindow();
@@ -370,17 +370,17 @@ private slots:
         guide = history->findChild<GuideWindow*>();
         QVERIFY(guide && guide->isVisible());
         QCOMPARE(guide->findChild<QTextBrowser*>()->textCursor().selectedText(),
-                 QStringLiteral("File ▸ Print History"));
+                 QStringLiteral("File ▸ Print history"));
     }
 
-    void everyPlaceIsInTheGuide_data() {
+    void guide_everyPlace_isFound_data() {
         QTest::addColumn<QString>("language");
         QTest::newRow("en") << QStringLiteral("en");
         QTest::newRow("de") << QStringLiteral("de");
         QTest::newRow("pt_BR") << QStringLiteral("pt_BR");
     }
 
-    void everyPlaceIsInTheGuide() {
+    void guide_everyPlace_isFound() {
         QFETCH(QString, language);
         const QLocale before;
         QTranslator translator;
@@ -395,7 +395,7 @@ private slots:
         QLocale::setDefault(before);
     }
 
-    void theQueueRunsOneAfterTheOther() {
+    void jobQueue_oneProjectFails_othersRun() {
         const QStringList projects{savedProject("one"), folder_.filePath("missing.dipw"),
                                    savedProject("two")};
         WindowDriver driver(*window_);
@@ -427,7 +427,7 @@ private slots:
         dialog->close();
     }
 
-    void oneOfTheQueueIsCancelledAndTheOthersGoOn() {
+    void jobQueue_oneCancelled_othersRun() {
         const QStringList projects{savedProject("first"), savedProject("second"),
                                    savedProject("third")};
         JobQueue& queue = workbench_->queue();

@@ -57,7 +57,7 @@ private slots:
         table_ = page_->findChild<PoseTable*>();
     }
 
-    void everyRankSaysWhatItHasAndWhy() {
+    void poseTable_everyRank_showsObjectiveAndReason() {
         QCOMPARE(table_->rowCount(), 3);
         const auto text = [this](int row) { return table_->item(row, 3)->text(); };
         QVERIFY2(text(0).contains(QLatin1String("Compared with your pose")), qPrintable(text(0)));
@@ -67,7 +67,7 @@ private slots:
         QCOMPARE(table_->item(0, 1)->text(), QStringLiteral("80.0"));
     }
 
-    void theChosenPoseIsTaken() {
+    void searchPage_takePose_emitsChosenPose() {
         QSignalSpy applied(page_.get(), &SearchPage::applyAsked);
         auto* take = page_->findChild<QPushButton*>(QStringLiteral("takePose"));
         QVERIFY(!take->isEnabled());
@@ -77,18 +77,18 @@ private slots:
         QCOMPARE(applied[0][0].value<RankedPoses>().objective, 0.7);
     }
 
-    void twoPosesAreComparedInWords() {
+    void searchPage_twoRowsSelected_comparesInWords() {
         auto* words = page_->findChild<QLabel*>(QStringLiteral("poseComparison"));
         QVERIFY(!words->isVisible());
         table_->selectRow(0);
         table_->selectionModel()->select(table_->model()->index(2, 0),
                                          QItemSelectionModel::Select | QItemSelectionModel::Rows);
         QVERIFY(words->isVisible());
-        QVERIFY2(words->text().contains(QLatin1String("Rank 1 against rank 3")),
+        QVERIFY2(words->text().contains(QLatin1String("Rank 1 compared with rank 3")),
                  qPrintable(words->text()));
     }
 
-    void twoPosesAreComparedSideBySide() {
+    void searchPage_sideBySide_emitsBothPoses() {
         QSignalSpy asked(page_.get(), &SearchPage::comparisonAsked);
         auto* button = page_->findChild<QPushButton*>(QStringLiteral("sideBySide"));
         QVERIFY(!button->isEnabled());
@@ -110,7 +110,7 @@ private slots:
         QVERIFY(isTold);
     }
 
-    void theMapIsPickedWhereTheSideIs() {
+    void orientationMap_click_picksDirection() {
         OrientationMap map;
         map.resize(200, 200);
         map.show();
@@ -131,14 +131,14 @@ private slots:
                 picture.pixelColor(165, 100).lightness()); // better is lighter
     }
 
-    void whatNothingBeatsInTwoMeasuresIsTold() {
+    void unbeaten_twoMeasures_dropsWorsePose() {
         const std::vector<RankedPoses> ranking = result().ranking;
         // The third paints less with more stretch than both others.
         QCOMPARE(unbeaten(ranking, Measure::Coverage, Measure::Stretch),
                  (std::vector<std::size_t>{0, 1}));
     }
 
-    void whatMustBeKeptIsALimit() {
+    void searchPage_limitChecked_setsLimit() {
         QCheckBox* wanted = nullptr;
         QDoubleSpinBox* limit = nullptr;
         const QString name = QStringLiteral("Limit of ") + measureName(Measure::Coverage);
@@ -157,7 +157,7 @@ private slots:
         QCOMPARE(page_->settings(), SearchSettings());
     }
 
-    void aSearchIsPausedAndStopped() {
+    void searchPage_searching_canBePausedAndStopped() {
         auto* pause = page_->findChild<QPushButton*>(QStringLiteral("pauseSearch"));
         auto* stop = page_->findChild<QPushButton*>(QStringLiteral("stopSearch"));
         auto* start = page_->findChild<QPushButton*>(QStringLiteral("startSearch"));

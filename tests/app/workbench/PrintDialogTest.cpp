@@ -54,7 +54,7 @@ private slots:
         qputenv("DIPWRIGHT_PRINT_HISTORY", history_.path().toUtf8());
     }
 
-    void bothSheetsArriveTrueAndInOrder() {
+    void printDialog_twoSheets_arriveInOrderAtTrueSize() {
         PrintDialog dialog(twoSheets(), 0, QStringLiteral("turtle.dipw"));
         QSignalSpy printed(&dialog, &PrintDialog::printed);
         QVERIFY(named<QCheckBox>(dialog, "Top")->isChecked());

@@ -87,13 +87,13 @@ class QuestionsTest : public QObject {
 private slots:
     void init();
     void cleanup();
-    void aProjectThatIsOpenElsewhereIsOpenedOnlyWhenAsked();
-    void whatAnotherHasWrittenIsNotOverwrittenUnasked();
-    void bothAreKeptUnderAnotherName();
-    void whatAModelNamesElsewhereIsReadOnlyWhenAsked();
-    void namesAreShownAsTheyAre();
-    void namesInToolTipsAreShownAsTheyAre();
-    void namesAreToldToScreenReadersAsTheyAre();
+    void lockQuestion_cancelOrOpenAnyway_isFollowed();
+    void changedQuestion_cancelOrOverwrite_isFollowed();
+    void changedQuestion_saveAs_keepsBothFiles();
+    void outsideQuestion_cancelOrReadFiles_isFollowed();
+    void messages_htmlInName_isShownAsText();
+    void toolTips_htmlInName_isShownAsText();
+    void screenReader_htmlInName_isReadAsText();
 
 private:
     QString path(const QString& name) const { return folder_->filePath(name); }
@@ -163,7 +163,7 @@ void QuestionsTest::clickOn(const QMessageBox& question, const QString& button) 
     QFAIL(qPrintable(button));
 }
 
-void QuestionsTest::aProjectThatIsOpenElsewhereIsOpenedOnlyWhenAsked() {
+void QuestionsTest::lockQuestion_cancelOrOpenAnyway_isFollowed() {
     FileLock other;
     QVERIFY(other.acquire(job_).acquired);
     answer(QStringLiteral("lockQuestion"), QStringLiteral("Cancel"));
@@ -173,7 +173,7 @@ void QuestionsTest::aProjectThatIsOpenElsewhereIsOpenedOnlyWhenAsked() {
              qPrintable(said_));
     QVERIFY(!window_->document() || window_->document()->path().isEmpty());
 
-    answer(QStringLiteral("lockQuestion"), QStringLiteral("Open Anyway"));
+    answer(QStringLiteral("lockQuestion"), QStringLiteral("Open anyway"));
     QVERIFY(WindowDriver(*window_).open(job_));
     QVERIFY(!asking_);
     QCOMPARE(window_->document()->path(), job_);
@@ -190,7 +190,7 @@ bool QuestionsTest::meetAnotherWriter() {
     return window_->document()->isModified();
 }
 
-void QuestionsTest::whatAnotherHasWrittenIsNotOverwrittenUnasked() {
+void QuestionsTest::changedQuestion_cancelOrOverwrite_isFollowed() {
     QVERIFY(meetAnotherWriter());
     const WindowDriver driver(*window_);
     answer(QStringLiteral("changedQuestion"), QStringLiteral("Cancel"));
@@ -207,7 +207,7 @@ void QuestionsTest::whatAnotherHasWrittenIsNotOverwrittenUnasked() {
     QVERIFY(!window_->document()->isModified());
 }
 
-void QuestionsTest::bothAreKeptUnderAnotherName() {
+void QuestionsTest::changedQuestion_saveAs_keepsBothFiles() {
     QVERIFY(meetAnotherWriter());
     const QString mine = path(QStringLiteral("mine.dipw"));
     QTimer choosing;
@@ -223,7 +223,7 @@ void QuestionsTest::bothAreKeptUnderAnotherName() {
         }
     });
     choosing.start(20);
-    answer(QStringLiteral("changedQuestion"), QStringLiteral("Save As…"));
+    answer(QStringLiteral("changedQuestion"), QStringLiteral("Save as…"));
     WindowDriver(*window_).trigger("save");
     QVERIFY(isAnswered());
     QCOMPARE(swellOf(job_), 1.22);
@@ -245,7 +245,7 @@ QString QuestionsTest::modelThatReachesOut() const {
     return made ? model : QString();
 }
 
-void QuestionsTest::whatAModelNamesElsewhereIsReadOnlyWhenAsked() {
+void QuestionsTest::outsideQuestion_cancelOrReadFiles_isFollowed() {
     const QString model = modelThatReachesOut();
     QVERIFY(!model.isEmpty());
     answer(QStringLiteral("outsideQuestion"), QStringLiteral("Cancel"));
@@ -255,7 +255,7 @@ void QuestionsTest::whatAModelNamesElsewhereIsReadOnlyWhenAsked() {
     QTest::qWait(200);
     QVERIFY(!window_->document() || !window_->document()->project().model);
 
-    answer(QStringLiteral("outsideQuestion"), QStringLiteral("Read Them"));
+    answer(QStringLiteral("outsideQuestion"), QStringLiteral("Read files"));
     window_->documents().importModel(model, {}, {});
     QVERIFY(isAnswered());
     const auto hasPicture = [&] {
@@ -267,7 +267,7 @@ void QuestionsTest::whatAModelNamesElsewhereIsReadOnlyWhenAsked() {
     QCOMPARE(window_->document()->project().model->textures.at(0).size(), QSize(8, 8));
 }
 
-void QuestionsTest::namesAreShownAsTheyAre() {
+void QuestionsTest::messages_htmlInName_isShownAsText() {
     answer(QStringLiteral("failure"), QStringLiteral("OK"));
     window_->documents().importModel(path(misleading + QStringLiteral(".obj")), {}, {});
     QVERIFY(isAnswered());
@@ -280,7 +280,7 @@ void QuestionsTest::namesAreShownAsTheyAre() {
     QVERIFY(QTest::qWaitFor([] { return isShownAsText(misleading); }, patience()));
 }
 
-void QuestionsTest::namesInToolTipsAreShownAsTheyAre() {
+void QuestionsTest::toolTips_htmlInName_isShownAsText() {
     QListWidget list;
     list.setToolTip(misleading);
     auto* item = new QListWidgetItem(QStringLiteral("project"), &list);
@@ -294,7 +294,7 @@ void QuestionsTest::namesInToolTipsAreShownAsTheyAre() {
     QToolTip::hideText();
 }
 
-void QuestionsTest::namesAreToldToScreenReadersAsTheyAre() {
+void QuestionsTest::screenReader_htmlInName_isReadAsText() {
     QLabel label(misleading); // which is not shown yet
     QCOMPARE(QAccessible::queryAccessibleInterface(&label)->text(QAccessible::Name), misleading);
 }

@@ -94,7 +94,7 @@ private slots:
         saveProject(boxProject(), project_);
     }
 
-    void anOpenedProjectBecomesTheDocument() {
+    void openProject_emptyWindow_becomesDocument() {
         SessionHost host(recovery());
         QSignalSpy changed(&host.session, &DocumentSession::documentChanged);
         host.session.openProject(project_);
@@ -105,7 +105,7 @@ private slots:
         QCOMPARE(recentProjects().front(), project_);
     }
 
-    void anotherProjectGoesToAnotherWindow() {
+    void openProject_windowInUse_opensOtherWindow() {
         SessionHost host(recovery());
         host.session.openProject(project_);
         QVERIFY(host.waitUntilIdle());
@@ -118,7 +118,7 @@ private slots:
         QCOMPARE(host.other->session.document()->path(), second);
     }
 
-    void twoProjectsAskedForAtOnceAreBothOpened() {
+    void openProject_twoAtOnce_opensBoth() {
         SessionHost host(recovery());
         const QString second = folder_->filePath(QStringLiteral("second.dipw"));
         saveProject(boxProject(), second);
@@ -130,7 +130,7 @@ private slots:
         QCOMPARE(host.other->session.document()->path(), second);
     }
 
-    void aCopyHasNoFile() {
+    void openCopy_project_hasNoFile() {
         SessionHost host(recovery());
         host.session.openCopy(project_);
         QVERIFY(host.waitUntilIdle());
@@ -143,7 +143,7 @@ private slots:
         QVERIFY(!copy.isModified());
     }
 
-    void aProjectThatIsOpenIsShownWhereItIs() {
+    void openProject_openInOtherWindow_isNotOpenedAgain() {
         SessionHost host(recovery());
         host.openElsewhere = project_;
         host.session.openProject(project_);
@@ -151,7 +151,7 @@ private slots:
         QVERIFY(!host.session.document() && !host.other);
     }
 
-    void aWindowThatNothingCameOfIsGivenUp() {
+    void openProject_brokenFile_closesNewWindow() {
         SessionHost host(recovery());
         host.session.openProject(project_);
         QVERIFY(host.waitUntilIdle());
@@ -164,12 +164,12 @@ private slots:
         QVERIFY(host.other->gaveUp);
     }
 
-    void aLockedProjectIsOpenedWhenTheUserSaysSo_data() {
+    void openProject_locked_asksFirst_data() {
         QTest::addColumn<bool>("anyway");
         QTest::newRow("no") << false;
         QTest::newRow("anyway") << true;
     }
-    void aLockedProjectIsOpenedWhenTheUserSaysSo() {
+    void openProject_locked_asksFirst() {
         QFETCH(bool, anyway);
         FileLock another;
         QVERIFY(another.acquire(project_).acquired);
@@ -181,7 +181,7 @@ private slots:
         QCOMPARE(host.session.document() != nullptr, anyway);
     }
 
-    void aProjectThatIsNotThereIsToldOf() {
+    void openProject_missingFile_reportsFailure() {
         SessionHost host(recovery());
         QSignalSpy failed(&host.messages, &Messages::failed);
         QSignalSpy logged(&host.messages, &Messages::logged);
@@ -193,7 +193,7 @@ private slots:
         QCOMPARE(logged[0][0].toString(), failed[0][1].toString());
     }
 
-    void whatIsCancelledWhileItIsReadIsNotShown() {
+    void openProject_cancelledWhileReading_opensNothing() {
         SessionHost host(recovery());
         QSignalSpy failed(&host.messages, &Messages::failed);
         host.session.openProject(project_);
@@ -203,7 +203,7 @@ private slots:
         QVERIFY(failed.isEmpty());
     }
 
-    void restoredWorkIsModifiedAndKeptAgain() {
+    void restore_recoveryCopy_isModifiedAndKeptAgain() {
         QDir().mkpath(recovery());
         const QString copy = recovery() + QStringLiteral("/left.dipw");
         saveProject(boxProject(), copy);
@@ -219,7 +219,7 @@ private slots:
         QVERIFY(QDir(recovery()).entryList({QStringLiteral("*.dipw")}).isEmpty());
     }
 
-    void whatIsRestoredIsLetGoOnlyWhenItIsKeptAgain() {
+    void restore_newCopyNotWritable_keepsOldCopy() {
         QDir().mkpath(recovery());
         const QString copy = recovery() + QStringLiteral("/left.dipw");
         saveProject(boxProject(), copy);
@@ -230,11 +230,11 @@ private slots:
         QVERIFY(host.session.document()->isModified());
         QVERIFY(QFile::exists(copy));
         QTRY_COMPARE(noticed.count(), 1);
-        QVERIFY(noticed[0][0].toString().contains(QStringLiteral("save them often")));
+        QVERIFY(noticed[0][0].toString().contains(QStringLiteral("Save often")));
         host.session.discardChanges();
     }
 
-    void whatOthersWroteSinceACrashIsNotReplaced() {
+    void restore_fileChangedSinceCrash_isNotReplaced() {
         {
             Document document(loadProject(project_), project_, FileVersion::of(project_));
             AutoSaver saver(document, recovery());
@@ -254,7 +254,7 @@ private slots:
         host.session.discardChanges();
     }
 
-    void savingTellsWhere() {
+    void saveAs_path_isReported() {
         SessionHost host(recovery());
         host.session.openCopy(project_);
         QVERIFY(host.waitUntilIdle());
@@ -269,14 +269,14 @@ private slots:
         QCOMPARE(host.session.document()->path(), path);
     }
 
-    void aModelOfADoubtfulSizeIsToldOf_data() {
+    void importModel_implausibleSize_isReported_data() {
         QTest::addColumn<double>("size");
         QTest::addColumn<int>("doubts");
         QTest::newRow("tiny") << 1.0 << 1;
         QTest::newRow("usual") << 80.0 << 0;
         QTest::newRow("huge") << 5000.0 << 1;
     }
-    void aModelOfADoubtfulSizeIsToldOf() {
+    void importModel_implausibleSize_isReported() {
         QFETCH(double, size);
         SessionHost host(recovery());
         QSignalSpy doubted(&host.session, &DocumentSession::lengthDoubted);
@@ -289,7 +289,7 @@ private slots:
         QTEST(int(doubted.count()), "doubts");
     }
 
-    void aModelThatIsReadAgainKeepsItsPoseAndAnotherDoesNot() {
+    void reloadAndReplaceModel_pose_isKeptOnlyByReload() {
         SessionHost host(recovery());
         host.session.importModel(writeModel(*folder_, 80), {});
         QVERIFY(host.waitUntilIdle());
@@ -312,7 +312,7 @@ private slots:
         QVERIFY(document.project().model == before);
     }
 
-    void filesOutsideTheModelsFolderAreAskedFor() {
+    void importModel_filesOutsideFolder_asksFirst() {
         SessionHost host(recovery());
         const QString model = writeModel(*folder_, 80);
         QVERIFY(QDir(folder_->path()).mkdir("in"));
@@ -351,7 +351,7 @@ private slots:
     }
 
     // A stranger's project may name a private file, which would travel on inside it.
-    void whatAProjectNamesIsReadAgainOnlyWhenAsked() {
+    void reloadModel_projectOfStranger_asksFirst() {
         SessionHost host(recovery());
         Project project = boxProject();
         project.modelOrigin.source = writeModel(*folder_, 80);
@@ -379,7 +379,7 @@ private slots:
         QCOMPARE(asked.size(), 1); // once is enough
     }
 
-    void aChangeRunsAgainOnceThereIsAResult() {
+    void liveRun_changesAfterResult_runOnce() {
         Document document(boxProject());
         LiveRun live;
         live.setDocument(&document);
@@ -399,7 +399,7 @@ private slots:
         QVERIFY(!asked.wait(800));
     }
 
-    void whatWasCancelledIsRunAgainByAChangeOfTheSheetsAlone() {
+    void liveRun_afterCancel_waitsForSheetChange() {
         Document document(boxProject());
         LiveRun live;
         live.setDocument(&document);
@@ -416,7 +416,7 @@ private slots:
         QVERIFY(asked.wait(patience()));
     }
 
-    void nothingRunsWhileTheBodyIsHeld() {
+    void liveRun_bodyHeld_waits() {
         Document document(boxProject());
         document.setResult(resultOf(document.project()));
         LiveRun live;
@@ -430,7 +430,7 @@ private slots:
         QVERIFY(asked.wait(patience()));
     }
 
-    void anImmersionThatIsGoneIsNotLookedAt() {
+    void dipSession_dipRemoved_showsFirstDip() {
         const SolverRegistry registry;
         JobRunner jobs;
         DipSession session(jobs, registry);
@@ -449,7 +449,7 @@ private slots:
         session.setDocument(nullptr);
     }
 
-    void writtenFilesAreToldOf() {
+    void writeFiles_doneOrFailed_isReported() {
         Messages messages;
         JobRunner jobs;
         QSignalSpy said(&messages, &Messages::said);

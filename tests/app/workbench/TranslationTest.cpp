@@ -99,8 +99,8 @@ class TranslationTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void everyTextIsTranslated_data() { addLanguages(); }
-    void everyTextIsTranslated() {
+    void translations_everyText_isTranslated_data() { addLanguages(); }
+    void translations_everyText_isTranslated() {
         QFETCH(QString, file);
         const QList<Message> messages = readMessages(file);
         QVERIFY(messages.size() > 500);
@@ -110,8 +110,8 @@ private slots:
         }
     }
 
-    void valuesKeepTheirPlaces_data() { addLanguages(); }
-    void valuesKeepTheirPlaces() {
+    void translations_placeholders_areKept_data() { addLanguages(); }
+    void translations_placeholders_areKept() {
         QFETCH(QString, file);
         for (const Message& message : readMessages(file)) {
             for (const QString& translation : message.translations) {
@@ -121,7 +121,7 @@ private slots:
     }
 
     // A Tauchgang is a diver's; a part has a Tauchvorgang.
-    void germanIsThatOfTheTrade() {
+    void translations_germanForDip_isTauchvorgang() {
         for (const char* file : {"/translations/dipwright_de.ts", "/resources/guide/guide.de.md"}) {
             const QString text = textOf(sources + QLatin1String(file));
             QVERIFY(text.contains(QStringLiteral("Tauchvorgang")));
@@ -130,7 +130,7 @@ private slots:
                      file);
         }
     }
-    void theGuideHasTheSameChaptersInEveryLanguage() {
+    void guide_everyLanguage_hasSameChapters() {
         const int chapters = chaptersOf(QStringLiteral("guide.md"));
         QVERIFY(chapters > 5);
         QCOMPARE(chaptersOf(QStringLiteral("guide.de.md")), chapters);
@@ -139,7 +139,7 @@ private slots:
 
     // Reads the sources anew: a text that was changed needs its translation again. Of a text whose
     // context it does not find out, lupdate lists it in another, where the program never looks.
-    void everyTextOfTheSourcesIsListed() {
+    void translations_textsFoundByLupdate_areListed() {
         const QTemporaryDir folder;
         const QString fresh = folder.filePath(QStringLiteral("fresh.ts"));
         QProcess lupdate;
@@ -158,7 +158,7 @@ private slots:
     }
 
     // What the program asks for, read without lupdate: in files that name their context, each text.
-    void everyTextIsListedInTheContextThatItsFileNames() {
+    void translations_textsOfDeclaredContext_areListed() {
         static const QRegularExpression contextOf(
             QStringLiteral(R"(Q_DECLARE_TR_FUNCTIONS\(([\w:]+)\))"));
         static const QRegularExpression asked(
@@ -180,7 +180,7 @@ private slots:
         QVERIFY(files > 30 && texts > 200);
     }
 
-    void everyNameThatComesInAFileIsListed() {
+    void translations_shippedNames_areListed() {
         const QStringList patterns{QStringLiteral("*.json"), QStringLiteral("*.json.in")};
         const QStringList files =
             filesIn(sources + QStringLiteral("/resources/profiles"), patterns) +

@@ -71,7 +71,7 @@ private slots:
         workbench_.reset();
     }
 
-    void twoPosesShareTheBody() {
+    void run_twoDips_sharesBody() {
         QVERIFY(driver().create(model, texture, 90, makeCoarseDip));
         driver().trigger("addImmersion");
         QCOMPARE(project().immersions.size(), std::size_t(2));
@@ -82,7 +82,7 @@ private slots:
         sheets_ = {result().immersions[0].sheet.image, result().immersions[1].sheet.image};
     }
 
-    void theSheetsPageShowsWhoPaintsWhat() {
+    void sheetPage_shares_showsPainterColours() {
         auto* results = driver().find<ResultsPanel>("results");
         results->setCurrentIndex(4);
         auto* shares = results->findChild<QAction*>(QStringLiteral("sheetShares"));
@@ -96,7 +96,7 @@ private slots:
         QTRY_COMPARE(results->grab().toImage(), plain);
     }
 
-    void theJoinIsMovedAndMovedBack() {
+    void seamBrush_drag_movesSeamUntilUndo() {
         driver().find<ProjectTree>("projectTree")->select({ProjectPart::Share, 0});
         driver().find<QDoubleSpinBox>("joinBrushRadius")->setValue(15);
         auto* brush = driver().find<QComboBox>("joinBrush");
@@ -119,7 +119,7 @@ private slots:
         driver().trigger("coverage");
     }
 
-    void cradlesAreWrittenWhereTheUserSays() {
+    void exportCradles_chosenFolder_isWritten() {
         answerWithFile(folder_.path());
         driver().trigger("exportCradles");
         QTRY_VERIFY_WITH_TIMEOUT(
@@ -128,7 +128,7 @@ private slots:
             !window_->isEmpty() && driver().action("exportCradles")->isEnabled(), patience());
     }
 
-    void bothSheetsGoToThePrinter() {
+    void print_bothSheets_arrive() {
         driver().trigger("print");
         QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
         QWidget& dialog = *QApplication::activeModalWidget();

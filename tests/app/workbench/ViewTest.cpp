@@ -68,14 +68,14 @@ private slots:
     }
     void cleanup() { view_.reset(); }
 
-    void theBodyIsDrawn() {
+    void view_body_isDrawn() {
         const int red = countReddish(view_->picture());
         QVERIFY2(red > 500, qPrintable(QString::number(red)));
         view_->setBodyVisible(false);
         QCOMPARE(countReddish(view_->picture()), 0);
     }
 
-    void theFilmIsDrawnWhereItLies() {
+    void view_film_isDrawnAtItsPlace() {
         view_->setBodyVisible(false);
         view_->look(ViewDirection::Top);
         QImage half(2, 1, QImage::Format_RGB32); // left half red, right half green
@@ -93,7 +93,7 @@ private slots:
         QVERIFY(qGreen(at(60, 0)) > 80);
     }
 
-    void filmPointsCanBeColoured() {
+    void view_filmColours_areDrawn() {
         view_->setBodyVisible(false);
         view_->look(ViewDirection::Top);
         view_->setFilm({{{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {{0, 2, 1}, {1, 2, 3}}},
@@ -104,7 +104,7 @@ private slots:
         QCOMPARE(countReddish(view_->picture()), 0);
     }
 
-    void tornFilmIsNotDrawn() {
+    void view_tornFilm_isNotDrawn() {
         view_->setBodyVisible(false);
         view_->look(ViewDirection::Top);
         FilmShape shape{{{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {{0, 2, 1}, {1, 2, 3}}, 130};
@@ -121,7 +121,7 @@ private slots:
         QCOMPARE(countReddish(view_->picture()), whole);
     }
 
-    void aSectionCutsTheBodyOpen() {
+    void view_section_cutsBodyOpen() {
         view_->look(ViewDirection::Front);
         const int whole = countReddish(view_->picture());
         SectionPlane plane;
@@ -149,7 +149,7 @@ private slots:
         QCOMPARE(countReddish(view_->picture()), whole);
     }
 
-    void theFrameOfASectionIsDragged() {
+    void view_dragSectionFrame_emitsPlace() {
         view_->look(ViewDirection::Oblique);
         SectionPlane plane;
         plane.axis = 0;
@@ -166,7 +166,7 @@ private slots:
         QVERIFY2(std::abs(place - 15) < 2, qPrintable(QString::number(place)));
     }
 
-    void theBodyIsSeenThroughTheFilm() {
+    void view_filmOpacity_showsBodyBelow() {
         view_->look(ViewDirection::Top);
         view_->setFilm(
             {{{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {{0, 2, 1}, {1, 2, 3}}},
@@ -179,7 +179,7 @@ private slots:
         QCOMPARE(countReddish(view_->picture()), 0);
     }
 
-    void theTopViewHasXToTheRightAndZDownwards() {
+    void topView_axes_xRightZDown() {
         view_->look(ViewDirection::Top);
         view_->picture();
         const QPointF middle = view_->positionOf({0, 0, 0});
@@ -187,7 +187,7 @@ private slots:
         QVERIFY(view_->positionOf({0, 0, 50}).y() > middle.y() + 10);
     }
 
-    void aRayGoesBackToTheNamedPlace() {
+    void rayAt_positionOfPlace_passesThroughIt() {
         const Eigen::Vector3f place(20, 5, -30);
         const ViewRay ray = view_->rayAt(view_->positionOf(place));
         const Eigen::Vector3f beside =
@@ -195,7 +195,7 @@ private slots:
         QVERIFY(beside.norm() < 0.1f);
     }
 
-    void draggingTurnsTheCameraAndTheTurntableStaysUpright() {
+    void camera_drag_turnsAndStaysUpright() {
         const QPointF before = view_->positionOf({50, 0, 0});
         drag({240, 300}, {300, 280});
         const QPointF after = view_->positionOf({50, 0, 0});
@@ -206,7 +206,7 @@ private slots:
         QVERIFY(high.y() < low.y());
     }
 
-    void whatIsFittedStaysInTheViewWhenItsShapeChanges() {
+    void camera_viewResized_keepsTankInView() {
         const auto showsTheTank = [this] {
             view_->picture();
             const QRectF view = view_->rect();
@@ -228,7 +228,7 @@ private slots:
         QVERIFY(std::abs(near - then) < 1);
     }
 
-    void coverageShowsWhatMarkedFilmPaints() {
+    void coverageLook_tornFilm_isMarked() {
         DipScene scene(*view_);
         Project project;
         project.model = redSphere();
@@ -262,7 +262,7 @@ private slots:
         QCOMPARE(countReddish(view_->grab().toImage().copy(corner)), 0);
     }
 
-    void aStrokeLeavesTheCameraAlone() {
+    void stroke_drag_leavesCamera() {
         std::vector<ViewRay> stroke;
         int finished = 0;
         const auto along = connect(view_.get(), &DipView::stroked,
@@ -286,14 +286,14 @@ private slots:
         disconnect(end);
     }
 
-    void arrowKeysTurnTheCameraToo() {
+    void camera_arrowKey_turns() {
         const QPointF before = view_->positionOf({50, 0, 0});
         QTest::keyClick(view_.get(), Qt::Key_Left);
         view_->picture();
         QVERIFY(QLineF(before, view_->positionOf({50, 0, 0})).length() > 2);
     }
 
-    void lettersAreNotShortcutsOfTheLibrary() {
+    void view_letterKeys_changeNothing() {
         const QImage before = view_->picture();
         for (const Qt::Key key : {Qt::Key_W, Qt::Key_3, Qt::Key_R, Qt::Key_S, Qt::Key_F}) {
             QTest::keyClick(view_.get(), key);
@@ -301,7 +301,7 @@ private slots:
         QCOMPARE(view_->picture(), before);
     }
 
-    void turningIsAboutTheAxesOfTheWorld() {
+    void turned_threeTurns_areAboutWorldAxes() {
         Immersion immersion;
         immersion = turned(immersion, 0, 40);
         QCOMPARE(immersion.rotation[0].value(), 40);
@@ -319,14 +319,14 @@ private slots:
         QVERIFY((poseTransform(body, immersion).linear() - wanted).norm() < 0.01); // tenths
     }
 
-    void turningKeepsTheAnglesNear() {
+    void turned_secondTurn_keepsAnglesNear() {
         const Immersion immersion = turned(Immersion{}, 2, -30);
         QCOMPARE(immersion.rotation, (std::array{Degrees(0), Degrees(0), Degrees(-30)}));
         QCOMPARE(turned(immersion, 2, -170).rotation[2].value(), -200);
         QCOMPARE(turned(turned(immersion, 2, -170), 2, -170).rotation[2].value(), -10); // in range
     }
 
-    void aRingTurnsTheBody() {
+    void rotationRing_drag_turnsBody() {
         view_->look(ViewDirection::Top);
         view_->setRotationRings(true, {0, 30, 0}, 60);
         view_->picture();
@@ -343,7 +343,7 @@ private slots:
         QVERIFY(std::abs(dragged.last()[1].toDouble() - 90) < 3);
     }
 
-    void anArrowMovesTheBody() {
+    void moveArrow_drag_movesBody() {
         view_->look(ViewDirection::Top);
         view_->setMoveArrows({true, true, true}, {0, 30, 0}, 20, 40);
         view_->picture();
@@ -363,7 +363,7 @@ private slots:
         QVERIFY(moved.isEmpty());
     }
 
-    void theWheelZoomsToTheCursor() {
+    void wheel_zoom_keepsPlaceUnderCursor() {
         view_->look(ViewDirection::Top);
         view_->setParallelProjection(true);
         view_->picture();
@@ -377,7 +377,7 @@ private slots:
                 1.4 * QLineF(cursor, other).length());
     }
 
-    void aClickIsNoDrag() {
+    void view_drag_isNoClick() {
         QSignalSpy clicked(view_.get(), &DipView::clicked);
         QTest::mouseClick(view_.get(), Qt::LeftButton, {}, {240, 180});
         QCOMPARE(clicked.count(), 1);
@@ -385,7 +385,7 @@ private slots:
         QCOMPARE(clicked.count(), 1);
     }
 
-    void parallelProjectionShowsEqualLengthsEqual() {
+    void parallelProjection_equalLengths_lookEqual() {
         view_->look(ViewDirection::Top);
         view_->setParallelProjection(true);
         view_->picture();

@@ -31,7 +31,7 @@ TexturedMesh bodyOf(TriangleMesh mesh) {
     return body;
 }
 
-// Half as many shelves, some lying over each other: normals alike, one above the other.
+// A ramp of two turns: its upper turn lies over its lower one, with the same normals.
 TriangleMesh spiralRamp() {
     TriangleMesh mesh;
     constexpr int steps = 120;
@@ -85,7 +85,7 @@ bool isNear(const QColor& a, const QColor& b, int within = 2) {
            std::abs(a.blue() - b.blue()) <= within;
 }
 
-// Lines one pixel in five, of a period of `pixels`.
+// One period of `pixels` with a black line over a tenth of it.
 QImage grid(int pixels) {
     QImage image = plain(Qt::white, {pixels, pixels});
     for (int k = 0; k < pixels; ++k) {
@@ -102,30 +102,30 @@ class ArtworkTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void chartsCoverEachTriangleOnceAndDoNotOverlap_data();
-    void chartsCoverEachTriangleOnceAndDoNotOverlap();
-    void texelsStayWithinWhatIsAllowed();
-    void withoutArtworkNothingChanges();
-    void pictureLiesWhereItIsPutAndAsLargeAsItIs();
-    void pictureKeepsItsProportions();
-    void decalGoesOverAnEdge();
-    void layersCoverEachOtherInOrder();
-    void opacityMixesLight();
-    void baseColourLiesBelowAndTheModelsOwnElse();
-    void turnIsCounterclockwiseFromOutside();
-    void gridOnACylinderHasEvenStraightLines();
-    void wholeRepeatsGoRoundATube();
-    void patternsContinueOnTheirOtherSide();
-    void seedMakesAnotherPattern();
-    void planePaintsOnlyWhatFacesIt();
-    void noLineShowsBetweenTheSidesOfABox();
-    void textIsDrawnAndReadsFromOutside();
-    void missingFontIsNamed();
-    void wideColourStaysWide();
-    void sameBitsTwice();
+    void unwrapped_charts_coverEachTriangleOnceWithoutOverlap_data();
+    void unwrapped_charts_coverEachTriangleOnceWithoutOverlap();
+    void unwrapped_fineTexel_staysWithinTheAllowedPixels();
+    void painted_withoutArtwork_returnsTheModel();
+    void pictureLayer_hasItsPlaceAndSize();
+    void pictureLayer_widePicture_keepsItsProportions();
+    void decal_acrossAnEdge_continuesOnTheNextFace();
+    void layers_overlapping_coverEachOtherInOrder();
+    void opacity_half_mixesLinearLight();
+    void baseColour_unset_keepsTheModelsOwnColour();
+    void layerTurn_isCounterclockwiseSeenFromOutside();
+    void decal_gridOnCylinder_hasEvenStraightLines();
+    void cylinderLayer_repeatRoundTube_isAWholeNumber();
+    void patternRepeat_bordersMatchOppositeBorders();
+    void patternRepeat_otherSeed_makesAnotherPattern();
+    void planeLayer_paintsOnlyFacesTowardsIt();
+    void boxLayer_betweenItsSides_showsNoLine();
+    void textLayer_readsCorrectlyFromOutside();
+    void fontWarnings_missingFont_nameIt();
+    void paintArtwork_wideColour_staysWide();
+    void paintArtwork_twice_givesTheSameBits();
 };
 
-void ArtworkTest::chartsCoverEachTriangleOnceAndDoNotOverlap_data() {
+void ArtworkTest::unwrapped_charts_coverEachTriangleOnceWithoutOverlap_data() {
     QTest::addColumn<TriangleMesh>("mesh");
     QTest::newRow("box") << boxMesh({10, 20, 30});
     QTest::newRow("sphere") << sphereMesh(30, 40, 80);
@@ -135,13 +135,13 @@ void ArtworkTest::chartsCoverEachTriangleOnceAndDoNotOverlap_data() {
     QTest::newRow("spiral") << spiralRamp();
 }
 
-void ArtworkTest::chartsCoverEachTriangleOnceAndDoNotOverlap() {
+void ArtworkTest::unwrapped_charts_coverEachTriangleOnceWithoutOverlap() {
     QFETCH(TriangleMesh, mesh);
     const auto last = std::uint32_t(mesh.triangles.size() - 1);
     const Unwrapping charts = unwrapped(mesh, {last, 0, last}, 0.25, 4'000'000, Progress());
     QCOMPARE(charts.chart[last], 0U);
     QCOMPARE(charts.corners.size(), mesh.triangles.size());
-    std::vector<int> claims(charts.owner.size()); // by how many triangles' insides
+    std::vector<int> claims(charts.owner.size()); // triangles whose inside contains the pixel
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
         const auto& [a, b, c] = charts.corners[triangle];
         const Eigen::Vector2d u = (b - a).cast<double>(), v = (c - a).cast<double>();
@@ -171,19 +171,19 @@ void ArtworkTest::chartsCoverEachTriangleOnceAndDoNotOverlap() {
     QVERIFY(double(used) > 0.25 * double(claims.size())); // and the picture is not mostly empty
 }
 
-void ArtworkTest::texelsStayWithinWhatIsAllowed() {
+void ArtworkTest::unwrapped_fineTexel_staysWithinTheAllowedPixels() {
     const TriangleMesh mesh = sphereMesh(100, 30, 60);
     const Unwrapping charts = unwrapped(mesh, {}, 0.001, 500'000, Progress());
     QVERIFY(qint64(charts.width) * charts.height <= 500'000);
     QVERIFY(qint64(charts.width) * charts.height > 200'000);
 }
 
-void ArtworkTest::withoutArtworkNothingChanges() {
+void ArtworkTest::painted_withoutArtwork_returnsTheModel() {
     const auto model = std::make_shared<const TexturedMesh>(bodyOf(boxMesh({10, 10, 10})));
     QCOMPARE(painted(model, {}, 0.1, Progress()), model);
 }
 
-void ArtworkTest::pictureLiesWhereItIsPutAndAsLargeAsItIs() {
+void ArtworkTest::pictureLayer_hasItsPlaceAndSize() {
     Artwork artwork;
     artwork.base = Qt::white;
     artwork.layers = {pictureLayer(plain(Qt::red), {10, 5, 30}, 20)};
@@ -201,7 +201,7 @@ void ArtworkTest::pictureLiesWhereItIsPutAndAsLargeAsItIs() {
     QVERIFY(isNear(colourAt(body, {10, 5, -30}), Qt::white));
 }
 
-void ArtworkTest::pictureKeepsItsProportions() {
+void ArtworkTest::pictureLayer_widePicture_keepsItsProportions() {
     Artwork artwork;
     artwork.base = Qt::white;
     artwork.layers = {pictureLayer(plain(Qt::red, {80, 40}), {0, 0, 30}, 20)};
@@ -211,7 +211,7 @@ void ArtworkTest::pictureKeepsItsProportions() {
     QVERIFY(isNear(colourAt(body, {0, 5.4, 30}), Qt::white));
 }
 
-void ArtworkTest::decalGoesOverAnEdge() {
+void ArtworkTest::decal_acrossAnEdge_continuesOnTheNextFace() {
     Artwork artwork;
     artwork.base = Qt::white;
     artwork.layers = {pictureLayer(plain(Qt::blue), {25, 0, 30}, 20)};
@@ -223,7 +223,7 @@ void ArtworkTest::decalGoesOverAnEdge() {
     QVERIFY(isNear(colourAt(body, {30, 10.4, 30 - 4.6}), Qt::white));
 }
 
-void ArtworkTest::layersCoverEachOtherInOrder() {
+void ArtworkTest::layers_overlapping_coverEachOtherInOrder() {
     Artwork artwork;
     artwork.base = Qt::white;
     artwork.layers = {pictureLayer(plain(Qt::red), {0, 0, 30}, 20),
@@ -237,7 +237,7 @@ void ArtworkTest::layersCoverEachOtherInOrder() {
     QVERIFY(isNear(colourAt(paintedBox(artwork), {-5, 0, 30}), Qt::white));
 }
 
-void ArtworkTest::opacityMixesLight() {
+void ArtworkTest::opacity_half_mixesLinearLight() {
     Artwork artwork;
     artwork.base = Qt::white;
     artwork.layers = {pictureLayer(plain(Qt::black), {0, 0, 30}, 20)};
@@ -249,7 +249,7 @@ void ArtworkTest::opacityMixesLight() {
     QVERIFY(isNear(colourAt(paintedBox(artwork), {0, 0, 30}), QColor(187, 187, 187)));
 }
 
-void ArtworkTest::baseColourLiesBelowAndTheModelsOwnElse() {
+void ArtworkTest::baseColour_unset_keepsTheModelsOwnColour() {
     TexturedMesh model = bodyOf(boxMesh({60, 60, 60}));
     model.materials.front().colour = QColor(10, 120, 200);
     Artwork artwork;
@@ -260,7 +260,7 @@ void ArtworkTest::baseColourLiesBelowAndTheModelsOwnElse() {
     const TexturedMesh based = paintArtwork(model, artwork, 0.3, Progress());
     QVERIFY(isNear(colourAt(based, {20, 20, 30}), QColor(250, 240, 0), 1));
 
-    // A texture of its own stays, and is drawn on.
+    // The model's own texture stays, with the layer drawn on it.
     model.textures = {plain(QColor(60, 160, 60))};
     model.materials.front().texture = 0;
     for (auto& corners : model.textureCoordinates) {
@@ -274,7 +274,7 @@ void ArtworkTest::baseColourLiesBelowAndTheModelsOwnElse() {
     QVERIFY(isNear(colourAt(textured, {0, 0, 30}), Qt::red));
 }
 
-void ArtworkTest::turnIsCounterclockwiseFromOutside() {
+void ArtworkTest::layerTurn_isCounterclockwiseSeenFromOutside() {
     QImage halves = plain(Qt::red);
     for (int y = 0; y < 40; ++y) {
         for (int x = 20; x < 40; ++x) {
@@ -311,7 +311,7 @@ static std::vector<double> linesAround(const TexturedMesh& body, double radius, 
     return found;
 }
 
-void ArtworkTest::gridOnACylinderHasEvenStraightLines() {
+void ArtworkTest::decal_gridOnCylinder_hasEvenStraightLines() {
     constexpr double radius = 25;
     constexpr int sides = 256;
     const TexturedMesh tube = bodyOf(cylinderMesh(radius, 80, sides));
@@ -329,7 +329,7 @@ void ArtworkTest::gridOnACylinderHasEvenStraightLines() {
                  qPrintable(QString::number(middle[k] - middle[k - 1])));
     }
     QVERIFY(std::abs((middle.back() - middle.front()) / double(middle.size() - 1) - 10) < 0.03);
-    for (const double z : {-20.0, 17.0}) { // straight: they lie alike elsewhere along the tube
+    for (const double z : {-20.0, 17.0}) { // straight: at the same places elsewhere along the tube
         const std::vector<double> there = linesAround(body, radius, z, -1.1, 1.1);
         QCOMPARE(there.size(), middle.size());
         for (std::size_t k = 0; k < there.size(); ++k) {
@@ -338,7 +338,7 @@ void ArtworkTest::gridOnACylinderHasEvenStraightLines() {
     }
 }
 
-void ArtworkTest::wholeRepeatsGoRoundATube() {
+void ArtworkTest::cylinderLayer_repeatRoundTube_isAWholeNumber() {
     constexpr double radius = 25; // 157 mm round
     const TexturedMesh tube = bodyOf(cylinderMesh(radius, 60, 128));
     Artwork artwork;
@@ -355,13 +355,13 @@ void ArtworkTest::wholeRepeatsGoRoundATube() {
     }
 }
 
-void ArtworkTest::patternsContinueOnTheirOtherSide() {
+void ArtworkTest::patternRepeat_bordersMatchOppositeBorders() {
     for (const LayerKind kind : {LayerKind::Carbon, LayerKind::Camouflage, LayerKind::Wood}) {
         const QImage repeat = patternRepeat(newLayer(kind, {}), 200);
         if (const QString folder = qEnvironmentVariable("DIPWRIGHT_PICTURES"); !folder.isEmpty()) {
             repeat.save(QStringLiteral("%1/pattern-%2.png").arg(folder).arg(int(kind)));
         }
-        // Across the border neighbours differ no more than inside, on the mean.
+        // Across the border, neighbours differ on average no more than inside.
         const auto difference = [&](int a, int b, bool isColumn) {
             double sum = 0;
             for (int k = 0; k < 200; ++k) {
@@ -381,7 +381,7 @@ void ArtworkTest::patternsContinueOnTheirOtherSide() {
     }
 }
 
-void ArtworkTest::seedMakesAnotherPattern() {
+void ArtworkTest::patternRepeat_otherSeed_makesAnotherPattern() {
     ArtworkLayer layer = newLayer(LayerKind::Camouflage, {});
     const QImage one = patternRepeat(layer, 100);
     QCOMPARE(patternRepeat(layer, 100), one);
@@ -389,8 +389,8 @@ void ArtworkTest::seedMakesAnotherPattern() {
     QVERIFY(patternRepeat(layer, 100) != one);
 }
 
-// Soft waves from six sides on a ball: from side to side they go over into each other.
-void ArtworkTest::noLineShowsBetweenTheSidesOfABox() {
+// Soft waves projected from six sides onto a ball blend into each other between the sides.
+void ArtworkTest::boxLayer_betweenItsSides_showsNoLine() {
     QImage waves(64, 64, QImage::Format_RGBA8888);
     for (int column = 0; column < 64; ++column) {
         const int grey = 128 + int(std::lround(90 * std::sin(2 * pi * column / 64)));
@@ -415,7 +415,7 @@ void ArtworkTest::noLineShowsBetweenTheSidesOfABox() {
     QVERIFY2(most < 20, qPrintable(QString::number(most)));
 }
 
-void ArtworkTest::planePaintsOnlyWhatFacesIt() {
+void ArtworkTest::planeLayer_paintsOnlyFacesTowardsIt() {
     Artwork artwork;
     artwork.base = Qt::white;
     artwork.layers = {pictureLayer(plain(Qt::red), {0, 0, 0}, 20)};
@@ -427,7 +427,7 @@ void ArtworkTest::planePaintsOnlyWhatFacesIt() {
     QVERIFY(isNear(colourAt(body, {0, 0, 30}), Qt::white));
 }
 
-void ArtworkTest::textIsDrawnAndReadsFromOutside() {
+void ArtworkTest::textLayer_readsCorrectlyFromOutside() {
     ArtworkLayer layer = newLayer(LayerKind::Text, QStringLiteral("text"));
     layer.text = QStringLiteral("L");
     layer.place = {Millimetres(0), Millimetres(0), Millimetres(30)};
@@ -444,7 +444,7 @@ void ArtworkTest::textIsDrawnAndReadsFromOutside() {
     QVERIFY(isNear(colourAt(body, {-left, 10, 30}), Qt::white));
 }
 
-void ArtworkTest::missingFontIsNamed() {
+void ArtworkTest::fontWarnings_missingFont_nameIt() {
     Artwork artwork;
     artwork.layers = {newLayer(LayerKind::Text, QStringLiteral("Title"))};
     QVERIFY(fontWarnings(artwork).isEmpty());
@@ -453,7 +453,7 @@ void ArtworkTest::missingFontIsNamed() {
     QVERIFY(fontWarnings(artwork).front().contains(QLatin1String("No Such Letters")));
 }
 
-void ArtworkTest::wideColourStaysWide() {
+void ArtworkTest::paintArtwork_wideColour_staysWide() {
     QImage wide(40, 40, QImage::Format_RGBA64);
     wide.fill(QColor::fromRgba64(0, 65535, 0));
     wide.setColorSpace(wideSpace());
@@ -463,12 +463,12 @@ void ArtworkTest::wideColourStaysWide() {
                       pictureLayer(plain(Qt::red), {0, 20, 30}, 10)};
     const TexturedMesh body = paintedBox(artwork);
     QVERIFY(isWide(body.textures.front()));
-    QVERIFY(isNear(colourAt(body, {0, 20, 30}), Qt::red)); // sRGB's own red, told in wide colour
+    QVERIFY(isNear(colourAt(body, {0, 20, 30}), Qt::red)); // sRGB's red, stored in wide colour
     const SurfacePoint place = placeAt(body, {0, 0, 30});
     QVERIFY(surfaceColours(body, {place}).front().isApprox(LinearColour(0, 1, 0), 1e-3F));
 }
 
-void ArtworkTest::sameBitsTwice() {
+void ArtworkTest::paintArtwork_twice_givesTheSameBits() {
     Artwork artwork;
     artwork.base = Qt::white;
     artwork.layers = {newLayer(LayerKind::Carbon, {}), newLayer(LayerKind::Wood, {}),

@@ -1,4 +1,4 @@
-// Pictures that are stored are those that are read again, by Qt's own reader.
+// Stored pictures, read by Qt's own reader, are the pictures that were written.
 #include "base/Png.h"
 
 #include "base/Error.h"
@@ -13,7 +13,7 @@ using namespace dipwright;
 
 namespace {
 
-// Noise beside a slope, so that every kind of neighbourhood is there.
+// Noise beside a gradient, so that every kind of neighbourhood occurs.
 QImage picture(QSize size, QImage::Format format) {
     QImage image(size, QImage::Format_RGBA8888);
     quint32 random = 1;
@@ -38,7 +38,7 @@ QImage stored(const QImage& image) {
 class PngTest : public QObject {
     Q_OBJECT
 private slots:
-    void isReadAgainAsItWas_data() {
+    void pngBytes_readByQt_givesTheSamePixels_data() {
         QTest::addColumn<QSize>("size");
         QTest::addColumn<QImage::Format>("format");
         QTest::newRow("a pixel") << QSize(1, 1) << QImage::Format_RGB888;
@@ -49,7 +49,7 @@ private slots:
         QTest::newRow("as Qt draws") << QSize(90, 70) << QImage::Format_ARGB32_Premultiplied;
         QTest::newRow("grey") << QSize(91, 70) << QImage::Format_Grayscale8;
     }
-    void isReadAgainAsItWas() {
+    void pngBytes_readByQt_givesTheSamePixels() {
         QFETCH(QSize, size);
         QFETCH(QImage::Format, format);
         const QImage image = picture(size, format);
@@ -60,7 +60,7 @@ private slots:
         QCOMPARE(again.hasAlphaChannel(), image.hasAlphaChannel());
     }
 
-    void keepsResolutionAndColourSpace() {
+    void pngBytes_keepsResolutionAndColourSpace() {
         QImage image = picture({40, 30}, QImage::Format_RGB888);
         image.setDotsPerMeterX(11811);
         image.setDotsPerMeterY(5906);
@@ -73,7 +73,7 @@ private slots:
         QVERIFY(!stored(image).colorSpace().isValid());
     }
 
-    void wideColourKeepsItsSixteenBits() {
+    void pngBytes_wideColour_keeps16Bits() {
         QImage image = inWide(picture({300, 200}, QImage::Format_RGBA8888));
         image.setPixelColor(3, 4, QColor::fromRgba64(12345, 54321, 257, 40000));
         const QImage again = stored(image);
@@ -82,14 +82,14 @@ private slots:
         QCOMPARE(again.colorSpace().iccProfile(), wideSpace().iccProfile());
     }
 
-    void givesTheSameBytesOnAnyNumberOfThreads() {
+    void pngBytes_anyNumberOfThreads_giveTheSameBytes() {
         const QImage image = picture({1501, 1203}, QImage::Format_RGB888);
         const QByteArray onAll = pngBytes(image, QString());
         const ThreadLimit limit(1);
         QVERIFY(pngBytes(image, QString()) == onAll);
     }
 
-    void refusesNoPictureAndAClosedDevice() {
+    void writePng_emptyPictureOrReadOnlyDevice_isRefused() {
         const QString where = QStringLiteral("sheet.png");
         QVERIFY_EXCEPTION_THROWN(pngBytes(QImage(), where), Error);
         QByteArray bytes;

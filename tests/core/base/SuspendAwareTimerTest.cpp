@@ -1,4 +1,4 @@
-// What counts of a wait, with a clock of the test's own.
+// How much of a wait counts as waited, with a simulated clock.
 #include "base/SuspendAwareTimer.h"
 
 #include <QTest>
@@ -10,15 +10,15 @@ class SuspendAwareTimerTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void looksAddUp() {
+    void suspendAwareTimer_frequentLooks_addUp() {
         SuspendAwareTimer waited(start_);
         for (int look = 1; look <= 100; ++look) {
             QVERIFY(waited.look(start_ + look * 20ms) == look * 20ms);
         }
-        QVERIFY(waited.look(start_ + 2s) == 2s); // and time that stands still adds nothing
+        QVERIFY(waited.look(start_ + 2s) == 2s); // time that stands still adds nothing
     }
 
-    void aNightAsleepIsNoHang() {
+    void suspendAwareTimer_suspendedForHours_countsOneGap() {
         SuspendAwareTimer waited(start_);
         QVERIFY(waited.look(start_ + 500ms) == 500ms);
         QVERIFY(waited.look(start_ + 8h) <= 500ms + SuspendAwareTimer::longestGap);

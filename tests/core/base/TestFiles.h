@@ -1,4 +1,4 @@
-// Files as tests write them and find them.
+// Writes, reads and lists files for tests.
 #pragma once
 
 #include <QByteArray>
@@ -7,13 +7,14 @@
 
 namespace dipwright::test {
 
-// Throws std::runtime_error where the file cannot be written.
+// Writes the file. Throws std::runtime_error if that fails.
 void writeFile(const QString& path, const QByteArray& bytes);
-// Nothing where there is no such file.
+// Returns the file's bytes; empty if there is no such file.
 QByteArray bytesOf(const QString& path);
-// Relative to the folder, hidden ones too, sorted.
+// Lists all files below the folder, relative to it, hidden ones too, sorted.
 QStringList filesBelow(const QString& folder);
 
-bool hasNumbers(const QJsonObject& object, const QStringList& keys); // finite ones
+// Whether all `keys` of `object` hold finite numbers.
+bool hasNumbers(const QJsonObject& object, const QStringList& keys);
 
 } // namespace dipwright::test

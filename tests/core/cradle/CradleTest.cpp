@@ -1,4 +1,4 @@
-// Cradles of bodies that film was laid round by hand, judged by what is known of these bodies.
+// Cradles for bodies with film laid by hand, checked against the bodies' closed forms.
 #include "cradle/Cradle.h"
 #include "DippedByHand.h"
 #include "cradle/CradleFiles.h"
@@ -21,7 +21,7 @@ namespace {
 constexpr double radius = 25;
 const QString hash = QStringLiteral("0a1b2c3d4e5f");
 
-// Coarse and small, to be quick.
+// Coarse and small, so that tests are fast.
 CradleSettings settings() {
     CradleSettings result;
     result.pinSpan = Millimetres(80);
@@ -60,7 +60,7 @@ Cradle cradleOf(const LaidFilm& laid, const CradleSettings& wanted = settings(),
                       progress);
 }
 
-// Of the half painted ball, with the settings above.
+// The cradle of the half painted ball with the settings above.
 const Cradle& ballsCradle() {
     static const Cradle cradle = cradleOf(*halfPainted());
     return cradle;
@@ -82,7 +82,7 @@ class CradleTest : public QObject {
 
 private slots:
     // In the pose frame the ball's middle is at (0, radius, 0).
-    void aBallLiesInAPocketOfItsOwnForm() {
+    void makeCradle_ball_hasAPocketOfItsForm() {
         const Cradle& cradle = ballsCradle();
         isSound(cradle);
         QVERIFY(cradle.notes.isEmpty());
@@ -92,7 +92,7 @@ private slots:
             const Eigen::Vector3f from = place - middle;
             const double away = double(from.norm()) - radius;
             QVERIFY(away > 0.2);
-            // Off the bore's edge and the rim's, what is near the ball is the pocket.
+            // Away from the edges of the bore and the rim, what is near the ball is the pocket.
             const double aside = std::hypot(double(from.x()), double(from.z()));
             if (away < 0.8 && aside > 5 && from.y() > radius - 9) {
                 QVERIFY2(std::abs(away - 0.3) < 0.1, qPrintable(QString::number(away)));
@@ -103,9 +103,9 @@ private slots:
         QVERIFY(std::abs(cradle.check.leastGap - 0.3) < 0.1);
     }
 
-    // The cap that is 10 mm deep: its area is 2πρh, the bore's taken out, and a ball stands in it
-    // as it can be tilted: its rim's radius over how far that is from the middle.
-    void itSaysHowTheBallIsHeld() {
+    // The seat is a cap 10 mm deep: its area is 2πρh less the bore's. The ball can tilt by the
+    // angle whose tangent is the rim's radius over the rim's distance from the ball's centre.
+    void cradleCheck_ball_hasSeatAreaAndTiltOfTheCap() {
         const CradleCheck& check = ballsCradle().check;
         const double cap = 2 * pi * radius * 10 - pi * 16;
         QVERIFY2(std::abs(check.seatArea / cap - 1) < 0.05,
@@ -113,14 +113,14 @@ private slots:
         const double rim = std::sqrt(radius * radius - 15 * 15);
         const double tilt = std::atan2(rim, 15) * 180 / pi;
         QVERIFY(std::abs(check.standing.tiltDegrees - tilt) < 2);
-        // The rim is as steep as the ball is there.
+        // The rim is as steep as the ball at that place.
         QVERIFY(std::abs(check.standing.sideHoldDegrees - tilt) < 2);
         QCOMPARE(check.paddedArea, 0.0);
     }
 
-    // Film holds up to 20° past the equator; the cradle keeps 4 mm off it, however far it may
+    // Film holds up to 20° past the equator. The cradle stays 4 mm away from it, however far it may
     // reach.
-    void itKeepsOffWhatTheFilmReaches() {
+    void makeCradle_deepReach_keepsOffThePaint() {
         CradleSettings deep = settings();
         deep.reach = Millimetres(40);
         const Cradle cradle = cradleOf(*halfPainted(), deep);
@@ -132,7 +132,7 @@ private slots:
         }
     }
 
-    void aFlatTopIsHeldButCanSlide() {
+    void makeCradle_flatTop_notesThatItCanSlide() {
         const Eigen::Vector3d size(40, 30, 40);
         const TexturedMesh box = test::plainModel(boxMesh(size), Qt::white);
         const auto laid = test::laid(box.mesh, test::flatUnderBox(test::a4Grid(), size));
@@ -140,11 +140,11 @@ private slots:
         isSound(cradle);
         QVERIFY(cradle.check.standing.tiltDegrees > 30);
         QVERIFY(cradle.check.standing.sideHoldDegrees < 1);
-        QVERIFY(cradle.notes.join(u' ').contains(QStringLiteral("sliding")));
+        QVERIFY(cradle.notes.join(u' ').contains(QStringLiteral("slide sideways")));
     }
 
-    // What stays above the water may be held from the side.
-    void sidesAboveTheWaterHoldToo() {
+    // Sides that stay above the water may be held.
+    void makeCradle_partlyDippedBox_holdsItsSides() {
         const Eigen::Vector3d size(40, 30, 40);
         const TexturedMesh box = test::plainModel(boxMesh(size), Qt::white);
         const auto laid = test::laid(box.mesh, test::flatUnderBox(test::a4Grid(), size));
@@ -158,8 +158,8 @@ private slots:
         }
     }
 
-    // A lying ring: the hole is undercut by the ring's own upper half, and comes out all the same.
-    void undercutsAreFilled() {
+    // A lying ring, whose upper half undercuts its hole, still comes out of the cradle.
+    void makeCradle_undercutRing_comesOut() {
         const TexturedMesh ring = test::plainModel(torusMesh(20, 8, 48, 96), Qt::white);
         const auto laid =
             test::laid(ring.mesh, test::flatUnderBox(test::a4Grid(), Eigen::Vector3d(1, 1, 1)));
@@ -169,7 +169,7 @@ private slots:
         isSound(cradle);
     }
 
-    void earlierPaintIsNotTouched() {
+    void makeCradle_earlierPaint_isNotTouched() {
         const LaidFilm earlier = paintedFromAbove(radians(Degrees(20)));
         const Cradle cradle = cradleOf(*halfPainted(), settings(), {}, {&earlier});
         isSound(cradle);
@@ -183,7 +183,7 @@ private slots:
         }
     }
 
-    void earlierPaintIsPaddedWhereAllowed() {
+    void makeCradle_onPaintAllowed_padsEarlierPaint() {
         const LaidFilm earlier = paintedFromAbove(radians(Degrees(120)));
         const Cradle without = cradleOf(*halfPainted(), settings(), {}, {&earlier});
         QVERIFY(without.mesh.triangles.empty());
@@ -199,21 +199,22 @@ private slots:
         QVERIFY(cradle.notes.join(u' ').contains(QStringLiteral("1.5 mm")));
     }
 
-    void filmAllRoundLeavesNothingToHold() {
-        ProcessSettings clinging; // film that would hold on faces that turn up, too
+    void makeCradle_filmAllRound_isEmptyAndNoted() {
+        ProcessSettings clinging; // film that also holds on faces that turn up
         clinging.overhang = Degrees(90);
         const Cradle cradle = cradleOf(*halfPainted(), settings(), clinging);
         QVERIFY(cradle.mesh.triangles.empty());
         QVERIFY(cradle.notes.join(u' ').contains(QStringLiteral("no cradle")));
     }
 
-    // Holes of the pins' diameter and clearance where the sheet's marks float, or on the way there.
-    void pinsAreInLineWithTheSheetsMarks() {
+    // The holes have the pins' diameter and clearance. They lie where the sheet's marks float, or
+    // between there and the centre.
+    void datumPins_areInLineWithTheSheetsMarks() {
         FilmSettings film;
         film.swellX = 1.1;
         const DatumPins wide = datumPins(Sheet(), film, Millimetres(1000));
         QCOMPARE(wide.share, 1.0);
-        // Of A4 with marks 6 mm from the edges.
+        // A4 with marks 6 mm from the edges.
         QVERIFY((wide.pins[0] - Eigen::Vector2d(-99 * 1.1, -142.5)).norm() < 1e-9);
         QVERIFY((wide.pins[1] - Eigen::Vector2d(99 * 1.1, -142.5)).norm() < 1e-9);
         QVERIFY((wide.pins[2] - Eigen::Vector2d(-99 * 1.1, 142.5)).norm() < 1e-9);
@@ -233,14 +234,14 @@ private slots:
         }
     }
 
-    // On the bed of a printer: all at z ≥ 0, the plate's face down; the engraving is cut into it.
-    void filesComeBackAsTheyWere_data() {
+    // The file's frame is the printer's bed: all at z ≥ 0, the plate's face down.
+    void cradleFile_readAgain_hasItsVolumeAndExtent_data() {
         QTest::addColumn<QString>("suffix");
         QTest::newRow("stl") << QStringLiteral("stl");
         QTest::newRow("3mf") << QStringLiteral("3mf");
     }
 
-    void filesComeBackAsTheyWere() {
+    void cradleFile_readAgain_hasItsVolumeAndExtent() {
         QFETCH(QString, suffix);
         const Cradle& cradle = ballsCradle();
         QTemporaryDir folder;
@@ -257,17 +258,18 @@ private slots:
         QVERIFY(std::abs(volume(mesh) / cradle.check.volume - 1) < 1e-4);
         const BoundingBox box = boundingBox(mesh);
         QVERIFY(box.min().cwiseAbs().maxCoeff() < 0.01F);
-        // 80 mm and the rims round the pins; from the plate's face to 10 mm under the ball's top.
+        // 80 mm and the rims round the pins wide; high from the plate's face to 10 mm under the
+        // ball's top.
         QVERIFY(std::abs(box.max().y() - (80 + 2 * 9.1F)) < 0.01F);
         QVERIFY(std::abs(box.max().z() - (5 + 13 + 10)) < 0.3F);
     }
 
-    void theJobIsEngraved() {
+    void makeCradle_engravingDepth_engravesTheJob() {
         const Cradle& cradle = ballsCradle();
         CradleSettings plain = settings();
         plain.engravingDepth = Millimetres(0);
         const Cradle bare = cradleOf(*halfPainted(), plain);
-        // Of about 0.8 mm times the area of the letters, the arrow and the sign of the dip.
+        // About 0.8 mm times the area of the letters, the arrow and the dip's sign, in mm³.
         const double taken = bare.check.volume - cradle.check.volume;
         QVERIFY2(taken > 100 && taken < 400, qPrintable(QString::number(taken)));
         const double top = double(boundingBox(cradle.mesh).max().y());
@@ -278,13 +280,13 @@ private slots:
                 200);
     }
 
-    void itIsTheSameForAnyNumberOfThreads() {
+    void makeCradle_anyNumberOfThreads_giveTheSameBytes() {
         const QByteArray once = cradleStl(ballsCradle());
         const ThreadLimit limit(1);
         QCOMPARE(cradleStl(cradleOf(*halfPainted())), once);
     }
 
-    void itCanBeCancelled() {
+    void makeCradle_cancelled_throws() {
         Progress progress;
         progress.report = [&](double share, const QString&) {
             if (share > 0.3) {

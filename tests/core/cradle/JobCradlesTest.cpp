@@ -1,5 +1,5 @@
-// Cradles of whole jobs. Some need models that are not in the repository: those in ../shared beside
-// it. Without them these cases are skipped, and scripts/test counts them.
+// Cradles of whole jobs. Some cases need models in ../shared, which are not in the repository.
+// Without them these cases are skipped, and scripts/test counts them.
 #include "pipeline/JobCradles.h"
 #include "TestFolders.h"
 #include "WholeSample.h"
@@ -45,7 +45,8 @@ JobResult resultOf(const Project& project) {
     return runJob(project, registry, options, nullptr, {});
 }
 
-// The cradle, and the body in it, as they lie on the printer.
+// Writes the cradles and the bodies in them, as they lie on the printer, where DIPWRIGHT_PICTURES
+// names a folder.
 void keep(const QString& name, const JobResult& result, const std::vector<Cradle>& cradles) {
     const QString folder = qEnvironmentVariable("DIPWRIGHT_PICTURES");
     for (std::size_t i = 0; i < cradles.size() && !folder.isEmpty(); ++i) {
@@ -76,7 +77,7 @@ class JobCradlesTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void bodiesAreHeld_data() {
+    void jobCradles_bothDips_holdTheBody_data() {
         QTest::addColumn<QString>("model");
         QTest::newRow("turtle") << QString();
         if (test::isWholeRun()) {
@@ -85,9 +86,9 @@ private slots:
         }
     }
 
-    // The first dip's cradle keeps off the film; the second's may lie on the first's paint only
-    // where that is allowed, and leaves room for padding then.
-    void bodiesAreHeld() {
+    // The cradle of dip 1 stays off the film. That of dip 2 may lie on paint only where allowed,
+    // and then leaves room for padding.
+    void jobCradles_bothDips_holdTheBody() {
         QFETCH(QString, model);
         if (!model.isEmpty() && !shared.exists()) {
             QSKIP("no shared models");

@@ -1,4 +1,4 @@
-// The run loop, with solvers made for the purpose.
+// The loop that runs a dip, with scripted solvers.
 #include "dip/Dip.h"
 #include "DippedByHand.h"
 #include "base/Error.h"
@@ -14,7 +14,7 @@ using namespace dipwright;
 
 namespace {
 
-// What the solver under the run loop is to do, and what it has seen.
+// What the scripted solver does, and what it was asked for.
 struct Script {
     int steps = 50;
     bool touches = true;
@@ -22,10 +22,10 @@ struct Script {
     int throwsAtStep = -1;
     int begun = 0;
     int advanced = 0;
-    int asked = 0; // to advance
+    int asked = 0; // calls of advance()
     bool showsLate = false;
     solver::EquilibriumAccount equilibrium;
-    std::uint8_t mark = 0; // of the first point
+    std::uint8_t mark = 0; // the first point's
     solver::DipSetup setup;
 };
 
@@ -140,24 +140,24 @@ class DipTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void setupPutsTheBodyJustAboveTheWater();
-    void setupGoesUnderByTheMarginOrToTheDepth();
-    void setupCarriesTheFilm();
-    void resultIsInThePoseFrame();
-    void resultSaysWhatIsToBeDoubted();
-    void batchedDipEndsInThePoseFrameToo();
-    void progressGrowsToTheEnd();
-    void observerSeesTheLastFrame();
-    void observerSeesLateFramesAsOfTheirSteps();
-    void gradedFilmIsDippedAsItIs();
-    void cancellingStopsWithTheNextSteps();
-    void failingSolverIsAnError();
-    void unstableFilmIsAnError();
-    void bodyThatNeverTouchesIsAnError();
-    void bodyBesideTheFilmIsRefusedUnsimulated();
+    void dipSetup_startsWithTheBodyJustAboveTheWater();
+    void dipSetup_travel_followsMarginOrDepth();
+    void dipSetup_carriesTheFilmSettings();
+    void simulateDip_result_isInThePoseFrame();
+    void simulateDip_result_carriesEquilibriumAndMarks();
+    void dippedFilm_ofBatch_equalsTheSingleDip();
+    void simulateDip_progress_growsTo1();
+    void simulateDip_observer_seesTheLastFrame();
+    void simulateDip_lateFrames_carryTheirOwnSteps();
+    void simulateDip_gradedFilm_keepsItsGrid();
+    void simulateDip_cancelled_stopsWithTheNextSteps();
+    void simulateDip_failingSolver_throwsError();
+    void simulateDip_unstableFilm_throwsError();
+    void simulateDip_bodyNeverTouches_throwsError();
+    void simulateDip_bodyBesideTheFilm_isRefusedUnsimulated();
 };
 
-void DipTest::setupPutsTheBodyJustAboveTheWater() {
+void DipTest::dipSetup_startsWithTheBodyJustAboveTheWater() {
     Dip dip;
     dip.immersion.rotation = {Degrees(20), Degrees(30), Degrees(-40)};
     dip.immersion.offset = {Millimetres(12), Millimetres(-7)};
@@ -176,7 +176,7 @@ void DipTest::setupPutsTheBodyJustAboveTheWater() {
     QVERIFY(std::abs(lowest - startHeight) < 1e-4);
 }
 
-void DipTest::setupGoesUnderByTheMarginOrToTheDepth() {
+void DipTest::dipSetup_travel_followsMarginOrDepth() {
     Dip dip;
     dip.process.margin = Millimetres(3);
     const auto travel = [&] { return dip.setup().motion.travel; };
@@ -185,7 +185,7 @@ void DipTest::setupGoesUnderByTheMarginOrToTheDepth() {
     QVERIFY(std::abs(travel() - (startHeight + 12)) < 1e-4);
 }
 
-void DipTest::setupCarriesTheFilm() {
+void DipTest::dipSetup_carriesTheFilmSettings() {
     Dip dip;
     dip.film.swellX = 1.25;
     dip.film.edges.topPinned = true;
@@ -206,14 +206,14 @@ void DipTest::setupCarriesTheFilm() {
     QCOMPARE(setup.settings.growthLimit, 0.2);
     QCOMPARE(setup.settings.gripFade, pi / 20);
     QCOMPARE(setup.settings.gatheringStretch, 0.75);
-    // What nobody has said anything about is what the solvers take for it.
+    // Settings that are not set keep the solvers' defaults.
     const auto usual = dipSetup(dip.body, FilledField(dip.body, dip.field), dip.immersion, {}, {});
     QCOMPARE(usual.settings.gripFade, solver::Settings().gripFade);
     QCOMPARE(usual.settings.gatheringStretch, solver::Settings().gatheringStretch);
     QCOMPARE(usual.settings.growthLimit, 0.0);
 }
 
-void DipTest::resultIsInThePoseFrame() {
+void DipTest::simulateDip_result_isInThePoseFrame() {
     Dip dip;
     dip.immersion.offset = {Millimetres(12), Millimetres(-7)};
     Script script;
@@ -227,7 +227,7 @@ void DipTest::resultIsInThePoseFrame() {
     QVERIFY(!film.adhered(0));
 }
 
-void DipTest::resultSaysWhatIsToBeDoubted() {
+void DipTest::simulateDip_result_carriesEquilibriumAndMarks() {
     Dip dip;
     Script script;
     const DippedFilm sure = dip.run(script);
@@ -245,7 +245,7 @@ void DipTest::resultSaysWhatIsToBeDoubted() {
     QCOMPARE(int(film.marks[1]), 0);
 }
 
-void DipTest::batchedDipEndsInThePoseFrameToo() {
+void DipTest::dippedFilm_ofBatch_equalsTheSingleDip() {
     Dip dip;
     dip.immersion.offset = {Millimetres(12), Millimetres(-7)};
     Script script;
@@ -265,7 +265,7 @@ void DipTest::batchedDipEndsInThePoseFrameToo() {
     QVERIFY(batched.states == alone.states);
 }
 
-void DipTest::progressGrowsToTheEnd() {
+void DipTest::simulateDip_progress_growsTo1() {
     Dip dip;
     std::vector<double> shares;
     dip.progress.report = [&](double share, const QString& text) {
@@ -279,7 +279,7 @@ void DipTest::progressGrowsToTheEnd() {
     QCOMPARE(shares.back(), 1.0);
 }
 
-void DipTest::observerSeesTheLastFrame() {
+void DipTest::simulateDip_observer_seesTheLastFrame() {
     Dip dip;
     Script script;
     double descent = -1;
@@ -296,8 +296,8 @@ void DipTest::observerSeesTheLastFrame() {
     QCOMPARE(buffers.size(), std::size_t(1));
 }
 
-// Those of a device that computes beside the host.
-void DipTest::observerSeesLateFramesAsOfTheirSteps() {
+// A device that computes beside the host shows frames late.
+void DipTest::simulateDip_lateFrames_carryTheirOwnSteps() {
     Dip dip;
     Script script;
     script.showsLate = true;
@@ -314,7 +314,7 @@ void DipTest::observerSeesLateFramesAsOfTheirSteps() {
     QCOMPARE(steps.back(), std::int64_t(50));
 }
 
-void DipTest::gradedFilmIsDippedAsItIs() {
+void DipTest::simulateDip_gradedFilm_keepsItsGrid() {
     Dip dip;
     dip.film.resolution = FilmResolution::Cell;
     dip.film.cell = Millimetres(4);
@@ -328,7 +328,7 @@ void DipTest::gradedFilmIsDippedAsItIs() {
     QCOMPARE(std::ranges::count(script.setup.pinned, 1), std::ptrdiff_t(film.grid.columns));
 }
 
-void DipTest::cancellingStopsWithTheNextSteps() {
+void DipTest::simulateDip_cancelled_stopsWithTheNextSteps() {
     Dip dip;
     Script script;
     script.steps = 1 << 20;
@@ -344,7 +344,7 @@ void DipTest::cancellingStopsWithTheNextSteps() {
     QVERIFY(script.asked <= askedWhenCancelled + 1);
 }
 
-void DipTest::failingSolverIsAnError() {
+void DipTest::simulateDip_failingSolver_throwsError() {
     Dip dip;
     dip.immersion.name = "Top";
     Script script;
@@ -354,7 +354,7 @@ void DipTest::failingSolverIsAnError() {
     QVERIFY2(sentence.contains("(Top)"), qPrintable(sentence));
 }
 
-void DipTest::unstableFilmIsAnError() {
+void DipTest::simulateDip_unstableFilm_throwsError() {
     Dip dip;
     Script script;
     script.unstable = true;
@@ -362,7 +362,7 @@ void DipTest::unstableFilmIsAnError() {
     QVERIFY2(sentence.contains("time step"), qPrintable(sentence));
 }
 
-void DipTest::bodyThatNeverTouchesIsAnError() {
+void DipTest::simulateDip_bodyNeverTouches_throwsError() {
     Dip dip;
     Script script;
     script.touches = false;
@@ -370,7 +370,7 @@ void DipTest::bodyThatNeverTouchesIsAnError() {
     QVERIFY2(sentence.contains("does not meet the film"), qPrintable(sentence));
 }
 
-void DipTest::bodyBesideTheFilmIsRefusedUnsimulated() {
+void DipTest::simulateDip_bodyBesideTheFilm_isRefusedUnsimulated() {
     Dip dip;
     dip.immersion.offset = {Millimetres(121), Millimetres(0)};
     Script script;

@@ -105,7 +105,7 @@ TexturedMesh globe(double radius, int rings, int segments, const QImage& picture
             const Eigen::Vector3f& p = corners[corner];
             const bool pole = std::hypot(p.x(), p.z()) < 1e-3f * float(radius);
             double turn = pole ? middleTurn : std::atan2(-p.x(), -p.z());
-            // On the side of the closing meridian on which the triangle is.
+            // On the triangle's side of the meridian where the map closes.
             turn = turn - middleTurn > pi ? turn - 2 * pi : turn;
             turn = middleTurn - turn > pi ? turn + 2 * pi : turn;
             const double latitude = std::asin(std::clamp(double(p.y()) / radius, -1.0, 1.0));

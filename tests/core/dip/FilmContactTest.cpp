@@ -1,4 +1,4 @@
-// Which film is on the body, and how much of the body it paints.
+// Which film adheres to the body, and how much of the body it paints.
 #include "DippedByHand.h"
 #include "dip/Coverage.h"
 #include "geometry/Shapes.h"
@@ -23,7 +23,7 @@ struct Located {
         : laid(test::laid(mesh, dipped, process)), body(laid->body()), film(laid->film()),
           contact(laid->contact()) {}
 
-    // Of the film over the body's place nearest to `position`.
+    // The film's place over the point of the body nearest to `position`.
     std::optional<FilmPlace> placeAt(const Eigen::Vector3f& position) const {
         return laid->place(body.query.closest(position).point);
     }
@@ -34,7 +34,7 @@ struct Located {
     Eigen::Vector3f place(std::size_t point) const {
         return position(body.mesh, contact.surface[point]);
     }
-    // Share of the painted film triangles for which `test` of the triangle's middle holds.
+    // Whether `holds` is true for the middle of every painted film triangle.
     template <typename Test>
     bool allPainted(const Test& holds) const {
         for (std::size_t triangle = 0; triangle < laid->triangles().size(); ++triangle) {
@@ -64,30 +64,30 @@ class FilmContactTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void filmUnderABoxIsOnItsBottom();
-    void contactIsOnTheSurfaceNearTheFilm();
-    void filmAtAContactDistanceLiesOnTheBody();
-    void filmOnTheUpperSideIsNotPainted();
-    void tornFilmIsNotPainted();
-    void loneMissIsFilledFromItsNeighbours();
-    void freeFilmAtTheWaterlineIsNotFilled();
-    void trappedFilmIsNotPainted();
-    void filmAcrossAHollowIsNotPainted();
-    void coverageOfABoxIsItsBottom();
-    void coverageOfABallIsItsCap();
-    void filmsTogetherCoverWhatAnyCovers();
-    void filmOnTheEdgeIsTold();
-    void paintEndsEvenlyWhereTheBodyTurnsUp_data();
-    void paintEndsEvenlyWhereTheBodyTurnsUp();
-    void placeGivesTheFlatFilmBack();
-    void gradedFilmIsReadBackAsAnEvenOne();
-    void gradedFilmEndsAndCoversAsAnEvenOne();
-    void placeEndsWhereThePaintEnds();
-    void placeTellsTheSidesOfAThinPlateApart();
-    void sameResultTwice();
+    void filmContact_flatUnderBox_isOnItsBottom();
+    void filmContact_onBall_isOnTheSurfaceNearTheFilm();
+    void filmContact_atContactDistance_paintsTheBody();
+    void filmContact_pastOverhang_isNotPainted();
+    void filmContact_tornFilm_isNotPainted();
+    void filmContact_singleMiss_isFilledFromItsNeighbours();
+    void filmContact_freeFilmAtWaterline_isNotFilled();
+    void filmContact_trappedFilm_isNotPainted();
+    void filmContact_acrossAHollow_isNotPainted();
+    void coverage_box_isItsBottom();
+    void coverage_ball_isItsCap();
+    void coverageTogether_twoFilms_isTheirUnion();
+    void edgeIsOnBody_smallFilm_isTrue();
+    void laidFilm_pastOverhang_endsEvenly_data();
+    void laidFilm_pastOverhang_endsEvenly();
+    void laidFilm_place_givesTheRestPosition();
+    void laidFilm_gradedPlace_equalsTheEvenOne();
+    void laidFilm_gradedCoverage_equalsTheEvenOne();
+    void laidFilm_place_endsWithThePaint();
+    void laidFilm_thinPlate_separatesItsSides();
+    void filmContact_twice_givesTheSameBits();
 };
 
-void FilmContactTest::filmUnderABoxIsOnItsBottom() {
+void FilmContactTest::filmContact_flatUnderBox_isOnItsBottom() {
     const Located box(boxMesh({60, 30, 60}), test::flatUnderBox(test::a4Grid(), {60, 30, 60}));
     QCOMPARE(box.contact.contactCount, std::size_t(34 * 34));
     QCOMPARE(box.contact.filledCount, std::size_t(0));
@@ -100,7 +100,7 @@ void FilmContactTest::filmUnderABoxIsOnItsBottom() {
     }
 }
 
-void FilmContactTest::contactIsOnTheSurfaceNearTheFilm() {
+void FilmContactTest::filmContact_onBall_isOnTheSurfaceNearTheFilm() {
     const Located globe(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, 1.8));
     QVERIFY(globe.contact.contactCount > 3000);
     for (std::size_t point = 0; point < globe.film.positions.size(); ++point) {
@@ -110,7 +110,7 @@ void FilmContactTest::contactIsOnTheSurfaceNearTheFilm() {
     }
 }
 
-void FilmContactTest::filmAtAContactDistanceLiesOnTheBody() {
+void FilmContactTest::filmContact_atContactDistance_paintsTheBody() {
     DippedFilm film = test::flatUnderBox(test::a4Grid(), {60, 30, 60});
     for (Eigen::Vector3f& position : film.positions) {
         position.y() -= 2.5f;
@@ -122,7 +122,7 @@ void FilmContactTest::filmAtAContactDistanceLiesOnTheBody() {
     QVERIFY((place->rest - Eigen::Vector2f(5, -8)).norm() < 1e-3f);
 }
 
-void FilmContactTest::filmOnTheUpperSideIsNotPainted() {
+void FilmContactTest::filmContact_pastOverhang_isNotPainted() {
     const DippedFilm film = test::viscousOnSphere(test::a4Grid(), ballRadius, 2.6);
     for (const double overhang : {-10.0, 0.0, 20.0, 45.0}) {
         ProcessSettings process;
@@ -137,9 +137,9 @@ void FilmContactTest::filmOnTheUpperSideIsNotPainted() {
     }
 }
 
-void FilmContactTest::tornFilmIsNotPainted() {
+void FilmContactTest::filmContact_tornFilm_isNotPainted() {
     DippedFilm film = test::flatUnderBox(test::a4Grid(), {60, 30, 60});
-    // Drawn sideways on the bottom: the cells to its left grow to 2.5 times their area.
+    // The point is drawn sideways: the cells to its left grow to 2.5 times their area.
     const std::size_t point = middlePoint(film.grid);
     film.positions[point].x() += 1.5f * float(film.grid.spacingX(0));
     ProcessSettings process;
@@ -152,12 +152,12 @@ void FilmContactTest::tornFilmIsNotPainted() {
         torn += isTorn ? 1 : 0;
     }
     QVERIFY(torn > 0);
-    // By the usual limit nothing tears.
+    // With the default limit nothing tears.
     const Located whole(boxMesh({60, 30, 60}), film);
     QCOMPARE(whole.paintedCount(), box.paintedCount() + std::size_t(torn));
 }
 
-void FilmContactTest::loneMissIsFilledFromItsNeighbours() {
+void FilmContactTest::filmContact_singleMiss_isFilledFromItsNeighbours() {
     DippedFilm film = test::viscousOnSphere(test::a4Grid(), ballRadius, 1.5);
     const std::size_t point = middlePoint(film.grid) + 5;
     const Eigen::Vector3f place = film.positions[point];
@@ -169,7 +169,7 @@ void FilmContactTest::loneMissIsFilledFromItsNeighbours() {
     QVERIFY((globe.place(point) - place).norm() < 0.1f);
 }
 
-void FilmContactTest::freeFilmAtTheWaterlineIsNotFilled() {
+void FilmContactTest::filmContact_freeFilmAtWaterline_isNotFilled() {
     const Located globe(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, 1.0));
     QCOMPARE(globe.contact.filledCount, std::size_t(0));
     for (std::size_t point = 0; point < globe.film.positions.size(); ++point) {
@@ -177,18 +177,18 @@ void FilmContactTest::freeFilmAtTheWaterlineIsNotFilled() {
     }
 }
 
-void FilmContactTest::trappedFilmIsNotPainted() {
+void FilmContactTest::filmContact_trappedFilm_isNotPainted() {
     DippedFilm film = test::flatUnderBox(test::a4Grid(), {60, 30, 60});
     const std::size_t point = middlePoint(film.grid);
     film.states[point] = solver::PointState::Trapped;
     const Located box(boxMesh({60, 30, 60}), film);
     QVERIFY(!box.contact.surface[point].isValid());
-    // Six or eight triangles meet in a point, four where no cut does.
+    // Eight triangles meet in a point on the cells' diagonals, four in another.
     const std::size_t missing = 2 * 33 * 33 - box.paintedCount();
     QVERIFY(missing == 4 || missing == 8);
 }
 
-void FilmContactTest::filmAcrossAHollowIsNotPainted() {
+void FilmContactTest::filmContact_acrossAHollow_isNotPainted() {
     // A roof turned upside down: two slopes that meet in a furrow along Z, seen from below.
     TriangleMesh gable;
     gable.positions = {{-30, 0, -30}, {0, 30, -30}, {30, 0, -30},
@@ -209,8 +209,8 @@ void FilmContactTest::filmAcrossAHollowIsNotPainted() {
     QVERIFY(roof.paintedCount() > 2 * 27 * 28);
 }
 
-void FilmContactTest::coverageOfABoxIsItsBottom() {
-    // As large as 34 film points, so that the film's cells end where the bottom does.
+void FilmContactTest::coverage_box_isItsBottom() {
+    // 34 film points wide, so that the film's cells end where the bottom does.
     const solver::FilmGrid grid = test::a4Grid();
     const Eigen::Vector3d size(33 * grid.spacingX(0), 30, 33 * grid.spacingZ(0));
     const Located box(boxMesh(size), test::flatUnderBox(grid, size + Eigen::Vector3d(0.1, 0, 0.1)));
@@ -225,7 +225,7 @@ void FilmContactTest::coverageOfABoxIsItsBottom() {
     }
 }
 
-void FilmContactTest::coverageOfABallIsItsCap() {
+void FilmContactTest::coverage_ball_isItsCap() {
     const double end = 1.2;
     const Located globe(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, end));
     const Coverage cover = coverage(*globe.laid);
@@ -234,7 +234,7 @@ void FilmContactTest::coverageOfABallIsItsCap() {
     QVERIFY(std::abs(cover.share - (1 - std::cos(end)) / 2) < 0.001);
 }
 
-void FilmContactTest::filmsTogetherCoverWhatAnyCovers() {
+void FilmContactTest::coverageTogether_twoFilms_isTheirUnion() {
     const Located small(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, 0.8));
     const Located large(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, 1.2));
     const double both = coverageTogether({small.laid, large.laid}, {});
@@ -244,25 +244,25 @@ void FilmContactTest::filmsTogetherCoverWhatAnyCovers() {
     QVERIFY_EXCEPTION_THROWN(coverageTogether({small.laid, large.laid}, cancelled), Cancelled);
 }
 
-void FilmContactTest::filmOnTheEdgeIsTold() {
+void FilmContactTest::edgeIsOnBody_smallFilm_isTrue() {
     const DippedFilm film = test::flatUnderBox({31, 31, 60, 60}, {50, 30, 50});
     QVERIFY(!edgeIsOnBody(*test::laid(boxMesh({50, 30, 50}), film)));
     const DippedFilm tooSmall = test::flatUnderBox({31, 31, 60, 60}, {70, 30, 70});
     QVERIFY(edgeIsOnBody(*test::laid(boxMesh({70, 30, 70}), tooSmall)));
 }
 
-void FilmContactTest::paintEndsEvenlyWhereTheBodyTurnsUp_data() {
+void FilmContactTest::laidFilm_pastOverhang_endsEvenly_data() {
     QTest::addColumn<int>("rings");
     QTest::addColumn<double>("shortOfLimit");
     QTest::addColumn<double>("within");
     QTest::newRow("fine mesh") << 120 << 1.8 << 0.3;
-    // Faces of 9°: those round the limit turn up past it before the ball that they stand for.
+    // Faces of 9°: those at the limit turn up past it earlier than the exact ball.
     QTest::newRow("coarse mesh") << 20 << 0.0 << 0.8;
 }
 
-void FilmContactTest::paintEndsEvenlyWhereTheBodyTurnsUp() {
+void FilmContactTest::laidFilm_pastOverhang_endsEvenly() {
     QFETCH(int, rings);
-    QFETCH(double, shortOfLimit); // mm along the ball, of the last film points on it
+    QFETCH(double, shortOfLimit); // mm along the ball from the last film points on it to the limit
     QFETCH(double, within);
     // The other points float above.
     const ProcessSettings process;
@@ -291,7 +291,7 @@ void FilmContactTest::paintEndsEvenlyWhereTheBodyTurnsUp() {
     }
 }
 
-void FilmContactTest::placeGivesTheFlatFilmBack() {
+void FilmContactTest::laidFilm_place_givesTheRestPosition() {
     const Located globe(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, 1.5));
     int found = 0;
     for (std::uint32_t triangle = 0; triangle < globe.body.mesh.triangles.size(); ++triangle) {
@@ -307,7 +307,7 @@ void FilmContactTest::placeGivesTheFlatFilmBack() {
             const Eigen::Vector2f expected =
                 float(2 * ballRadius * std::sin(angle / 2)) * direction;
             QVERIFY((covering->rest - expected).norm() < 0.06f);
-            // Its weights are those of the triangle's corners that it lies between.
+            // The weights interpolate the rest positions of the triangle's corners.
             const Eigen::Vector3f weights = globe.laid->weights(*covering);
             const FilmTriangle& corners = globe.laid->triangles()[covering->triangle];
             Eigen::Vector2f back = Eigen::Vector2f::Zero();
@@ -323,7 +323,7 @@ void FilmContactTest::placeGivesTheFlatFilmBack() {
     QVERIFY(found > 10000);
 }
 
-void FilmContactTest::gradedFilmIsReadBackAsAnEvenOne() {
+void FilmContactTest::laidFilm_gradedPlace_equalsTheEvenOne() {
     const Eigen::Vector3d size(60, 30, 60);
     for (const solver::FilmGrid& grid : {test::a4Grid(), test::gradedA4Grid()}) {
         const Located box(boxMesh(size), test::flatUnderBox(grid, size));
@@ -344,7 +344,7 @@ void FilmContactTest::gradedFilmIsReadBackAsAnEvenOne() {
     }
 }
 
-void FilmContactTest::gradedFilmEndsAndCoversAsAnEvenOne() {
+void FilmContactTest::laidFilm_gradedCoverage_equalsTheEvenOne() {
     const Located even(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, 1.8));
     const Located graded(ball(), test::viscousOnSphere(test::gradedA4Grid(), ballRadius, 1.8));
     for (float angle = 0.05f; angle < 1.7f; angle += 0.05f) {
@@ -354,7 +354,7 @@ void FilmContactTest::gradedFilmEndsAndCoversAsAnEvenOne() {
                                      float(ballRadius) * std::sin(angle) * std::sin(turn));
             const auto one = even.placeAt(at), other = graded.placeAt(at);
             QVERIFY(one && other);
-            // Both interpolate over flat triangles, the graded film's smaller here.
+            // Both interpolate over flat triangles; those of the graded film are smaller here.
             QVERIFY((one->rest - other->rest).norm() < 0.03f);
         }
     }
@@ -362,10 +362,10 @@ void FilmContactTest::gradedFilmEndsAndCoversAsAnEvenOne() {
     QVERIFY(std::abs(coverage(*graded.laid).paintedArea / evenArea - 1) < 0.003);
 }
 
-void FilmContactTest::placeEndsWhereThePaintEnds() {
+void FilmContactTest::laidFilm_place_endsWithThePaint() {
     const Located box(boxMesh({60, 30, 60}), test::flatUnderBox(test::a4Grid(), {30, 30, 30}));
     const auto covers = [&](float x, float z) { return box.placeAt({x, 0, z}).has_value(); };
-    // Eighteen points of each row are on the bottom, 17 cells between them.
+    // 18 points of each row, with 17 cells between them, are on the bottom.
     const auto end = float(8.5 * box.film.grid.spacingX(0));
     QVERIFY(covers(end - 0.05f, 3));
     QVERIFY(covers(-end + 0.05f, -3));
@@ -374,14 +374,14 @@ void FilmContactTest::placeEndsWhereThePaintEnds() {
     QVERIFY(!covers(25, 25));
 }
 
-void FilmContactTest::placeTellsTheSidesOfAThinPlateApart() {
+void FilmContactTest::laidFilm_thinPlate_separatesItsSides() {
     // A plate of 0.2 mm with film below it only.
     const Located plate(boxMesh({60, 0.2, 60}), test::flatUnderBox(test::a4Grid(), {60, 0.2, 60}));
     QVERIFY(plate.placeAt({5, 0, 5}));
     QVERIFY(!plate.placeAt({5, 0.2f, 5}));
 }
 
-void FilmContactTest::sameResultTwice() {
+void FilmContactTest::filmContact_twice_givesTheSameBits() {
     const DippedFilm film = test::viscousOnSphere(test::a4Grid(), ballRadius, 1.9);
     const Located one(ball(), film);
     const Located other(ball(), film);

@@ -1,4 +1,4 @@
-// Which paint depends on marked film, on films laid by hand.
+// Which paint comes from marked film, on films laid by hand.
 #include "dip/Coverage.h"
 
 #include "DippedByHand.h"
@@ -11,10 +11,10 @@ using solver::PointMark;
 
 namespace {
 
-constexpr double side = 20; // of the quarter of the box, mm
+constexpr double side = 20; // mm, a quarter of the box's bottom
 const Eigen::Vector3d boxSize(40, 30, 40);
 
-// A film of cells of 1 mm under the box, whose points are marked as `markAt` says of their places.
+// A film of 1 mm cells under the box. `markAt` gives the mark of each rest position.
 template <typename MarkAt>
 std::shared_ptr<const LaidFilm> markedFilm(const MarkAt& markAt) {
     DippedFilm film = test::flatUnderBox({61, 61, 60, 60}, boxSize);
@@ -33,8 +33,8 @@ class FilmMarksTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void paintIsMarkedWhereItsFilmIs() {
-        // A quarter of the box, and the cells that it shares points with.
+    void coverage_markedFilm_marksItsPaint() {
+        // A quarter of the box and the cells that share points with it are marked.
         const auto laid = markedFilm([](const Eigen::Vector2f& rest) {
             return rest.x() >= 0 && rest.y() >= 0 ? letGo : std::uint8_t(0);
         });
@@ -45,7 +45,7 @@ private slots:
         QCOMPARE(cover.marked.of(PointMark::Torn), 0.0);
     }
 
-    void filmWithTwoMarksCountsOnceAltogether() {
+    void coverage_twoMarksOnOneFilm_countOnceInTotal() {
         const auto laid = markedFilm([](const Eigen::Vector2f& rest) {
             return std::uint8_t((rest.x() >= 0 ? letGo : 0) | (rest.x() >= 0 ? torn : 0));
         });
@@ -55,7 +55,7 @@ private slots:
         QCOMPARE(gravestMark(paintedMarks(*laid)), std::optional(PointMark::Torn));
     }
 
-    void filmBesideTheBodyMarksNothing() {
+    void coverage_markedFilmBesideTheBody_marksNothing() {
         const auto laid = markedFilm([](const Eigen::Vector2f& rest) {
             return std::abs(rest.x()) > 20 ? torn : std::uint8_t(0);
         });
@@ -64,7 +64,7 @@ private slots:
         QVERIFY(!gravestMark(0));
     }
 
-    void filmWithoutMarksIsNotMarked() {
+    void coverage_unmarkedFilm_marksNothing() {
         const auto laid =
             test::laid(boxMesh(boxSize), test::flatUnderBox({61, 61, 60, 60}, boxSize));
         const Coverage cover = coverage(*laid);
@@ -72,7 +72,7 @@ private slots:
         QVERIFY(markedText(cover.marked, cover.paintedArea).isEmpty());
     }
 
-    void facesOfTheBodyAreMarkedByTheMostOfTheirPaint() {
+    void coverage_face_takesTheMarkOfMostOfItsPaint() {
         const auto laid = markedFilm([](const Eigen::Vector2f& rest) {
             return rest.x() + rest.y() > 0 ? letGo : std::uint8_t(0);
         });
@@ -86,7 +86,7 @@ private slots:
         QVERIFY(marked > 0);
     }
 
-    void wordsHaveAreaShareAndCause() {
+    void markedText_hasAreaShareAndCause() {
         MarkedArea marked;
         marked.add(torn, 30);
         marked.add(letGo, 20);

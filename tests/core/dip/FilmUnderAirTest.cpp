@@ -1,4 +1,4 @@
-// Film and trapped air: the field that solvers are given, and what film paints of hollow bodies.
+// Trapped air: the field that solvers get, and what film paints of hollow bodies.
 #include "HollowBodies.h"
 #include "dip/Coverage.h"
 #include "dip/Dip.h"
@@ -48,7 +48,7 @@ std::shared_ptr<const LaidFilm> dipped(const TriangleMesh& mesh, double turn, bo
     return layFilm(body, dippedFilm(item, immersion), {});
 }
 
-// mm² of the body whose triangles' middles fulfil `holds`, and what of that is painted.
+// Area (mm²) of the body's triangles whose middle fulfils `holds`, and the painted part of it.
 struct Painted {
     double whole = 0, painted = 0;
 };
@@ -71,15 +71,15 @@ class FilmUnderAirTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void bodyWithoutAirKeepsItsField();
-    void fieldOfABowlIsThatOfHalfABall();
-    void insideOfABowlWithItsRimDownStaysDry_data();
-    void insideOfABowlWithItsRimDownStaysDry();
-    void insideOfABowlWithAHoleIsPainted();
-    void tippedCupIsPaintedUpToTheAir();
+    void filledField_withoutAir_isTheBodysField();
+    void filledField_bowlRimDown_isThatOfHalfABall();
+    void dip_bowlRimDown_insideStaysUnpainted_data();
+    void dip_bowlRimDown_insideStaysUnpainted();
+    void dip_bowlWithHole_insideIsPainted();
+    void dip_tippedCup_isUnpaintedAboveTheAirsLevel();
 };
 
-void FilmUnderAirTest::bodyWithoutAirKeepsItsField() {
+void FilmUnderAirTest::filledField_withoutAir_isTheBodysField() {
     for (const TriangleMesh& mesh : {sphereMesh(20, 40, 80), torusMesh(24, 7, 40, 24)}) {
         const PosedBody body = posedBody(mesh, {});
         const DistanceField own = buildDistanceField(mesh, 64, {});
@@ -87,10 +87,10 @@ void FilmUnderAirTest::bodyWithoutAirKeepsItsField() {
     }
 }
 
-// Filled, it is solid: half a ball with a flat face down.
-void FilmUnderAirTest::fieldOfABowlIsThatOfHalfABall() {
+// A filled bowl is solid: half a ball with its flat face down.
+void FilmUnderAirTest::filledField_bowlRimDown_isThatOfHalfABall() {
     const TriangleMesh mesh = bowl();
-    for (const double turn : {0.0, 31.0}) { // of the model against its field
+    for (const double turn : {0.0, 31.0}) { // degrees, of the model against its field
         const Eigen::Isometry3d askew(Eigen::AngleAxisd(turn * pi / 180, Eigen::Vector3d::UnitX()));
         Immersion immersion;
         immersion.rotation[0] = Degrees(-turn);
@@ -98,7 +98,7 @@ void FilmUnderAirTest::fieldOfABowlIsThatOfHalfABall() {
         const PosedBody body = posedBody(model, immersion);
         const DistanceField own = buildDistanceField(model, 96, {});
         const FilledField filled(body, own);
-        // By how much the solid's surface is off its place, on the face and round the dome.
+        // The error of the solid's surface, on its face and round its dome, in mm.
         double worst = 0;
         for (double radius = 0; radius < bowlRadius - 0.5; radius += 0.37) {
             for (const double height : {0.6, 0.2, -0.2, -0.6}) {
@@ -113,20 +113,20 @@ void FilmUnderAirTest::fieldOfABowlIsThatOfHalfABall() {
             }
         }
         QVERIFY2(worst < 0.25 * own.spacing + 0.05, qPrintable(QString::number(worst)));
-        // Far in the hollow it is inside; far over the dome nothing has changed.
+        // Deep in the hollow the field is negative; above the dome it has not changed.
         QVERIFY(filled.field().sample(askew * Eigen::Vector3d(4, 15, 3)) < -own.spacing);
         const Eigen::Vector3d over = askew * Eigen::Vector3d(3, bowlRadius + 0.8, -2);
         QCOMPARE(filled.field().sample(over), own.sample(over));
     }
 }
 
-void FilmUnderAirTest::insideOfABowlWithItsRimDownStaysDry_data() {
+void FilmUnderAirTest::dip_bowlRimDown_insideStaysUnpainted_data() {
     QTest::addColumn<bool>("isPaper");
     QTest::newRow("production") << false;
     QTest::newRow("paper") << true;
 }
 
-void FilmUnderAirTest::insideOfABowlWithItsRimDownStaysDry() {
+void FilmUnderAirTest::dip_bowlRimDown_insideStaysUnpainted() {
     QFETCH(bool, isPaper);
     const auto laid = dipped(bowl(), 0, isPaper);
     const Painted inside = paintedWhere(
@@ -134,14 +134,14 @@ void FilmUnderAirTest::insideOfABowlWithItsRimDownStaysDry() {
     QVERIFY(inside.whole > 5000);
     QCOMPARE(inside.painted, 0.0);
     for (std::size_t point = 0; point < laid->film().positions.size(); ++point) {
-        // Film under the air is on nothing, and has stayed at the rim's height.
+        // Film under the air touches nothing and stays at the rim's height.
         const Eigen::Vector2f rest = restPosition(laid->film().grid, point);
         if (rest.norm() < innerRadius - 2 * filmCell) {
             QVERIFY(!laid->contact().surface[point].isValid());
             QVERIFY(std::abs(laid->film().positions[point].y()) < 0.1f);
         }
     }
-    // The rim and, outside, the wall up to where it turns up by the overhang, but for a cell.
+    // The rim and the outer wall up to the overhang are painted, within a cell.
     const Coverage cover = coverage(*laid);
     const double band =
         2 * pi * bowlRadius * bowlRadius * std::sin(radians(ProcessSettings().overhang));
@@ -153,14 +153,14 @@ void FilmUnderAirTest::insideOfABowlWithItsRimDownStaysDry() {
     QVERIFY(std::abs(cover.trappedAir.area - dry) < 0.01 * dry);
 }
 
-void FilmUnderAirTest::insideOfABowlWithAHoleIsPainted() {
+void FilmUnderAirTest::dip_bowlWithHole_insideIsPainted() {
     const auto laid = dipped(bowl(4), 0, false);
     const Painted inside = paintedWhere(
         *laid, [](const Eigen::Vector3f& place) { return place.norm() < 30.5f && place.y() > 1; });
     QVERIFY2(inside.painted > 0.8 * inside.whole, qPrintable(QString::number(inside.painted)));
 }
 
-void FilmUnderAirTest::tippedCupIsPaintedUpToTheAir() {
+void FilmUnderAirTest::dip_tippedCup_isUnpaintedAboveTheAirsLevel() {
     const auto laid = dipped(cup(), 150, false);
     const std::optional<double> level = trappedAir(laid->body()).height;
     QVERIFY(level);

@@ -1,4 +1,4 @@
-// How fine a film is made for a body and its pose.
+// How fine the film's cells are for a body and its pose.
 #include "dip/FilmUnderBody.h"
 #include "film/FilmGrid.h"
 
@@ -34,7 +34,7 @@ double cellFor(const Underside& underside) {
     return automaticCell(underside, filmOf(FilmResolution::Automatic)).value();
 }
 
-// The largest cells of the film between two places, along X.
+// The film's largest cell between two places along X, in mm.
 double coarsest(const solver::FilmGrid& grid, double from, double to) {
     double largest = 0;
     for (int column = 0; column + 1 < grid.columns; ++column) {
@@ -51,38 +51,39 @@ class FilmUnderBodyTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void thinPartsAskForFinerCells();
-    void onlyWhatComesDownOnTheFilmCounts();
-    void filmIsFineUnderTheBodyAndWhatItDrawsIn();
-    void filmGoesWithTheBody();
-    void aCellThatIsGivenIsKept();
-    void cellsTooSmallForTheFilmAreRefused();
-    void pointsThatAreGivenAreKept();
-    void thePapersFilmStaysEven();
+    void automaticCell_thinBody_isFiner();
+    void automaticCell_uprightPlate_ignoresItsSides();
+    void filmUnderBody_ball_isFineWhereFilmIsDrawnIn();
+    void filmUnderBody_offset_movesTheFineCells();
+    void filmUnderBody_givenCell_isKept();
+    void filmUnderBody_tooSmallCell_isRefused();
+    void filmUnderBody_givenPoints_areKept();
+    void filmUnderBody_papersFilm_staysEven();
 };
 
-void FilmUnderBodyTest::thinPartsAskForFinerCells() {
+void FilmUnderBodyTest::automaticCell_thinBody_isFiner() {
     const double thick = cellFor(undersideOf(boxMesh({60, 40, 60})));
     const double thin = cellFor(undersideOf(boxMesh({60, 4, 60})));
-    QVERIFY(thick <= 1.0 + 1e-9); // so many along the body, whatever its thickness
+    QVERIFY(thick <=
+            1.0 + 1e-9); // a number of cells along the body limits it, whatever the thickness
     QVERIFY(thin < 0.6 * thick);
     QVERIFY(thin > 0.2);
 }
 
-void FilmUnderBodyTest::onlyWhatComesDownOnTheFilmCounts() {
-    // Lying flat a plate shows its thickness; standing on its edge, its sides do not come down on
-    // the film.
+void FilmUnderBodyTest::automaticCell_uprightPlate_ignoresItsSides() {
+    // A plate that lies flat needs cells for its thickness. When it stands on its edge, its sides
+    // do not come down on the film.
     Immersion upright;
     upright.rotation[0] = Degrees(90);
     const TriangleMesh plate = boxMesh({60, 4, 60});
     QVERIFY(cellFor(undersideOf(plate)) < 0.6 * cellFor(undersideOf(plate, upright)));
-    // Asked of the model as it is modelled, the answer is the same.
+    // The model's own frame gives the same result.
     const Underside asked =
         undersideOf(plate, SurfaceQuery(plate), poseTransform(plate, upright), {});
     QVERIFY(std::abs(cellFor(asked) / cellFor(undersideOf(plate, upright)) - 1) < 1e-4);
 }
 
-void FilmUnderBodyTest::filmIsFineUnderTheBodyAndWhatItDrawsIn() {
+void FilmUnderBodyTest::filmUnderBody_ball_isFineWhereFilmIsDrawnIn() {
     const Underside under = ball();
     const FilmSettings film = filmOf(FilmResolution::Automatic);
     const double cell = automaticCell(under, film).value();
@@ -95,7 +96,7 @@ void FilmUnderBodyTest::filmIsFineUnderTheBodyAndWhatItDrawsIn() {
     QVERIFY(double(grid.pointCount()) < 0.6 * (210 / cell) * (297 / cell));
 }
 
-void FilmUnderBodyTest::filmGoesWithTheBody() {
+void FilmUnderBodyTest::filmUnderBody_offset_movesTheFineCells() {
     const Underside under = undersideOf(sphereMesh(20, 60, 120));
     const FilmSettings film = filmOf(FilmResolution::Automatic);
     const double cell = automaticCell(under, film).value();
@@ -104,7 +105,7 @@ void FilmUnderBodyTest::filmGoesWithTheBody() {
     QVERIFY(coarsest(grid, -60, -30) > 2 * cell);
 }
 
-void FilmUnderBodyTest::aCellThatIsGivenIsKept() {
+void FilmUnderBodyTest::filmUnderBody_givenCell_isKept() {
     FilmSettings film = filmOf(FilmResolution::Cell);
     film.cell = Millimetres(1.3);
     const solver::FilmGrid grid = filmUnderBody(film, ball(), {});
@@ -115,18 +116,18 @@ void FilmUnderBodyTest::aCellThatIsGivenIsKept() {
     QCOMPARE(half.rows, grid.rows / 2 + 1);
 }
 
-void FilmUnderBodyTest::cellsTooSmallForTheFilmAreRefused() {
+void FilmUnderBodyTest::filmUnderBody_tooSmallCell_isRefused() {
     FilmSettings film = filmOf(FilmResolution::Cell);
     film.cell = Millimetres(0.05);
     QVERIFY_EXCEPTION_THROWN(filmUnderBody(film, ball(), {}), Error);
 }
 
-void FilmUnderBodyTest::pointsThatAreGivenAreKept() {
+void FilmUnderBodyTest::filmUnderBody_givenPoints_areKept() {
     const FilmSettings film = filmOf(FilmResolution::Points);
     QCOMPARE(filmUnderBody(film, ball(), {}), filmGrid(film));
 }
 
-void FilmUnderBodyTest::thePapersFilmStaysEven() {
+void FilmUnderBodyTest::filmUnderBody_papersFilm_staysEven() {
     FilmSettings film = filmOf(FilmResolution::Automatic);
     film.lattice = solver::Lattice::Structural;
     film.support = solver::Support::None;

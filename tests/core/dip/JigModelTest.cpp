@@ -1,4 +1,4 @@
-// Several bodies on one jig: each where it was hung, in its own colours.
+// Several parts on one jig, each in its place and with its own colours.
 #include "DippedByHand.h"
 
 #include "base/Error.h"
@@ -31,7 +31,7 @@ class JigModelTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void eachPartHangsWhereItWasHung() {
+    void jigModel_twoParts_keepsPlacesAndNames() {
         const std::vector<JigPart> parts{ball("Left", Qt::red, -20),
                                          ball("Right", Qt::blue, 20, 7)};
         const TexturedMesh jig = jigModel(parts);
@@ -51,7 +51,7 @@ private slots:
         QCOMPARE(jig.textures.size(), 2 * parts[0].model->textures.size());
     }
 
-    void aTurnedPartIsTurnedAboutItself() {
+    void jigModel_turnedPart_turnsAboutItsOwnCentre() {
         JigPart part;
         part.model = charted(test::plainModel(boxMesh({10, 20, 40}), Qt::white));
         part.placed.rotation[0] = Degrees(90);
@@ -61,7 +61,7 @@ private slots:
         QVERIFY((box.center() - Eigen::Vector3f(100, 20, -50)).norm() < 1e-3f);
     }
 
-    void twoPartsInOnePlaceAreRefused() {
+    void jigModel_partsOverlap_areRefused() {
         QVERIFY_EXCEPTION_THROWN(jigModel({ball("A", Qt::red, 0), ball("B", Qt::red, 20)}), Error);
         QVERIFY_EXCEPTION_THROWN(jigModel({}), Error);
     }

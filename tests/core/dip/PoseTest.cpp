@@ -1,4 +1,4 @@
-// How an immersion holds a body.
+// The pose of a body in a dip: frames, angles and travel.
 #include "DippedByHand.h"
 #include "geometry/Shapes.h"
 
@@ -35,17 +35,17 @@ class PoseTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void bodyStandsOnTheWaterPlaneOverTheMiddle();
-    void quarterTurnsSwapTheEdges();
-    void turnsAreAppliedAboutXThenYThenZ();
-    void leaningBodyRestsOnItsLowestCorner();
-    void offsetDoesNotMoveThePose();
-    void anglesOfARotationGiveItBack_data();
-    void anglesOfARotationGiveItBack();
-    void theWayDownEndsAtTheDepth();
+    void posedBody_standsOnTheWaterPlaneOverTheOrigin();
+    void posedBody_quarterTurns_swapTheEdges();
+    void poseTransform_turnsAboutXThenYThenZ();
+    void posedBody_leaning_restsOnItsLowestCorner();
+    void poseTransform_offset_doesNotMoveThePose();
+    void rotationAngles_ofARotation_giveItBack_data();
+    void rotationAngles_ofARotation_giveItBack();
+    void dipTravel_endsAtMarginOrDepth();
 };
 
-void PoseTest::bodyStandsOnTheWaterPlaneOverTheMiddle() {
+void PoseTest::posedBody_standsOnTheWaterPlaneOverTheOrigin() {
     const PosedBody body = posedBody(farBox(), Immersion{});
     const BoundingBox box = boundingBox(body.mesh);
     QVERIFY(isNear(box.min().cast<double>(), {-5, 0, -15}));
@@ -54,22 +54,22 @@ void PoseTest::bodyStandsOnTheWaterPlaneOverTheMiddle() {
     QVERIFY(isNear(body.modelToPose * Eigen::Vector3d(100, 190, 300), {0, 0, 0}));
 }
 
-void PoseTest::quarterTurnsSwapTheEdges() {
+void PoseTest::posedBody_quarterTurns_swapTheEdges() {
     QVERIFY(std::abs(posedBody(farBox(), turned(90, 0, 0)).height - 30) < 1e-4);
     QVERIFY(std::abs(posedBody(farBox(), turned(0, 90, 0)).height - 20) < 1e-4);
     QVERIFY(std::abs(posedBody(farBox(), turned(0, 0, 90)).height - 10) < 1e-4);
 }
 
-void PoseTest::turnsAreAppliedAboutXThenYThenZ() {
+void PoseTest::poseTransform_turnsAboutXThenYThenZ() {
     const Eigen::Isometry3d pose = poseTransform(farBox(), turned(90, 90, 0));
-    // About X, +Y goes to +Z; about Y then, +Z goes to +X.
+    // About X, +Y goes to +Z; then about Y, +Z goes to +X.
     QVERIFY(isNear(pose.linear() * Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitX()));
     const Eigen::Isometry3d other = poseTransform(farBox(), turned(0, 90, 90));
-    // About Y, +Z goes to +X; about Z then, +X goes to +Y.
+    // About Y, +Z goes to +X; then about Z, +X goes to +Y.
     QVERIFY(isNear(other.linear() * Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY()));
 }
 
-void PoseTest::leaningBodyRestsOnItsLowestCorner() {
+void PoseTest::posedBody_leaning_restsOnItsLowestCorner() {
     const PosedBody body = posedBody(farBox(), turned(31, -57, 12));
     const BoundingBox box = boundingBox(body.mesh);
     QVERIFY(std::abs(box.min().y()) < 1e-4);
@@ -77,24 +77,24 @@ void PoseTest::leaningBodyRestsOnItsLowestCorner() {
     QVERIFY(std::abs(box.center().x()) < 1e-4 && std::abs(box.center().z()) < 1e-4);
 }
 
-void PoseTest::offsetDoesNotMoveThePose() {
+void PoseTest::poseTransform_offset_doesNotMoveThePose() {
     Immersion beside;
     beside.offset = {Millimetres(40), Millimetres(-25)};
     QVERIFY(poseTransform(farBox(), beside).isApprox(poseTransform(farBox(), Immersion{})));
 }
 
-void PoseTest::anglesOfARotationGiveItBack_data() {
+void PoseTest::rotationAngles_ofARotation_giveItBack_data() {
     QTest::addColumn<QVector<double>>("angles");
     QTest::newRow("none") << QVector<double>{0, 0, 0};
     QTest::newRow("any") << QVector<double>{31, -57, 12};
     QTest::newRow("far round") << QVector<double>{-170, 20, 175.5};
     QTest::newRow("upside down") << QVector<double>{180, 0, 0};
-    // About Y by a quarter turn, X and Z turn about the same axis.
+    // After a quarter turn about Y, X and Z turn about the same axis.
     QTest::newRow("quarter turn") << QVector<double>{30, 90, 0};
     QTest::newRow("other quarter turn") << QVector<double>{0, -90, 45};
 }
 
-void PoseTest::anglesOfARotationGiveItBack() {
+void PoseTest::rotationAngles_ofARotation_giveItBack() {
     QFETCH(QVector<double>, angles);
     const Eigen::Matrix3d rotation =
         rotationMatrix({Degrees(angles[0]), Degrees(angles[1]), Degrees(angles[2])});
@@ -112,7 +112,7 @@ void PoseTest::anglesOfARotationGiveItBack() {
     QVERIFY((rotationMatrix(back) - rotation).norm() < radians(Degrees(0.2)));
 }
 
-void PoseTest::theWayDownEndsAtTheDepth() {
+void PoseTest::dipTravel_endsAtMarginOrDepth() {
     const PosedBody body = posedBody(farBox(), Immersion{}); // 20 mm high
     ProcessSettings process;
     process.margin = Millimetres(3);

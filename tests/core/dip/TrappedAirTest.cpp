@@ -1,4 +1,4 @@
-// Air under hollows: how much of the body the water never reaches.
+// Trapped air: how much of the body's surface the water never reaches.
 #include "dip/TrappedAir.h"
 #include "HollowBodies.h"
 #include "base/Units.h"
@@ -41,42 +41,42 @@ class TrappedAirTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void convexBodiesTrapNothing();
-    void cupWithItsMouthUpTrapsNothing();
-    void cupWithItsMouthDownTrapsAllItsInside();
-    void itIsCaughtAtTheMouth();
-    void cupOnItsSideTrapsTheUpperHalf();
-    void thinWallsHoldAirToo();
-    void archLetsTheAirGo();
-    void bowlWithItsRimDownTrapsAllItsInside();
-    void levelOfATippedCupIsItsUpperLip_data();
-    void levelOfATippedCupIsItsUpperLip();
-    void bottleWithItsNeckDownTrapsAllItsInside();
-    void ringTrapsNothing();
-    void smallHollowsAreNoPockets();
+    void trappedAir_convexBodies_isNone();
+    void trappedAir_cupMouthUp_isNone();
+    void trappedAir_cupMouthDown_isAllItsInside();
+    void trappedAir_cupMouthDown_startsAtTheMouthsHeight();
+    void trappedAir_tippedCup_isPartOfItsInside();
+    void trappedAir_wallThinnerThanACell_holdsAir();
+    void trappedAir_arch_isNone();
+    void trappedAir_bowlRimDown_isAllItsInside();
+    void airPocketLevel_tippedCup_isItsUpperLip_data();
+    void airPocketLevel_tippedCup_isItsUpperLip();
+    void trappedAir_bottleNeckDown_isAllItsInside();
+    void trappedAir_ring_isNone();
+    void trappedAir_shallowHollow_isNoPocket();
 };
 
-void TrappedAirTest::convexBodiesTrapNothing() {
+void TrappedAirTest::trappedAir_convexBodies_isNone() {
     QCOMPARE(trapped(sphereMesh(35, 60, 120)), 0.0);
     QCOMPARE(trapped(boxMesh({60, 30, 40})), 0.0);
     QCOMPARE(trapped(boxMesh({60, 30, 40}), {13, 0, 29}), 0.0);
     QCOMPARE(trapped(tetrahedronMesh(60)), 0.0);
 }
 
-void TrappedAirTest::cupWithItsMouthUpTrapsNothing() {
+void TrappedAirTest::trappedAir_cupMouthUp_isNone() {
     QCOMPARE(trapped(cup()), 0.0);
 }
 
-void TrappedAirTest::cupWithItsMouthDownTrapsAllItsInside() {
+void TrappedAirTest::trappedAir_cupMouthDown_isAllItsInside() {
     const double area = trapped(cup(), {180, 0, 0});
     QVERIFY2(std::abs(area - pitArea) < 0.05 * pitArea, qPrintable(QString::number(area)));
 }
 
-void TrappedAirTest::itIsCaughtAtTheMouth() {
+void TrappedAirTest::trappedAir_cupMouthDown_startsAtTheMouthsHeight() {
     QCOMPARE(airIn(cup(), {0, 0, 0}).height, std::nullopt);
     const std::optional<double> upsideDown = airIn(cup(), {180, 0, 0}).height;
     QVERIFY2(upsideDown && *upsideDown < 2, qPrintable(QString::number(upsideDown.value_or(-1))));
-    // On a stand of 20 under its base the same cup is upside down with its mouth 20 up.
+    // On a stand 20 mm high the mouth of the same cup, upside down, is 20 mm higher.
     TriangleMesh raised = cup();
     append(raised, boxMesh({4, 60, 4}), {0, 30, 0});
     const std::optional<double> height = airIn(raised, {180, 0, 0}).height;
@@ -84,16 +84,16 @@ void TrappedAirTest::itIsCaughtAtTheMouth() {
              qPrintable(QString::number(height.value_or(-1))));
 }
 
-void TrappedAirTest::cupOnItsSideTrapsTheUpperHalf() {
-    // Lying on its side the water comes in at the mouth; tipped 30° further down, air stays above
-    // the mouth's upper lip.
+void TrappedAirTest::trappedAir_tippedCup_isPartOfItsInside() {
+    // When the cup lies on its side, water fills it. Tipped 30° further, it keeps air above the
+    // mouth's upper lip.
     QVERIFY(trapped(cup(), {90, 0, 0}) < 0.02 * pitArea);
     const double tipped = trapped(cup(), {120, 0, 0});
     QVERIFY(tipped > 0.1 * pitArea && tipped < 0.8 * pitArea);
 }
 
-void TrappedAirTest::thinWallsHoldAirToo() {
-    // A bell of 0.2 mm, thinner than a cell of the grid.
+void TrappedAirTest::trappedAir_wallThinnerThanACell_holdsAir() {
+    // A bell with a wall of 0.2 mm, thinner than a cell of the grid.
     const TriangleMesh bell =
         turned({{30, 0}, {30, 40}, {0, 40}, {0, 39.8}, {29.8, 39.8}, {29.8, 0}, {30, 0}}, 96);
     const double inside = pi * 29.8 * 29.8 + 2 * pi * 29.8 * 39.8;
@@ -101,7 +101,7 @@ void TrappedAirTest::thinWallsHoldAirToo() {
     QVERIFY2(std::abs(area - inside) < 0.06 * inside, qPrintable(QString::number(area)));
 }
 
-void TrappedAirTest::archLetsTheAirGo() {
+void TrappedAirTest::trappedAir_arch_isNone() {
     TriangleMesh table = boxMesh({60, 5, 40});
     for (const float x : {-27.0f, 27.0f}) {
         append(table, boxMesh({6, 30, 40}), {x, -17.5f, 0});
@@ -109,7 +109,7 @@ void TrappedAirTest::archLetsTheAirGo() {
     QCOMPARE(trapped(table), 0.0);
 }
 
-void TrappedAirTest::bowlWithItsRimDownTrapsAllItsInside() {
+void TrappedAirTest::trappedAir_bowlRimDown_isAllItsInside() {
     constexpr double inner = bowlRadius - bowlWall;
     const double area = trapped(bowl());
     QVERIFY2(std::abs(area - 2 * pi * inner * inner) < 0.01 * 2 * pi * inner * inner,
@@ -125,17 +125,17 @@ void TrappedAirTest::bowlWithItsRimDownTrapsAllItsInside() {
         QCOMPARE(body.isDry(middleOf(triangle)), !isRim && fromMiddle < 30.5f);
     }
     QCOMPARE(trapped(bowl(), {180, 0, 0}), 0.0);
-    QCOMPARE(trapped(bowl(3)), 0.0); // the air gets away through the hole
+    QCOMPARE(trapped(bowl(3)), 0.0); // the air escapes through the hole
 }
 
-void TrappedAirTest::levelOfATippedCupIsItsUpperLip_data() {
+void TrappedAirTest::airPocketLevel_tippedCup_isItsUpperLip_data() {
     QTest::addColumn<double>("turn"); // about X: 90 lays the cup on its side, 180 on its mouth
     QTest::newRow("little") << 100.0;
     QTest::newRow("more") << 120.0;
     QTest::newRow("much, and askew") << 151.0;
 }
 
-void TrappedAirTest::levelOfATippedCupIsItsUpperLip() {
+void TrappedAirTest::airPocketLevel_tippedCup_isItsUpperLip() {
     QFETCH(double, turn);
     Immersion immersion;
     immersion.rotation = {Degrees(turn), Degrees(0), Degrees(turn > 150 ? 7 : 0)};
@@ -145,7 +145,7 @@ void TrappedAirTest::levelOfATippedCupIsItsUpperLip() {
                 Eigen::Vector3d(radius * std::cos(angle), along, radius * std::sin(angle)))
             .y();
     };
-    // The air gets out at the highest place of the mouth's inner edge: beyond it the lip goes up.
+    // The air escapes at the highest place of the mouth's inner edge.
     constexpr int steps = 720;
     double lip = -1000;
     for (int step = 0; step < steps; ++step) {
@@ -154,8 +154,8 @@ void TrappedAirTest::levelOfATippedCupIsItsUpperLip() {
     QCOMPARE(body.air.all().size(), std::size_t(1));
     const double level = body.air.all().front().level;
     QVERIFY2(std::abs(level - lip) < 0.1 * double(body.air.cell()),
-             qPrintable(QStringLiteral("%1 for %2").arg(level).arg(lip)));
-    // Of the inside, what lies above.
+             qPrintable(QStringLiteral("%1, expected %2").arg(level).arg(lip)));
+    // The area of the inside above that level, in mm².
     double above = 0;
     for (int step = 0; step < steps; ++step) {
         const double angle = 2 * pi * (step + 0.5) / steps;
@@ -171,12 +171,12 @@ void TrappedAirTest::levelOfATippedCupIsItsUpperLip() {
     }
     const double area = trappedAir(body).area;
     QVERIFY2(std::abs(area - above) < 0.015 * above,
-             qPrintable(QStringLiteral("%1 for %2").arg(area).arg(above)));
+             qPrintable(QStringLiteral("%1, expected %2").arg(area).arg(above)));
 }
 
-void TrappedAirTest::bottleWithItsNeckDownTrapsAllItsInside() {
-    // Inside: a cylinder of radius 18 and height 36 on a neck of radius 4 and length 17, open
-    // below.
+void TrappedAirTest::trappedAir_bottleNeckDown_isAllItsInside() {
+    // Inside: a cylinder of radius 18 mm and height 36 mm on a neck of radius 4 mm and length 17
+    // mm, open below.
     const TriangleMesh bottle = turned({{0, 53},
                                         {18, 53},
                                         {18, 17},
@@ -195,15 +195,15 @@ void TrappedAirTest::bottleWithItsNeckDownTrapsAllItsInside() {
     QCOMPARE(trapped(bottle, {180, 0, 0}), 0.0);
 }
 
-void TrappedAirTest::ringTrapsNothing() {
-    // Its inside is a saddle: from every place of it a way leads up.
+void TrappedAirTest::trappedAir_ring_isNone() {
+    // Its inside is a saddle: a way up leads from every place.
     for (const double tilt : {0.0, 25.0, 60.0, 90.0}) {
         QCOMPARE(trapped(torusMesh(24, 7, 60, 40), {tilt, 0, 0}), 0.0);
     }
 }
 
-void TrappedAirTest::smallHollowsAreNoPockets() {
-    // A pit of a cell's depth in the bottom of a block.
+void TrappedAirTest::trappedAir_shallowHollow_isNoPocket() {
+    // A block with a pit in its bottom, one cell deep.
     constexpr double cell = 60.0 / airCells;
     const auto block = [](double depth) {
         return turned({{0, depth}, {10, depth}, {10, 0}, {30, 0}, {30, 20}, {0, 20}}, 48);

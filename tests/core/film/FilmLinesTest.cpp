@@ -24,14 +24,14 @@ class FilmLinesTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void linesAreFineOverTheBodyAndCoarseAtTheEdges_data();
-    void linesAreFineOverTheBodyAndCoarseAtTheEdges();
-    void aFilmNoLargerThanTheBodyIsEven();
-    void halvedFilmKeepsEverySecondLine();
-    void aSmallFilmHasItsFewestLines();
+    void gradedLines_areFineUnderTheBodyAndCoarseAtTheEdges_data();
+    void gradedLines_areFineUnderTheBodyAndCoarseAtTheEdges();
+    void gradedLines_filmNoLargerThanTheBody_areEven();
+    void gradedLines_halved_keepEverySecondLine();
+    void gradedLines_smallFilm_keepTheFewestLines();
 };
 
-void FilmLinesTest::linesAreFineOverTheBodyAndCoarseAtTheEdges_data() {
+void FilmLinesTest::gradedLines_areFineUnderTheBodyAndCoarseAtTheEdges_data() {
     QTest::addColumn<double>("from");
     QTest::addColumn<double>("to");
     QTest::addColumn<double>("cell");
@@ -41,7 +41,7 @@ void FilmLinesTest::linesAreFineOverTheBodyAndCoarseAtTheEdges_data() {
     QTest::newRow("coarse") << -30.0 << 30.0 << 4.0;
 }
 
-void FilmLinesTest::linesAreFineOverTheBodyAndCoarseAtTheEdges() {
+void FilmLinesTest::gradedLines_areFineUnderTheBodyAndCoarseAtTheEdges() {
     QFETCH(double, from);
     QFETCH(double, to);
     QFETCH(double, cell);
@@ -65,7 +65,7 @@ void FilmLinesTest::linesAreFineOverTheBodyAndCoarseAtTheEdges() {
     QVERIFY(cells.size() < 210 / cell);
 }
 
-void FilmLinesTest::aFilmNoLargerThanTheBodyIsEven() {
+void FilmLinesTest::gradedLines_filmNoLargerThanTheBody_areEven() {
     const std::vector<double> cells = spacings(gradedLines(100, -60, 60, 2.5, 1, 8));
     QCOMPARE(cells.size(), std::size_t(40));
     for (const double cell : cells) {
@@ -73,7 +73,7 @@ void FilmLinesTest::aFilmNoLargerThanTheBodyIsEven() {
     }
 }
 
-void FilmLinesTest::halvedFilmKeepsEverySecondLine() {
+void FilmLinesTest::gradedLines_halved_keepEverySecondLine() {
     const std::vector<double> own = gradedLines(297, -40, 55, 0.8, 1, 8);
     const std::vector<double> half = gradedLines(297, -40, 55, 0.8, 0.5, 8);
     const std::vector<double> twice = gradedLines(297, -40, 55, 0.8, 2, 8);
@@ -87,7 +87,7 @@ void FilmLinesTest::halvedFilmKeepsEverySecondLine() {
     }
 }
 
-void FilmLinesTest::aSmallFilmHasItsFewestLines() {
+void FilmLinesTest::gradedLines_smallFilm_keepTheFewestLines() {
     QCOMPARE(gradedLines(10, -5, 5, 20, 1, 8).size(), std::size_t(8));
 }
 

@@ -1,4 +1,4 @@
-// What can be read off a film by itself: its grid, its constraints and its stretch.
+// A film by itself: its grid, its constraints and its stretch.
 #include "film/DippedFilm.h"
 #include "film/FilmGrid.h"
 #include "settings/FilmSettings.h"
@@ -41,25 +41,25 @@ class FilmTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void swellGrowsThePrintedSheet();
-    void noPinnedEdgeNeedsNoBytes();
-    void pinnedEdgesHoldTheirPoints();
-    void pointsRestRoundTheMiddle();
-    void gradedFilmRestsOnItsLines();
-    void gradedFilmIsMeasuredAsAnEvenOne();
-    void trianglesCoverTheFilmFacingUp();
-    void cellsAreCutInTurns();
-    void constraintsMatchThePapersTable_data();
-    void constraintsMatchThePapersTable();
-    void flatFilmIsNotStretched();
-    void principalStretchesOfAStretchedAndTurnedFilm();
-    void shearKeepsTheArea();
-    void constraintsAreSortedHorizontalFirst();
-    void pointsTakeTheMeanOfTheirConstraints();
-    void distributionsAreOfTheValues();
+    void filmGrid_swell_enlargesTheFilm();
+    void pinnedPoints_noPinnedEdge_isEmpty();
+    void pinnedPoints_pinnedEdges_markTheirPoints();
+    void restPosition_evenFilm_isCentred();
+    void restPosition_gradedFilm_isOnItsLines();
+    void stretches_gradedFilm_equalTheEvenOnes();
+    void filmTriangles_coverTheFilmFacingUp();
+    void filmTriangles_diagonalsAlternate();
+    void constraintCount_matchesThePapersTable_data();
+    void constraintCount_matchesThePapersTable();
+    void stretches_flatFilm_are1();
+    void principalStretches_stretchedAndTurnedFilm_matchTheMap();
+    void principalStretches_shear_keepsTheArea();
+    void constraintStretches_horizontalComeFirst();
+    void pointStretches_areTheMeanOfTheirConstraints();
+    void distribution_hasTheValuesStatistics();
 };
 
-void FilmTest::swellGrowsThePrintedSheet() {
+void FilmTest::filmGrid_swell_enlargesTheFilm() {
     FilmSettings settings;
     settings.swellX = 1.1;
     settings.swellY = 1.2;
@@ -70,11 +70,11 @@ void FilmTest::swellGrowsThePrintedSheet() {
     QCOMPARE(grid.depth, 297 * 1.2);
 }
 
-void FilmTest::noPinnedEdgeNeedsNoBytes() {
+void FilmTest::pinnedPoints_noPinnedEdge_isEmpty() {
     QVERIFY(pinnedPoints({}, filmGrid({})).empty());
 }
 
-void FilmTest::pinnedEdgesHoldTheirPoints() {
+void FilmTest::pinnedPoints_pinnedEdges_markTheirPoints() {
     FilmSettings settings;
     settings.columns = 4;
     settings.rows = 3;
@@ -87,7 +87,7 @@ void FilmTest::pinnedEdgesHoldTheirPoints() {
     QVERIFY(pinnedPoints(settings.edges, filmGrid(settings)) == others);
 }
 
-void FilmTest::pointsRestRoundTheMiddle() {
+void FilmTest::restPosition_evenFilm_isCentred() {
     QCOMPARE(restPosition(smallGrid, 0), Eigen::Vector2f(-30, -20));
     QCOMPARE(restPosition(smallGrid, 6), Eigen::Vector2f(30, -20));
     QCOMPARE(restPosition(smallGrid, 7), Eigen::Vector2f(-30, -10));
@@ -95,7 +95,7 @@ void FilmTest::pointsRestRoundTheMiddle() {
     QCOMPARE(restPosition(smallGrid, 34), Eigen::Vector2f(30, 20));
 }
 
-void FilmTest::gradedFilmRestsOnItsLines() {
+void FilmTest::restPosition_gradedFilm_isOnItsLines() {
     const solver::FilmGrid grid = gradedGrid();
     QVERIFY(!grid.isEven() && smallGrid.isEven());
     QCOMPARE(grid.restX(1), -25.0);
@@ -123,7 +123,7 @@ void FilmTest::gradedFilmRestsOnItsLines() {
     QCOMPARE(cellOfPoint(grid, 7 + 1), 12.f);
 }
 
-void FilmTest::gradedFilmIsMeasuredAsAnEvenOne() {
+void FilmTest::stretches_gradedFilm_equalTheEvenOnes() {
     Eigen::Matrix<float, 3, 2> map;
     map << 1.5f, 0, 0, 0, 0, 0.5f;
     const DippedFilm film = mapped(gradedGrid(), map);
@@ -141,7 +141,7 @@ void FilmTest::gradedFilmIsMeasuredAsAnEvenOne() {
     QCOMPARE(area, 60.0 * 40);
 }
 
-void FilmTest::trianglesCoverTheFilmFacingUp() {
+void FilmTest::filmTriangles_coverTheFilmFacingUp() {
     double area = 0;
     for (const FilmTriangle& triangle : filmTriangles(smallGrid)) {
         const auto place = [&](std::size_t corner) {
@@ -155,7 +155,7 @@ void FilmTest::trianglesCoverTheFilmFacingUp() {
     QVERIFY(isNear(area, 60 * 40, 1e-6));
 }
 
-void FilmTest::cellsAreCutInTurns() {
+void FilmTest::filmTriangles_diagonalsAlternate() {
     const std::vector<FilmTriangle> triangles = filmTriangles(smallGrid);
     QCOMPARE(triangles.size(), std::size_t(2 * 6 * 4));
     const auto has = [&](std::size_t triangle, std::uint32_t point) {
@@ -171,7 +171,7 @@ void FilmTest::cellsAreCutInTurns() {
     }
 }
 
-void FilmTest::constraintsMatchThePapersTable_data() {
+void FilmTest::constraintCount_matchesThePapersTable_data() {
     QTest::addColumn<int>("columns");
     QTest::addColumn<int>("rows");
     QTest::addColumn<int>("constraints");
@@ -185,7 +185,7 @@ void FilmTest::constraintsMatchThePapersTable_data() {
     QTest::newRow("280x420") << 280 << 420 << 234500;
 }
 
-void FilmTest::constraintsMatchThePapersTable() {
+void FilmTest::constraintCount_matchesThePapersTable() {
     QFETCH(int, columns);
     QFETCH(int, rows);
     QFETCH(int, constraints);
@@ -195,7 +195,7 @@ void FilmTest::constraintsMatchThePapersTable() {
              std::size_t(constraints + 2 * (columns - 1) * (rows - 1)));
 }
 
-void FilmTest::flatFilmIsNotStretched() {
+void FilmTest::stretches_flatFilm_are1() {
     Eigen::Matrix<float, 3, 2> flat;
     flat << 1, 0, 0, 0, 0, 1;
     const DippedFilm film = mapped(smallGrid, flat);
@@ -207,8 +207,8 @@ void FilmTest::flatFilmIsNotStretched() {
     }
 }
 
-void FilmTest::principalStretchesOfAStretchedAndTurnedFilm() {
-    // Twice as long along one diagonal, half as long across it, then tipped up in space.
+void FilmTest::principalStretches_stretchedAndTurnedFilm_matchTheMap() {
+    // Twice as long along one diagonal, half as long across it, then turned upright.
     const float turn = std::sqrt(0.5f);
     Eigen::Matrix2f axes;
     axes << turn, -turn, turn, turn;
@@ -224,7 +224,7 @@ void FilmTest::principalStretchesOfAStretchedAndTurnedFilm() {
     }
 }
 
-void FilmTest::shearKeepsTheArea() {
+void FilmTest::principalStretches_shear_keepsTheArea() {
     Eigen::Matrix<float, 3, 2> shear;
     shear << 1, 0.75f, 0, 0, 0, 1;
     for (const PrincipalStretch& stretch : principalStretches(mapped(smallGrid, shear))) {
@@ -233,7 +233,7 @@ void FilmTest::shearKeepsTheArea() {
     }
 }
 
-void FilmTest::constraintsAreSortedHorizontalFirst() {
+void FilmTest::constraintStretches_horizontalComeFirst() {
     Eigen::Matrix<float, 3, 2> map;
     map << 1.5f, 0, 0, 0, 0, 0.5f;
     const std::vector<float> stretches = constraintStretches(mapped(smallGrid, map));
@@ -243,7 +243,7 @@ void FilmTest::constraintsAreSortedHorizontalFirst() {
     }
 }
 
-void FilmTest::pointsTakeTheMeanOfTheirConstraints() {
+void FilmTest::pointStretches_areTheMeanOfTheirConstraints() {
     Eigen::Matrix<float, 3, 2> map;
     map << 1, 0, 0, 0, 0, 1;
     DippedFilm film = mapped(smallGrid, map);
@@ -255,7 +255,7 @@ void FilmTest::pointsTakeTheMeanOfTheirConstraints() {
     QVERIFY(isNear(means[8], 1));
 }
 
-void FilmTest::distributionsAreOfTheValues() {
+void FilmTest::distribution_hasTheValuesStatistics() {
     std::vector<float> values;
     for (int value = 100; value >= 1; --value) {
         values.push_back(float(value));

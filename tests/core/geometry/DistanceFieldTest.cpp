@@ -37,11 +37,11 @@ Eigen::Vector3d samplePlace(const DistanceField& field, int i, int j, int k) {
 
 struct FieldErrors {
     double nearSurface = 0; // within three cells
-    double tooLarge = 0;    // of |φ|, anywhere
+    double tooLarge = 0;    // excess of |φ|, anywhere
     int wrongSigns = 0;
 };
 
-// At all samples; `tolerance` is how far the mesh itself may be from the shape it stands for.
+// Compares all samples. `tolerance` is how far the mesh itself may lie from the exact shape, in mm.
 FieldErrors compare(const DistanceField& field, const Distance& exact, double tolerance) {
     FieldErrors errors;
     std::size_t index = 0;
@@ -90,32 +90,32 @@ class DistanceFieldTest : public QObject {
 private Q_SLOTS:
     void init();
 
-    void gridIsACubeRoundTheBody();
-    void boxIsExact();
-    void boxWithFacesOnSamplesIsExact();
-    void sphereIsAsGoodAsItsMesh();
-    void trilinearSampleAndGradientOfASphere();
-    void outsideTheGridTheDistanceIsNeverTooLarge();
-    void overlappingPartsAreOneBody();
-    void hollowIsOutside();
-    void openBodyIsClosedByTheMajority();
-    void turnedTrianglesDoNotTurnTheSign();
-    void resultDoesNotDependOnThreads();
-    void cancelEndsTheWork();
-    void progressGrowsToOne();
-    void refusesWhatHasNoField();
+    void buildDistanceField_grid_isACubeRoundTheBody();
+    void buildDistanceField_box_isExact();
+    void buildDistanceField_facesOnSamples_isExact();
+    void buildDistanceField_sphere_isAsExactAsItsMesh();
+    void sampleAndGradient_sphere_matchClosedForm();
+    void sample_outsideTheGrid_neverExceedsTheDistance();
+    void buildDistanceField_overlappingParts_areOneBody();
+    void buildDistanceField_hollow_isOutside();
+    void buildDistanceField_openBody_isClosedByMajority();
+    void buildDistanceField_flippedTriangles_keepTheSign();
+    void buildDistanceField_anyNumberOfThreads_giveTheSameBits();
+    void buildDistanceField_cancelled_throws();
+    void buildDistanceField_progress_growsTo1();
+    void buildDistanceField_invalidInput_isRefused();
 
-    void thicknessIsThatOfPlatesAndOfNoEdges();
-    void usualBodiesKeepTheirCube();
-    void thinPlatesAreFoundHoweverTheyLie_data();
-    void thinPlatesAreFoundHoweverTheyLie();
-    void theFieldOfAVeryThinPlateHasALimit();
+    void thinnestPart_plates_countAndEdgesDoNot();
+    void cachedDistanceField_usualBodies_keepTheCube();
+    void cachedDistanceField_thinPlate_isResolvedInAnyDirection_data();
+    void cachedDistanceField_thinPlate_isResolvedInAnyDirection();
+    void fieldGrid_veryThinPlate_keepsTheSampleLimit();
 
-    void cacheGivesTheSameField();
-    void damagedCacheIsRebuilt();
-    void unwritableCacheIsAsGoodAsNone();
-    void aPipeInTheCacheIsNotWaitedFor();
-    void cacheForgetsWhatWasNotUsedForLongest();
+    void fieldCache_secondRequest_readsTheSameField();
+    void fieldCache_damagedFile_isRebuilt();
+    void fieldCache_unwritable_buildsTheField();
+    void fieldCache_pipe_doesNotBlock();
+    void fieldCache_full_removesLeastRecentlyUsed();
 
 private:
     QTemporaryDir cache_;
@@ -125,7 +125,7 @@ void DistanceFieldTest::init() {
     qputenv("DIPWRIGHT_CACHE", cache_.path().toUtf8());
 }
 
-void DistanceFieldTest::gridIsACubeRoundTheBody() {
+void DistanceFieldTest::buildDistanceField_grid_isACubeRoundTheBody() {
     const DistanceField field = buildDistanceField(boxMesh({10, 20, 30}), 64, Progress());
     QCOMPARE(field.size, (std::array{64, 64, 64}));
     QCOMPARE(field.distance.size(), std::size_t(64 * 64 * 64));
@@ -136,7 +136,7 @@ void DistanceFieldTest::gridIsACubeRoundTheBody() {
     QVERIFY((field.origin + last).norm() < 1e-9);
 }
 
-void DistanceFieldTest::boxIsExact() {
+void DistanceFieldTest::buildDistanceField_box_isExact() {
     const Eigen::Vector3d size(10, 20, 30);
     const DistanceField field = buildDistanceField(boxMesh(size), 101, Progress());
     const FieldErrors errors = compare(field, boxDistance(size), 1e-5);
@@ -145,7 +145,7 @@ void DistanceFieldTest::boxIsExact() {
     QCOMPARE(errors.wrongSigns, 0);
 }
 
-void DistanceFieldTest::boxWithFacesOnSamplesIsExact() {
+void DistanceFieldTest::buildDistanceField_facesOnSamples_isExact() {
     // 60 cells along 60 mm: rows of samples run within faces, along edges and through corners.
     const Eigen::Vector3d size(60, 60, 60);
     const DistanceField field = buildDistanceField(boxMesh(size), 67, Progress());
@@ -156,7 +156,7 @@ void DistanceFieldTest::boxWithFacesOnSamplesIsExact() {
     QCOMPARE(errors.wrongSigns, 0);
 }
 
-void DistanceFieldTest::sphereIsAsGoodAsItsMesh() {
+void DistanceFieldTest::buildDistanceField_sphere_isAsExactAsItsMesh() {
     const DistanceField field = buildDistanceField(sphereMesh(35, 158, 316), 128, Progress());
     const double sagitta = 35 * (1 - std::cos(pi / 316) * std::cos(pi / 316)) + 1e-4;
     const FieldErrors errors = compare(field, sphereDistance, sagitta);
@@ -165,9 +165,9 @@ void DistanceFieldTest::sphereIsAsGoodAsItsMesh() {
     QCOMPARE(errors.wrongSigns, 0);
 }
 
-void DistanceFieldTest::trilinearSampleAndGradientOfASphere() {
+void DistanceFieldTest::sampleAndGradient_sphere_matchClosedForm() {
     const DistanceField field = buildDistanceField(sphereMesh(35, 180, 360), 96, Progress());
-    // The interpolant of a curved distance is off by its second difference over a cell.
+    // Interpolation of a curved distance has an error of its second difference over a cell.
     const double curvature = field.spacing * field.spacing / (4 * 35) + 0.01;
     for (const auto& direction : randomDirections(2000)) {
         for (const double away : {-1.0, -0.3, 0.0, 0.2, 0.9}) {
@@ -180,7 +180,7 @@ void DistanceFieldTest::trilinearSampleAndGradientOfASphere() {
     }
 }
 
-void DistanceFieldTest::outsideTheGridTheDistanceIsNeverTooLarge() {
+void DistanceFieldTest::sample_outsideTheGrid_neverExceedsTheDistance() {
     const DistanceField field = buildDistanceField(sphereMesh(35, 60, 120), 64, Progress());
     for (const auto& direction : randomDirections(2000)) {
         for (const double away : {5.0, 20.0, 100.0, 1e4}) {
@@ -192,7 +192,7 @@ void DistanceFieldTest::outsideTheGridTheDistanceIsNeverTooLarge() {
     }
 }
 
-void DistanceFieldTest::overlappingPartsAreOneBody() {
+void DistanceFieldTest::buildDistanceField_overlappingParts_areOneBody() {
     const TriangleMesh body = joined(boxMesh({40, 10, 10}), boxMesh({10, 10, 40}));
     const DistanceField field = buildDistanceField(body, 64, Progress());
     QVERIFY(field.sample({0, 0, 0}) < -2);
@@ -202,7 +202,7 @@ void DistanceFieldTest::overlappingPartsAreOneBody() {
     QVERIFY(field.sample({15, 0, 15}) > 2);
 }
 
-void DistanceFieldTest::hollowIsOutside() {
+void DistanceFieldTest::buildDistanceField_hollow_isOutside() {
     TriangleMesh hollow = sphereMesh(20, 40, 80);
     for (auto& triangle : hollow.triangles) {
         std::swap(triangle[1], triangle[2]);
@@ -214,7 +214,7 @@ void DistanceFieldTest::hollowIsOutside() {
     QVERIFY(field.sample({0, -37, 0}) > 1);
 }
 
-void DistanceFieldTest::openBodyIsClosedByTheMajority() {
+void DistanceFieldTest::buildDistanceField_openBody_isClosedByMajority() {
     // A sphere whose cap within 36° of the pole is missing.
     TriangleMesh bowl = sphereMesh(35, 50, 100);
     std::erase_if(bowl.triangles, [&](const auto& triangle) {
@@ -232,7 +232,7 @@ void DistanceFieldTest::openBodyIsClosedByTheMajority() {
     QVERIFY(field.sample({0, 34, 0}) > 0);
 }
 
-void DistanceFieldTest::turnedTrianglesDoNotTurnTheSign() {
+void DistanceFieldTest::buildDistanceField_flippedTriangles_keepTheSign() {
     TriangleMesh sphere = sphereMesh(35, 60, 120);
     for (std::size_t t = 0; t < sphere.triangles.size(); t += 3) {
         std::swap(sphere.triangles[t][1], sphere.triangles[t][2]);
@@ -241,7 +241,7 @@ void DistanceFieldTest::turnedTrianglesDoNotTurnTheSign() {
     QCOMPARE(compare(field, sphereDistance, 0.06).wrongSigns, 0);
 }
 
-void DistanceFieldTest::resultDoesNotDependOnThreads() {
+void DistanceFieldTest::buildDistanceField_anyNumberOfThreads_giveTheSameBits() {
     const TriangleMesh body = ellipsoidMesh({35, 20, 50}, 60, 120);
     const auto build = [&](int threads) {
         const ThreadLimit limit(threads);
@@ -252,7 +252,7 @@ void DistanceFieldTest::resultDoesNotDependOnThreads() {
     QVERIFY(alone == build(7));
 }
 
-void DistanceFieldTest::cancelEndsTheWork() {
+void DistanceFieldTest::buildDistanceField_cancelled_throws() {
     Progress progress;
     progress.report = [&](double share, const QString&) {
         if (share > 0.2) {
@@ -262,7 +262,7 @@ void DistanceFieldTest::cancelEndsTheWork() {
     QVERIFY_EXCEPTION_THROWN(buildDistanceField(sphereMesh(35, 60, 120), 64, progress), Cancelled);
 }
 
-void DistanceFieldTest::progressGrowsToOne() {
+void DistanceFieldTest::buildDistanceField_progress_growsTo1() {
     Progress progress;
     double last = 0;
     bool grows = true;
@@ -275,7 +275,7 @@ void DistanceFieldTest::progressGrowsToOne() {
     QCOMPARE(last, 1.0);
 }
 
-void DistanceFieldTest::refusesWhatHasNoField() {
+void DistanceFieldTest::buildDistanceField_invalidInput_isRefused() {
     const TriangleMesh box = boxMesh({10, 10, 10});
     QVERIFY_EXCEPTION_THROWN(buildDistanceField(box, 31, Progress()), Error);
     QVERIFY_EXCEPTION_THROWN(buildDistanceField(box, 513, Progress()), Error);
@@ -283,8 +283,8 @@ void DistanceFieldTest::refusesWhatHasNoField() {
     QVERIFY_EXCEPTION_THROWN(buildDistanceField(boxMesh({0, 0, 0}), 64, Progress()), Error);
 }
 
-// A hundredth of the surface on thin plates counts, less does not.
-void DistanceFieldTest::thicknessIsThatOfPlatesAndOfNoEdges() {
+// Thin plates count from a hundredth of the surface on.
+void DistanceFieldTest::thinnestPart_plates_countAndEdgesDoNot() {
     const auto thickness = [](const TriangleMesh& mesh) {
         return thinnestPart(mesh, SurfaceQuery(mesh));
     };
@@ -303,7 +303,7 @@ void DistanceFieldTest::thicknessIsThatOfPlatesAndOfNoEdges() {
     QVERIFY(withFin(5) > 50);
 }
 
-void DistanceFieldTest::usualBodiesKeepTheirCube() {
+void DistanceFieldTest::cachedDistanceField_usualBodies_keepTheCube() {
     for (const TriangleMesh& mesh : {sphereMesh(35, 40, 80), tetrahedronMesh(60),
                                      boxMesh({60, 20, 40}), boxMesh({60, 2, 40})}) {
         const DistanceField usual = buildDistanceField(mesh, 128, {});
@@ -315,15 +315,15 @@ void DistanceFieldTest::usualBodiesKeepTheirCube() {
     }
 }
 
-void DistanceFieldTest::thinPlatesAreFoundHoweverTheyLie_data() {
+void DistanceFieldTest::cachedDistanceField_thinPlate_isResolvedInAnyDirection_data() {
     QTest::addColumn<double>("degrees");
     QTest::newRow("along the grid") << 0.0;
     QTest::newRow("askew") << 33.0;
     QTest::newRow("diagonal") << 45.0;
 }
 
-// The surface is where it should be to a tenth of the plate's thickness.
-void DistanceFieldTest::thinPlatesAreFoundHoweverTheyLie() {
+// The surface lies within a tenth of the plate's thickness of its place.
+void DistanceFieldTest::cachedDistanceField_thinPlate_isResolvedInAnyDirection() {
     QFETCH(double, degrees);
     const Eigen::Isometry3d turn(
         Eigen::AngleAxisd(degrees * pi / 180, Eigen::Vector3d(1, 0, 1).normalized()));
@@ -338,7 +338,7 @@ void DistanceFieldTest::thinPlatesAreFoundHoweverTheyLie() {
     }
 }
 
-void DistanceFieldTest::theFieldOfAVeryThinPlateHasALimit() {
+void DistanceFieldTest::fieldGrid_veryThinPlate_keepsTheSampleLimit() {
     const TriangleMesh foil = transformed(
         boxMesh({100, 0.05, 100}),
         Eigen::Isometry3d(Eigen::AngleAxisd(0.6, Eigen::Vector3d(1, 0, 1).normalized())));
@@ -349,7 +349,7 @@ void DistanceFieldTest::theFieldOfAVeryThinPlateHasALimit() {
     QVERIFY(!isFineEnough(grid, thinnest));
 }
 
-void DistanceFieldTest::cacheGivesTheSameField() {
+void DistanceFieldTest::fieldCache_secondRequest_readsTheSameField() {
     const TriangleMesh body = sphereMesh(35, 20, 40);
     const DistanceField built = buildDistanceField(body, 64, Progress());
     int builds = 0;
@@ -363,13 +363,13 @@ void DistanceFieldTest::cacheGivesTheSameField() {
         QVERIFY(field->distance == built.distance);
     }
     QCOMPARE(builds, 1);
-    // Another body or another resolution is another field.
+    // Another body or resolution has another field.
     QVERIFY(cachedDistanceField(sphereMesh(34, 20, 40), 64, progress)->distance != built.distance);
     QCOMPARE(cachedDistanceField(body, 65, progress)->size[0], 65);
     QCOMPARE(builds, 3);
 }
 
-void DistanceFieldTest::damagedCacheIsRebuilt() {
+void DistanceFieldTest::fieldCache_damagedFile_isRebuilt() {
     const TriangleMesh body = boxMesh({11, 12, 13});
     const DistanceField built = buildDistanceField(body, 64, Progress());
     cachedDistanceField(body, 64, Progress());
@@ -395,7 +395,7 @@ void DistanceFieldTest::damagedCacheIsRebuilt() {
     }
 }
 
-void DistanceFieldTest::unwritableCacheIsAsGoodAsNone() {
+void DistanceFieldTest::fieldCache_unwritable_buildsTheField() {
     QFile file(cache_.filePath(QStringLiteral("file")));
     QVERIFY(file.open(QIODevice::WriteOnly));
     qputenv("DIPWRIGHT_CACHE", (file.fileName() + QStringLiteral("/folder")).toUtf8());
@@ -403,7 +403,7 @@ void DistanceFieldTest::unwritableCacheIsAsGoodAsNone() {
     QCOMPARE(field->size[0], 64);
 }
 
-void DistanceFieldTest::aPipeInTheCacheIsNotWaitedFor() {
+void DistanceFieldTest::fieldCache_pipe_doesNotBlock() {
 #ifdef Q_OS_UNIX
     const auto field = cachedDistanceField(boxMesh({11, 12, 13}), 64, Progress());
     const QStringList files = QDir(cache_.path()).entryList({QStringLiteral("*.field")});
@@ -420,7 +420,7 @@ void DistanceFieldTest::aPipeInTheCacheIsNotWaitedFor() {
 #endif
 }
 
-void DistanceFieldTest::cacheForgetsWhatWasNotUsedForLongest() {
+void DistanceFieldTest::fieldCache_full_removesLeastRecentlyUsed() {
     const auto addFile = [&](const QString& name, qint64 megabytes, int daysAgo) {
         QFile file(cache_.filePath(name));
         return file.open(QIODevice::WriteOnly) && file.resize(megabytes << 20) &&

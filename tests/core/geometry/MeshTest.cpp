@@ -11,7 +11,7 @@ using namespace dipwright;
 
 namespace {
 
-// Whether every triangle of a star-shaped body looks away from the place `centre` inside it.
+// Whether every triangle of a star-shaped body faces away from the place `centre` inside it.
 bool looksOutwards(const TriangleMesh& mesh, const Eigen::Vector3f& centre) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const Eigen::Vector3f corner = mesh.positions[mesh.triangles[t][0]];
@@ -28,24 +28,24 @@ class MeshTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void shapesAreClosedAndLookOutwards();
-    void sphereHasItsVolumeAndArea();
-    void boxHasItsVolumeAreaAndExtent();
-    void coneStandsOnItsApex();
-    void cylinderLiesAlongZ();
-    void tetrahedronIsRegular();
-    void volumeIsTheSameFarFromTheOrigin();
-    void removingATriangleOpensAMesh();
-    void turningATriangleOpensAMesh();
-    void edgesKnowTheirOtherSide();
-    void aBodyWithoutAreaHasNoSamples();
-    void vertexNormalsOfASphereAreRadial();
-    void transformMovesPositions();
-    void surfacePointInterpolates();
-    void samplesStandForTheWholeSurface();
+    void shapes_areClosedAndFaceOutwards();
+    void sphereMesh_volumeAndArea_matchClosedForm();
+    void boxMesh_volumeAreaAndExtent_matchClosedForm();
+    void coneMesh_standsOnItsApex();
+    void cylinderMesh_liesAlongZ();
+    void tetrahedronMesh_isRegular();
+    void volume_farFromTheOrigin_isTheSame();
+    void isClosed_triangleRemoved_isFalse();
+    void isClosed_triangleFlipped_isFalse();
+    void oppositeEdges_findTheOtherSide();
+    void evenSamples_bodyWithoutArea_isEmpty();
+    void vertexNormals_sphere_areRadial();
+    void transformed_movesPositions();
+    void surfacePoint_interpolatesPositions();
+    void evenSamples_sphere_coverTheSurfaceEvenly();
 };
 
-void MeshTest::shapesAreClosedAndLookOutwards() {
+void MeshTest::shapes_areClosedAndFaceOutwards() {
     for (const TriangleMesh& mesh :
          {sphereMesh(35, 12, 24), ellipsoidMesh({10, 20, 30}, 9, 15), boxMesh({10, 20, 30}),
           cylinderMesh(10, 40, 32), tetrahedronMesh(60)}) {
@@ -62,7 +62,7 @@ void MeshTest::shapesAreClosedAndLookOutwards() {
     QVERIFY(std::abs(boundingBox(torus).min().y() + 10) < 1e-4F);
 }
 
-void MeshTest::sphereHasItsVolumeAndArea() {
+void MeshTest::sphereMesh_volumeAndArea_matchClosedForm() {
     const TriangleMesh sphere = sphereMesh(35, 160, 320);
     QCOMPARE(sphere.positions.size(), std::size_t(2 + 159 * 320));
     QVERIFY(std::abs(volume(sphere) / (4 * pi / 3 * std::pow(35, 3)) - 1) < 1e-3);
@@ -71,7 +71,7 @@ void MeshTest::sphereHasItsVolumeAndArea() {
     QVERIFY(sphere.positions.back().isApprox(Eigen::Vector3f(0, -35, 0)));
 }
 
-void MeshTest::boxHasItsVolumeAreaAndExtent() {
+void MeshTest::boxMesh_volumeAreaAndExtent_matchClosedForm() {
     const TriangleMesh box = boxMesh({10, 20, 30});
     QCOMPARE(volume(box), 6000.0);
     QCOMPARE(surfaceArea(box), 2200.0);
@@ -79,7 +79,7 @@ void MeshTest::boxHasItsVolumeAreaAndExtent() {
     QVERIFY(boundingBox(box).max().isApprox(Eigen::Vector3f(5, 10, 15)));
 }
 
-void MeshTest::coneStandsOnItsApex() {
+void MeshTest::coneMesh_standsOnItsApex() {
     const TriangleMesh cone = coneMesh(pi / 4, 40, 400);
     QVERIFY(std::abs(volume(cone) / (pi * 40 * 40 * 40 / 3) - 1) < 1e-3);
     const BoundingBox box = boundingBox(cone);
@@ -88,14 +88,14 @@ void MeshTest::coneStandsOnItsApex() {
     QVERIFY(std::abs(box.max().z() - 40) < 1e-4F);
 }
 
-void MeshTest::cylinderLiesAlongZ() {
+void MeshTest::cylinderMesh_liesAlongZ() {
     const TriangleMesh cylinder = cylinderMesh(10, 40, 400);
     QVERIFY(std::abs(volume(cylinder) / (pi * 100 * 40) - 1) < 1e-3);
     QCOMPARE(boundingBox(cylinder).max().z(), 20.0F);
     QCOMPARE(boundingBox(cylinder).min().z(), -20.0F);
 }
 
-void MeshTest::tetrahedronIsRegular() {
+void MeshTest::tetrahedronMesh_isRegular() {
     const TriangleMesh tetrahedron = tetrahedronMesh(60);
     Eigen::Vector3f centroid = Eigen::Vector3f::Zero();
     for (std::size_t a = 0; a < 4; ++a) {
@@ -109,26 +109,26 @@ void MeshTest::tetrahedronIsRegular() {
     QVERIFY(std::abs(volume(tetrahedron) - 60 * 60 * 60 / (6 * std::sqrt(2.0))) < 0.01);
 }
 
-void MeshTest::volumeIsTheSameFarFromTheOrigin() {
+void MeshTest::volume_farFromTheOrigin_isTheSame() {
     Eigen::Isometry3d away = Eigen::Isometry3d::Identity();
     away.translation() = Eigen::Vector3d(4096, -8192, 2048);
     QCOMPARE(volume(transformed(boxMesh({10, 20, 30}), away)), 6000.0);
 }
 
-void MeshTest::removingATriangleOpensAMesh() {
+void MeshTest::isClosed_triangleRemoved_isFalse() {
     TriangleMesh box = boxMesh({10, 10, 10});
     box.triangles.pop_back();
     QVERIFY(!isClosed(box));
     QVERIFY(!isClosed(TriangleMesh()));
 }
 
-void MeshTest::turningATriangleOpensAMesh() {
+void MeshTest::isClosed_triangleFlipped_isFalse() {
     TriangleMesh box = boxMesh({10, 10, 10});
     std::swap(box.triangles[3][0], box.triangles[3][1]);
     QVERIFY(!isClosed(box));
 }
 
-void MeshTest::edgesKnowTheirOtherSide() {
+void MeshTest::oppositeEdges_findTheOtherSide() {
     const TriangleMesh box = boxMesh({10, 10, 10});
     const auto opposite = oppositeEdges(box);
     for (std::uint32_t edge = 0; edge < opposite.size(); ++edge) {
@@ -138,7 +138,7 @@ void MeshTest::edgesKnowTheirOtherSide() {
         const auto& there = box.triangles[opposite[edge] / 3];
         QCOMPARE(here[edge % 3], there[(opposite[edge] + 1) % 3]);
     }
-    // Three triangles on one edge: none has one other side.
+    // Three triangles share one edge, so that none has a unique other side.
     TriangleMesh book;
     book.positions = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {-1, 0, 0}};
     book.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
@@ -147,7 +147,7 @@ void MeshTest::edgesKnowTheirOtherSide() {
     }
 }
 
-void MeshTest::vertexNormalsOfASphereAreRadial() {
+void MeshTest::vertexNormals_sphere_areRadial() {
     const TriangleMesh sphere = sphereMesh(35, 40, 80);
     const auto normals = vertexNormals(sphere);
     for (std::size_t v = 0; v < normals.size(); ++v) {
@@ -155,7 +155,7 @@ void MeshTest::vertexNormalsOfASphereAreRadial() {
     }
 }
 
-void MeshTest::transformMovesPositions() {
+void MeshTest::transformed_movesPositions() {
     Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
     turn.rotate(Eigen::AngleAxisd(pi / 2, Eigen::Vector3d::UnitZ()));
     turn.pretranslate(Eigen::Vector3d(1, 2, 3));
@@ -165,7 +165,7 @@ void MeshTest::transformMovesPositions() {
     QVERIFY(isClosed(box));
 }
 
-void MeshTest::surfacePointInterpolates() {
+void MeshTest::surfacePoint_interpolatesPositions() {
     const TriangleMesh box = boxMesh({10, 10, 10});
     const auto& corners = box.triangles[0];
     const Eigen::Vector3f middle =
@@ -176,7 +176,7 @@ void MeshTest::surfacePointInterpolates() {
     QVERIFY(!SurfacePoint().isValid());
 }
 
-void MeshTest::samplesStandForTheWholeSurface() {
+void MeshTest::evenSamples_sphere_coverTheSurfaceEvenly() {
     const TriangleMesh sphere = sphereMesh(20, 20, 40);
     constexpr double area = 1;
     const std::vector<SurfacePoint> samples = evenSamples(sphere, area);
@@ -191,10 +191,11 @@ void MeshTest::samplesStandForTheWholeSurface() {
     }
     const auto count = double(samples.size());
     QVERIFY((sum / count).norm() < 0.1);
-    QVERIFY2(std::abs(double(above) / count - 0.25) < 0.01, "the cap's share, by Archimedes");
+    QVERIFY2(std::abs(double(above) / count - 0.25) < 0.01,
+             "share of samples on the cap: expected 0.25, by Archimedes");
 }
 
-void MeshTest::aBodyWithoutAreaHasNoSamples() {
+void MeshTest::evenSamples_bodyWithoutArea_isEmpty() {
     TriangleMesh line;
     line.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
     line.triangles = {{0, 1, 2}, {0, 2, 1}};

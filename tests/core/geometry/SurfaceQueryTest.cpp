@@ -1,4 +1,4 @@
-// Closest points, rays and inside tests against bodies whose answers are known.
+// Closest points, rays and inside tests on bodies with closed forms.
 #include "geometry/SurfaceQuery.h"
 #include "base/Units.h"
 #include "geometry/Shapes.h"
@@ -41,22 +41,22 @@ class SurfaceQueryTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void closestPointOfABoxIsExact();
-    void closestPointOfASphereIsRadial();
-    void nothingIsFoundBeyondTheAskedDistance();
-    void equallyNearTrianglesAnswerTheFirst();
-    void degenerateTrianglesDoNoHarm();
-    void rayHitsWhereItShould();
-    void rayStopsAtItsReach();
-    void insideIsInside();
-    void overlappingPartsAreOneBody();
-    void hollowIsOutside();
-    void smallHoleDoesNotTurnInsideOut();
-    void answersAreTheSameFromManyThreads();
-    void emptyMeshAnswersNothing();
+    void closest_box_isExact();
+    void closest_sphere_isRadial();
+    void closest_beyondTheGivenDistance_isInvalid();
+    void closest_equallyNearTriangles_givesTheFirst();
+    void closest_degenerateTriangles_areIgnored();
+    void hit_box_isExact();
+    void hit_beyondItsReach_isInvalid();
+    void isInside_box_isExact();
+    void isInside_overlappingParts_areOneBody();
+    void isInside_hollow_isFalse();
+    void isInside_smallHole_keepsTheAnswer();
+    void closest_manyThreads_giveTheSameAnswers();
+    void surfaceQuery_emptyMesh_findsNothing();
 };
 
-void SurfaceQueryTest::closestPointOfABoxIsExact() {
+void SurfaceQueryTest::closest_box_isExact() {
     const Eigen::Vector3f size(10, 20, 30);
     const TriangleMesh box = boxMesh(size.cast<double>());
     const SurfaceQuery query(box);
@@ -71,12 +71,12 @@ void SurfaceQueryTest::closestPointOfABoxIsExact() {
     }
 }
 
-void SurfaceQueryTest::closestPointOfASphereIsRadial() {
+void SurfaceQueryTest::closest_sphere_isRadial() {
     const TriangleMesh sphere = sphereMesh(35, 200, 400);
     const SurfaceQuery query(sphere);
     for (const auto& place : randomPlaces(2000, 60)) {
         if (place.norm() < 5) {
-            continue; // from near the centre every direction is as good
+            continue; // near the centre all directions are equally near
         }
         const ClosestPoint closest = query.closest(place);
         QVERIFY(std::abs(closest.distance - std::abs(place.norm() - 35)) < 0.01F);
@@ -84,7 +84,7 @@ void SurfaceQueryTest::closestPointOfASphereIsRadial() {
     }
 }
 
-void SurfaceQueryTest::nothingIsFoundBeyondTheAskedDistance() {
+void SurfaceQueryTest::closest_beyondTheGivenDistance_isInvalid() {
     const SurfaceQuery query(boxMesh({10, 10, 10}));
     QVERIFY(!query.closest({8, 0, 0}, 2.99F).point.isValid());
     QVERIFY(std::isinf(query.closest({8, 0, 0}, 2.99F).distance));
@@ -92,7 +92,7 @@ void SurfaceQueryTest::nothingIsFoundBeyondTheAskedDistance() {
     QVERIFY(isSame(query.closest({8, 1, 2}, 4), query.closest({8, 1, 2})));
 }
 
-void SurfaceQueryTest::equallyNearTrianglesAnswerTheFirst() {
+void SurfaceQueryTest::closest_equallyNearTriangles_givesTheFirst() {
     const TriangleMesh box = boxMesh({10, 10, 10});
     const SurfaceQuery query(box);
     for (std::uint32_t corner = 0; corner < 8; ++corner) {
@@ -104,7 +104,7 @@ void SurfaceQueryTest::equallyNearTrianglesAnswerTheFirst() {
     }
 }
 
-void SurfaceQueryTest::degenerateTrianglesDoNoHarm() {
+void SurfaceQueryTest::closest_degenerateTriangles_areIgnored() {
     TriangleMesh box = boxMesh({10, 10, 10});
     box.triangles.insert(box.triangles.begin(), {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}});
     const SurfaceQuery query(box);
@@ -115,7 +115,7 @@ void SurfaceQueryTest::degenerateTrianglesDoNoHarm() {
     }
 }
 
-void SurfaceQueryTest::rayHitsWhereItShould() {
+void SurfaceQueryTest::hit_box_isExact() {
     const TriangleMesh box = boxMesh({10, 20, 30});
     const SurfaceQuery query(box);
     const RayHit hit = query.hit({3, 40, -7}, {0, -2, 0});
@@ -123,18 +123,18 @@ void SurfaceQueryTest::rayHitsWhereItShould() {
     QCOMPARE(hit.distance, 15.0F); // in lengths of the direction
     QVERIFY(position(box, hit.point).isApprox(Eigen::Vector3f(3, 10, -7), 1e-5F));
     QVERIFY(!query.hit({3, 40, -7}, {0, 1, 0}).point.isValid());
-    // Along an edge and through a corner nothing slips through.
+    // Rays at an edge and at a corner hit, too.
     QVERIFY(query.hit({0, 40, 0}, {0, -1, 0}).point.isValid());
     QVERIFY(query.hit({50, 100, 150}, {-1, -2, -3}).point.isValid());
 }
 
-void SurfaceQueryTest::rayStopsAtItsReach() {
+void SurfaceQueryTest::hit_beyondItsReach_isInvalid() {
     const SurfaceQuery query(boxMesh({10, 10, 10}));
     QVERIFY(!query.hit({0, 8, 0}, {0, -1, 0}, 2.9F).point.isValid());
     QVERIFY(query.hit({0, 8, 0}, {0, -1, 0}, 3.1F).point.isValid());
 }
 
-void SurfaceQueryTest::insideIsInside() {
+void SurfaceQueryTest::isInside_box_isExact() {
     const SurfaceQuery query(boxMesh({10, 10, 10}));
     for (const auto& place : randomPlaces(3000, 8)) {
         QCOMPARE(query.isInside(place), place.cwiseAbs().maxCoeff() < 5);
@@ -142,7 +142,7 @@ void SurfaceQueryTest::insideIsInside() {
     QVERIFY(query.isInside(Eigen::Vector3f::Zero()));
 }
 
-void SurfaceQueryTest::overlappingPartsAreOneBody() {
+void SurfaceQueryTest::isInside_overlappingParts_areOneBody() {
     TriangleMesh pair = boxMesh({10, 10, 10});
     for (auto triangle : boxMesh({6, 6, 20}).triangles) {
         for (auto& corner : triangle) {
@@ -160,7 +160,7 @@ void SurfaceQueryTest::overlappingPartsAreOneBody() {
     QVERIFY(!query.isInside({4, 0, 8}));
 }
 
-void SurfaceQueryTest::hollowIsOutside() {
+void SurfaceQueryTest::isInside_hollow_isFalse() {
     TriangleMesh shell = boxMesh({20, 20, 20});
     const TriangleMesh hollow = boxMesh({10, 10, 10});
     for (const auto& triangle : hollow.triangles) {
@@ -173,7 +173,7 @@ void SurfaceQueryTest::hollowIsOutside() {
     QVERIFY(!query.isInside({11, 0, 0}));
 }
 
-void SurfaceQueryTest::smallHoleDoesNotTurnInsideOut() {
+void SurfaceQueryTest::isInside_smallHole_keepsTheAnswer() {
     TriangleMesh sphere = sphereMesh(35, 30, 60);
     sphere.triangles.erase(sphere.triangles.begin(), sphere.triangles.begin() + 60);
     const SurfaceQuery query(sphere);
@@ -186,7 +186,7 @@ void SurfaceQueryTest::smallHoleDoesNotTurnInsideOut() {
     }
 }
 
-void SurfaceQueryTest::answersAreTheSameFromManyThreads() {
+void SurfaceQueryTest::closest_manyThreads_giveTheSameAnswers() {
     const TriangleMesh sphere = sphereMesh(35, 60, 120);
     const auto places = randomPlaces(4000, 50);
     std::vector<ClosestPoint> alone;
@@ -200,7 +200,7 @@ void SurfaceQueryTest::answersAreTheSameFromManyThreads() {
     QVERIFY(std::equal(alone.begin(), alone.end(), together.begin(), isSame));
 }
 
-void SurfaceQueryTest::emptyMeshAnswersNothing() {
+void SurfaceQueryTest::surfaceQuery_emptyMesh_findsNothing() {
     const SurfaceQuery query{TriangleMesh()};
     QVERIFY(!query.closest({0, 0, 0}).point.isValid());
     QVERIFY(!query.hit({0, 0, 0}, {0, 1, 0}).point.isValid());

@@ -1,4 +1,4 @@
-// Surfaces laid flat round a place, against those that can be unrolled by a formula.
+// Surfaces unfolded round a place, against closed forms.
 #include "geometry/UnfoldedSurface.h"
 #include "base/Units.h"
 #include "geometry/Shapes.h"
@@ -16,7 +16,7 @@ SurfacePoint placeAt(const SurfaceQuery& query, const Eigen::Vector3d& position)
     return query.closest(position.cast<float>()).point;
 }
 
-// How far along the sides of a regular prism's polygon an angle from the middle of one side is.
+// The length along a regular prism's polygon from the middle of one side to an angle (radians).
 double alongPolygon(double angle, double radius, int sides) {
     const double half = pi / sides;
     const double apothem = radius * std::cos(half);
@@ -38,18 +38,18 @@ class UnfoldedSurfaceTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void cylinderUnrollsToTheHundredth();
-    void cubeUnfoldsOverItsEdge();
-    void placesBehindACornerAreStillLaidFlat();
-    void sphereKeepsDistancesFromTheMiddle();
-    void uprightIsUpwardsAndReadsFromOutside();
-    void largeTrianglesAreNotNoticed();
-    void nothingIsPastTheRadius();
-    void openSeamIsCrossed_data();
-    void openSeamIsCrossed();
+    void unfoldedSurface_cylinder_unrollsWithin0p01mm();
+    void unfoldedSurface_cube_unfoldsOverItsEdge();
+    void unfoldedSurface_placesBehindACorner_areUnfolded();
+    void unfoldedSurface_sphere_keepsDistancesFromTheMiddle();
+    void uprightFrame_pointsUpAndReadsFromOutside();
+    void unfoldedSurface_largeTriangles_areExact();
+    void unfoldedSurface_pastTheRadius_isEmpty();
+    void unfoldedSurface_openSeam_isCrossed_data();
+    void unfoldedSurface_openSeam_isCrossed();
 };
 
-void UnfoldedSurfaceTest::cylinderUnrollsToTheHundredth() {
+void UnfoldedSurfaceTest::unfoldedSurface_cylinder_unrollsWithin0p01mm() {
     constexpr double radius = 20;
     constexpr int sides = 48;
     const TriangleMesh mesh = cylinderMesh(radius, 100, sides);
@@ -74,12 +74,13 @@ void UnfoldedSurfaceTest::cylinderUnrollsToTheHundredth() {
                                     .arg(z)
                                     .arg(flat->x())
                                     .arg(flat->y())));
-            QVERIFY(std::abs(std::abs(flat->x()) - std::abs(z)) < 0.01); // straight lines stay so
+            QVERIFY(std::abs(std::abs(flat->x()) - std::abs(z)) <
+                    0.01); // straight lines stay straight
         }
     }
 }
 
-void UnfoldedSurfaceTest::cubeUnfoldsOverItsEdge() {
+void UnfoldedSurfaceTest::unfoldedSurface_cube_unfoldsOverItsEdge() {
     const TriangleMesh mesh = boxMesh({60, 60, 60});
     const SurfaceQuery query(mesh);
     // 5 mm left of the edge between front (+z) and right (+x).
@@ -95,14 +96,15 @@ void UnfoldedSurfaceTest::cubeUnfoldsOverItsEdge() {
     }
 }
 
-void UnfoldedSurfaceTest::placesBehindACornerAreStillLaidFlat() {
+void UnfoldedSurfaceTest::unfoldedSurface_placesBehindACorner_areUnfolded() {
     const TriangleMesh mesh = boxMesh({60, 60, 60});
     const SurfaceQuery query(mesh);
     const Eigen::Vector3d middle(24, 25, 30);
     const UnfoldedSurface unfolded(mesh, placeAt(query, middle), 20);
     for (double right = -10; right < 18; right += 1.3) {
         for (double up = -10; up < 18; up += 1.3) {
-            // The ways over both faces to where the picture is torn, behind the corner, are equal.
+            // Behind the corner, where the picture is cut, the ways over both faces are equally
+            // long.
             const double overTop = right > 6 ? std::hypot(11 - up, right - 1) : 1e3;
             const double overSide = up > 5 ? std::hypot(up + 1, 11 - right) : 1e3;
             const double straight = std::hypot(right, up);
@@ -125,7 +127,7 @@ void UnfoldedSurfaceTest::placesBehindACornerAreStillLaidFlat() {
     }
 }
 
-void UnfoldedSurfaceTest::sphereKeepsDistancesFromTheMiddle() {
+void UnfoldedSurfaceTest::unfoldedSurface_sphere_keepsDistancesFromTheMiddle() {
     constexpr double radius = 40;
     const TriangleMesh mesh = sphereMesh(radius, 80, 160);
     const SurfaceQuery query(mesh);
@@ -146,7 +148,7 @@ void UnfoldedSurfaceTest::sphereKeepsDistancesFromTheMiddle() {
     }
 }
 
-void UnfoldedSurfaceTest::uprightIsUpwardsAndReadsFromOutside() {
+void UnfoldedSurfaceTest::uprightFrame_pointsUpAndReadsFromOutside() {
     for (const Eigen::Vector3d& outward :
          {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(0, 1, 0),
           Eigen::Vector3d(0, -1, 0), Eigen::Vector3d(0.6, 0.48, 0.64)}) {
@@ -156,7 +158,7 @@ void UnfoldedSurfaceTest::uprightIsUpwardsAndReadsFromOutside() {
     }
 }
 
-void UnfoldedSurfaceTest::largeTrianglesAreNotNoticed() {
+void UnfoldedSurfaceTest::unfoldedSurface_largeTriangles_areExact() {
     const TriangleMesh mesh = boxMesh({100, 100, 100}); // a decal of 2 mm in two triangles
     const SurfaceQuery query(mesh);
     const UnfoldedSurface unfolded(mesh, placeAt(query, {0, 0, 50}), 2); // on their common edge
@@ -167,7 +169,7 @@ void UnfoldedSurfaceTest::largeTrianglesAreNotNoticed() {
     }
 }
 
-void UnfoldedSurfaceTest::nothingIsPastTheRadius() {
+void UnfoldedSurfaceTest::unfoldedSurface_pastTheRadius_isEmpty() {
     const TriangleMesh mesh = boxMesh({60, 60, 60});
     const SurfaceQuery query(mesh);
     const UnfoldedSurface unfolded(mesh, placeAt(query, {0, 0, 30}), 10);
@@ -176,14 +178,14 @@ void UnfoldedSurfaceTest::nothingIsPastTheRadius() {
     QVERIFY(unfolded.at(placeAt(query, {9.9, 0, 30})));
 }
 
-void UnfoldedSurfaceTest::openSeamIsCrossed_data() {
+void UnfoldedSurfaceTest::unfoldedSurface_openSeam_isCrossed_data() {
     QTest::addColumn<double>("z");
     QTest::newRow("middle in the seam") << 0.0;
     QTest::newRow("middle at its end") << 50.0;
 }
 
-// As files have a texture's seam: along it each place is there twice, a rounding apart.
-void UnfoldedSurfaceTest::openSeamIsCrossed() {
+// Files store the places on a texture seam twice, with a rounding error between them.
+void UnfoldedSurfaceTest::unfoldedSurface_openSeam_isCrossed() {
     QFETCH(const double, z);
     const TriangleMesh closed = cylinderMesh(20, 100, 48);
     TriangleMesh open = closed;
@@ -204,7 +206,7 @@ void UnfoldedSurfaceTest::openSeamIsCrossed() {
     const Eigen::Vector3d middle(20, 0, z);
     const UnfoldedSurface whole(closed, placeAt(query, middle), 30);
     const UnfoldedSurface cut(open, placeAt(openQuery, middle), 30);
-    // Up and right are those of the middle's triangle, which is on one side or the other.
+    // Up and right are those of the middle's triangle, which can be on either side of the seam.
     int compared = 0;
     for (double angle = -0.9; angle <= 0.9; angle += 0.1) {
         for (double away = -20; away <= 0; away += 2.5) {
@@ -214,11 +216,12 @@ void UnfoldedSurfaceTest::openSeamIsCrossed() {
             QCOMPARE(flat.has_value(), wanted.has_value());
             if (flat) {
                 QVERIFY2(std::abs(flat->norm() - wanted->norm()) < 0.02,
-                         qPrintable(QStringLiteral("%1 %2: %3 in place of %4")
-                                        .arg(angle)
-                                        .arg(away)
-                                        .arg(flat->norm())
-                                        .arg(wanted->norm())));
+                         qPrintable(
+                             QStringLiteral("angle %1, %2 mm along: distance %3 mm, expected %4 mm")
+                                 .arg(angle)
+                                 .arg(away)
+                                 .arg(flat->norm())
+                                 .arg(wanted->norm())));
                 ++compared;
             }
         }

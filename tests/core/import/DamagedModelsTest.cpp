@@ -1,6 +1,5 @@
-// PLY, STL, 3MF and Collada in which something does not fit: either it is clear what is meant, and
-// they are read, or they are refused in a sentence; a part of a model, or another one, never comes
-// of them.
+// Inconsistent PLY, STL, 3MF and Collada files. If their meaning is clear, they are read
+// completely; otherwise they are refused with a message.
 #include "ModelFiles.h"
 
 #include "base/Error.h"
@@ -18,7 +17,7 @@ using namespace dipwright::test;
 
 namespace {
 
-constexpr float edge = 9; // of the corner of a cube that all models here are
+constexpr float edge = 9; // mm; all models here are the corner of a cube
 
 const std::vector<Eigen::Vector3f> points{{0, 0, 0}, {edge, 0, 0}, {0, edge, 0}, {0, 0, edge}};
 const std::vector<std::array<int, 3>> faces{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
@@ -92,7 +91,7 @@ QByteArray asciiStl() {
     return text + "endsolid body\n";
 }
 
-// With these attributes of its object and of its first triangle.
+// A 3MF object with these attributes; `ofTriangle` are those of its first triangle.
 QByteArray object(const QByteArray& attributes = QByteArray(),
                   const QByteArray& ofTriangle = QByteArray()) {
     return R"(<object id="1" )" + attributes +
@@ -114,7 +113,7 @@ QByteArray transform(const QByteArray& numbers) {
     return "transform=\"" + numbers + "\"";
 }
 
-// That needs an extension of this name.
+// The attributes of a model that requires the extension with this name.
 QByteArray needing(const QByteArray& nameSpace) {
     return "requiredextensions=\"q\" xmlns:q=\"http://schemas.microsoft.com/3dmanufacturing/" +
            nameSpace + "\"";
@@ -131,21 +130,21 @@ class DamagedModelsTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void plyThatIsClearIsRead_data();
-    void plyThatIsClearIsRead();
-    void damagedPlyIsRefused_data();
-    void damagedPlyIsRefused();
-    void stlThatIsClearIsRead_data();
-    void stlThatIsClearIsRead();
-    void stlWithMoreTrianglesThanItCountsIsRefused();
-    void threeMfThatIsClearIsRead_data();
-    void threeMfThatIsClearIsRead();
-    void threeMfTextureMayStandAfterWhatShowsIt();
-    void damaged3mfIsRefused_data();
-    void damaged3mfIsRefused();
-    void negativeColladaIndicesAreRefused_data();
-    void negativeColladaIndicesAreRefused();
-    void negativeColladaJointsAreRead();
+    void ply_unusualButClear_isRead_data();
+    void ply_unusualButClear_isRead();
+    void ply_damaged_isRefused_data();
+    void ply_damaged_isRefused();
+    void stl_unusualButClear_isRead_data();
+    void stl_unusualButClear_isRead();
+    void stl_moreTrianglesThanDeclared_isRefused();
+    void threeMf_unusualButClear_isRead_data();
+    void threeMf_unusualButClear_isRead();
+    void threeMf_textureAfterItsUse_isRead();
+    void threeMf_damaged_isRefused_data();
+    void threeMf_damaged_isRefused();
+    void collada_negativeIndex_isRefused_data();
+    void collada_negativeIndex_isRefused();
+    void collada_negativeJoint_isRead();
 
 private:
     QString at(const QString& name) const { return folder_.filePath(name); }
@@ -165,7 +164,7 @@ private:
     QTemporaryDir folder_;
 };
 
-// Read whole: the corner of a cube, from the origin on.
+// Verifies that the file is read as the whole corner of a cube at the origin.
 void DamagedModelsTest::verifyIsCorner(const QString& path, const Eigen::Vector3f& size) {
     try {
         const ImportReport report = importModel(path, ImportOptions(), Progress()).report;
@@ -182,7 +181,7 @@ void DamagedModelsTest::verifyIsCorner(const QString& path, const Eigen::Vector3
 void DamagedModelsTest::verifyIsRefused(const QString& path, const QString& says) {
     try {
         importModel(path, ImportOptions(), Progress());
-        QFAIL("it is read");
+        QFAIL("the file is read, expected a refusal");
     } catch (const Error& error) {
         QVERIFY2(error.sentence().contains(QStringLiteral("cannot be read")) &&
                      error.sentence().contains(says),
@@ -190,7 +189,7 @@ void DamagedModelsTest::verifyIsRefused(const QString& path, const QString& says
     }
 }
 
-void DamagedModelsTest::plyThatIsClearIsRead_data() {
+void DamagedModelsTest::ply_unusualButClear_isRead_data() {
     QTest::addColumn<QByteArray>("bytes");
     const QByteArray binaryHeader = plyHeader("binary_little_endian");
     QTest::newRow("LF") << asciiPly();
@@ -212,18 +211,18 @@ void DamagedModelsTest::plyThatIsClearIsRead_data() {
         << binaryPly() + QByteArray(2 * binaryFace({0, 1, 2}).size(), '\0');
 }
 
-void DamagedModelsTest::plyThatIsClearIsRead() {
+void DamagedModelsTest::ply_unusualButClear_isRead() {
     QFETCH(QByteArray, bytes);
     verifyIsCorner(write(QStringLiteral("clear.ply"), bytes), {edge, edge, edge});
 }
 
-void DamagedModelsTest::damagedPlyIsRefused_data() {
+void DamagedModelsTest::ply_damaged_isRefused_data() {
     QTest::addColumn<QByteArray>("bytes");
     QTest::addColumn<QString>("says");
     const auto row = [](const char* name, const QByteArray& bytes, const char* says) {
         QTest::newRow(name) << bytes << QString::fromLatin1(says);
     };
-    const char* const more = "more than its header counts";
+    const char* const more = "more data than its header declares";
     const char* const header = "header is not understood";
     const QByteArray points = "element vertex 1\nproperty float x\nproperty float y\n"
                               "property float z\n";
@@ -241,17 +240,17 @@ void DamagedModelsTest::damagedPlyIsRefused_data() {
     row("a word after it", asciiPly() + "end\n", more);
     row("binary, fewer faces than there are", binaryPly() + binaryFace({0, 1, 2}), more);
     row("a face between points", asciiPly().replace("3 0 2 1", "3 0.7 2 1"),
-        "a point that is not there");
+        "a point that does not exist");
     row("a face of half a corner", asciiPly().replace("3 0 2 1", "3.5 0 2 1"), "no number");
 }
 
-void DamagedModelsTest::damagedPlyIsRefused() {
+void DamagedModelsTest::ply_damaged_isRefused() {
     QFETCH(QByteArray, bytes);
     QFETCH(QString, says);
     verifyIsRefused(write(QStringLiteral("damaged.ply"), bytes), says);
 }
 
-void DamagedModelsTest::stlThatIsClearIsRead_data() {
+void DamagedModelsTest::stl_unusualButClear_isRead_data() {
     QTest::addColumn<QByteArray>("bytes");
     QTest::newRow("ASCII") << asciiStl();
     QTest::newRow("ASCII in capitals") << asciiStl().toUpper();
@@ -271,19 +270,19 @@ void DamagedModelsTest::stlThatIsClearIsRead_data() {
         << binaryStl("made by a test") + QByteArray(50, '\0');
 }
 
-void DamagedModelsTest::stlThatIsClearIsRead() {
+void DamagedModelsTest::stl_unusualButClear_isRead() {
     QFETCH(QByteArray, bytes);
     verifyIsCorner(write(QStringLiteral("clear.stl"), bytes), {edge, edge, edge});
 }
 
-void DamagedModelsTest::stlWithMoreTrianglesThanItCountsIsRefused() {
+void DamagedModelsTest::stl_moreTrianglesThanDeclared_isRefused() {
     for (const quint32 count : {0, 3}) {
         verifyIsRefused(write(QStringLiteral("few.stl"), binaryStl("made by a test", count)),
-                        QStringLiteral("more than its header counts"));
+                        QStringLiteral("more data than its header declares"));
     }
 }
 
-void DamagedModelsTest::threeMfThatIsClearIsRead_data() {
+void DamagedModelsTest::threeMf_unusualButClear_isRead_data() {
     QTest::addColumn<QByteArray>("xml");
     QTest::addColumn<float>("scale");
     const QByteArray colours = R"(<basematerials id="7"><base name="a" displaycolor="#FF0000"/>
@@ -306,13 +305,13 @@ void DamagedModelsTest::threeMfThatIsClearIsRead_data() {
         << model(object(), QByteArray(), R"(xmlns:q="a")") << 1.0F;
 }
 
-void DamagedModelsTest::threeMfThatIsClearIsRead() {
+void DamagedModelsTest::threeMf_unusualButClear_isRead() {
     QFETCH(QByteArray, xml);
     QFETCH(float, scale);
     verifyIsCorner(writePackage(xml), Eigen::Vector3f::Constant(edge * scale));
 }
 
-void DamagedModelsTest::threeMfTextureMayStandAfterWhatShowsIt() {
+void DamagedModelsTest::threeMf_textureAfterItsUse_isRead() {
     const QByteArray shown = object(QByteArray(), R"(pid="6" p1="0" p2="1" p3="2")");
     const QString path = writePackage(model(shown + textureOf5 + texture5));
     const TexturedMesh mesh = importModel(path, ImportOptions(), Progress()).model;
@@ -320,7 +319,7 @@ void DamagedModelsTest::threeMfTextureMayStandAfterWhatShowsIt() {
     QCOMPARE(mesh.textures[0], quarters());
 }
 
-void DamagedModelsTest::damaged3mfIsRefused_data() {
+void DamagedModelsTest::threeMf_damaged_isRefused_data() {
     QTest::addColumn<QByteArray>("xml");
     QTest::addColumn<QString>("says");
     const auto row = [](const char* name, const QByteArray& xml, const char* says) {
@@ -329,8 +328,8 @@ void DamagedModelsTest::damaged3mfIsRefused_data() {
     const auto moved = [](const QByteArray& numbers) {
         return model(object(), transform(numbers));
     };
-    const char* const notTwelve = "not twelve numbers";
-    const char* const notThere = "material or texture that is not there";
+    const char* const notTwelve = "not have twelve numbers";
+    const char* const notThere = "material or texture that does not exist";
     row("a word in a transform", moved("1 0 0 0 x 0 0 0 1 0 0 0"), notTwelve);
     row("an infinite transform", moved("1 0 0 0 inf 0 0 0 1 0 0 0"), notTwelve);
     row("a transform of eleven", moved("2 0 0 0 1 0 0 0 1 0 0"), notTwelve);
@@ -338,7 +337,7 @@ void DamagedModelsTest::damaged3mfIsRefused_data() {
     row("a transform of none", moved(""), notTwelve);
     row("a transform with commas", moved("2,0,0,0,1,0,0,0,1,0,0,0"), notTwelve);
     row("a transform with other spaces", moved("2 0 0 0 1 0 0 0 1 0 0&#160;0"), notTwelve);
-    row("two objects of one number", model(object() + object()), "number 1");
+    row("two objects of one number", model(object() + object()), "ID 1");
     row("no such material", model(object(R"(pid="77" pindex="0")")), notThere);
     row("no such material of a triangle", model(object("", R"(pid="77" p1="0")")), notThere);
     row("a material that is no number", model(object(R"(pid="a" pindex="0")")), "no number");
@@ -351,19 +350,19 @@ void DamagedModelsTest::damaged3mfIsRefused_data() {
         "extension q");
 }
 
-void DamagedModelsTest::damaged3mfIsRefused() {
+void DamagedModelsTest::threeMf_damaged_isRefused() {
     QFETCH(QByteArray, xml);
     QFETCH(QString, says);
     verifyIsRefused(writePackage(xml), says);
 }
 
-void DamagedModelsTest::negativeColladaIndicesAreRefused_data() {
+void DamagedModelsTest::collada_negativeIndex_isRefused_data() {
     QTest::addColumn<QByteArray>("list");
     QTest::newRow("corners") << QByteArray("<p>");
     QTest::newRow("corners of a polygon") << QByteArray("<vcount>");
 }
 
-void DamagedModelsTest::negativeColladaIndicesAreRefused() {
+void DamagedModelsTest::collada_negativeIndex_isRefused() {
     QFETCH(QByteArray, list);
     QByteArray bytes = tetrahedron("collada");
     QVERIFY(bytes.contains(list));
@@ -371,8 +370,8 @@ void DamagedModelsTest::negativeColladaIndicesAreRefused() {
                     QStringLiteral("no number"));
 }
 
-// Weights name a joint by −1 where they move nothing.
-void DamagedModelsTest::negativeColladaJointsAreRead() {
+// Weights name the joint −1 if they move nothing.
+void DamagedModelsTest::collada_negativeJoint_isRead() {
     const QByteArray weights = "<extra><technique profile=\"a\"><v>-1 0</v></technique></extra>";
     QByteArray bytes = tetrahedron("collada");
     QVERIFY(bytes.contains("</COLLADA>"));

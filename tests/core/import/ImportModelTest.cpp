@@ -25,7 +25,7 @@ ImportedModel import(const QString& path, const ImportOptions& options = {}) {
     return importModel(path, options, Progress());
 }
 
-// The error that an import ends with, or an empty sentence.
+// The error's message if the import fails, otherwise empty.
 QString refusal(const QString& path, const ImportOptions& options = {}) {
     try {
         import(path, options);
@@ -35,7 +35,7 @@ QString refusal(const QString& path, const ImportOptions& options = {}) {
     }
 }
 
-// The colour that a model shows at a place of its surface; seen is the middle of a texel.
+// The colour of a model at a place of its surface, without interpolation between texels.
 QColor colourAt(const TexturedMesh& model, std::uint32_t triangle, const Eigen::Vector2f& uv) {
     const Material& material = model.materials[model.material[triangle]];
     if (material.texture < 0) {
@@ -74,7 +74,7 @@ std::size_t chartCount(const TexturedMesh& model) {
     return std::set<std::uint32_t>(model.chart.begin(), model.chart.end()).size();
 }
 
-// ASCII STL of a mesh, every triangle with corners of its own and normals left unset.
+// ASCII STL of a mesh. Every triangle has its own corners; normals are zero.
 QByteArray stl(const TriangleMesh& mesh) {
     QByteArray text = "solid body\n";
     for (const auto& triangle : mesh.triangles) {
@@ -92,7 +92,7 @@ QByteArray stl(const TriangleMesh& mesh) {
     return text + "endsolid body\n";
 }
 
-// One solid of several bodies; the first `turned` of them are inside out.
+// One STL solid of several bodies, of which the first `turned` are inside out.
 QByteArray stl(std::vector<TriangleMesh> bodies, std::size_t turned) {
     QByteArray text;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -106,7 +106,7 @@ QByteArray stl(std::vector<TriangleMesh> bodies, std::size_t turned) {
     return text.replace("endsolid body\nsolid body\n", "");
 }
 
-// Boxes that grow from 20 and 10 mm, each in the next; the smaller half is first.
+// Nested boxes with edges from 10 to 15 mm and from 20 to 25 mm, `half` of each, smallest first.
 std::vector<TriangleMesh> nestedBoxes(int half) {
     std::vector<TriangleMesh> boxes;
     for (const double least : {10.0, 20.0}) {
@@ -118,7 +118,8 @@ std::vector<TriangleMesh> nestedBoxes(int half) {
     return boxes;
 }
 
-// A sphere as OBJ whose texture is cut along one meridian: one chart, two coordinates on the seam.
+// A sphere as OBJ whose texture is cut along one meridian: one chart, with two coordinates for each
+// point of the seam.
 QByteArray sphereWithSeamObj(int rings, int segments) {
     QByteArray text;
     const TriangleMesh sphere = sphereMesh(35, rings, segments);
@@ -159,7 +160,7 @@ QByteArray sphereWithSeamObj(int rings, int segments) {
     return text;
 }
 
-// A tetrahedron in the formats that assimp reads for us unseen.
+// Rows with a tetrahedron in each format that only assimp reads.
 void addOtherFormats() {
     QTest::newRow("collada") << QStringLiteral("tetrahedron.dae") << tetrahedron("collada");
     QTest::newRow("3ds") << QStringLiteral("tetrahedron.3ds") << tetrahedron("3ds");
@@ -173,74 +174,74 @@ class ImportModelTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void aUnitIsGuessedByTheSizeThatIsDipped();
-    void objWithMaterialFile();
-    void objWithTwoMaterials();
-    void objWithoutMaterialFileIsGreyAndSaysSo();
-    void plyWithItsPicture();
-    void binaryPlyWithCoordinatesACorner();
-    void plyFacesHaveTheirOwnCoordinatesAndPictures();
-    void plyAndStlWithoutCoordinates();
-    void plyOfStripsIsRead();
-    void gltfShowsItsPictureUpright();
-    void glbShowsItsPictureUpright();
-    void gltfMovesItsPicture();
-    void threeMfShowsItsPictureUpright();
-    void threeMfPlacesComponentsInMillimetres();
-    void everyFormatIsInTheFilters();
+    void guessedUnit_givesASizeThatCanBeDipped();
+    void obj_materialFile_isRead();
+    void obj_twoMaterials_areRead();
+    void obj_missingMaterialFile_isAWarning();
+    void ply_picture_isRead();
+    void ply_binaryWithCoordinatesPerCorner_isRead();
+    void ply_coordinatesAndPicturePerFace_areRead();
+    void plyAndStl_withoutCoordinates_areRead();
+    void ply_triangleStrips_areRead();
+    void gltf_picture_isUpright();
+    void glb_picture_isUpright();
+    void gltf_textureTransform_movesThePicture();
+    void threeMf_picture_isUpright();
+    void threeMf_components_arePlacedInMillimetres();
+    void modelFilePatterns_listEveryFormatOnce();
 
-    void picturesAreFoundDespiteCaseAndForeignPaths_data();
-    void picturesAreFoundDespiteCaseAndForeignPaths();
-    void missingPictureIsAWarning();
-    void chosenTextureReplacesAllOthers();
-    void chosenTextureWithoutCoordinatesIsAWarning();
-    void sixteenBitAndGreyPicturesBecomeRgba();
+    void pictureFile_otherCaseOrForeignPath_isFound_data();
+    void pictureFile_otherCaseOrForeignPath_isFound();
+    void pictureFile_missing_isAWarning();
+    void chosenTexture_replacesAllOthers();
+    void chosenTexture_withoutCoordinates_isAWarning();
+    void texture_16BitOrGrey_becomesRgba8();
 
-    void cubeHasSixCharts();
-    void sphereWithSeamIsOneClosedChart();
+    void charts_cube_areSix();
+    void charts_sphereWithSeam_isOneClosedChart();
 
-    void scaleByLongestEdgeAndByUnit();
-    void stlIsWeldedAndClosed();
-    void degenerateTrianglesAreRemoved();
-    void insideOutIsTurned();
-    void insideOutIsTurnedThoughItsSeamIsOpen();
-    void facesGivenTwiceCountOnce();
-    void insideOutPartIsTurnedButACavityIsNot();
-    void manyPartsInOneAnotherAreToldApart();
-    void repairingEndsWhenItIsCancelled();
-    void turnedNeighboursAreTurnedBack();
-    void openMeshIsAWarning();
-    void mirroredNodeKeepsItsOutside();
-    void aMillionTrianglesAreClosed();
+    void importOptions_longestEdgeAndUnit_setTheSize();
+    void stl_separateTriangles_areWeldedAndClosed();
+    void repair_degenerateTriangles_areRemoved();
+    void repair_insideOutBody_isFlipped();
+    void repair_insideOutBodyWithOpenSeam_isFlipped();
+    void repair_duplicateFaces_areMerged();
+    void repair_insideOutPart_isFlippedButCavityIsNot();
+    void repair_manyNestedParts_areDistinguished();
+    void repair_cancelled_throws();
+    void repair_flippedNeighbours_areFlippedBack();
+    void openMesh_isAWarning();
+    void gltf_mirroredNode_keepsItsOutside();
+    void stl_millionTriangles_isClosed();
 
-    void pathsOfEveryLanguageWork();
-    void refusals_data();
-    void refusals();
-    void textureRefusals_data();
-    void textureRefusals();
-    void texturesColourProfilesAreHonoured();
-    void optionsOutOfRangeAreRefused();
-    void hostile3mfIsRefused_data();
-    void hostile3mfIsRefused();
-    void truncatedFilesNeverCrash_data();
-    void truncatedFilesNeverCrash();
-    void otherFormatsAreRead_data();
-    void otherFormatsAreRead();
-    void damagedFilesNeverCrash_data();
-    void damagedFilesNeverCrash();
-    void absurdColladaIsRefused_data();
-    void absurdColladaIsRefused();
-    void cancelEndsTheImport();
-    void filesOutsideTheFolderAreNotRead_data();
-    void filesOutsideTheFolderAreNotRead();
-    void filesOfTheFolderNeedNoLeave();
-    void formatsThatAreNotListedAreNotTried_data();
-    void formatsThatAreNotListedAreNotTried();
-    void picturesAreKnownByTheirContent();
-    void aPictureBeforeAnyMaterialIsRefused();
-    void manyCornersAreRefused();
-    void smallFilesCannotAskForMuch_data();
-    void smallFilesCannotAskForMuch();
+    void modelPath_anyLanguage_isRead();
+    void model_unreadable_isRefused_data();
+    void model_unreadable_isRefused();
+    void texture_unreadable_isRefused_data();
+    void texture_unreadable_isRefused();
+    void texture_colourProfile_isApplied();
+    void importOptions_outOfRange_areRefused();
+    void threeMf_hostile_isRefused_data();
+    void threeMf_hostile_isRefused();
+    void model_truncated_neverCrashes_data();
+    void model_truncated_neverCrashes();
+    void colladaFbxAnd3ds_areRead_data();
+    void colladaFbxAnd3ds_areRead();
+    void model_damaged_neverCrashes_data();
+    void model_damaged_neverCrashes();
+    void collada_absurdCounts_areRefused_data();
+    void collada_absurdCounts_areRefused();
+    void importModel_cancelled_throws();
+    void pictureFile_outsideTheFolder_isReadOnlyIfAllowed_data();
+    void pictureFile_outsideTheFolder_isReadOnlyIfAllowed();
+    void pictureFile_insideTheFolder_needsNoPermission();
+    void model_unlistedFormat_isRefused_data();
+    void model_unlistedFormat_isRefused();
+    void pictureFile_formatIsKnownByContent();
+    void mtl_statementBeforeAnyMaterial_isRefused();
+    void obj_faceWithTooManyCorners_isRefused();
+    void smallFile_hugeContent_isRefused_data();
+    void smallFile_hugeContent_isRefused();
 
 private:
     QString at(const QString& name) const { return folder_.filePath(name); }
@@ -251,14 +252,14 @@ private:
     QTemporaryDir folder_;
 };
 
-void ImportModelTest::aUnitIsGuessedByTheSizeThatIsDipped() {
+void ImportModelTest::guessedUnit_givesASizeThatCanBeDipped() {
     QCOMPARE(guessedUnit(90), 1.0);
     QCOMPARE(guessedUnit(0.09), 1000.0);
     QCOMPARE(guessedUnit(1.72), 10.0);
-    QCOMPARE(guessedUnit(5000), 1.0); // none fits
+    QCOMPARE(guessedUnit(5000), 1.0); // no unit fits
 }
 
-void ImportModelTest::objWithMaterialFile() {
+void ImportModelTest::obj_materialFile_isRead() {
     write(QStringLiteral("paint.png"), png(quarters()));
     write(QStringLiteral("cube.mtl"), "newmtl skin\nKd 0.2 0.4 0.6\nmap_Kd paint.png\n");
     const auto [model, report] =
@@ -279,7 +280,7 @@ void ImportModelTest::objWithMaterialFile() {
     QVERIFY(model.hasTextureCoordinates(0));
 }
 
-void ImportModelTest::objWithTwoMaterials() {
+void ImportModelTest::obj_twoMaterials_areRead() {
     write(QStringLiteral("two.mtl"), "newmtl a\nKd 1 0 0\nnewmtl unused\nKd 0 1 0\n"
                                      "newmtl b\nKd 0 0 1\nmap_Kd paint.png\n");
     write(QStringLiteral("paint.png"), png(quarters()));
@@ -296,7 +297,7 @@ void ImportModelTest::objWithTwoMaterials() {
     QCOMPARE(model.materials[1].texture, 0);
 }
 
-void ImportModelTest::objWithoutMaterialFileIsGreyAndSaysSo() {
+void ImportModelTest::obj_missingMaterialFile_isAWarning() {
     const auto [model, report] =
         import(write(QStringLiteral("lone.obj"), cubeObj("mtllib lost.mtl\nusemtl skin\n")));
     QCOMPARE(report.warnings.size(), 1);
@@ -305,7 +306,7 @@ void ImportModelTest::objWithoutMaterialFileIsGreyAndSaysSo() {
     QVERIFY(model.textures.empty());
 }
 
-void ImportModelTest::plyWithItsPicture() {
+void ImportModelTest::ply_picture_isRead() {
     write(QStringLiteral("ply.png"), png(quarters()));
     const auto [model, report] = import(write(QStringLiteral("square.ply"), squarePly("ply.png")));
     QCOMPARE(report.triangles, std::size_t(2));
@@ -313,7 +314,7 @@ void ImportModelTest::plyWithItsPicture() {
     QCOMPARE(chartCount(model), std::size_t(1));
 }
 
-void ImportModelTest::binaryPlyWithCoordinatesACorner() {
+void ImportModelTest::ply_binaryWithCoordinatesPerCorner_isRead() {
     write(QStringLiteral("ply.png"), png(quarters()));
     for (const bool littleEndian : {true, false}) {
         const auto [model, report] =
@@ -323,8 +324,8 @@ void ImportModelTest::binaryPlyWithCoordinatesACorner() {
     }
 }
 
-// Two triangles that share two points and show two places, of one picture or of two.
-void ImportModelTest::plyFacesHaveTheirOwnCoordinatesAndPictures() {
+// Two triangles that share two points and show two places of one picture or of two pictures.
+void ImportModelTest::ply_coordinatesAndPicturePerFace_areRead() {
     write(QStringLiteral("ply.png"), png(quarters()));
     QImage plain(16, 16, QImage::Format_RGB32);
     plain.fill(Qt::blue);
@@ -344,7 +345,7 @@ void ImportModelTest::plyFacesHaveTheirOwnCoordinatesAndPictures() {
     }
 }
 
-void ImportModelTest::plyAndStlWithoutCoordinates() {
+void ImportModelTest::plyAndStl_withoutCoordinates_areRead() {
     const QByteArray ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
                            "property float y\nproperty float z\nelement face 4\n"
                            "property list uchar int vertex_index\nend_header\n"
@@ -362,8 +363,8 @@ void ImportModelTest::plyAndStlWithoutCoordinates() {
     }
 }
 
-// Parts of a box by two strips in one row, as scans are stored; repeated corners lead a strip on.
-void ImportModelTest::plyOfStripsIsRead() {
+// Two strips in one list, as scanners store them. Repeated corners continue a strip elsewhere.
+void ImportModelTest::ply_triangleStrips_areRead() {
     const QByteArray head = "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\n"
                             "property float y\nproperty float z\nelement tristrips 1\n"
                             "property list int int vertex_indices\nend_header\n"
@@ -379,10 +380,10 @@ void ImportModelTest::plyOfStripsIsRead() {
     QVERIFY(whole.closed);
     QVERIFY2(whole.repairs.isEmpty(), qPrintable(whole.repairs.join(u'|')));
     QVERIFY(refusal(write(QStringLiteral("bad.ply"), head + "3 0 1 8\n"))
-                .contains(QStringLiteral("not there")));
+                .contains(QStringLiteral("does not exist")));
 }
 
-void ImportModelTest::gltfShowsItsPictureUpright() {
+void ImportModelTest::gltf_picture_isUpright() {
     const auto [model, report] =
         import(write(QStringLiteral("square.gltf"), squareGltf(png(quarters()))));
     QVERIFY(showsQuarters(model));
@@ -390,31 +391,32 @@ void ImportModelTest::gltfShowsItsPictureUpright() {
     QCOMPARE(model.materials[0].colour, QColor(188, 188, 188)); // half of the light, in sRGB
 }
 
-void ImportModelTest::glbShowsItsPictureUpright() {
+void ImportModelTest::glb_picture_isUpright() {
     const auto [model, report] =
         import(write(QStringLiteral("square.glb"), squareGlb(png(quarters()))));
     QVERIFY(showsQuarters(model));
 }
 
-void ImportModelTest::gltfMovesItsPicture() {
+void ImportModelTest::gltf_textureTransform_movesThePicture() {
     QByteArray text = squareGltf(png(quarters()));
     text.replace(R"("baseColorTexture":{"index":0})",
                  R"("baseColorTexture":{"index":0,"extensions":{"KHR_texture_transform":
                  {"offset":[0.5,0],"scale":[0.5,0.5]}}})");
     text.replace(R"("asset":)", R"("extensionsUsed":["KHR_texture_transform"],"asset":)");
     const auto imported = import(write(QStringLiteral("moved.gltf"), text));
-    QCOMPARE(colourAtPlace(imported.model, 0.1F, 0.1F), QColor(Qt::green)); // upper right alone
+    QCOMPARE(colourAtPlace(imported.model, 0.1F, 0.1F),
+             QColor(Qt::green)); // the upper right quarter alone
     QCOMPARE(colourAtPlace(imported.model, 0.9F, 0.9F), QColor(Qt::green));
 }
 
-void ImportModelTest::threeMfShowsItsPictureUpright() {
+void ImportModelTest::threeMf_picture_isUpright() {
     writeSquare3mf(at(QStringLiteral("square.3mf")), png(quarters()));
     const auto [model, report] = import(at(QStringLiteral("square.3mf")));
     QCOMPARE(report.triangles, std::size_t(2));
     QVERIFY(showsQuarters(model));
 }
 
-void ImportModelTest::threeMfPlacesComponentsInMillimetres() {
+void ImportModelTest::threeMf_components_arePlacedInMillimetres() {
     const QByteArray part = R"(<model unit="inch"><resources>
 <object id="1" pid="9" pindex="1"><mesh><vertices><vertex x="0" y="0" z="0"/>
 <vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/><vertex x="0" y="0" z="1"/></vertices>
@@ -438,8 +440,8 @@ void ImportModelTest::threeMfPlacesComponentsInMillimetres() {
     const auto [model, report] = import(at(QStringLiteral("parts.3mf")));
     QCOMPARE(report.triangles, std::size_t(8));
     QVERIFY(report.closed);
-    // Two of a sixth of a cubic centimetre, twice as large; turned a quarter about Z, lifted by 7
-    // cm.
+    // Two parts of a sixth of a cubic centimetre, scaled by 2, turned a quarter about Z and lifted
+    // by 7 cm.
     QVERIFY(std::abs(report.volume - 2 * 8 * 1000 / 6.0) < 0.1);
     QVERIFY(report.box.min().isApprox(Eigen::Vector3f(-20, -120, 70), 1e-4F));
     QVERIFY(report.box.max().isApprox(Eigen::Vector3f(0, 20, 90), 1e-4F));
@@ -449,14 +451,14 @@ void ImportModelTest::threeMfPlacesComponentsInMillimetres() {
     QCOMPARE(std::count(model.material.begin(), model.material.end(), 1), 2);
 }
 
-void ImportModelTest::everyFormatIsInTheFilters() {
+void ImportModelTest::modelFilePatterns_listEveryFormatOnce() {
     const QStringList patterns = modelFilePatterns();
     QCOMPARE(patterns.join(u' '),
              QStringLiteral("*.obj *.ply *.stl *.gltf *.glb *.3mf *.dae *.fbx *.3ds"));
     QCOMPARE(QSet<QString>(patterns.begin(), patterns.end()).size(), patterns.size());
 }
 
-void ImportModelTest::picturesAreFoundDespiteCaseAndForeignPaths_data() {
+void ImportModelTest::pictureFile_otherCaseOrForeignPath_isFound_data() {
     QTest::addColumn<QByteArray>("name");
     for (const char* name :
          {"Maps/Skin One.png", "maps/SKIN one.PNG", "maps\\skin one.png", "./Maps/Skin One.png",
@@ -466,7 +468,7 @@ void ImportModelTest::picturesAreFoundDespiteCaseAndForeignPaths_data() {
     }
 }
 
-void ImportModelTest::picturesAreFoundDespiteCaseAndForeignPaths() {
+void ImportModelTest::pictureFile_otherCaseOrForeignPath_isFound() {
     QFETCH(QByteArray, name);
     QDir(folder_.path()).mkpath(QStringLiteral("sub/Maps"));
     write(QStringLiteral("sub/Maps/Skin One.png"), png(quarters()));
@@ -479,7 +481,7 @@ void ImportModelTest::picturesAreFoundDespiteCaseAndForeignPaths() {
     QCOMPARE(model.textures[0], quarters());
 }
 
-void ImportModelTest::missingPictureIsAWarning() {
+void ImportModelTest::pictureFile_missing_isAWarning() {
     write(QStringLiteral("miss.mtl"), "newmtl skin\nKd 1 0 0\nmap_Kd lost.png\n");
     const auto [model, report] =
         import(write(QStringLiteral("miss.obj"), cubeObj("mtllib miss.mtl\nusemtl skin\n")));
@@ -489,7 +491,7 @@ void ImportModelTest::missingPictureIsAWarning() {
     QCOMPARE(model.materials[0].colour, QColor(Qt::red));
 }
 
-void ImportModelTest::chosenTextureReplacesAllOthers() {
+void ImportModelTest::chosenTexture_replacesAllOthers() {
     ImportOptions options;
     options.texture = write(QStringLiteral("chosen.png"), png(quarters(32)));
     write(QStringLiteral("many.mtl"), "newmtl a\nmap_Kd lost.png\nnewmtl b\nKd 0 0 1\n");
@@ -504,7 +506,7 @@ void ImportModelTest::chosenTextureReplacesAllOthers() {
     }
 }
 
-void ImportModelTest::chosenTextureWithoutCoordinatesIsAWarning() {
+void ImportModelTest::chosenTexture_withoutCoordinates_isAWarning() {
     ImportOptions options;
     options.texture = write(QStringLiteral("chosen.png"), png(quarters()));
     const auto [model, report] =
@@ -514,7 +516,7 @@ void ImportModelTest::chosenTextureWithoutCoordinatesIsAWarning() {
     QCOMPARE(model.materials[0].texture, -1);
 }
 
-void ImportModelTest::sixteenBitAndGreyPicturesBecomeRgba() {
+void ImportModelTest::texture_16BitOrGrey_becomesRgba8() {
     ImportOptions options;
     QImage deep = quarters().convertToFormat(QImage::Format_RGBA64);
     for (const QImage& picture : {deep, quarters().convertToFormat(QImage::Format_Grayscale8),
@@ -526,7 +528,7 @@ void ImportModelTest::sixteenBitAndGreyPicturesBecomeRgba() {
     }
 }
 
-void ImportModelTest::cubeHasSixCharts() {
+void ImportModelTest::charts_cube_areSix() {
     const auto imported = import(write(QStringLiteral("six.obj"), cubeObj()));
     QCOMPARE(chartCount(imported.model), std::size_t(6));
     for (std::size_t t = 0; t < 12; t += 2) { // a face's two triangles
@@ -534,7 +536,7 @@ void ImportModelTest::cubeHasSixCharts() {
     }
 }
 
-void ImportModelTest::sphereWithSeamIsOneClosedChart() {
+void ImportModelTest::charts_sphereWithSeam_isOneClosedChart() {
     const auto [model, report] =
         import(write(QStringLiteral("seam.obj"), sphereWithSeamObj(12, 24)));
     QVERIFY(report.closed);
@@ -552,7 +554,7 @@ void ImportModelTest::sphereWithSeamIsOneClosedChart() {
     QVERIFY(seamEdges >= 2 * 12);
 }
 
-void ImportModelTest::scaleByLongestEdgeAndByUnit() {
+void ImportModelTest::importOptions_longestEdgeAndUnit_setTheSize() {
     const QString path = write(QStringLiteral("size.obj"), cubeObj());
     ImportOptions options;
     options.longestEdge = Millimetres(90);
@@ -563,7 +565,7 @@ void ImportModelTest::scaleByLongestEdgeAndByUnit() {
     QVERIFY(std::abs(import(path, options).report.box.sizes().x() - 254) < 1e-3F);
 }
 
-void ImportModelTest::stlIsWeldedAndClosed() {
+void ImportModelTest::stl_separateTriangles_areWeldedAndClosed() {
     const auto [model, report] =
         import(write(QStringLiteral("weld.stl"), stl(sphereMesh(35, 20, 40))));
     QCOMPARE(model.mesh.positions.size(), std::size_t(2 + 19 * 40));
@@ -571,7 +573,7 @@ void ImportModelTest::stlIsWeldedAndClosed() {
     QVERIFY(report.warnings.isEmpty());
 }
 
-void ImportModelTest::degenerateTrianglesAreRemoved() {
+void ImportModelTest::repair_degenerateTriangles_areRemoved() {
     const QByteArray text = cubeObj() + "f 1/1 1/1 2/2\nf 1/1 2/2 1/1\nf 3/1 3/2 3/3\n";
     const auto [model, report] = import(write(QStringLiteral("degenerate.obj"), text));
     QCOMPARE(report.triangles, std::size_t(12));
@@ -582,7 +584,7 @@ void ImportModelTest::degenerateTrianglesAreRemoved() {
     QCOMPARE(model.material.size(), std::size_t(12));
 }
 
-void ImportModelTest::insideOutIsTurned() {
+void ImportModelTest::repair_insideOutBody_isFlipped() {
     TriangleMesh sphere = sphereMesh(35, 20, 40);
     for (auto& triangle : sphere.triangles) {
         std::swap(triangle[0], triangle[1]);
@@ -592,21 +594,21 @@ void ImportModelTest::insideOutIsTurned() {
     QCOMPARE(report.repairs.size(), 1);
 }
 
-void ImportModelTest::insideOutIsTurnedThoughItsSeamIsOpen() {
+void ImportModelTest::repair_insideOutBodyWithOpenSeam_isFlipped() {
     TriangleMesh sphere = sphereMesh(35, 20, 40);
     const double whole = volume(sphere);
     for (auto& triangle : sphere.triangles) {
         std::swap(triangle[0], triangle[1]);
     }
     QByteArray text = stl(sphere);
-    text.replace("vertex 35 ", "vertex 35.0001 "); // of some corners, as rounded
+    text.replace("vertex 35 ", "vertex 35.0001 "); // a rounding error in some corners
     text.replace(text.indexOf("vertex 35.0001 "), 15, "vertex 35 ");
     const auto joined = import(write(QStringLiteral("seam.stl"), text)).report;
     QVERIFY(joined.closed);
     QVERIFY(std::abs(joined.volume - whole) < 1);
     QCOMPARE(joined.repairs.size(), 2);
 
-    sphere.triangles.resize(sphere.triangles.size() - 60); // and with a hole
+    sphere.triangles.resize(sphere.triangles.size() - 60); // a hole as well
     const auto open = import(write(QStringLiteral("hole.stl"), stl(sphere))).report;
     QVERIFY(!open.closed);
     QVERIFY(open.volume > 0.9 * whole);
@@ -614,7 +616,7 @@ void ImportModelTest::insideOutIsTurnedThoughItsSeamIsOpen() {
     QCOMPARE(open.repairs.size(), 1);
 }
 
-void ImportModelTest::facesGivenTwiceCountOnce() {
+void ImportModelTest::repair_duplicateFaces_areMerged() {
     const TriangleMesh box = boxMesh({10, 10, 10});
     const auto report = import(write(QStringLiteral("twice.stl"), stl({box, box}, 0))).report;
     QVERIFY(report.closed);
@@ -623,7 +625,7 @@ void ImportModelTest::facesGivenTwiceCountOnce() {
     QCOMPARE(report.repairs.size(), 1);
 }
 
-void ImportModelTest::insideOutPartIsTurnedButACavityIsNot() {
+void ImportModelTest::repair_insideOutPart_isFlippedButCavityIsNot() {
     const auto importBoth = [&](const TriangleMesh& outer, const TriangleMesh& inner) {
         return import(write(QStringLiteral("parts.stl"), stl({inner, outer}, 1))).report;
     };
@@ -635,7 +637,7 @@ void ImportModelTest::insideOutPartIsTurnedButACavityIsNot() {
     QCOMPARE(crossing.repairs.size(), 1);
 }
 
-void ImportModelTest::manyPartsInOneAnotherAreToldApart() {
+void ImportModelTest::repair_manyNestedParts_areDistinguished() {
     constexpr int half = 200;
     auto boxes = nestedBoxes(half);
     const auto cavities = import(write(QStringLiteral("nested.stl"), stl(boxes, half))).report;
@@ -647,7 +649,7 @@ void ImportModelTest::manyPartsInOneAnotherAreToldApart() {
              qPrintable(allTurned.repairs[0]));
 }
 
-void ImportModelTest::repairingEndsWhenItIsCancelled() {
+void ImportModelTest::repair_cancelled_throws() {
     const QString path = write(QStringLiteral("nested.stl"), stl(nestedBoxes(200), 200));
     Progress progress;
     progress.report = [&](double share, const QString& /*text*/) {
@@ -658,7 +660,7 @@ void ImportModelTest::repairingEndsWhenItIsCancelled() {
     QVERIFY_EXCEPTION_THROWN(importModel(path, {}, progress), Cancelled);
 }
 
-void ImportModelTest::turnedNeighboursAreTurnedBack() {
+void ImportModelTest::repair_flippedNeighbours_areFlippedBack() {
     TriangleMesh sphere = sphereMesh(35, 20, 40);
     for (std::size_t t = 0; t < sphere.triangles.size(); t += 5) {
         std::swap(sphere.triangles[t][0], sphere.triangles[t][1]);
@@ -669,7 +671,7 @@ void ImportModelTest::turnedNeighboursAreTurnedBack() {
     QCOMPARE(report.repairs.size(), 1);
 }
 
-void ImportModelTest::openMeshIsAWarning() {
+void ImportModelTest::openMesh_isAWarning() {
     TriangleMesh box = boxMesh({10, 10, 10});
     box.triangles.pop_back();
     const auto report = import(write(QStringLiteral("open.stl"), stl(box))).report;
@@ -677,7 +679,7 @@ void ImportModelTest::openMeshIsAWarning() {
     QCOMPARE(report.warnings.size(), 1);
 }
 
-void ImportModelTest::mirroredNodeKeepsItsOutside() {
+void ImportModelTest::gltf_mirroredNode_keepsItsOutside() {
     QByteArray text = squareGltf(png(quarters()));
     text.replace(R"("nodes":[{"mesh":0}])", R"("nodes":[{"mesh":0,"scale":[-1,1,1]}])");
     const auto imported = import(write(QStringLiteral("mirror.gltf"), text));
@@ -685,7 +687,7 @@ void ImportModelTest::mirroredNodeKeepsItsOutside() {
     QCOMPARE(boundingBox(imported.model.mesh).min().x(), -1.0F);
 }
 
-void ImportModelTest::aMillionTrianglesAreClosed() {
+void ImportModelTest::stl_millionTriangles_isClosed() {
     const TriangleMesh sphere = sphereMesh(35, 708, 708);
     QByteArray bytes(84 + 50 * qsizetype(sphere.triangles.size()), '\0');
     const auto count = quint32(sphere.triangles.size());
@@ -704,7 +706,7 @@ void ImportModelTest::aMillionTrianglesAreClosed() {
     QCOMPARE(model.mesh.positions.size(), sphere.positions.size());
 }
 
-void ImportModelTest::pathsOfEveryLanguageWork() {
+void ImportModelTest::modelPath_anyLanguage_isRead() {
     const QString folder = QStringLiteral("Schildkröte 亀 №1");
     QDir(folder_.path()).mkpath(folder);
     write(folder + QStringLiteral("/häute.png"), png(quarters()));
@@ -715,7 +717,7 @@ void ImportModelTest::pathsOfEveryLanguageWork() {
     QCOMPARE(model.textures.size(), std::size_t(1));
 }
 
-void ImportModelTest::refusals_data() {
+void ImportModelTest::model_unreadable_isRefused_data() {
     QTest::addColumn<QString>("file");
     QTest::addColumn<QByteArray>("bytes");
     QTest::addColumn<QString>("says");
@@ -748,7 +750,7 @@ void ImportModelTest::refusals_data() {
     row("truncated stl", "cut.stl", stl(sphere).left(25), "cannot be read");
 }
 
-void ImportModelTest::refusals() {
+void ImportModelTest::model_unreadable_isRefused() {
     QFETCH(QString, file);
     QFETCH(QByteArray, bytes);
     QFETCH(QString, says);
@@ -758,7 +760,7 @@ void ImportModelTest::refusals() {
     QVERIFY(!sentence.contains(u'\n'));
 }
 
-void ImportModelTest::textureRefusals_data() {
+void ImportModelTest::texture_unreadable_isRefused_data() {
     QTest::addColumn<QByteArray>("bytes");
     QTest::addColumn<QString>("says");
     const QByteArray good = png(quarters(64));
@@ -788,7 +790,7 @@ void ImportModelTest::textureRefusals_data() {
     QTest::newRow("no pixels of text") << QByteArray("P6\n0 0\n255\n") << QStringLiteral("picture");
 }
 
-void ImportModelTest::textureRefusals() {
+void ImportModelTest::texture_unreadable_isRefused() {
     QFETCH(QByteArray, bytes);
     QFETCH(QString, says);
     ImportOptions options;
@@ -796,15 +798,15 @@ void ImportModelTest::textureRefusals() {
     const QString chosen = refusal(write(QStringLiteral("tex.obj"), cubeObj()), options);
     QVERIFY2(chosen.contains(says), qPrintable(chosen));
     QVERIFY(chosen.contains(QStringLiteral("bad.png")));
-    // The same as the model's own.
+    // The same picture, named by the model.
     write(QStringLiteral("tex.mtl"), "newmtl skin\nmap_Kd bad.png\n");
     const QString own =
         refusal(write(QStringLiteral("tex.obj"), cubeObj("mtllib tex.mtl\nusemtl skin\n")));
     QVERIFY2(own.contains(says), qPrintable(own));
 }
 
-void ImportModelTest::texturesColourProfilesAreHonoured() {
-    // One brown, once in sRGB and once with the numbers that it has in Adobe RGB.
+void ImportModelTest::texture_colourProfile_isApplied() {
+    // One brown, stored in sRGB and in Adobe RGB.
     QImage picture(8, 8, QImage::Format_RGB32);
     picture.fill(QColor(146, 93, 43));
     picture.setColorSpace(QColorSpace::SRgb);
@@ -826,11 +828,11 @@ void ImportModelTest::texturesColourProfilesAreHonoured() {
     };
     QVERIFY(apart(imported(picture), QColor(146, 93, 43)) <= 1);
     QVERIFY(apart(imported(wide), QColor(146, 93, 43)) <= 1);
-    wide.setColorSpace(QColorSpace()); // without its profile the numbers count as they are
+    wide.setColorSpace(QColorSpace()); // without its profile the values count as sRGB
     QVERIFY(apart(imported(wide), QColor(146, 93, 43)) > 5);
 }
 
-void ImportModelTest::optionsOutOfRangeAreRefused() {
+void ImportModelTest::importOptions_outOfRange_areRefused() {
     const QString path = write(QStringLiteral("range.obj"), cubeObj());
     QVERIFY(refusal(at(QStringLiteral("nowhere.obj"))).contains(QStringLiteral("exist")));
     QVERIFY(refusal(folder_.path()).contains(QStringLiteral("folder")));
@@ -847,7 +849,7 @@ void ImportModelTest::optionsOutOfRangeAreRefused() {
     QVERIFY(refusal(path, options).contains(QStringLiteral("nowhere.png")));
 }
 
-void ImportModelTest::hostile3mfIsRefused_data() {
+void ImportModelTest::threeMf_hostile_isRefused_data() {
     QTest::addColumn<QByteArray>("model");
     const QByteArray mesh =
         R"(<mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/>
@@ -871,7 +873,7 @@ void ImportModelTest::hostile3mfIsRefused_data() {
     QTest::newRow("not well-formed") << QByteArray(R"(<object id="30"><mesh>)");
 }
 
-void ImportModelTest::hostile3mfIsRefused() {
+void ImportModelTest::threeMf_hostile_isRefused() {
     QFETCH(QByteArray, model);
     write3mf(at(QStringLiteral("hostile.3mf")),
              {{QStringLiteral("3D/3dmodel.model"),
@@ -883,7 +885,7 @@ void ImportModelTest::hostile3mfIsRefused() {
              qPrintable(sentence));
 }
 
-void ImportModelTest::truncatedFilesNeverCrash_data() {
+void ImportModelTest::model_truncated_neverCrashes_data() {
     QTest::addColumn<QString>("file");
     QTest::addColumn<QByteArray>("bytes");
     const QByteArray picture = png(quarters());
@@ -899,7 +901,7 @@ void ImportModelTest::truncatedFilesNeverCrash_data() {
     addOtherFormats();
 }
 
-void ImportModelTest::truncatedFilesNeverCrash() {
+void ImportModelTest::model_truncated_neverCrashes() {
     QFETCH(QString, file);
     QFETCH(QByteArray, bytes);
     for (qsizetype length = 0; length < bytes.size(); length += 1 + bytes.size() / 97) {
@@ -909,13 +911,13 @@ void ImportModelTest::truncatedFilesNeverCrash() {
     }
 }
 
-void ImportModelTest::otherFormatsAreRead_data() {
+void ImportModelTest::colladaFbxAnd3ds_areRead_data() {
     QTest::addColumn<QString>("file");
     QTest::addColumn<QByteArray>("bytes");
     addOtherFormats();
 }
 
-void ImportModelTest::otherFormatsAreRead() {
+void ImportModelTest::colladaFbxAnd3ds_areRead() {
     QFETCH(QString, file);
     QFETCH(QByteArray, bytes);
     const QString path = write(file, bytes);
@@ -926,11 +928,11 @@ void ImportModelTest::otherFormatsAreRead() {
     QVERIFY((model.report.box.sizes() - Eigen::Vector3f(10, 10, 10)).norm() < 1e-4f);
 }
 
-void ImportModelTest::damagedFilesNeverCrash_data() {
-    otherFormatsAreRead_data();
+void ImportModelTest::model_damaged_neverCrashes_data() {
+    colladaFbxAnd3ds_areRead_data();
 }
 
-void ImportModelTest::damagedFilesNeverCrash() {
+void ImportModelTest::model_damaged_neverCrashes() {
     QFETCH(QString, file);
     QFETCH(QByteArray, bytes);
     const int damagedFiles = sampleOf(60, 400);
@@ -948,7 +950,7 @@ void ImportModelTest::damagedFilesNeverCrash() {
             case 1:
                 damaged[place] = char(random());
                 break;
-            default: // a count of thousands of millions, where it is one
+            default: // may turn a count into thousands of millions
                 damaged.replace(place, 4, "\xff\xff\xff\x7f");
             }
         }
@@ -959,12 +961,12 @@ void ImportModelTest::damagedFilesNeverCrash() {
     QVERIFY(refused > damagedFiles / 4);
 }
 
-void ImportModelTest::absurdColladaIsRefused_data() {
+void ImportModelTest::collada_absurdCounts_areRefused_data() {
     QTest::addColumn<QByteArray>("good");
     QTest::addColumn<QByteArray>("bad");
     QTest::addColumn<QString>("reason");
-    const QString fewer = QStringLiteral("fewer values than are read");
-    const QString more = QStringLiteral("more values than it can hold");
+    const QString fewer = QStringLiteral("fewer values than an accessor reads");
+    const QString more = QStringLiteral("more values than the file can hold");
     const QByteArray count = "count=\"36\"";
     QTest::newRow("an empty array") << count << QByteArray("count=\"0\"") << fewer;
     QTest::newRow("an array that is too short") << count << QByteArray("count=\"33\"") << fewer;
@@ -982,7 +984,7 @@ void ImportModelTest::absurdColladaIsRefused_data() {
         << QByteArray("<p>0 1") << QByteArray("<p>0 n") << QStringLiteral("no number");
 }
 
-void ImportModelTest::absurdColladaIsRefused() {
+void ImportModelTest::collada_absurdCounts_areRefused() {
     QFETCH(QByteArray, good);
     QFETCH(QByteArray, bad);
     QFETCH(QString, reason);
@@ -992,7 +994,7 @@ void ImportModelTest::absurdColladaIsRefused() {
     QVERIFY2(sentence.contains(reason), qPrintable(sentence));
 }
 
-void ImportModelTest::cancelEndsTheImport() {
+void ImportModelTest::importModel_cancelled_throws() {
     Progress progress;
     progress.report = [&](double, const QString&) { progress.cancelToken.cancel(); };
     QVERIFY_EXCEPTION_THROWN(
@@ -1000,7 +1002,7 @@ void ImportModelTest::cancelEndsTheImport() {
         Cancelled);
 }
 
-void ImportModelTest::filesOutsideTheFolderAreNotRead_data() {
+void ImportModelTest::pictureFile_outsideTheFolder_isReadOnlyIfAllowed_data() {
     QTest::addColumn<QString>("name");
     QTest::newRow("above") << QStringLiteral("../secret/key.png");
     QTest::newRow("above, in percent codes") << QStringLiteral("%2e%2e/secret/key.png");
@@ -1014,7 +1016,7 @@ void ImportModelTest::filesOutsideTheFolderAreNotRead_data() {
     QTest::newRow("hidden") << QStringLiteral(".hidden/key.png");
 }
 
-void ImportModelTest::filesOutsideTheFolderAreNotRead() {
+void ImportModelTest::pictureFile_outsideTheFolder_isReadOnlyIfAllowed() {
     QFETCH(QString, name);
     QDir(folder_.path()).mkpath(QStringLiteral("secret"));
     QDir(folder_.path()).mkpath(QStringLiteral("in/maps"));
@@ -1046,8 +1048,8 @@ void ImportModelTest::filesOutsideTheFolderAreNotRead() {
     }
 }
 
-// Not even told apart from files that are missing.
-void ImportModelTest::filesOfTheFolderNeedNoLeave() {
+// Links and detours that stay within the folder are no different from plain names.
+void ImportModelTest::pictureFile_insideTheFolder_needsNoPermission() {
     QDir(folder_.path()).mkpath(QStringLiteral("own/maps"));
     write(QStringLiteral("own/maps/skin.png"), png(quarters()));
     QFile::link(at(QStringLiteral("own/maps/skin.png")), at(QStringLiteral("own/link.png")));
@@ -1055,13 +1057,13 @@ void ImportModelTest::filesOfTheFolderNeedNoLeave() {
         const QString path = write(QStringLiteral("own/square.ply"), squarePly(name));
         QCOMPARE(import(path).model.textures.front(), quarters());
     }
-    // A buffer that is nowhere is missing, not outside.
+    // A buffer that does not exist is missing, not outside.
     const QString lost = write(QStringLiteral("own/lost.gltf"),
                                squareGltf(png(quarters())).replace("data:application", "../x"));
     QVERIFY(refusal(lost).contains(QStringLiteral("cannot be read")));
 }
 
-void ImportModelTest::formatsThatAreNotListedAreNotTried_data() {
+void ImportModelTest::model_unlistedFormat_isRefused_data() {
     QTest::addColumn<QString>("file");
     QTest::addColumn<QByteArray>("bytes");
     QTest::newRow("off") << QStringLiteral("a.off")
@@ -1075,7 +1077,7 @@ void ImportModelTest::formatsThatAreNotListedAreNotTried_data() {
     QTest::newRow("packed collada") << QStringLiteral("a.zae") << QByteArray("PK\3\4");
 }
 
-void ImportModelTest::formatsThatAreNotListedAreNotTried() {
+void ImportModelTest::model_unlistedFormat_isRefused() {
     QFETCH(QString, file);
     QFETCH(QByteArray, bytes);
     const QString sentence = refusal(write(file, bytes));
@@ -1083,7 +1085,7 @@ void ImportModelTest::formatsThatAreNotListedAreNotTried() {
     QVERIFY(sentence.contains(QStringLiteral("OBJ, PLY, STL, glTF, 3MF")));
 }
 
-void ImportModelTest::picturesAreKnownByTheirContent() {
+void ImportModelTest::pictureFile_formatIsKnownByContent() {
     ImportOptions options;
     const QString cube = write(QStringLiteral("content.obj"), cubeObj());
     QByteArray bitmap;
@@ -1103,21 +1105,21 @@ void ImportModelTest::picturesAreKnownByTheirContent() {
     }
 }
 
-void ImportModelTest::aPictureBeforeAnyMaterialIsRefused() {
+void ImportModelTest::mtl_statementBeforeAnyMaterial_isRefused() {
     write(QStringLiteral("early.mtl"), "# nothing\r\n  map_Kd t.png\nnewmtl skin\n");
     const QString sentence =
         refusal(write(QStringLiteral("early.obj"), cubeObj("mtllib early.mtl\nusemtl skin\n")));
     QVERIFY2(sentence.contains(QStringLiteral("early.mtl")), qPrintable(sentence));
-    // By whatever name, and not pictures alone.
+    // Material files with any name, and statements other than pictures.
     write(QStringLiteral("early.m"), "# nothing\n aniso 0.5\n");
     const QString other =
         refusal(write(QStringLiteral("other.OBJ"), cubeObj("mtllib early.m\nusemtl skin\n")));
-    QVERIFY2(other.contains(QStringLiteral("early.m describes")), qPrintable(other));
-    // The model itself among them.
+    QVERIFY2(other.contains(QStringLiteral("early.m sets")), qPrintable(other));
+    // The model itself may be named as a material file.
     const QString itself = refusal(
         write(QStringLiteral("itself.obj"), "mtllib itself.obj\nmap_Kd t.png\n" + cubeObj()));
-    QVERIFY2(itself.contains(QStringLiteral("itself.obj describes")), qPrintable(itself));
-    // A heading is no value.
+    QVERIFY2(itself.contains(QStringLiteral("itself.obj sets")), qPrintable(itself));
+    // A heading is not a statement.
     write(QStringLiteral("headed.mtl"), "Alias OBJ Material File\nPaint\nnewmtl skin\nKd 1 0 0\n");
     const auto [headed, report] =
         import(write(QStringLiteral("headed.obj"), cubeObj("mtllib headed.mtl\nusemtl skin\n")));
@@ -1125,7 +1127,7 @@ void ImportModelTest::aPictureBeforeAnyMaterialIsRefused() {
     QCOMPARE(headed.materials[0].colour, QColor(Qt::red));
 }
 
-void ImportModelTest::manyCornersAreRefused() {
+void ImportModelTest::obj_faceWithTooManyCorners_isRefused() {
     QByteArray text, face = "f";
     constexpr int corners = 60000;
     for (int i = 0; i < corners; ++i) {
@@ -1140,7 +1142,7 @@ void ImportModelTest::manyCornersAreRefused() {
     QVERIFY2(sentence.contains(QStringLiteral("corners")), qPrintable(sentence));
 }
 
-void ImportModelTest::smallFilesCannotAskForMuch_data() {
+void ImportModelTest::smallFile_hugeContent_isRefused_data() {
     QTest::addColumn<QString>("file");
     QTest::addColumn<QByteArray>("bytes");
     QTest::addColumn<QString>("says");
@@ -1155,7 +1157,7 @@ void ImportModelTest::smallFilesCannotAskForMuch_data() {
                                << QStringLiteral("unpack");
 }
 
-void ImportModelTest::smallFilesCannotAskForMuch() {
+void ImportModelTest::smallFile_hugeContent_isRefused() {
     QFETCH(QString, file);
     QFETCH(QByteArray, bytes);
     QFETCH(QString, says);

@@ -1,4 +1,4 @@
-// Models of which assimp makes something else than their files mean, or nothing, without a word.
+// Models that assimp misreads, or does not read, without an error.
 #include "ModelFiles.h"
 
 #include "base/Error.h"
@@ -14,7 +14,7 @@ using namespace dipwright::test;
 
 namespace {
 
-// The error that an import ends with, or an empty sentence.
+// The error's message if the import fails, otherwise empty.
 QString refusal(const QString& path) {
     try {
         importModel(path, {}, {});
@@ -35,27 +35,27 @@ class OddModelsTest : public QObject {
 
 private Q_SLOTS:
     void initTestCase();
-    void gltfOfWholeNumbersIsRefused_data();
-    void gltfOfWholeNumbersIsRefused();
-    void furtherTextureCoordinatesMayBeWholeNumbers();
-    void requiredExtensionsAreReadOrNamed_data();
-    void requiredExtensionsAreReadOrNamed();
-    void gltfTextureInAnotherFormatIsAWarning();
-    void gltfTextureThatIsScaledIsAWarning();
-    void gltfMayBeginWithAByteOrderMark();
-    void objMayBeginWithAByteOrderMark();
-    void deeplyNestedGltfIsRefused();
-    void gltfSkinsNeedNoBindMatrices_data();
-    void gltfSkinsNeedNoBindMatrices();
-    void stlMayBeginWithEmptyLines();
-    void objTextureIsPlacedByItsOptions_data();
-    void objTextureIsPlacedByItsOptions();
-    void objOptionsThatAreNotFollowedAreAWarning_data();
-    void objOptionsThatAreNotFollowedAreAWarning();
-    void materialFilesOfAllSortsAreRead_data();
-    void materialFilesOfAllSortsAreRead();
-    void pictureBeforeAnyMaterialIsRefused();
-    void severalMaterialFilesInOneLine();
+    void gltf_integerCoordinates_areRefused_data();
+    void gltf_integerCoordinates_areRefused();
+    void gltf_integerSecondTextureCoordinates_areReadIfUnused();
+    void gltf_requiredExtension_isReadOrNamed_data();
+    void gltf_requiredExtension_isReadOrNamed();
+    void gltf_textureInUnsupportedFormat_isAWarning();
+    void gltf_scaledTexture_isAWarning();
+    void gltf_byteOrderMark_isRead();
+    void obj_byteOrderMark_isRead();
+    void gltf_deeplyNested_isRefused();
+    void gltf_skinWithoutBindMatrices_isRead_data();
+    void gltf_skinWithoutBindMatrices_isRead();
+    void stl_emptyLinesFirst_isRead();
+    void mtl_textureOptions_placeTheTexture_data();
+    void mtl_textureOptions_placeTheTexture();
+    void mtl_unsupportedTextureOptions_areAWarning_data();
+    void mtl_unsupportedTextureOptions_areAWarning();
+    void mtl_unusualButClear_isRead_data();
+    void mtl_unusualButClear_isRead();
+    void mtl_statementBeforeAnyMaterial_isRefused();
+    void obj_severalMaterialFilesInOneLine_areRead();
 
 private:
     QString write(const QString& name, const QByteArray& bytes) {
@@ -66,7 +66,7 @@ private:
         const QByteArray whole = squareGltf(png(quarters()));
         return whole.contains(before) ? QByteArray(whole).replace(before, after) : QByteArray();
     }
-    // A cube with the materials of this file, which has one called "skin".
+    // Imports a cube with this material file, which must have the material "skin".
     ImportedModel cubeWith(const QByteArray& materials) {
         write(QStringLiteral("cube.mtl"), materials);
         return importModel(
@@ -80,13 +80,13 @@ void OddModelsTest::initTestCase() {
     write(QStringLiteral("skin.png"), png(quarters()));
 }
 
-void OddModelsTest::gltfOfWholeNumbersIsRefused_data() {
+void OddModelsTest::gltf_integerCoordinates_areRefused_data() {
     QTest::addColumn<QByteArray>("accessor");
     QTest::newRow("points") << QByteArray(R"({"bufferView":0,"componentType":)");
     QTest::newRow("texture coordinates") << QByteArray(R"({"bufferView":1,"componentType":)");
 }
 
-void OddModelsTest::gltfOfWholeNumbersIsRefused() {
+void OddModelsTest::gltf_integerCoordinates_areRefused() {
     QFETCH(QByteArray, accessor);
     const QByteArray text = gltf(accessor + "5126", accessor + "5123");
     QVERIFY(!text.isEmpty());
@@ -98,8 +98,8 @@ void OddModelsTest::gltfOfWholeNumbersIsRefused() {
                 .contains(QStringLiteral("float coordinates")));
 }
 
-// As for light; glTF 2.0, section 3.7.2.1.
-void OddModelsTest::furtherTextureCoordinatesMayBeWholeNumbers() {
+// Light maps use such coordinates; glTF 2.0, section 3.7.2.1.
+void OddModelsTest::gltf_integerSecondTextureCoordinates_areReadIfUnused() {
     const auto square = [this](const QByteArray& texture) {
         QByteArray text = gltf(R"("TEXCOORD_0":1})", R"("TEXCOORD_0":1,"TEXCOORD_1":3})");
         text.replace(R"("type":"SCALAR"}])",
@@ -116,7 +116,7 @@ void OddModelsTest::furtherTextureCoordinatesMayBeWholeNumbers() {
     QVERIFY2(sentence.contains(QStringLiteral("float coordinates")), qPrintable(sentence));
 }
 
-void OddModelsTest::requiredExtensionsAreReadOrNamed_data() {
+void OddModelsTest::gltf_requiredExtension_isReadOrNamed_data() {
     QTest::addColumn<QByteArray>("extension");
     QTest::addColumn<bool>("isRead");
     for (const char* name : {"KHR_materials_unlit", "KHR_materials_ior", "KHR_lights_punctual",
@@ -129,7 +129,7 @@ void OddModelsTest::requiredExtensionsAreReadOrNamed_data() {
     }
 }
 
-void OddModelsTest::requiredExtensionsAreReadOrNamed() {
+void OddModelsTest::gltf_requiredExtension_isReadOrNamed() {
     QFETCH(QByteArray, extension);
     QFETCH(bool, isRead);
     const QByteArray text =
@@ -140,17 +140,17 @@ void OddModelsTest::requiredExtensionsAreReadOrNamed() {
     QVERIFY2(isRead || sentence.contains(QString::fromLatin1(extension)), qPrintable(sentence));
 }
 
-void OddModelsTest::gltfTextureInAnotherFormatIsAWarning() {
+void OddModelsTest::gltf_textureInUnsupportedFormat_isAWarning() {
     const ImportedModel imported = importModel(
         write(QStringLiteral("other.gltf"),
               gltf(R"({"source":0})", R"({"extensions":{"KHR_texture_basisu":{"source":0}}})")),
         {}, {});
-    QVERIFY2(warningsOf(imported).contains(QStringLiteral("format that is not read")),
+    QVERIFY2(warningsOf(imported).contains(QStringLiteral("unsupported format")),
              qPrintable(warningsOf(imported)));
     QCOMPARE(imported.model.textures.size(), std::size_t(0));
 }
 
-void OddModelsTest::gltfTextureThatIsScaledIsAWarning() {
+void OddModelsTest::gltf_scaledTexture_isAWarning() {
     const auto moved = [&](const QByteArray& transform, const QByteArray& before) {
         return gltf(R"("baseColorTexture":{"index":0})",
                     R"("baseColorTexture":{"index":0,"extensions":{"KHR_texture_transform":)" +
@@ -175,13 +175,13 @@ void OddModelsTest::gltfTextureThatIsScaledIsAWarning() {
              qPrintable(warningsOf(offset)));
 }
 
-void OddModelsTest::gltfMayBeginWithAByteOrderMark() {
+void OddModelsTest::gltf_byteOrderMark_isRead() {
     const ImportedModel imported = importModel(
         write(QStringLiteral("marked.gltf"), "\xef\xbb\xbf" + squareGltf(png(quarters()))), {}, {});
     QCOMPARE(imported.model.textures.size(), std::size_t(1));
 }
 
-void OddModelsTest::objMayBeginWithAByteOrderMark() {
+void OddModelsTest::obj_byteOrderMark_isRead() {
     write(QStringLiteral("b.mtl"), "newmtl skin\nmap_Kd skin.png");
     const ImportedModel imported =
         importModel(write(QStringLiteral("marked.obj"),
@@ -190,7 +190,7 @@ void OddModelsTest::objMayBeginWithAByteOrderMark() {
     QCOMPARE(imported.model.textures.size(), std::size_t(1));
 }
 
-void OddModelsTest::deeplyNestedGltfIsRefused() {
+void OddModelsTest::gltf_deeplyNested_isRefused() {
     constexpr int depth = 5000;
     const QString sentence =
         refusal(write(QStringLiteral("deep.gltf"),
@@ -199,14 +199,14 @@ void OddModelsTest::deeplyNestedGltfIsRefused() {
     QVERIFY2(sentence.contains(QStringLiteral("deep")), qPrintable(sentence));
 }
 
-void OddModelsTest::gltfSkinsNeedNoBindMatrices_data() {
+void OddModelsTest::gltf_skinWithoutBindMatrices_isRead_data() {
     QTest::addColumn<bool>("isBinary");
     QTest::newRow("text") << false;
     QTest::newRow("binary") << true;
 }
 
-// As Blender writes them where nobody has moved the bones.
-void OddModelsTest::gltfSkinsNeedNoBindMatrices() {
+// Blender writes such skins if nobody has moved the bones.
+void OddModelsTest::gltf_skinWithoutBindMatrices_isRead() {
     QFETCH(bool, isBinary);
     const auto skinned = [](QByteArray file) {
         return file
@@ -241,7 +241,7 @@ void OddModelsTest::gltfSkinsNeedNoBindMatrices() {
              qPrintable(warningsOf(imported)));
 }
 
-void OddModelsTest::stlMayBeginWithEmptyLines() {
+void OddModelsTest::stl_emptyLinesFirst_isRead() {
     const QByteArray triangle = "solid one\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\n"
                                 "vertex 9 0 0\nvertex 0 9 0\nendloop\nendfacet\nendsolid one\n";
     for (const QByteArray& text : {"\n\r\n  " + triangle, "\n" + triangle.toUpper()}) {
@@ -250,7 +250,7 @@ void OddModelsTest::stlMayBeginWithEmptyLines() {
     }
 }
 
-void OddModelsTest::objTextureIsPlacedByItsOptions_data() {
+void OddModelsTest::mtl_textureOptions_placeTheTexture_data() {
     QTest::addColumn<QByteArray>("options");
     QTest::addColumn<Eigen::Vector2f>("scale");
     QTest::addColumn<Eigen::Vector2f>("offset");
@@ -271,7 +271,7 @@ void OddModelsTest::objTextureIsPlacedByItsOptions_data() {
     row("-type sphere -s 2 2 ", 2, 2, 0, 0);
 }
 
-void OddModelsTest::objTextureIsPlacedByItsOptions() {
+void OddModelsTest::mtl_textureOptions_placeTheTexture() {
     QFETCH(QByteArray, options);
     QFETCH(Eigen::Vector2f, scale);
     QFETCH(Eigen::Vector2f, offset);
@@ -288,7 +288,7 @@ void OddModelsTest::objTextureIsPlacedByItsOptions() {
     }
 }
 
-void OddModelsTest::objOptionsThatAreNotFollowedAreAWarning_data() {
+void OddModelsTest::mtl_unsupportedTextureOptions_areAWarning_data() {
     QTest::addColumn<QByteArray>("options");
     for (const char* options :
          {"-t 1", "-t 0.5 0.5", "-t 1 1 1", "-mm 0.2 0.8", "-clamp on", "-s 0"}) {
@@ -296,7 +296,7 @@ void OddModelsTest::objOptionsThatAreNotFollowedAreAWarning_data() {
     }
 }
 
-void OddModelsTest::objOptionsThatAreNotFollowedAreAWarning() {
+void OddModelsTest::mtl_unsupportedTextureOptions_areAWarning() {
     QFETCH(QByteArray, options);
     const ImportedModel imported = cubeWith("newmtl skin\nmap_Kd " + options + " skin.png\n");
     QCOMPARE(imported.model.textures.size(), std::size_t(1));
@@ -304,7 +304,7 @@ void OddModelsTest::objOptionsThatAreNotFollowedAreAWarning() {
     QVERIFY(warningsOf(imported).contains(QString::fromLatin1(options.split(' ').first())));
 }
 
-void OddModelsTest::materialFilesOfAllSortsAreRead_data() {
+void OddModelsTest::mtl_unusualButClear_isRead_data() {
     QTest::addColumn<QByteArray>("bytes");
     const QByteArray plain = "newmtl skin\nKd 1 0 0\nmap_Kd skin.png\n";
     QTest::newRow("a byte-order mark") << "\xef\xbb\xbf" + plain;
@@ -318,7 +318,7 @@ void OddModelsTest::materialFilesOfAllSortsAreRead_data() {
     }
 }
 
-void OddModelsTest::materialFilesOfAllSortsAreRead() {
+void OddModelsTest::mtl_unusualButClear_isRead() {
     QFETCH(QByteArray, bytes);
     const ImportedModel imported = cubeWith(bytes);
     QVERIFY2(warningsOf(imported).isEmpty(), qPrintable(warningsOf(imported)));
@@ -326,17 +326,17 @@ void OddModelsTest::materialFilesOfAllSortsAreRead() {
     QCOMPARE(imported.model.materials[0].colour, QColor(Qt::red));
 }
 
-void OddModelsTest::pictureBeforeAnyMaterialIsRefused() {
+void OddModelsTest::mtl_statementBeforeAnyMaterial_isRefused() {
     for (const char* before : {"map_Kd skin.png\nnewmtl skin\n", "bump skin.png\nnewmtl skin\n",
                                "Pr 0.5\n", "a\n", "refl skin.png"}) {
         write(QStringLiteral("early.mtl"), before);
         const QString sentence =
             refusal(write(QStringLiteral("early.obj"), cubeObj("mtllib early.mtl\nusemtl skin\n")));
-        QVERIFY2(sentence.contains(QStringLiteral("early.mtl describes")), before);
+        QVERIFY2(sentence.contains(QStringLiteral("early.mtl sets")), before);
     }
 }
 
-void OddModelsTest::severalMaterialFilesInOneLine() {
+void OddModelsTest::obj_severalMaterialFilesInOneLine_areRead() {
     write(QStringLiteral("my own.mtl"), "newmtl other\nKd 0 1 0\n");
     write(QStringLiteral("b.mtl"), "newmtl skin\nmap_Kd skin.png");
     const auto imported = [&](const QByteArray& line) {

@@ -1,5 +1,5 @@
-// Textures of every colour kind: what a printer is sent of them is what lcms2 makes of their own
-// profile directly.
+// Textures in every colour space: the colours sent to a printer equal those that lcms2 computes
+// directly from the texture's profile.
 #include "TestProfiles.h"
 
 #include "base/ColourNote.h"
@@ -27,10 +27,10 @@ using namespace dipwright;
 
 namespace {
 
-// Patches in rows of eight, each as large as a JPEG keeps apart from its neighbours.
+// Patches in rows of eight. JPEG's compression does not mix patches of this size.
 constexpr int side = 16;
 constexpr int patches = 64;
-using Device = std::array<uchar, 4>; // as many as the space has channels
+using Device = std::array<uchar, 4>; // only the colour space's channels are used
 
 enum class Kind { Grey = 1, Rgb = 3, Cmyk = 4 };
 
@@ -50,7 +50,7 @@ Device patch(Kind kind, int number) {
 }
 
 QByteArray greyProfile() {
-    cmsToneCurve* curve = cmsBuildGamma(nullptr, 2.2); // near sRGB's and not the same
+    cmsToneCurve* curve = cmsBuildGamma(nullptr, 2.2); // near sRGB's, but different
     cmsHPROFILE profile = cmsCreateGrayProfile(cmsD50_xyY(), curve);
     cmsFreeToneCurve(curve);
     cmsUInt32Number size = 0;
@@ -91,7 +91,7 @@ QByteArray bigEndian(quint32 number) {
     return bytes;
 }
 
-// `packed`: what the chunk of the profile holds after its name and method.
+// `packed`: the compressed profile, which follows the chunk's name and method.
 QByteArray profileChunk(const QByteArray& packed) {
     const QByteArray chunk = QByteArray("iCCPown\0\0", 9) + packed;
     const auto sum =
@@ -107,14 +107,15 @@ QByteArray pngWith(Kind kind, const QByteArray& packed) {
 }
 
 QByteArray packed(const QByteArray& profile) {
-    return qCompress(profile).mid(4); // it puts a length first
+    return qCompress(profile).mid(4); // qCompress() puts a length first
 }
 
 QByteArray pngFile(Kind kind, const QByteArray& profile) {
     return pngWith(kind, packed(profile));
 }
 
-// The profile in parts of `most` bytes, of which one, from 1, can be left out.
+// Stores the profile in parts of `most` bytes. Part `without`, counted from 1, is left out; 0:
+// none.
 QByteArray jpegFile(Kind kind, const QByteArray& profile, int most = 65000, int without = 0) {
     jpeg_compress_struct jpeg{};
     jpeg_error_mgr errors{};
@@ -146,7 +147,8 @@ QByteArray jpegFile(Kind kind, const QByteArray& profile, int most = 65000, int 
     }
     QByteArray bytes = pixels(kind);
     for (char& value : bytes) {
-        value = kind == Kind::Cmyk ? char(255 - uchar(value)) : value; // and as Photoshop does
+        value =
+            kind == Kind::Cmyk ? char(255 - uchar(value)) : value; // inverted, as Photoshop does
     }
     while (jpeg.next_scanline < jpeg.image_height) {
         auto* row = reinterpret_cast<uchar*>(bytes.data()) +
@@ -197,7 +199,7 @@ QByteArray webpFile(const QColor& colour, const QByteArray& profile) {
     QImage picture(8, 8, QImage::Format_RGB32);
     picture.fill(colour);
     QBuffer plain;
-    picture.save(&plain, "webp", 100); // without loss
+    picture.save(&plain, "webp", 100); // lossless
     const auto littleEndian = [](qsizetype number) {
         QByteArray bytes(4, '\0');
         qToLittleEndian(quint32(number), bytes.data());
@@ -206,7 +208,7 @@ QByteArray webpFile(const QColor& colour, const QByteArray& profile) {
     const auto chunk = [&](const char* kind, const QByteArray& content) {
         return kind + littleEndian(content.size()) + content + QByteArray(content.size() % 2, '\0');
     };
-    const QByteArray sides("\7\0\0\7\0\0", 6); // less one
+    const QByteArray sides("\7\0\0\7\0\0", 6); // width and height, each minus one
     const QByteArray chunks = chunk("VP8X", QByteArray("\x20\0\0\0", 4) + sides) +
                               chunk("ICCP", profile) + plain.data().mid(12);
     return "RIFF" + littleEndian(chunks.size() + 4) + "WEBP" + chunks;
@@ -218,7 +220,7 @@ QByteArray fileOf(const QImage& picture, const char* format) {
     return file.data();
 }
 
-// What reading it ends with; empty where it is read.
+// The error's message if reading fails, otherwise empty.
 QString refusal(const QByteArray& file) {
     try {
         readPictures({{file, QStringLiteral("odd picture")}});
@@ -228,7 +230,7 @@ QString refusal(const QByteArray& file) {
     }
 }
 
-// One colour through profiles, relative to white: to Lab as doubles.
+// Converts colours of a profile to Lab, relative to white.
 class ToLab {
 public:
     ToLab(const QByteArray& profile, cmsUInt32Number format) {
@@ -258,7 +260,7 @@ cmsUInt32Number format(Kind kind) {
     return kind == Kind::Grey ? TYPE_GRAY_8 : kind == Kind::Rgb ? TYPE_RGB_8 : TYPE_CMYK_8;
 }
 
-// The printer's bytes, straight from the texture's own space.
+// The printer's colour, computed directly from the texture's colour space.
 Device direct(const Device& device, Kind kind, const QByteArray& profile,
               const QByteArray& printer) {
     cmsHPROFILE from = cmsOpenProfileFromMem(profile.constData(), cmsUInt32Number(profile.size()));
@@ -288,32 +290,32 @@ class PictureColourTest : public QObject {
     }
 
 private slots:
-    void printerIsSentWhatTheTextureMeans_data();
-    void printerIsSentWhatTheTextureMeans();
-    void colourBeyondSrgbIsKept();
-    void profileOfAnotherKindIsRefused();
-    void cutOffInksAreNoPicture();
-    void cutOffPicturesAreRefused_data();
-    void cutOffPicturesAreRefused();
-    void cutOffPhotosAreRefused();
-    void whatFollowsAPictureDoesNotMatter();
-    void oddProfilesAreRefused_data();
-    void oddProfilesAreRefused();
-    void profileIsFoundWhereLibpngDropsIt();
-    void profileIsFoundBehindFillBytes();
-    void profileIsFoundHoweverItsPartsAreNumbered();
-    void profileOfWebpIsKeptTo();
-    void labIsReadAsLab_data();
-    void labIsReadAsLab();
-    void inksWithoutProfileAreToldOf();
-    void coloursBeyondTheWorkingSpaceAreToldOf();
+    void printerColour_ofTexture_matchesItsOwnProfile_data();
+    void printerColour_ofTexture_matchesItsOwnProfile();
+    void readPictures_colourBeyondSrgb_isKept();
+    void readPictures_profileOfAnotherColourSpace_isRefused();
+    void readPictures_truncatedCmyk_isRefused();
+    void readPictures_truncated_isRefused_data();
+    void readPictures_truncated_isRefused();
+    void readPhotoFile_truncated_isRefused();
+    void readPictures_bytesAfterThePicture_areIgnored();
+    void readPictures_damagedProfile_isRefused_data();
+    void readPictures_damagedProfile_isRefused();
+    void readPictures_greyPngWithRgbProfile_usesTheProfile();
+    void readPictures_jpegFillBytes_profileIsFound();
+    void readPictures_jpegProfilePartNumbers_profileIsFound();
+    void readPictures_webp_usesTheProfile();
+    void readPictures_labTiff_keepsTheColours_data();
+    void readPictures_labTiff_keepsTheColours();
+    void colourNote_cmykWithoutProfile_isReported();
+    void colourNote_coloursBeyondTheWorkingSpace_areReported();
 };
 
-void PictureColourTest::printerIsSentWhatTheTextureMeans_data() {
+void PictureColourTest::printerColour_ofTexture_matchesItsOwnProfile_data() {
     QTest::addColumn<QString>("type");
     QTest::addColumn<int>("channels");
     QTest::addColumn<QByteArray>("printer");
-    QTest::addColumn<int>("reached"); // patches, at the least
+    QTest::addColumn<int>("reached"); // least number of patches within the printer's gamut
     const QByteArray wide = QColorSpace(QColorSpace::AdobeRgb).iccProfile();
     QTest::newRow("wide printer, grey") << "png" << int(Kind::Grey) << wide << patches;
     QTest::newRow("wide printer, wide picture") << "png" << int(Kind::Rgb) << wide << patches;
@@ -328,7 +330,7 @@ void PictureColourTest::printerIsSentWhatTheTextureMeans_data() {
     }
 }
 
-void PictureColourTest::printerIsSentWhatTheTextureMeans() {
+void PictureColourTest::printerColour_ofTexture_matchesItsOwnProfile() {
     QFETCH(QString, type);
     QFETCH(int, channels);
     const auto kind = Kind(channels);
@@ -337,7 +339,8 @@ void PictureColourTest::printerIsSentWhatTheTextureMeans() {
     QFETCH(int, reached);
     const QByteArray written = file(type, kind, profile);
     const QImage texture = readPictures({{written, QStringLiteral("texture")}}).front();
-    const QImage stored = kind == Kind::Rgb ? QImage::fromData(written) : QImage(); // JPEG: a loss
+    const QImage stored =
+        kind == Kind::Rgb ? QImage::fromData(written) : QImage(); // JPEG loses a little
     QCOMPARE(texture.size(), QSize(8 * side, 8 * side));
     const QImage sent =
         PrinterColour(printer, RenderingIntent::RelativeColorimetric, false, "pale").rgb(texture);
@@ -356,7 +359,7 @@ void PictureColourTest::printerIsSentWhatTheTextureMeans() {
         const Device reference = direct(device, kind, profile, printer);
         const cmsCIELab best = printed.of(reference.data());
         if (cmsDeltaE(&wanted, &best) > 1) {
-            continue; // out of the printer's reach
+            continue; // out of the printer's gamut
         }
         const QColor pixel = sent.pixelColor(middle);
         const Device found{uchar(pixel.red()), uchar(pixel.green()), uchar(pixel.blue()), 0};
@@ -364,13 +367,18 @@ void PictureColourTest::printerIsSentWhatTheTextureMeans() {
         largest = std::max(largest, double(cmsDeltaE(&best, &lab)));
         ++judged;
     }
-    QVERIFY2(judged >= reached, qPrintable(QString::number(judged)));
+    QVERIFY2(judged >= reached,
+             qPrintable(QStringLiteral("%1 patches within the gamut, expected %2 or more")
+                            .arg(judged)
+                            .arg(reached)));
     qInfo() << judged << "patches, largest difference" << largest;
-    QVERIFY2(largest <= 1, qPrintable(QString::number(largest)));
+    QVERIFY2(
+        largest <= 1,
+        qPrintable(QStringLiteral("largest difference ΔE %1, expected 1 or less").arg(largest)));
 }
 
-// Adobe RGB's green is no colour of sRGB, and a printer that reaches it is not told another one.
-void PictureColourTest::colourBeyondSrgbIsKept() {
+// Adobe RGB's green lies outside sRGB. A printer that can print it gets this colour.
+void PictureColourTest::readPictures_colourBeyondSrgb_isKept() {
     const QByteArray adobe = QColorSpace(QColorSpace::AdobeRgb).iccProfile();
     QImage picture(8, 8, QImage::Format_RGB888);
     picture.fill(QColor(20, 230, 20));
@@ -383,27 +391,27 @@ void PictureColourTest::colourBeyondSrgbIsKept() {
     QCOMPARE(colour(adobe).rgb(texture).pixelColor(4, 4), QColor(20, 230, 20));
     QCOMPARE(colour(adobe).gamutWarning(texture).share, 0.0);
     QCOMPARE(colour(QColorSpace(QColorSpace::SRgb).iccProfile()).gamutWarning(texture).share, 1.0);
-    // Saved with a project and read again it is the same to the last bit.
+    // After saving and reading it has the same bits.
     const QImage again = readPictures({{pngBytes(texture, {}), QStringLiteral("saved")}}).front();
     QVERIFY(again == texture);
-    // What sRGB holds takes no more room than ever.
+    // A picture within sRGB is stored with 8 bits.
     picture.fill(QColor(200, 120, 90));
     picture.setColorSpace(QColorSpace::AdobeRgb);
     const QImage brown = readPictures({{pngBytes(picture, {}), QStringLiteral("brown")}}).front();
     QCOMPARE(brown.format(), QImage::Format_RGBA8888);
 }
 
-void PictureColourTest::profileOfAnotherKindIsRefused() {
+void PictureColourTest::readPictures_profileOfAnotherColourSpace_isRefused() {
     try {
         readPictures({{pngFile(Kind::Rgb, simpleCmykProfile(0.02)), QStringLiteral("odd.png")}});
-        QFAIL("a picture in RGB with a profile of inks was read");
+        QFAIL("an RGB picture with a CMYK profile was read, expected a refusal");
     } catch (const Error& error) {
         QVERIFY2(error.sentence().contains("odd.png") && error.sentence().contains("ICC profile"),
                  qPrintable(error.sentence()));
     }
 }
 
-void PictureColourTest::cutOffInksAreNoPicture() {
+void PictureColourTest::readPictures_truncatedCmyk_isRefused() {
     const QByteArray profile = simpleCmykProfile(0.02);
     for (const QString& type : {QString("jpeg"), QString("tiff")}) {
         const QByteArray whole = file(type, Kind::Cmyk, profile);
@@ -418,7 +426,7 @@ void PictureColourTest::cutOffInksAreNoPicture() {
     }
 }
 
-void PictureColourTest::cutOffPicturesAreRefused_data() {
+void PictureColourTest::readPictures_truncated_isRefused_data() {
     QTest::addColumn<QByteArray>("whole");
     const QImage picture = image(Kind::Rgb, pixels(Kind::Rgb));
     QTest::newRow("jpeg") << jpegFile(Kind::Rgb, {});
@@ -429,17 +437,17 @@ void PictureColourTest::cutOffPicturesAreRefused_data() {
     QTest::newRow("bmp, 1 bit") << fileOf(picture.convertToFormat(QImage::Format_Mono), "bmp");
 }
 
-void PictureColourTest::cutOffPicturesAreRefused() {
+void PictureColourTest::readPictures_truncated_isRefused() {
     QFETCH(QByteArray, whole);
     QCOMPARE(refusal(whole), QString());
     for (const int percent : {50, 90, 99}) {
         const QString sentence = refusal(whole.first(whole.size() * percent / 100));
-        QVERIFY2(sentence.contains("cut off") && sentence.contains("odd picture"),
+        QVERIFY2(sentence.contains("incomplete") && sentence.contains("odd picture"),
                  qPrintable(sentence));
     }
 }
 
-void PictureColourTest::cutOffPhotosAreRefused() {
+void PictureColourTest::readPhotoFile_truncated_isRefused() {
     const QByteArray whole = jpegFile(Kind::Rgb, {});
     const auto photo = [&](const QByteArray& bytes) {
         QFile file(folder_.filePath("photo.jpg"));
@@ -453,21 +461,21 @@ void PictureColourTest::cutOffPhotosAreRefused() {
     QCOMPARE(photo(whole + "a film \xff\xda of more").picture.size(), QSize(8 * side, 8 * side));
     try {
         photo(whole.first(whole.size() / 2));
-        QFAIL("a photo that is cut off was read");
+        QFAIL("a truncated photo was read, expected a refusal");
     } catch (const Error& error) {
         QVERIFY2(error.sentence().contains("camera"), qPrintable(error.sentence()));
     }
 }
 
-// Phones write films and other pictures behind theirs, and bytes of these may look like marks.
-void PictureColourTest::whatFollowsAPictureDoesNotMatter() {
+// Phones append videos and other pictures, whose bytes may look like JPEG markers.
+void PictureColourTest::readPictures_bytesAfterThePicture_areIgnored() {
     const QByteArray picture = jpegFile(Kind::Rgb, {});
     QCOMPARE(refusal(picture + "a film \xff\xda of more"), QString());
     QCOMPARE(refusal(picture + picture.first(picture.size() / 2)), QString());
     QCOMPARE(refusal(fileOf(image(Kind::Rgb, pixels(Kind::Rgb)), "bmp") + "more"), QString());
 }
 
-void PictureColourTest::oddProfilesAreRefused_data() {
+void PictureColourTest::readPictures_damagedProfile_isRefused_data() {
     QTest::addColumn<QByteArray>("file");
     QTest::addColumn<QString>("says");
     const QByteArray adobe = profileOf(Kind::Rgb), whole = packed(adobe);
@@ -489,14 +497,14 @@ void PictureColourTest::oddProfilesAreRefused_data() {
     QTest::newRow("webp, of inks") << webpFile(Qt::green, profileOf(Kind::Cmyk)) << damaged;
 }
 
-void PictureColourTest::oddProfilesAreRefused() {
+void PictureColourTest::readPictures_damagedProfile_isRefused() {
     QFETCH(QByteArray, file);
     QFETCH(QString, says);
     const QString sentence = refusal(file);
     QVERIFY2(sentence.contains(says) && sentence.contains("profile"), qPrintable(sentence));
 }
 
-void PictureColourTest::profileIsFoundWhereLibpngDropsIt() {
+void PictureColourTest::readPictures_greyPngWithRgbProfile_usesTheProfile() {
     const QByteArray adobe = profileOf(Kind::Rgb);
     const auto read = [](const QByteArray& file) {
         return readPictures({{file, QStringLiteral("dropped")}}).front();
@@ -512,7 +520,7 @@ void PictureColourTest::profileIsFoundWhereLibpngDropsIt() {
     QCOMPARE(read(pngFile(Kind::Grey, adobe)), wanted);
 }
 
-void PictureColourTest::profileIsFoundBehindFillBytes() {
+void PictureColourTest::readPictures_jpegFillBytes_profileIsFound() {
     const QByteArray plain = jpegFile(Kind::Cmyk, profileOf(Kind::Cmyk));
     const QByteArray filled = QByteArray(plain).insert(2, "\xff\xff\xff");
     const QImage wanted = readPictures({{plain, QStringLiteral("plain")}}).front();
@@ -520,7 +528,7 @@ void PictureColourTest::profileIsFoundBehindFillBytes() {
     QVERIFY(wanted != readPictures({{jpegFile(Kind::Cmyk, {}), QStringLiteral("none")}}).front());
 }
 
-void PictureColourTest::profileIsFoundHoweverItsPartsAreNumbered() {
+void PictureColourTest::readPictures_jpegProfilePartNumbers_profileIsFound() {
     const auto read = [](const QByteArray& file) {
         return readPictures({{file, QStringLiteral("numbered")}}).front();
     };
@@ -534,9 +542,9 @@ void PictureColourTest::profileIsFoundHoweverItsPartsAreNumbered() {
     QVERIFY(read(usual) != read(jpegFile(Kind::Rgb, {})));
 }
 
-void PictureColourTest::profileOfWebpIsKeptTo() {
+void PictureColourTest::readPictures_webp_usesTheProfile() {
     if (!QImageReader::supportedImageFormats().contains("webp")) {
-        return; // Qt's plugin for it is not everywhere
+        return; // Qt's WebP plugin is not installed everywhere
     }
     const QColor green(20, 230, 20);
     const QByteArray adobe = profileOf(Kind::Rgb);
@@ -552,7 +560,7 @@ namespace {
 
 using Lab = std::array<double, 3>;
 
-// Half each of the two colours, in TIFF's own Lab or ICC's.
+// A picture whose halves have the two colours, in TIFF's Lab encoding or ICC's.
 QByteArray labTiff(const Lab& left, const Lab& right, int bits, bool isIcc, const QString& path) {
     constexpr int width = 8;
     TIFF* tiff = TIFFOpen(qPrintable(path), "w");
@@ -601,7 +609,7 @@ double differenceFrom(const Lab& wanted, const QColor& shown) {
 
 } // namespace
 
-void PictureColourTest::labIsReadAsLab_data() {
+void PictureColourTest::readPictures_labTiff_keepsTheColours_data() {
     QTest::addColumn<int>("bits");
     QTest::addColumn<bool>("isIcc");
     QTest::newRow("8 bits") << 8 << false;
@@ -610,7 +618,7 @@ void PictureColourTest::labIsReadAsLab_data() {
     QTest::newRow("16 bits, as ICC has it") << 16 << true;
 }
 
-void PictureColourTest::labIsReadAsLab() {
+void PictureColourTest::readPictures_labTiff_keepsTheColours() {
     QFETCH(int, bits);
     QFETCH(bool, isIcc);
     const QTemporaryDir folder;
@@ -625,7 +633,7 @@ void PictureColourTest::labIsReadAsLab() {
     QVERIFY2(right < 1, QByteArray::number(right));
 }
 
-void PictureColourTest::inksWithoutProfileAreToldOf() {
+void PictureColourTest::colourNote_cmykWithoutProfile_isReported() {
     const auto noteOf = [](const QByteArray& file) {
         return colourNoteText(readPictures({{file, QStringLiteral("inks")}}).front(), "Inks");
     };
@@ -634,15 +642,15 @@ void PictureColourTest::inksWithoutProfileAreToldOf() {
          {jpegFile(Kind::Cmyk, {}), tiffFile(Kind::Cmyk, {}, folder.filePath("inks.tif"), 8)}) {
         const QImage texture = readPictures({{file, QStringLiteral("inks")}}).front();
         QVERIFY2(noteOf(file).contains("CMYK"), qPrintable(noteOf(file)));
-        // And still when the project has it, as PNG.
+        // The note stays when the project stores the picture as PNG.
         QVERIFY(noteOf(pngBytes(texture, {})).contains("CMYK"));
     }
     QVERIFY(noteOf(jpegFile(Kind::Cmyk, profileOf(Kind::Cmyk))).isEmpty());
     QVERIFY(noteOf(jpegFile(Kind::Rgb, {})).isEmpty());
 }
 
-// A quarter of the picture is the green of ProPhoto's primary, which nothing shows.
-void PictureColourTest::coloursBeyondTheWorkingSpaceAreToldOf() {
+// A quarter of the picture is ProPhoto's green primary, which no device can show.
+void PictureColourTest::colourNote_coloursBeyondTheWorkingSpace_areReported() {
     QImage picture(8, 8, QImage::Format_RGB32);
     picture.fill(QColor(120, 100, 90));
     for (int y = 0; y < 4; ++y) {
@@ -657,7 +665,7 @@ void PictureColourTest::coloursBeyondTheWorkingSpaceAreToldOf() {
     QVERIFY2(said.contains("25"), qPrintable(said));
     const QImage again = readPictures({{pngBytes(texture, {}), QStringLiteral("kept")}}).front();
     QCOMPARE(colourNoteText(again, "The texture"), said);
-    picture.setColorSpace(QColorSpace::AdobeRgb); // the working space holds all of it
+    picture.setColorSpace(QColorSpace::AdobeRgb); // the working space contains all of it
     const QImage held = readPictures({{fileOf(picture, "png"), QStringLiteral("held")}}).front();
     QVERIFY(colourNoteText(held, "The texture").isEmpty());
 }

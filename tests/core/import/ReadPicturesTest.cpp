@@ -1,4 +1,4 @@
-// Pictures of every format, through the process that may do nothing but compute.
+// Pictures of every format, read by the sandboxed reader.
 #include "import/trusted/ReadPictures.h"
 #include "base/Error.h"
 #include "base/Png.h"
@@ -12,7 +12,7 @@ using namespace dipwright;
 
 namespace {
 
-// Soft, so that little is lost by formats that lose something; no two corners alike.
+// A smooth gradient, so that lossy formats lose little. Its corners differ.
 QImage slope() {
     QImage picture(48, 40, QImage::Format_RGBA8888);
     for (int y = 0; y < picture.height(); ++y) {
@@ -45,12 +45,12 @@ class ReadPicturesTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void readsWhatWasWritten_data() { formats(); }
-    void readsWhatWasWritten();
-    void refusesWhatIsCutOff_data() { formats(); }
-    void refusesWhatIsCutOff();
-    void picturesOfOneCallCountTogether();
-    void widePicturesCountTwice();
+    void readPictureFile_everyFormat_isRead_data() { formats(); }
+    void readPictureFile_everyFormat_isRead();
+    void readPictureFile_truncated_isRefusedOrPartlyRead_data() { formats(); }
+    void readPictureFile_truncated_isRefusedOrPartlyRead();
+    void readPictures_pixelLimit_appliesToAllTogether();
+    void pictureCount_widePictures_countTwice();
 
 private:
     static void formats();
@@ -76,7 +76,7 @@ QString ReadPicturesTest::written(const QString& format) const {
     return writer.write(slope().convertToFormat(QImage::Format_RGB32)) ? path : QString();
 }
 
-void ReadPicturesTest::readsWhatWasWritten() {
+void ReadPicturesTest::readPictureFile_everyFormat_isRead() {
     QFETCH(QString, format);
     QFETCH(int, loss);
     const QString path = written(format);
@@ -88,8 +88,9 @@ void ReadPicturesTest::readsWhatWasWritten() {
     QVERIFY2(differs <= loss, qPrintable(QString::number(differs)));
 }
 
-// Half a file is an error that names it, or what of the picture was there; never the end of us.
-void ReadPicturesTest::refusesWhatIsCutOff() {
+// A truncated file gives an error with its name, or the part of the picture that it contains. It
+// never crashes the program.
+void ReadPicturesTest::readPictureFile_truncated_isRefusedOrPartlyRead() {
     QFETCH(QString, format);
     const QByteArray whole = contents(written(format));
     QVERIFY(!whole.isEmpty());
@@ -112,7 +113,7 @@ void ReadPicturesTest::refusesWhatIsCutOff() {
     QVERIFY(refused >= 3);
 }
 
-void ReadPicturesTest::picturesOfOneCallCountTogether() {
+void ReadPicturesTest::readPictures_pixelLimit_appliesToAllTogether() {
     QImage plain(5000, 5000, QImage::Format_Mono);
     plain.fill(1);
     const PackedPicture packed{pngBytes(plain.convertToFormat(QImage::Format_RGBA8888), {}),
@@ -121,10 +122,10 @@ void ReadPicturesTest::picturesOfOneCallCountTogether() {
     QVERIFY_EXCEPTION_THROWN(readPictures({packed, packed, packed}), Error);
 }
 
-void ReadPicturesTest::widePicturesCountTwice() {
+void ReadPicturesTest::pictureCount_widePictures_countTwice() {
     const auto countFour = [](const QImage& picture) {
         PictureCount count;
-        for (int i = 0; i < 4; ++i) { // of the pixels that any file may have
+        for (int i = 0; i < 4; ++i) { // the pixel limit is four such pictures
             count.add(picture, 0, {});
         }
     };

@@ -1,4 +1,4 @@
-// Where the film lies on a dipped part, told on the sheet.
+// Where the film lies on a dipped part, in coordinates of the sheet.
 #include "inspection/BuiltPlaces.h"
 #include "PhotographedPart.h"
 #include "TestFolders.h"
@@ -26,9 +26,9 @@ class BuiltPlacesTest : public QObject {
 private slots:
     void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
 
-    // Film that is laid on a body 1.1 and 0.7 mm aside lies where film that much the other way was
-    // meant to lie, all over.
-    void aBodyAsideIsAPrintAside() {
+    // On a body shifted by 1.1 and −0.7 mm, the film lies everywhere as if it were shifted by as
+    // much the other way.
+    void builtPlaces_shiftedBody_giveTheOppositeShiftOnTheSheet() {
         const Project believed = test::eggToFit(1, 2.4);
         const test::Hidden aside{1.03, 1.03, std::numeric_limits<double>::infinity(), 1.1, -0.7, 0};
         const test::PhotographedPart part(believed, aside, 2.4, solverModule());
@@ -50,7 +50,7 @@ private slots:
         }
         qInfo("%zu places, %.3f mm off on the sheet", places.size(), residualOf(places));
 
-        // The next sheet has its print where it comes to lie right.
+        // The next sheet is printed shifted, so that the print lands in its place.
         AsBuilt built;
         built.parts.resize(1);
         built.places = places;
@@ -64,10 +64,10 @@ private slots:
         QCOMPARE(onPrintedSheet(pairs.printed, built).front().sheet, pairs.printed.front().sheet);
     }
 
-    // The tank is another solver, with film and body off by what nobody has told: by a millimetre
-    // and more on the body. Of one part whose print is found exactly, and of three that scatter by
-    // 0.2 mm, the next part's error is what is left.
-    void theNextPartOfAnotherSolversTankComesOutRight() {
+    // The tank is another solver with hidden errors of film and body, a millimetre and more on the
+    // body. The correction is measured on one part without scatter and on three parts with 0.2 mm
+    // of scatter. The assertions are about the error that the next part keeps.
+    void onPrintedSheet_otherSolversTank_correctsTheNextPart() {
         const test::Hidden hidden{1.05, 1.02, 6, 0.9, -0.6, 2};
         const test::PhotographedPart part(test::eggToFit(1, 2.4), hidden, 2, solverModule(),
                                           test::referenceTank());
@@ -76,8 +76,8 @@ private slots:
     }
 
 private:
-    // Share by which what the next part is off falls, root mean square on the body, half way
-    // between the places that were photographed. `scatter`: mm, along each axis.
+    // The share by which the next part's error falls: root mean square on the body, halfway between
+    // the photographed places. `scatter`: mm, along each axis.
     static double fallen(const test::PhotographedPart& part, int parts, double scatter) {
         constexpr double pixelsPerMillimetre = 34;
         const FilmSettings& film = part.project().film;

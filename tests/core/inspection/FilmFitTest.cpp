@@ -1,4 +1,5 @@
-// The film's numbers found from photos of a part that was dipped with others than it was believed.
+// Finds the film's values from photos of a part that was dipped with other values than the
+// project's.
 #include "PhotographedPart.h"
 #include "RememberedDips.h"
 #include "TestFolders.h"
@@ -65,7 +66,7 @@ FitWish wanted() {
 
 #define VERIFY_NEAR(value, wanted, allowed)                                                        \
     QVERIFY2(std::abs((value) - (wanted)) <= (allowed),                                            \
-             qPrintable(QStringLiteral("%1, not %2").arg(value).arg(wanted)))
+             qPrintable(QStringLiteral("%1, expected %2").arg(value).arg(wanted)))
 
 } // namespace
 
@@ -79,8 +80,8 @@ private slots:
                                                          solverModule());
     }
 
-    // Perfect pairs: what is left is what other film points make of it.
-    void whatWasHiddenIsFound() {
+    // Perfect pairs: the remaining error comes from the tank's other film points.
+    void fitFilm_perfectPairs_findsTheHiddenValues() {
         const FilmFit fitted = fit(part_->pairs(cameras(), 16, 12, 0.0, 1), wanted());
         tell(fitted);
         VERIFY_NEAR(found(fitted, FitQuantity::SwellX).after, hidden.swellX, 0.001);
@@ -95,8 +96,8 @@ private slots:
         VERIFY_NEAR(fitted.immersions.front().rotation[1].value(), hidden.turn, 0.1);
     }
 
-    // The tank is another solver, in double precision to a residual of 1e-9.
-    void sixteenCornersEachAPixelOffAreEnough() {
+    // The tank is another solver, in double precision with a residual of 1e-9.
+    void fitFilm_16CornersWith1pxNoise_findsTheHiddenValues() {
         const test::PhotographedPart part(test::eggToFit(1.3, 2.5), hidden, 2.2, solverModule(),
                                           test::referenceTank());
         const FilmFit fitted =
@@ -112,10 +113,10 @@ private slots:
         QVERIFY(found(fitted, FitQuantity::Relaxation).low < hidden.relaxation);
         QVERIFY(found(fitted, FitQuantity::Relaxation).high > hidden.relaxation);
         qInfo("%s", qPrintable(fitted.doubt));
-        QVERIFY(fitted.doubt.contains(QStringLiteral("a tenth of it moves none")));
+        QVERIFY(fitted.doubt.contains(QStringLiteral("a change by a tenth moves none")));
     }
 
-    void allCornersThatAreSeenGiveRelaxationToATenth() {
+    void fitFilm_allVisibleCorners_findRelaxationWithin10Percent() {
         const FilmFit fitted = fit(part_->pairs(cameras(), 100, 12, 1.0, 1));
         tell(fitted);
         const FittedQuantity& relaxation = found(fitted, FitQuantity::Relaxation);
@@ -124,9 +125,9 @@ private slots:
         QCOMPARE(fitted.doubt, QString());
     }
 
-    // Many photos of one part, whose film is the fit's own, so that nothing but their noise is off:
-    // the dips near it are simulated once, and film and camera fitted to each photo.
-    void intervalsHoldTheTruthAsOftenAsTheySay() {
+    // Many photos of one part, whose film is the fit's own, so that noise is the only error. The
+    // dips near it are simulated once; film and camera are fitted to each photo.
+    void fitFilm_95PercentIntervals_holdTheTruthIn95Percent() {
         const int photos = test::sampleOf(50, 200);
         const FitPairs perfect = part_->pairs(cameras(), 8, 12, 0, 1);
         SimulatedPlaces places(part_->project(), part_->field(), perfect.printed, solverModule(),
@@ -173,16 +174,16 @@ private slots:
         QVERIFY(share > 0.93 && share < 0.97);
     }
 
-    void whatPairsCannotTellApartIsRefused() {
+    void fitFilm_ambiguousPairs_areRefused() {
         const FitPairs good = part_->pairs({cameras().front()}, 16, 12, 0.5, 1);
-        // A ball looks the same from all round: who only knows its print may as well have walked
-        // round it.
+        // A ball looks the same from all round: its print alone cannot tell a turn of the film from
+        // a move of the camera.
         FitPairs printAlone = good;
         printAlone.body.clear();
         QVERIFY(errorOf(printAlone, {FitQuantity::Turn}).contains(QStringLiteral("camera")));
         QVERIFY(errorOf(good, {FitQuantity::Depth}).contains(QStringLiteral("moves none")));
         QVERIFY(errorOf(good, {FitQuantity::Growth}).contains(QStringLiteral("does not grow")));
-        // Round the lowest point film has been drawn out by next to nothing.
+        // Near the lowest point the film is hardly stretched.
         FitPairs low = good;
         std::erase_if(low.printed,
                       [](const PrintedPlace& place) { return place.sheet.norm() > 21; });
@@ -202,7 +203,7 @@ private slots:
         QVERIFY(errorOf(stranger, {}).contains(QStringLiteral("dip 2")));
     }
 
-    void canBeCancelled() {
+    void fitFilm_cancelled_throws() {
         Progress progress;
         progress.cancelToken.cancel();
         const FitPairs pairs = part_->pairs({cameras().front()}, 16, 12, 0.5, 1);

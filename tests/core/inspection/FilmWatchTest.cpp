@@ -1,4 +1,4 @@
-// A film on the water, measured by photos of which every number is known.
+// Measures a film on the water by simulated photos, whose true values are known.
 #include "TankPhoto.h"
 #include "WholeSample.h"
 #include "project/Profiles.h"
@@ -58,7 +58,7 @@ const SeenBoard* boardOf(const std::vector<SeenBoard>& boards, BoardKind kind) {
     return nullptr;
 }
 
-// Where the corners of a board are seen less where they are.
+// The seen places of a board's corners minus their true places, in pixels.
 std::vector<Eigen::Vector2d> errors(const SeenBoard& board, const FloatingPage& page,
                                     const TankCamera& camera) {
     std::vector<Eigen::Vector2d> result;
@@ -86,8 +86,8 @@ double rms(const std::vector<Eigen::Vector2d>& places) {
     return std::sqrt(sum);
 }
 
-// Corners as a camera sees them, each off by `noise` pixels in both directions; so many columns and
-// rows of each board.
+// Corners of a board as a camera sees them, with `noise` pixels of error in both directions.
+// `corners`: columns and rows.
 SeenBoard cornersOf(const FloatingPage& page, BoardKind kind, QSize corners,
                     const TankCamera& camera, double noise, std::mt19937& random) {
     std::normal_distribution<double> off(0, noise);
@@ -131,29 +131,29 @@ class FilmWatchTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void everyPartOfABoardIsOneOfAKind();
-    void cornersAreFoundToAFewHundredthsOfAPixel_data();
-    void cornersAreFoundToAFewHundredthsOfAPixel();
-    void boardsAreFoundHoweverTheyLie_data();
-    void boardsAreFoundHoweverTheyLie();
-    void swellIsRightToATenthOfAPercent_data();
-    void swellIsRightToATenthOfAPercent();
-    void sixtyCornersAreEnough();
-    void intervalsHoldTheTruthAsOftenAsTheySay();
-    void aCardAboveTheWaterIsReckonedWith();
-    void unevennessIsShownWhereItIs();
-    void growthIsRightToAFewPercent();
-    void growthsIntervalsHoldTheTruthAsOftenAsTheySay();
-    void growthThatPhotosDoNotTellIsNotTold();
-    void profileSaysWhatWasMeasured();
-    void degenerateSetsAreRefused();
-    void aDipThatPhotosDoNotShowIsRefused();
-    void badPicturesGetASentence();
+    void codedBoard_everyPart_isUnique();
+    void findBoards_corners_areWithinHundredthsOfAPixel_data();
+    void findBoards_corners_areWithinHundredthsOfAPixel();
+    void findBoards_turnedOrSlantedBoards_areFound_data();
+    void findBoards_turnedOrSlantedBoards_areFound();
+    void measureFlatFilm_swell_isWithin0p1Percent_data();
+    void measureFlatFilm_swell_isWithin0p1Percent();
+    void fitFlatFilm_60Corners_measureSwellWithin0p1Percent();
+    void fitFlatFilm_95PercentIntervals_holdTheTruthIn95Percent();
+    void fitFlatFilm_cardAboveTheWater_isCorrected();
+    void fitFlatFilm_unevenFilm_showsWhere();
+    void fitGrowth_eightPhotos_isWithin5Percent();
+    void fitGrowth_95PercentIntervals_holdTheTruthIn95Percent();
+    void fitGrowth_insufficientPhotos_leavesGrowthUnknown();
+    void withMeasurement_profile_takesTheMeasuredValues();
+    void fitFlatFilm_degenerateCorners_areRefused();
+    void watchedFilm_dipOutsideThePhotos_isRefused();
+    void measureFlatFilm_unusablePhoto_isRefused();
 };
 
-void FilmWatchTest::everyPartOfABoardIsOneOfAKind() {
-    // Seven squares by six of either board, turned and mirrored in every way, beside each other
-    // part.
+void FilmWatchTest::codedBoard_everyPart_isUnique() {
+    // Compares each part of 7 × 6 squares of both boards, turned and mirrored in every way, with
+    // every other part.
     constexpr int width = 7, height = 6, cells = width * height;
     std::vector<std::uint64_t> parts;
     for (const BoardKind kind : {BoardKind::Film, BoardKind::Card}) {
@@ -179,11 +179,11 @@ void FilmWatchTest::everyPartOfABoardIsOneOfAKind() {
     QVERIFY(std::adjacent_find(parts.begin(), parts.end()) == parts.end());
 }
 
-void FilmWatchTest::cornersAreFoundToAFewHundredthsOfAPixel_data() {
+void FilmWatchTest::findBoards_corners_areWithinHundredthsOfAPixel_data() {
     QTest::addColumn<double>("blur");
     QTest::addColumn<double>("noise");
     QTest::addColumn<int>("jpeg");
-    QTest::addColumn<double>("most"); // rms
+    QTest::addColumn<double>("most"); // rms, in pixels
     QTest::newRow("sharp") << 0.6 << 0.0 << 0 << 0.05;
     QTest::newRow("out of focus") << 2.5 << 1.0 << 85 << 0.12;
     if (isWholeRun()) {
@@ -192,7 +192,7 @@ void FilmWatchTest::cornersAreFoundToAFewHundredthsOfAPixel_data() {
     }
 }
 
-void FilmWatchTest::cornersAreFoundToAFewHundredthsOfAPixel() {
+void FilmWatchTest::findBoards_corners_areWithinHundredthsOfAPixel() {
     QFETCH(double, blur);
     QFETCH(double, noise);
     QFETCH(int, jpeg);
@@ -207,14 +207,14 @@ void FilmWatchTest::cornersAreFoundToAFewHundredthsOfAPixel() {
     QCOMPARE(int(card->corners.size()), 154);
     for (const auto& [board, page] : {std::pair(film, &scene.film), std::pair(card, &scene.card)}) {
         const auto off = errors(*board, *page, scene.camera);
-        qInfo("corners off by %.4f, %.4f on the mean, %.4f rms", mean(off).x(), mean(off).y(),
-              rms(off));
+        qInfo("errors of the corners: mean %.4f, %.4f px; rms %.4f px", mean(off).x(),
+              mean(off).y(), rms(off));
         QVERIFY(mean(off).norm() < 0.05);
         QVERIFY(rms(off) < most);
     }
 }
 
-void FilmWatchTest::boardsAreFoundHoweverTheyLie_data() {
+void FilmWatchTest::findBoards_turnedOrSlantedBoards_areFound_data() {
     QTest::addColumn<double>("roll");
     QTest::addColumn<double>("tilt");
     QTest::addColumn<bool>("glare");
@@ -227,7 +227,7 @@ void FilmWatchTest::boardsAreFoundHoweverTheyLie_data() {
     QTest::newRow("with glare") << 0.0 << 5.0 << true;
 }
 
-void FilmWatchTest::boardsAreFoundHoweverTheyLie() {
+void FilmWatchTest::findBoards_turnedOrSlantedBoards_areFound() {
     QFETCH(double, roll);
     QFETCH(double, tilt);
     QFETCH(bool, glare);
@@ -248,7 +248,7 @@ void FilmWatchTest::boardsAreFoundHoweverTheyLie() {
     QVERIFY(rms(errors(*card, scene.card, scene.camera)) < 0.2);
 }
 
-void FilmWatchTest::swellIsRightToATenthOfAPercent_data() {
+void FilmWatchTest::measureFlatFilm_swell_isWithin0p1Percent_data() {
     QTest::addColumn<double>("swellX");
     QTest::addColumn<double>("swellY");
     QTest::addColumn<double>("k1");
@@ -265,7 +265,7 @@ void FilmWatchTest::swellIsRightToATenthOfAPercent_data() {
     }
 }
 
-void FilmWatchTest::swellIsRightToATenthOfAPercent() {
+void FilmWatchTest::measureFlatFilm_swell_isWithin0p1Percent() {
     QFETCH(double, swellX);
     QFETCH(double, swellY);
     QFETCH(double, k1);
@@ -278,15 +278,15 @@ void FilmWatchTest::swellIsRightToATenthOfAPercent() {
     scene.camera.k2 = k2;
     scene.light = {.blur = blur, .noise = noise, .glare = glare};
     const FlatFilm film = measureFlatFilm(scene.photo(), {}, QStringLiteral("photo"));
-    qInfo("swell off by %.5f ± %.5f, %.5f ± %.5f; %zu corners, %.3f px", film.swellX.value - swellX,
-          film.swellX.off, film.swellY.value - swellY, film.swellY.off, film.corners.size(),
-          film.residualPixels);
+    qInfo("errors of the swell: %.5f ± %.5f, %.5f ± %.5f; %zu corners, %.3f px",
+          film.swellX.value - swellX, film.swellX.off, film.swellY.value - swellY, film.swellY.off,
+          film.corners.size(), film.residualPixels);
     QVERIFY(std::abs(film.swellX.value / swellX - 1) < 0.001);
     QVERIFY(std::abs(film.swellY.value / swellY - 1) < 0.001);
     QVERIFY(film.swellX.off < 0.001 && film.swellY.off < 0.001);
 }
 
-void FilmWatchTest::sixtyCornersAreEnough() {
+void FilmWatchTest::fitFlatFilm_60Corners_measureSwellWithin0p1Percent() {
     std::mt19937 random(7);
     const Tank scene = tank(1.1, 1.05);
     double worst = 0;
@@ -295,11 +295,11 @@ void FilmWatchTest::sixtyCornersAreEnough() {
         QCOMPARE(int(film.corners.size()), 60);
         worst = std::max({worst, film.swellX.off / 1.1, film.swellY.off / 1.05});
     }
-    qInfo("60 corners, each off by 0.05 px: swell ± %.4f %% at 95 %%", 100 * worst);
+    qInfo("60 corners with 0.05 px of noise: swell ± %.4f %% at 95 %%", 100 * worst);
     QVERIFY(worst < 0.001);
 }
 
-void FilmWatchTest::intervalsHoldTheTruthAsOftenAsTheySay() {
+void FilmWatchTest::fitFlatFilm_95PercentIntervals_holdTheTruthIn95Percent() {
     std::mt19937 random(20261122);
     int held = 0;
     constexpr int photos = 200;
@@ -313,7 +313,7 @@ void FilmWatchTest::intervalsHoldTheTruthAsOftenAsTheySay() {
     QVERIFY(held >= 0.93 * 2 * photos && held <= 0.97 * 2 * photos);
 }
 
-void FilmWatchTest::aCardAboveTheWaterIsReckonedWith() {
+void FilmWatchTest::fitFlatFilm_cardAboveTheWater_isCorrected() {
     std::mt19937 random(3);
     Tank scene = tank(1.1, 1.05);
     scene.card.above = 12;
@@ -327,10 +327,10 @@ void FilmWatchTest::aCardAboveTheWaterIsReckonedWith() {
     QVERIFY(std::abs(right.swellY.value - 1.05) < 0.001);
 }
 
-void FilmWatchTest::unevennessIsShownWhereItIs() {
+void FilmWatchTest::fitFlatFilm_unevenFilm_showsWhere() {
     std::mt19937 random(5);
     Tank scene = tank(1.1, 1.05);
-    // Drawn aside by a millimetre round one place.
+    // The film is drawn aside by 1 mm round one place.
     const Eigen::Vector2d bump = printedCorner(BoardKind::Film, scene.film.size, 3, 3);
     scene.film.aside = [bump](const Eigen::Vector2d& place) {
         const double away = (place - bump).squaredNorm() / (2 * 25 * 25);
@@ -354,7 +354,7 @@ double grown(double seconds, double rate, double limit) {
     return 1 + limit * (1 - std::exp(-rate * seconds / limit));
 }
 
-// Seen at these seconds, the dip beginning at `begin`.
+// A film seen at `times`, in seconds. The dip begins at `begin`.
 FilmWatch watched(const std::vector<double>& times, double begin, double rate, double limit,
                   double noise, std::mt19937& random) {
     std::vector<WatchedPhoto> photos;
@@ -371,7 +371,7 @@ const std::vector<double> twoMinutes{20, 35, 50, 70, 90, 110, 140, 180};
 
 } // namespace
 
-void FilmWatchTest::growthIsRightToAFewPercent() {
+void FilmWatchTest::fitGrowth_eightPhotos_isWithin5Percent() {
     std::mt19937 random(11);
     for (const auto& [rate, limit] :
          {std::pair(0.002, 0.1), std::pair(0.004, 0.2), std::pair(0.003, 0.05)}) {
@@ -387,7 +387,7 @@ void FilmWatchTest::growthIsRightToAFewPercent() {
     }
 }
 
-void FilmWatchTest::growthsIntervalsHoldTheTruthAsOftenAsTheySay() {
+void FilmWatchTest::fitGrowth_95PercentIntervals_holdTheTruthIn95Percent() {
     std::mt19937 random(20261123);
     int rates = 0, limits = 0, swells = 0;
     constexpr int films = 200;
@@ -414,19 +414,19 @@ void FilmWatchTest::growthsIntervalsHoldTheTruthAsOftenAsTheySay() {
     }
 }
 
-void FilmWatchTest::growthThatPhotosDoNotTellIsNotTold() {
+void FilmWatchTest::fitGrowth_insufficientPhotos_leavesGrowthUnknown() {
     std::mt19937 random(13);
     QCOMPARE(watched({70}, 70, 0.003, 0.1, 0.1, random).growth.known, GrowthKnown::No);
     QCOMPARE(watched({70, 100}, 70, 0.003, 0.1, 0.1, random).growth.known, GrowthKnown::No);
     QCOMPARE(watched(twoMinutes, 70, 0, 0, 0.1, random).growth.known, GrowthKnown::None);
-    // Still at its begin when the last photo is made.
+    // The growth is still linear when the last photo is taken.
     const FilmWatch straight = watched({60, 65, 70, 75, 80}, 70, 0.003, 0.5, 0.1, random);
     QCOMPARE(straight.growth.known, GrowthKnown::RateOnly);
     QVERIFY(std::abs(straight.growth.rate.value / 0.003 - 1) < 0.1);
     QVERIFY(watchSentences(straight).join(u' ').contains(QStringLiteral("grows no more")));
 }
 
-void FilmWatchTest::profileSaysWhatWasMeasured() {
+void FilmWatchTest::withMeasurement_profile_takesTheMeasuredValues() {
     std::mt19937 random(17);
     const FilmWatch watch = watched(twoMinutes, 70, 0.003, 0.1, 0.05, random);
     FilmProfile profile;
@@ -440,7 +440,7 @@ void FilmWatchTest::profileSaysWhatWasMeasured() {
     QCOMPARE(profileFromJson(toJson(profile), QStringLiteral("profile")), Profile(profile));
 }
 
-void FilmWatchTest::degenerateSetsAreRefused() {
+void FilmWatchTest::fitFlatFilm_degenerateCorners_areRefused() {
     std::mt19937 random(23);
     const Tank scene = tank(1.1, 1.05);
     const auto refusal = [&](QSize film, QSize card, const FlatSettings& settings) {
@@ -455,11 +455,11 @@ void FilmWatchTest::degenerateSetsAreRefused() {
     };
     const QSize film(10, 6), card(10, 13);
     QCOMPARE(refusal(film, card, {}), QString());
-    // A single row of corners, of either.
+    // A single row or column of corners of one board.
     QVERIFY(refusal({60, 1}, card, {}).contains(QStringLiteral("both whole")));
     QVERIFY(refusal({1, 60}, card, {}).contains(QStringLiteral("both whole")));
     QVERIFY(refusal(film, {130, 1}, {}).contains(QStringLiteral("both whole")));
-    // Lenses and heights that are none of this photo's.
+    // Lenses and heights that do not fit this photo.
     for (const Lens lens : {Lens{-0.3, 0}, Lens{0.5, 0}, Lens{-1, -1}, Lens{1, 1}, Lens{-1, 1}}) {
         FlatSettings settings;
         settings.lens = lens;
@@ -467,34 +467,34 @@ void FilmWatchTest::degenerateSetsAreRefused() {
     }
     FlatSettings settings;
     settings.cardAbove = -mostCardAbove;
-    settings.focalLength = 0.23; // half diagonals: the shortest that can be told
+    settings.focalLength = 0.23; // half diagonals; the shortest allowed
     QVERIFY(refusal(film, card, settings).contains(QStringLiteral("height")));
     settings.cardAbove = mostCardAbove;
     QVERIFY(!refusal(film, card, settings).isEmpty());
 }
 
-void FilmWatchTest::aDipThatPhotosDoNotShowIsRefused() {
+void FilmWatchTest::watchedFilm_dipOutsideThePhotos_isRefused() {
     std::mt19937 random(29);
     const std::vector<double> late{300, 310, 320, 330};
     for (const auto& [times, begin] :
          {std::pair(twoMinutes, 3600.0), std::pair(late, 70.0), std::pair(late, 400.0)}) {
         try {
             watched(times, begin, 0, 0, 0.05, random);
-            QFAIL("told");
+            QFAIL("the film was measured, expected a refusal");
         } catch (const Error& error) {
-            QVERIFY(error.message().contains(QStringLiteral("tell nothing")));
+            QVERIFY(error.message().contains(QStringLiteral("but the dip begins after")));
         }
     }
-    // One moment says what the film was then.
+    // Photos of one moment give the film's size at that moment.
     const auto words = [&](double seconds) {
         return watchSentences(watched({seconds, seconds, seconds}, 70, 0.003, 0.1, 0.05, random))
             .join(u' ');
     };
     QVERIFY(words(190).contains(QStringLiteral("after 190 s")));
-    QVERIFY(!words(70).contains(QStringLiteral("grows between")));
+    QVERIFY(!words(70).contains(QStringLiteral("growth in between")));
 }
 
-void FilmWatchTest::badPicturesGetASentence() {
+void FilmWatchTest::measureFlatFilm_unusablePhoto_isRefused() {
     QImage empty(800, 600, QImage::Format_RGB32);
     empty.fill(Qt::gray);
     QVERIFY(errorOf(empty).startsWith(QStringLiteral("No chessboard")));
@@ -506,8 +506,8 @@ void FilmWatchTest::badPicturesGetASentence() {
     const QImage filmOnly = tankPhoto({scene.film}, scene.camera, scene.light);
     QVERIFY(errorOf(filmOnly).startsWith(QStringLiteral("The card")));
     const QImage cardOnly = tankPhoto({scene.card}, scene.camera, scene.light);
-    QVERIFY(errorOf(cardOnly).startsWith(QStringLiteral("Of the film's chessboard")));
-    // Turned about so that only a third of the film is in the picture.
+    QVERIFY(errorOf(cardOnly).startsWith(QStringLiteral("Too little of the film's")));
+    // The camera looks aside, so that only a third of the film is in the picture.
     Tank half = scene;
     half.camera.over = {330, 5};
     const QString sentence = errorOf(half.photo());

@@ -1,4 +1,4 @@
-// Corners of a print found in photos of a body, of which every number is known.
+// Finds a print's corners in simulated photos of a body, whose true values are known.
 #include "inspection/FindPrint.h"
 #include "PartPhoto.h"
 #include "TestFolders.h"
@@ -65,7 +65,7 @@ PhotoCamera camera() {
     return camera;
 }
 
-// So many corners as a hand clicks them, `off` pixels from where they are.
+// `count` visible corners as a user clicks them, with an error of `off` pixels.
 std::vector<PlacePair> clicked(const std::vector<PrintedCorner>& corners, const PhotoCamera& camera,
                                int photo, int count, double off, unsigned seed) {
     std::mt19937 random(seed);
@@ -142,7 +142,7 @@ class FindPrintTest : public QObject {
 private slots:
     void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
 
-    void cornersAreFoundToAFewHundredthsOfAPixel_data() {
+    void findPrint_corners_areWithinHundredthsOfAPixel_data() {
         QTest::addColumn<double>("blur");
         QTest::addColumn<double>("noise");
         QTest::addColumn<bool>("glare");
@@ -156,7 +156,7 @@ private slots:
         }
     }
 
-    void cornersAreFoundToAFewHundredthsOfAPixel() {
+    void findPrint_corners_areWithinHundredthsOfAPixel() {
         QFETCH(double, blur);
         QFETCH(double, noise);
         QFETCH(bool, glare);
@@ -173,7 +173,7 @@ private slots:
             square += off.squaredNorm() / count;
             farthest = std::max(farthest, off.norm());
         }
-        qInfo("%d of %d corners; off by %.4f, %.4f on the mean, %.4f rms, %.3f at most; the fitted "
+        qInfo("%d of %d corners; error mean %.4f, %.4f, rms %.4f, at most %.3f px; the fitted  "
               "camera leaves R = %.4f px",
               int(count), print.expected[0], mean.x(), mean.y(), std::sqrt(square), farthest,
               print.view.figures.meanPixels);
@@ -183,9 +183,9 @@ private slots:
         QVERIFY(farthest < 1);
     }
 
-    void figuresAreOfWhereThePrintIsOff() {
-        // Turned by half a degree about Y against where it should be, seen by a camera that is
-        // known from the body itself.
+    void findPrint_shiftedPrint_figuresGiveTheShift() {
+        // The print is turned by half a degree about Y from its place. The camera is known from the
+        // body itself.
         const double off = 0.5 * pi / 180;
         const QImage photo = partPhoto(
             ball(),
@@ -205,18 +205,18 @@ private slots:
         for (const PairOff& one : print.view.off) {
             mean += one.millimetres;
         }
-        qInfo("R %.3f ± %.3f px, %.3f mm on the mean across the line of sight of %.3f",
+        qInfo("R %.3f ± %.3f px; mean across the line of sight %.3f mm of %.3f",
               print.view.figures.meanPixels, print.view.figures.deviationPixels,
               mean / double(print.places.size()), expected / double(print.places.size()));
         QVERIFY(mean < expected && mean > 0.6 * expected); // seen at a slant
-        // The camera that follows the print takes the turn for its own.
+        // A camera that is fitted to the print absorbs the turn.
         const FoundPrint followed = foundOn(photo, clicked(ballCorners(), camera(), 0, 40, 0, 3));
         QVERIFY(followed.view.figures.meanPixels < 0.2 * print.view.figures.meanPixels);
     }
 
-    // Squares are some 150 pixels wide, and bent: where the four of them are likest to what is
-    // looked for is pixels beside the corner.
-    void cornersFarFromWhereTheyAreMeantToBeAreFoundExactly() {
+    // The squares are about 150 pixels wide and bent, so that the best match of four squares lies
+    // pixels beside the corner.
+    void findPrint_cornersFarFromTheirPlaces_areFoundExactly() {
         const Eigen::AngleAxisd off(4 * pi / 180, Eigen::Vector3d(1, 1, 0).normalized());
         const QImage photo =
             partPhoto(ball(),
@@ -233,7 +233,7 @@ private slots:
         }
     }
 
-    void severalPhotosCountTogether() {
+    void findPrint_severalPhotos_areFittedTogether() {
         PhotoCamera other = cameraFrom({150, -90, 20}, {0, 0, 0}, {0, 0.2, 1});
         other.focalLength = 2.6;
         other.k1 = -0.08;
@@ -251,14 +251,14 @@ private slots:
         QVERIFY(print.view.figures.meanPixels < 0.1);
     }
 
-    void photosThatDoNotShowThePrintGetASentence() {
+    void findPrint_photoWithoutThePrint_isRefused() {
         const auto pairs = clicked(ballCorners(), camera(), 0, 10, 1, 5);
         const QImage good = ballPhoto(camera(), {});
         QCOMPARE(errorOf(good, pairs), QString());
         QImage bare(good.size(), QImage::Format_RGB32);
         bare.fill(Qt::gray);
         QVERIFY(errorOf(bare, pairs).contains(QStringLiteral("were found")));
-        // The same part with another job's print on it.
+        // The same part with another job's print.
         const QImage other =
             partPhoto(ball(),
                       [](const SurfacePoint& point) {
@@ -269,7 +269,7 @@ private slots:
                       camera(), {});
         QVERIFY2(errorOf(other, pairs).contains(QStringLiteral("were found")),
                  qPrintable(errorOf(other, pairs)));
-        // Its print the other way round.
+        // The print with dark and light swapped.
         const QImage swapped =
             partPhoto(ball(),
                       [](const SurfacePoint& point) {
@@ -277,13 +277,13 @@ private slots:
                       },
                       camera(), {});
         QVERIFY(errorOf(swapped, pairs).contains(QStringLiteral("swapped")));
-        // A photo that was flipped, with places clicked in it.
+        // A mirrored photo with places clicked in it.
         std::vector<PlacePair> flipped = pairs;
         for (PlacePair& pair : flipped) {
             pair.pixel.x() = good.width() - pair.pixel.x();
         }
         QVERIFY(errorOf(good.mirrored(true, false), flipped).contains(QStringLiteral("mirror")));
-        // Half of it covered: what is seen is told.
+        // Half of the photo is covered: only what is visible is found.
         QImage half = good;
         for (int y = 0; y < half.height(); ++y) {
             for (int x = half.width() / 2; x < half.width(); ++x) {
@@ -294,10 +294,10 @@ private slots:
         QVERIFY(double(print.places.size()) < 0.65 * print.expected[0]);
     }
 
-    void theJobsChessboardIsCarriedToTheBody();
+    void findPrint_dippedChessboard_isFoundOnTheBody();
 
-    // Laid as a decal on what goes in first.
-    void chessSquaresOfArtworkAreLookedFor() {
+    // The board is a decal on the body's lowest point.
+    void printedCorners_chessSquaresOfArtwork_areFound() {
         constexpr int across = 8, down = 6, pixels = 20;
         constexpr double square = 5; // mm
         QImage board(across * pixels, down * pixels, QImage::Format_RGBA8888);
@@ -328,16 +328,16 @@ private slots:
                     nearest = std::min(nearest, (other.model - corner.model).norm());
                 }
             }
-            // The ball is bent, and the decal keeps lengths.
+            // The decal keeps lengths along the bent surface.
             QVERIFY2(std::abs(nearest - square) < 0.05 * square,
                      qPrintable(QString::number(nearest)));
         }
     }
 };
 
-// A ball dipped into the chessboard; in the tank the film had swollen by 1.5 % more than the job
-// has it, and the ball stood 0.8 mm aside.
-void FindPrintTest::theJobsChessboardIsCarriedToTheBody() {
+// A ball dipped through the chessboard. In the tank the film had swollen by 1.5 % more than in the
+// job, and the ball was 0.8 mm aside.
+void FindPrintTest::findPrint_dippedChessboard_isFoundOnTheBody() {
     const Project project = ballJob();
     Project inTank = project;
     inTank.film.swellX = inTank.film.swellY = 1.015;
@@ -352,7 +352,7 @@ void FindPrintTest::theJobsChessboardIsCarriedToTheBody() {
     const auto corners = chessboardCorners(*meant.immersions[0].laid, 0, sheet, chessSquare);
     const auto truth = chessboardCorners(*made.immersions[0].laid, 0, sheet, chessSquare);
     QVERIFY(corners.size() >= 21);
-    // The photo asks the film that was made, place by place, the other way round.
+    // The photo takes each place's colour from the film of the tank.
     const Print print = chessboardPrint(*made.immersions[0].laid, sheet, chessSquare);
     PhotoCamera camera = cameraFrom({50, -190, 60}, {0, -5, 0}, {0, 0, 1});
     camera.k1 = -0.05;
@@ -375,7 +375,7 @@ void FindPrintTest::theJobsChessboardIsCarriedToTheBody() {
         }
         mean += (camera.seen(place.model) - place.pixel).norm() / double(found.places.size());
     }
-    qInfo("%zu of %d corners; from where the film really took them %.3f px on the mean, %.3f at "
+    qInfo("%zu of %d corners; from where the film really took them: mean %.3f px, %.3f at  "
           "most; R %.3f ± %.3f px of %.3f, %.2f mm at most",
           found.places.size(), found.expected[0], meanOff, worst, found.view.figures.meanPixels,
           found.view.figures.deviationPixels, mean, found.view.figures.worst);

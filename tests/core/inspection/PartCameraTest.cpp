@@ -1,4 +1,4 @@
-// The camera of a photo of a part, from places whose truth is known.
+// Finds the camera of a photo of a part from places that are known exactly.
 #include "inspection/PartCamera.h"
 #include "base/Error.h"
 #include "base/Units.h"
@@ -15,7 +15,7 @@ namespace {
 
 const QSize picture(1344, 1344); // the paper's
 
-// A pinhole camera with distortion that looks at the origin, written down once more.
+// An independent pinhole camera with distortion that looks at the origin.
 struct Truth {
     double focalLength = 2.2; // half diagonals
     double k1 = -0.08;
@@ -39,7 +39,7 @@ Truth truth(double degreesX, double degreesY) {
     return truth;
 }
 
-// Places on the near half of a ball of 70 mm, as they are seen, each off by `noise` pixels.
+// Visible places on a ball of 70 mm and their pixels, with `noise` pixels of error.
 std::vector<PlacePair> onBall(const Truth& truth, int photo, int count, double noise,
                               std::mt19937& random) {
     std::normal_distribution<double> off(0, noise), any(0, 1);
@@ -79,7 +79,7 @@ class PartCameraTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void findsTheCameraOfPerfectPairs() {
+    void fitPartCamera_perfectPairs_findsTheCamera() {
         std::mt19937 random(1);
         for (int degrees = 0; degrees < 360; degrees += 40) {
             const Truth camera = truth(degrees, 25);
@@ -93,8 +93,8 @@ private slots:
         }
     }
 
-    // N = 16 on a ball, as in the paper's Table II, each clicked to a pixel.
-    void figuresAreThoseOfTheScatter() {
+    // 16 places on a ball, as in the paper's Table II, each clicked with 1 px of error.
+    void fitPartCamera_noisyPairs_figuresMatchTheScatter() {
         std::mt19937 random(2);
         double mean = 0;
         constexpr int parts = 50;
@@ -108,14 +108,14 @@ private slots:
             mean += view.figures.meanPixels / parts;
             QVERIFY(view.figures.worst >= view.figures.percentile95 - 1e-12);
         }
-        // Distances of Gaussian places have the mean √(π/2); seven of 32 numbers went into the fit.
+        // The mean distance of Gaussian errors is √(π/2). The fit used 7 of 32 degrees of freedom.
         const double expected = std::sqrt(pi / 2 * 25 / 32);
         qInfo("mean %.3f px of %.3f expected", mean, expected);
         QVERIFY(std::abs(mean / expected - 1) < 0.05);
     }
 
-    // Such a pair moves least squares without weights, as OpenCV's calib3d has them, by 3.8 px.
-    void onePairFarOffDoesNotMoveTheCamera() {
+    // Such a pair moves unweighted least squares, as in OpenCV's calib3d, by 3.8 px.
+    void fitPartCamera_oneOutlier_doesNotMoveTheCamera() {
         std::mt19937 random(6);
         double mean = 0;
         constexpr int parts = 20;
@@ -130,11 +130,11 @@ private slots:
                 mean += (seenAt(view, 0, picture, pair.model) - pair.pixel).norm() / 20 / parts;
             }
         }
-        qInfo("places off by %.2f px", mean);
+        qInfo("mean error of the places %.2f px", mean);
         QVERIFY(mean < 0.75);
     }
 
-    void severalPhotosShareOneLens() {
+    void fitPartCamera_severalPhotos_shareOneLens() {
         std::mt19937 random(3);
         const Truth first = truth(10, 0), second = truth(15, 120);
         std::vector<PlacePair> pairs = onBall(first, 0, 16, 0.5, random);
@@ -149,7 +149,7 @@ private slots:
         QVERIFY((seenAt(view, 1, picture, place) - second.seen(place)).norm() < 2);
     }
 
-    void focalLengthsIntervalHoldsTheTruthAsOftenAsItSays() {
+    void fitPartCamera_95PercentInterval_holdsTheFocalLengthIn95Percent() {
         std::mt19937 random(4);
         int held = 0;
         constexpr int parts = 200;
@@ -158,15 +158,16 @@ private slots:
                                                 picture, QStringLiteral("x"));
             held += std::abs(view.focalLength.value - 2.2) <= view.focalLength.off;
         }
-        qInfo("95 %% interval of the focal length holds it in %.1f %%", 100.0 * held / parts);
+        qInfo("95 %% interval of the focal length: contains the true value in %.1f %%",
+              100.0 * held / parts);
         QVERIFY(held >= 0.91 * parts && held <= 0.99 * parts);
     }
 
-    void whatDoesNotTellTheCameraIsRefused() {
+    void fitPartCamera_ambiguousPairs_areRefused() {
         std::mt19937 random(5);
         const std::vector<PlacePair> good = onBall(truth(10, 10), 0, 16, 0.5, random);
         QCOMPARE(errorOf(good), QString());
-        QVERIFY(errorOf({good.begin(), good.begin() + 5}).contains(QStringLiteral("takes 6")));
+        QVERIFY(errorOf({good.begin(), good.begin() + 5}).contains(QStringLiteral("needs 6")));
         std::vector<PlacePair> flat = good;
         for (PlacePair& pair : flat) {
             pair.model.z() = 0;
@@ -180,14 +181,14 @@ private slots:
         QVERIFY(errorOf(mirrored).contains(QStringLiteral("mirror")));
         std::vector<PlacePair> same(10, good.front());
         QVERIFY(!errorOf(same).isEmpty());
-        // From so far that a turn and a step aside look the same.
+        // From so far away a turn and a shift look the same.
         Truth far = truth(10, 10);
         far.distance = 100'000;
         far.focalLength = 700;
         QVERIFY(!errorOf(onBall(far, 0, 16, 1, random)).isEmpty());
     }
 
-    void pairsAreReadAsTheyAreWritten() {
+    void readPairs_table_isReadOrRefusedByLine() {
         const QByteArray head = "photo,x_px,y_px,x_mm,y_mm,z_mm\n";
         const auto pairs = readPairs(head + "1,10.5,20,1,2,3\r\n\n2,1,2,-3,4e1,5\n", 2,
                                      QStringLiteral("pairs.csv"));

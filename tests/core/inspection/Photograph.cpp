@@ -13,7 +13,7 @@ namespace {
 
 using Plane = std::vector<float>;
 
-// One direction of a Gaussian. Past the picture's edge its last pixel goes on.
+// Gaussian blur in one direction. The picture's last pixels continue past its edge.
 Plane blurred(const Plane& plane, int width, int height, double sigma, bool across) {
     const int reach = int(std::ceil(4 * sigma));
     std::vector<double> weights;
@@ -106,7 +106,7 @@ Eigen::Vector3d PhotoLens::sight(const Eigen::Vector2d& pixel) const {
 
 namespace {
 
-// The light at the corners of all pixels, a row more and a column more than there are pixels.
+// The light at the corners of all pixels: one row and one column more than pixels.
 class Corners {
 public:
     Corners(const PhotoLens& lens, const LightFrom& lightFrom)
@@ -124,7 +124,7 @@ public:
                 double(light_[index(x, y + 1)]) + double(light_[index(x + 1, y + 1)])) /
                4;
     }
-    // In the pixel and the pixels round it.
+    // Whether the light is even in the pixel and the pixels round it.
     bool isEven(int x, int y) const {
         constexpr float most = 0.008F; // two of 255 levels
         float least = 1, largest = 0;
@@ -161,7 +161,7 @@ QImage photograph(const PhotoLens& lens, int samples, const LightFrom& lightFrom
                 level = float(corners.mean(x, y));
                 continue;
             }
-            // Within a pixel a lens is straight.
+            // Within a pixel the lens is linear.
             const Eigen::Vector3d corner = lens.sight(Eigen::Vector2d(x, y));
             const Eigen::Vector3d right = lens.sight(Eigen::Vector2d(x + 1, y)) - corner;
             const Eigen::Vector3d down = lens.sight(Eigen::Vector2d(x, y + 1)) - corner;

@@ -14,7 +14,7 @@
 namespace dipwright::test {
 namespace {
 
-constexpr double square = 8; // mm, of the sheet's chessboard
+constexpr double square = 8; // mm, the side of the sheet's chess squares
 
 class ReferenceTank : public solver::SolverModule {
 public:
@@ -24,7 +24,7 @@ public:
         return reference::makeReferenceFilm();
     }
     bool runBatch(std::span<solver::BatchItem>, solver::CancelFunction, void*) const override {
-        return false; // nobody asks for many
+        return false; // no test runs a batch
     }
 };
 
@@ -32,7 +32,7 @@ public:
 
 std::vector<PhotoCamera> camerasRound(const std::vector<Standpoint>& from, double distance,
                                       double focalLength, int pixels) {
-    const Eigen::Vector3d aside(1.5, -2, 0); // nobody looks at the very middle
+    const Eigen::Vector3d aside(1.5, -2, 0); // a user does not aim exactly at the middle
     std::vector<PhotoCamera> cameras;
     for (const Standpoint& at : from) {
         const double round = at.round * pi / 180, above = at.above * pi / 180;
@@ -125,7 +125,7 @@ FitPairs PhotographedPart::pairs(const std::vector<PhotoCamera>& cameras, int pr
         const double x = off(random), y = off(random);
         return Eigen::Vector2d(camera.seen(at) + noise * Eigen::Vector2d(x, y));
     };
-    // As many of those that face the camera, every so many of them.
+    // `count` corners that face the camera, evenly picked from all such corners.
     const auto facing = [](const std::vector<Corner>& all, const PhotoCamera& camera, int count) {
         std::vector<Corner> found;
         for (const Corner& corner : all) {

@@ -1,5 +1,5 @@
-// A part dipped with a film whose numbers are hidden, photographed by cameras of its own: what a
-// fit is given, and what it has to find.
+// A photographed part that was dipped with a film of hidden values. Tests give a fit the photos and
+// compare it with the hidden values.
 #pragma once
 
 #include "PartPhoto.h"
@@ -14,25 +14,25 @@ struct Hidden {
     double shiftX = 0, shiftZ = 0, turn = 0;
 };
 
-// Where a camera stands: degrees round the vertical, and above the horizon.
+// The direction to a camera: degrees round the vertical and above the horizon.
 struct Standpoint {
     double round = 0, above = 0;
 };
 
-// One camera, seen from several places; looks all but at the model's origin from `distance` mm.
-// `pixels` wide and as high.
+// One camera that photographs from several places. It looks nearly at the model's origin from
+// `distance` mm. Its pictures are `pixels` wide and high.
 std::vector<PhotoCamera> camerasRound(const std::vector<Standpoint>& from, double distance,
                                       double focalLength, int pixels);
 
-// A solver whose film is that of solvers/production/reference, which shares no arithmetic with the
-// one that is fitted: a tank that the program knows nothing of. Slow.
+// A tank that is independent of the program: the reference solver of solvers/production/reference,
+// which shares no arithmetic with the fitted solver. Slow.
 const solver::SolverModule& referenceTank();
 
-// The project as its owner believes it to be, and the film that was really on the body, of other
-// cells and with other steps.
+// A project with the values that its owner believes, and the film that was really on the body. That
+// film has other cells and steps.
 class PhotographedPart {
 public:
-    // `cell`: of the film in the tank, mm.
+    // `cell`: the cell of the film in the tank, mm.
     PhotographedPart(Project believed, const Hidden& hidden, double cell,
                      const solver::SolverModule& program, const solver::SolverModule& tank);
     PhotographedPart(Project believed, const Hidden& hidden, double cell,
@@ -44,8 +44,8 @@ public:
     std::shared_ptr<const LaidFilm> believedFilm() const { return meant_; }
     std::shared_ptr<const LaidFilm> filmInTank() const { return truly_; }
     const FilmSettings& settingsInTank() const { return real_; }
-    // A photo from each camera: `printed` places in each, or all that it sees where that is fewer,
-    // and `body` of the body's own, each off by `noise` pixels.
+    // The pairs of one photo from each camera: up to `printed` places of the print and up to `body`
+    // places of the body, with `noise` pixels of error.
     FitPairs pairs(const std::vector<PhotoCamera>& cameras, int printed, int body, double noise,
                    int seed) const;
 
@@ -62,16 +62,16 @@ private:
     FilmSettings real_;
     std::shared_ptr<const DistanceField> field_;
     std::shared_ptr<const LaidFilm> meant_, truly_;
-    std::vector<Corner> corners_; // of a chessboard on the sheet, all that are on the body
-    std::vector<Corner> body_;    // spread over it
+    std::vector<Corner> corners_; // those of the sheet's chessboard that are on the body
+    std::vector<Corner> body_;    // places spread over the body
 };
 
-// Where a place of the sheet lies on the model on which that film has come to lie; nothing where it
-// does not lie on the body.
+// The place on the model where the film of the sheet's place lies; nothing if it is not on the
+// body.
 std::optional<Eigen::Vector3d> onModel(const LaidFilm& laid, const Eigen::Vector2d& sheet,
                                        const FilmSettings& film);
 
-// An egg 56 mm wide and so many times as high, on film with cells of so many mm.
+// A project with an egg 56 mm wide and `height` times as high. `cell`: the film's cell, mm.
 Project eggToFit(double height, double cell);
 
 } // namespace dipwright::test

@@ -35,7 +35,7 @@ bool RememberedDips::runBatch(std::span<solver::BatchItem> items, solver::Cancel
     for (solver::BatchItem& item : items) {
         const solver::FieldView field = item.setup.field;
         item = *find(item);
-        item.setup.field = field; // which is owned elsewhere
+        item.setup.field = field; // the caller owns the field
     }
     return true;
 }

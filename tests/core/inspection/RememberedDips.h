@@ -1,4 +1,4 @@
-// A solver that dips alike but once: fits of one part begin with the same dips.
+// A solver that remembers its dips, because fits of one part begin with the same dips.
 #pragma once
 
 #include <dipwright/FilmSolver.h>
@@ -7,7 +7,7 @@
 
 namespace dipwright::test {
 
-// Everything is `module`'s, of which it keeps a reference. All dips are to be of one body.
+// Passes everything on to `module`, of which it keeps a reference. All dips must be of one body.
 class RememberedDips : public solver::SolverModule {
 public:
     explicit RememberedDips(const solver::SolverModule& module) : module_(module) {}

@@ -58,7 +58,7 @@ Eigen::Matrix3d axesOf(const TankCamera& camera) {
         .toRotationMatrix();
 }
 
-// x right, y down, z into the water: forward is +z.
+// The tank's frame: x right, y down, z into the water; the camera looks along +z.
 Eigen::Vector3d placeOf(const TankCamera& camera) {
     const Eigen::Vector3d forward = axesOf(camera).col(2);
     return Eigen::Vector3d(camera.over.x(), camera.over.y(), 0) -

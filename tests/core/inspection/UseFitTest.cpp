@@ -1,4 +1,4 @@
-// A fit that is used in a project changes what was fitted, and nothing else that was edited.
+// Using a fit in a project changes what was fitted and nothing else.
 #include "inspection/FilmFitFiles.h"
 #include "project/Project.h"
 

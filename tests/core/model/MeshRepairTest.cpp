@@ -1,5 +1,5 @@
-// Repairs of meshes: of seams, doubled triangles and parts inside out, and those that files could
-// be made for to take without end.
+// Repairs of seams, duplicate triangles and inside-out parts, also for meshes made to take very
+// long.
 #include "model/MeshRepair.h"
 
 #include "base/Progress.h"
@@ -44,7 +44,7 @@ TriangleMesh insideOut(TriangleMesh mesh) {
     return mesh;
 }
 
-// Without the triangles that lie higher than this with all their corners.
+// The mesh without the triangles whose corners all lie above `height`.
 TriangleMesh cutOff(const TriangleMesh& mesh, float height) {
     TriangleMesh cut = mesh;
     std::erase_if(cut.triangles, [&](const auto& triangle) {
@@ -55,7 +55,7 @@ TriangleMesh cutOff(const TriangleMesh& mesh, float height) {
     return cut;
 }
 
-// Every triangle with corners of its own, each of them moved by as much as `noise` in each
+// The mesh with separate corners for every triangle, each moved at random by up to `noise` in each
 // direction.
 TriangleMesh tornApart(const TriangleMesh& mesh, float noise) {
     TriangleMesh torn;
@@ -78,7 +78,7 @@ std::size_t turnedParts(const std::vector<TriangleMesh>& parts) {
     return turnInsideOutParts(model, [] {});
 }
 
-// Cavities in one another, in bodies in one another.
+// Nested cavities inside nested bodies.
 std::vector<TriangleMesh> nested() {
     std::vector<TriangleMesh> boxes;
     for (int i = 0; i < half; ++i) {
@@ -94,7 +94,7 @@ class MeshRepairTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void seamsThatRoundingOpenedAreJoined() {
+    void joinOpenSeams_roundingErrors_areJoined() {
         const TriangleMesh sphere = sphereMesh(35, 20, 40);
         TriangleMesh torn = tornApart(sphere, 1e-5F);
         weldPositions(torn);
@@ -103,8 +103,8 @@ private slots:
         QVERIFY(isClosed(torn));
     }
 
-    // Two plates a hundredth of a millimetre apart, and what is closed anyway.
-    void whatLiesFartherApartThanRoundingStays() {
+    // Two plates 0.01 mm apart, and a body that is closed already.
+    void joinOpenSeams_fartherThanRounding_stay() {
         TriangleMesh plates = boxMesh({40, 0.01, 40});
         std::erase_if(plates.triangles, [&](const auto& triangle) {
             const float height = plates.positions[triangle[0]].y();
@@ -119,7 +119,7 @@ private slots:
         QCOMPARE(joinOpenSeams(closed), std::size_t(0));
     }
 
-    void openPartsThatFaceInwardsAreTurned() {
+    void turnInsideOutParts_openInwardParts_areFlipped() {
         const TriangleMesh open = cutOff(sphereMesh(35, 20, 40), 25);
         QVERIFY(!isClosed(open));
         QCOMPARE(turnedParts({open}), std::size_t(0));
@@ -129,7 +129,7 @@ private slots:
         QCOMPARE(turnedParts({insideOut(lidless)}), std::size_t(1));
     }
 
-    void aFlatSheetAndAShallowBowlStayAsTheyAre() {
+    void turnInsideOutParts_flatSheetAndShallowBowl_stay() {
         TriangleMesh sheet = boxMesh({40, 1, 40});
         sheet.triangles.resize(2);
         QCOMPARE(turnedParts({sheet}), std::size_t(0));
@@ -139,20 +139,20 @@ private slots:
         QCOMPARE(turnedParts({insideOut(bowl)}), std::size_t(0));
     }
 
-    // An open cavity of an open body faces the hollow; a surface of which no two triangles hang
-    // together is judged by all of them.
-    void openCavitiesStayAndLooseTrianglesAreTurned() {
+    // An open cavity of an open body faces the hollow. A surface of separate triangles is judged as
+    // a whole.
+    void turnInsideOutParts_openCavitiesStay_looseTrianglesAreFlipped() {
         const TriangleMesh outer = cutOff(sphereMesh(35, 20, 40), 33);
         const TriangleMesh inner = cutOff(sphereMesh(20, 20, 40), 18);
         QCOMPARE(turnedParts({outer, insideOut(inner)}), std::size_t(0));
         QCOMPARE(turnedParts({insideOut(outer), inner}), std::size_t(2));
         const TriangleMesh loose = tornApart(sphereMesh(35, 110, 110), 0);
-        QVERIFY(loose.triangles.size() > 20'000); // more parts than are asked one by one
+        QVERIFY(loose.triangles.size() > 20'000); // more parts than are judged one by one
         QCOMPARE(turnedParts({loose}), std::size_t(0));
         QCOMPARE(turnedParts({insideOut(loose)}), std::size_t(1));
     }
 
-    void trianglesGivenTwiceAreMerged() {
+    void mergeDoubledTriangles_duplicates_areMerged() {
         const TriangleMesh sphere = sphereMesh(35, 20, 40);
         TexturedMesh model = textured({sphere, sphere});
         weldPositions(model.mesh);
@@ -163,7 +163,7 @@ private slots:
         QCOMPARE(mergeDoubledTriangles(model), std::size_t(0));
     }
 
-    void aSurfaceGivenFromBothSidesBecomesOneAndAWallStays() {
+    void mergeDoubledTriangles_bothSidesMerge_sharedWallStays() {
         const TriangleMesh box = boxMesh({20, 20, 20});
         TexturedMesh model = textured({insideOut(box), box});
         weldPositions(model.mesh);
@@ -179,7 +179,7 @@ private slots:
         QCOMPARE(mergeDoubledTriangles(walled), std::size_t(0));
     }
 
-    void nestedCavitiesStayAndEachOfThemIsAskedAbout() {
+    void turnInsideOutParts_nestedCavities_stayAndReportProgress() {
         TexturedMesh model = textured(nested());
         int asked = 0;
         QCOMPARE(turnInsideOutParts(model, [&] { ++asked; }), std::size_t(0));
@@ -187,9 +187,9 @@ private slots:
         QCOMPARE(model.mesh.triangles, textured(nested()).mesh.triangles);
     }
 
-    void theSearchForPartsInsideOutCanBeEnded() {
+    void turnInsideOutParts_cancelled_leavesTheMesh() {
         std::vector<TriangleMesh> parts = nested();
-        parts.push_back(insideOut(cube(40))); // which would be turned
+        parts.push_back(insideOut(cube(40))); // this one would be flipped
         TexturedMesh model = textured(parts);
         const auto before = model.mesh.triangles;
         int asked = 0;

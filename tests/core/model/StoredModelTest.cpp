@@ -1,4 +1,4 @@
-// The project's own model file: what is written comes back, what is damaged is refused.
+// The project's own model file: written models are read again, damaged files are refused.
 #include "ModelFiles.h"
 
 #include "base/Error.h"
@@ -65,7 +65,7 @@ bool isSame(const TexturedMesh& a, const TexturedMesh& b) {
            a.textures == b.textures;
 }
 
-// With its pictures.
+// Reads a model with its pictures.
 TexturedMesh unpacked(const QByteArray& bytes) {
     StoredModel stored = readModel(bytes, QStringLiteral("x"));
     std::vector<PackedPicture> pictures;
@@ -91,18 +91,18 @@ class StoredModelTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void roundTripKeepsEverything();
-    void roundTripOfAnImportedModel();
-    void equalModelsGiveEqualBytes();
-    void newerVersionIsRefusedByNumber();
-    void everyTruncationIsRefused();
-    void bytesAfterTheEndAreRefused();
-    void hostileCountsAreRefusedAtOnce();
-    void anyDamageIsRefusedOrHarmless();
-    void aModelOfNothingIsReadUnchecked();
+    void writeModel_readAgain_keepsEverything();
+    void writeModel_importedModelReadAgain_keepsEverything();
+    void writeModel_equalModels_giveEqualBytes();
+    void readModel_newerVersion_isRefusedByNumber();
+    void readModel_truncated_isRefused();
+    void readModel_bytesAfterTheEnd_areRefused();
+    void readModel_hostileCounts_areRefused();
+    void readModel_damaged_isRefusedOrHarmless();
+    void readUncheckedModel_emptyModel_isRead();
 };
 
-void StoredModelTest::roundTripKeepsEverything() {
+void StoredModelTest::writeModel_readAgain_keepsEverything() {
     const TexturedMesh model = sample();
     const TexturedMesh back = unpacked(writeModel(model));
     QVERIFY(isSame(back, model));
@@ -110,7 +110,7 @@ void StoredModelTest::roundTripKeepsEverything() {
     QCOMPARE(back.textures[1].pixelColor(3, 4), QColor(10, 20, 30, 0));
 }
 
-void StoredModelTest::roundTripOfAnImportedModel() {
+void StoredModelTest::writeModel_importedModelReadAgain_keepsEverything() {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("square.glb"));
     writeFile(path, squareGlb(png(quarters())));
@@ -118,33 +118,33 @@ void StoredModelTest::roundTripOfAnImportedModel() {
     QVERIFY(isSame(unpacked(writeModel(model)), model));
 }
 
-void StoredModelTest::equalModelsGiveEqualBytes() {
+void StoredModelTest::writeModel_equalModels_giveEqualBytes() {
     QCOMPARE(writeModel(sample()), writeModel(sample()));
 }
 
-void StoredModelTest::newerVersionIsRefusedByNumber() {
+void StoredModelTest::readModel_newerVersion_isRefusedByNumber() {
     QByteArray bytes = writeModel(sample());
     bytes[8] = 9;
     try {
         readModel(bytes, QStringLiteral("x"));
-        QFAIL("a newer version was read");
+        QFAIL("a newer version was read, expected a refusal");
     } catch (const Error& error) {
         QVERIFY(error.message().contains(u'9') && error.message().contains(u'1'));
     }
 }
 
-void StoredModelTest::everyTruncationIsRefused() {
+void StoredModelTest::readModel_truncated_isRefused() {
     const QByteArray bytes = writeModel(sample());
     for (qsizetype length = 0; length < bytes.size(); length += length < 200 ? 1 : 101) {
         QVERIFY(isRefused(bytes.left(length)));
     }
 }
 
-void StoredModelTest::bytesAfterTheEndAreRefused() {
+void StoredModelTest::readModel_bytesAfterTheEnd_areRefused() {
     QVERIFY(isRefused(writeModel(sample()) + "x"));
 }
 
-void StoredModelTest::hostileCountsAreRefusedAtOnce() {
+void StoredModelTest::readModel_hostileCounts_areRefused() {
     for (const int place : {12, 20, 28, 32}) { // positions, triangles, materials, textures
         for (const char value : {'\x7f', '\xff'}) {
             QByteArray bytes = writeModel(sample());
@@ -159,7 +159,7 @@ void StoredModelTest::hostileCountsAreRefusedAtOnce() {
     QVERIFY(isRefused(bytes));
 }
 
-void StoredModelTest::anyDamageIsRefusedOrHarmless() {
+void StoredModelTest::readModel_damaged_isRefusedOrHarmless() {
     const QByteArray whole = writeModel(sample());
     std::mt19937 random(11);
     for (int round = 0; round < 3000; ++round) {
@@ -178,8 +178,8 @@ void StoredModelTest::anyDamageIsRefusedOrHarmless() {
     }
 }
 
-// Found by fuzzing: lists without a number were copied from nowhere.
-void StoredModelTest::aModelOfNothingIsReadUnchecked() {
+// Found by fuzzing: empty lists were copied from a null pointer.
+void StoredModelTest::readUncheckedModel_emptyModel_isRead() {
     const QByteArray bytes = writeModel(TexturedMesh());
     QVERIFY(readUncheckedModel(bytes, QStringLiteral("x")).model.mesh.triangles.empty());
     QVERIFY(isRefused(bytes.left(bytes.size() - 1)));

@@ -1,4 +1,5 @@
-// Artwork from the project to the sheet: what it paints, what it makes anew, what it leaves alone.
+// Artwork from the project to the sheet: what it paints, what it recomputes and what it leaves
+// alone.
 #include "TestFolders.h"
 #include "artwork/EditArtwork.h"
 #include "artwork/PaintArtwork.h"
@@ -43,7 +44,7 @@ Project ballJob() {
     return project;
 }
 
-// A spot on what goes into the water first.
+// A spot on the body's lowest point, `size` mm wide.
 ArtworkLayer spot(const QColor& colour, double size) {
     ArtworkLayer layer = newLayer(LayerKind::Picture, QStringLiteral("Spot"));
     QImage image(20, 20, QImage::Format_RGBA8888);
@@ -61,7 +62,7 @@ Project spottedJob() {
     return project;
 }
 
-// mm² of a film's picture that are red.
+// The red area of a film's picture, in mm².
 double redArea(const ImmersionResult& result, const Project& project) {
     const QImage image = inSrgb(result.texture->image);
     qint64 count = 0;
@@ -99,8 +100,8 @@ private slots:
         spotted_ = run(spottedJob(), &bare_);
     }
 
-    // As ever: its plain colour, grey, all over.
-    void anUntexturedModelWithoutArtworkPrintsItsPlainColour() {
+    // The plain colour is grey.
+    void runJob_untexturedModelWithoutArtwork_printsItsPlainColour() {
         QCOMPARE(bare_.painted, bare_.project.model);
         const QImage image = bare_.immersions[0].texture->image;
         QVERIFY(image.pixelColor(image.width() / 2, image.height() / 2).lightness() > 120);
@@ -108,7 +109,7 @@ private slots:
         QCOMPARE(redArea(bare_.immersions[0], bare_.project), 0.0);
     }
 
-    void aSpotIsPrintedWhereItIsAndNoInkBesideIt() {
+    void runJob_spot_isPrintedInItsPlaceWithoutInkBesideIt() {
         const ImmersionResult& result = spotted_.immersions[0];
         const double area = redArea(result, spotted_.project);
         QVERIFY2(area > 60 && area < 110, qPrintable(QString::number(area))); // less by stretch
@@ -118,7 +119,7 @@ private slots:
         QVERIFY(result.readBack.samples > 0 && result.readBack.percentile95 < 0.5);
     }
 
-    void aLayerThatIsMovedTakesNoDipAndGivesWhatAWholeRunGives() {
+    void runJob_layerMoved_reusesTheDipAndEqualsAFullRun() {
         Project moved = spottedJob();
         moved.model = spotted_.project.model;
         moved.artwork.layers[0].place[0] = Millimetres(5);
@@ -138,7 +139,7 @@ private slots:
         QCOMPARE(live.coverageTotal, whole.coverageTotal);
     }
 
-    void takenOffAgainItIsAsBefore() {
+    void runJob_layerRemoved_restoresTheEarlierSheet() {
         Project bare = ballJob();
         bare.model = spotted_.project.model;
         const JobResult result = runJob(bare, *registry_, {}, &spotted_, {});
@@ -146,14 +147,14 @@ private slots:
         QCOMPARE(result.immersions[0].sheet.job.hash, bare_.immersions[0].sheet.job.hash);
     }
 
-    void nothingChangedIsPaintedNoMore() {
+    void runJob_unchangedArtwork_reusesThePaintedModel() {
         const JobResult again = run(spotted_.project, &spotted_);
         QCOMPARE(again.painted, spotted_.painted);
         QCOMPARE(again.immersions[0].texture, spotted_.immersions[0].texture);
     }
 
-    // The same places of the film, as a plate of its own and no more as colour.
-    void aLayerInASpotInkIsAPlateAndNoColour() {
+    // The same places of the film are inked by a plate instead of colour.
+    void runJob_layerInSpotInk_isAPlateAndNotColour() {
         Project project = spottedJob();
         project.model = spotted_.project.model;
         project.artwork.layers[0].spot = QStringLiteral("Pantone 485 C");
@@ -188,8 +189,8 @@ private slots:
             }
         }
         QVERIFY2(same > 800 && other < same / 10,
-                 qPrintable(QString("%1 %2").arg(same).arg(other)));
-        // Half the tint on the part, and more of it where the film is stretched.
+                 qPrintable(QString("%1 pixels in both, %2 in one only").arg(same).arg(other)));
+        // Half the tint on the part, which needs more on the film where it is stretched.
         const QImage& varnish = dip.sheet.plates[1].tint;
         const int middle = varnish.constScanLine(varnish.height() / 2)[varnish.width() / 2];
         QVERIFY2(middle > 110 && middle < 180, qPrintable(QString::number(middle)));
@@ -199,7 +200,7 @@ private slots:
                                      .toArray();
         QCOMPARE(spots.size(), 3);
         QCOMPARE(spots[1].toObject()[QLatin1String("printed")].toString(), "first");
-        // The proof shows it in the colour that it has, if not quite that of the layer.
+        // The proof shows the spot ink's colour, which differs a little from the layer's.
         QVERIFY(redPixels(bare_.proof) == 0);
         const double shown = redPixels(result.proof), inInks = redPixels(spotted_.proof);
         QVERIFY2(shown > 0.9 * inInks && shown < 1.1 * inInks,
@@ -209,8 +210,8 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(validateJob(project, *registry_), Error);
     }
 
-    // On a ball all directions are alike but for its ink.
-    void aSearchBringsTheInkUnderTheBodyAndNotTheBlank() {
+    // On a ball only the ink distinguishes the directions.
+    void searchPoses_artwork_bringsTheInkDown() {
         Project project = spottedJob();
         project.artwork.layers[0].place = {Millimetres(15), Millimetres(0), Millimetres(0)};
         SearchSettings settings;
@@ -230,11 +231,11 @@ private slots:
         QVERIFY2(spotNow.y() < 0.2, qPrintable(QString::number(spotNow.y())));
         const double quality = inked.measures[Measure::Quality];
         QVERIFY2(quality > 0.95, qPrintable(QString::number(quality)));
-        project.sheet.white = WhiteLayer::Last; // then the white round it takes film as well
+        project.sheet.white = WhiteLayer::Last; // white round the spot uses film as well
         QVERIFY(best().measures[Measure::Quality] < quality - 0.1);
     }
 
-    void partsOfASearchForOtherArtworkDoNotBelongToIt() {
+    void searchSubject_otherArtwork_hasAnotherIdentity() {
         Project project = spottedJob();
         const QByteArray before = searchSubject(project, QStringLiteral("auto")).identity;
         QCOMPARE(searchSubject(project, QStringLiteral("auto")).identity, before);
@@ -242,7 +243,7 @@ private slots:
         QVERIFY(searchSubject(project, QStringLiteral("auto")).identity != before);
     }
 
-    void theReportListsTheLayers() {
+    void report_artwork_listsTheLayers() {
         const QJsonObject json = report(spotted_.project, spotted_);
         const QJsonArray layers =
             json[QLatin1String("artwork")].toObject()[QLatin1String("layers")].toArray();
@@ -251,7 +252,7 @@ private slots:
         QVERIFY(!report(bare_.project, bare_).contains(QLatin1String("artwork")));
     }
 
-    void plainColoursAndMissingFontsAreSaidBeforehand() {
+    void validateJob_plainColourAndMissingFont_areReported() {
         const auto says = [&](const Project& project, const char* words) {
             return validateJob(project, *registry_)
                 .join(QLatin1Char('\n'))
@@ -269,7 +270,7 @@ private:
     JobResult run(const Project& project, const JobResult* previous = nullptr) const {
         return runJob(project, *registry_, {}, previous, {});
     }
-    // What the body looks like makes nothing anew of where the film lies on it.
+    // Another appearance does not recompute where the film lies on the body.
     void isOnTheSameFilm(const ImmersionResult& dip) const {
         QCOMPARE(dip.body, spotted_.immersions[0].body);
         QCOMPARE(dip.laid, spotted_.immersions[0].laid);

@@ -1,5 +1,5 @@
-// Dips kept beside a project: the same sheets as dipped anew, for as long as nothing that they
-// depend on has changed, within their room, and never worse than none.
+// The cache of dips beside a project: it gives the sheets of a fresh run while their inputs are
+// unchanged, keeps its size limit, and damage does no harm.
 #include "pipeline/DipCache.h"
 #include "TestFolders.h"
 
@@ -71,7 +71,7 @@ private slots:
     }
     void init() { QFile::remove(file_); }
 
-    void theyLieBesideTheProject() {
+    void dipCacheFile_liesBesideTheProject() {
         QCOMPARE(dipCacheFile(QStringLiteral("/jobs/cow.dipw")), QStringLiteral("/jobs/cow.dips"));
         QCOMPARE(dipCacheFile(QStringLiteral("/jobs/v1.2.dipw")),
                  QStringLiteral("/jobs/v1.2.dips"));
@@ -81,9 +81,9 @@ private slots:
         QCOMPARE(filesBelow(folder_.path()), QStringList{QStringLiteral("ball.dips")});
     }
 
-    void theSheetsAreThoseOfAFreshRun() {
+    void cachedDips_sameInputs_giveTheSheetsOfAFreshRun() {
         cacheDips(result_, path_);
-        Project opened = job_; // the file's model is another object
+        Project opened = job_; // a project from a file has another model object
         opened.model = std::make_shared<const TexturedMesh>(*job_.model);
         const auto kept = cachedDips(opened, *registry_, path_, {});
         QVERIFY(kept);
@@ -108,7 +108,7 @@ private slots:
         QCOMPARE(now.coverageTotal, result_.coverageTotal);
     }
 
-    void aDipWithOtherInputsIsAnother_data() {
+    void cachedDips_otherInputs_areNotFound_data() {
         QTest::addColumn<QString>("path");
         QTest::addColumn<QString>("value");
         const auto row = [](const char* path, const char* value) {
@@ -130,8 +130,8 @@ private slots:
         row("process.solver", "auto");
     }
 
-    // What a run would dip anew is not found, and what it would take over is.
-    void aDipWithOtherInputsIsAnother() {
+    // The cache finds the dips exactly if a run would reuse them.
+    void cachedDips_otherInputs_areNotFound() {
         QFETCH(QString, path);
         QFETCH(QString, value);
         cacheDips(result_, path_);
@@ -146,7 +146,7 @@ private slots:
         QCOMPARE(cachedDips(changed, *registry_, path_, {}) != nullptr, isSame);
     }
 
-    void aBodyOfAnotherShapeIsAnother() {
+    void cachedDips_otherBody_areNotFound() {
         cacheDips(result_, path_);
         auto dented = std::make_shared<TexturedMesh>(*job_.model);
         dented->mesh.positions.front().y() += 0.001F;
@@ -155,14 +155,14 @@ private slots:
         QVERIFY(!cachedDips(changed, *registry_, path_, {}));
     }
 
-    void whatASolverTookOverIsNotKept() {
+    void cacheDips_dipsOfFallbackSolver_areNotKept() {
         JobResult other = result_;
         other.immersions[1].solver.id = QStringLiteral("another");
         cacheDips(other, path_);
         QVERIFY(!cachedDips(job_, *registry_, path_, {}));
     }
 
-    void theOldestGoWhereThereIsNoRoom() {
+    void cacheDips_full_removesTheOldest() {
         cacheDips(result_, path_);
         const qint64 bytes = QFileInfo(file_).size();
         JobResult turned = result_;
@@ -179,12 +179,12 @@ private slots:
         QVERIFY(!cachedDips(job_, *registry_, path_, {}));
     }
 
-    void whatHasNoRoomAtAllIsNotWritten() {
+    void cacheDips_largerThanTheLimit_writesNothing() {
         cacheDips(result_, path_, 1000);
         QVERIFY(!QFile::exists(file_));
     }
 
-    void whatIsThereIsNotWrittenAgain() {
+    void cacheDips_alreadyKept_doesNotWriteAgain() {
         cacheDips(result_, path_);
         QFile file(file_);
         QVERIFY(file.open(QIODevice::ReadWrite));
@@ -195,18 +195,18 @@ private slots:
         QCOMPARE(QFileInfo(file_).lastModified(), old);
     }
 
-    void aFileThatIsCutOffIsRefusedOrPassedOver() {
+    void cachedDips_truncatedFile_isRefusedAndReplaced() {
         cacheDips(result_, path_);
         const QByteArray whole = bytesOf(file_);
         for (qsizetype length = 0; length < whole.size(); length += whole.size() / 60 + 1) {
             writeFile(file_, whole.first(length));
             QVERIFY_EXCEPTION_THROWN(cachedDips(job_, *registry_, path_, {}), Error);
         }
-        cacheDips(result_, path_); // over it
+        cacheDips(result_, path_); // replaces the damaged file
         QVERIFY(cachedDips(job_, *registry_, path_, {}));
     }
 
-    void damageIsNoticed() {
+    void cachedDips_damagedFile_isRefusedOrHarmless() {
         cacheDips(result_, path_);
         const QByteArray whole = bytesOf(file_);
         std::mt19937 random(1);
@@ -219,7 +219,7 @@ private slots:
             writeFile(file_, damaged);
             try {
                 const auto kept = cachedDips(job_, *registry_, path_, {});
-                if (kept) { // nothing but a name or a date of the zip's
+                if (kept) { // only a name or a date in the zip is damaged
                     compareFilms(*kept->immersions[0].laid, *result_.immersions[0].laid);
                     compareFilms(*kept->immersions[1].laid, *result_.immersions[1].laid);
                 }
@@ -229,7 +229,7 @@ private slots:
         }
     }
 
-    void valuesOutOfRangeAreRefused() {
+    void cachedDips_valuesOutOfRange_areRefused() {
         const auto isRefused = [&](const std::function<void(DippedFilm&)>& change) {
             DippedFilm film = result_.immersions[0].laid->film();
             change(film);
@@ -262,7 +262,7 @@ private slots:
         }));
     }
 
-    void anythingElseBesideTheProjectIsRefused() {
+    void cachedDips_otherFileOrFolderThere_isRefused() {
         writeFile(file_, "not a zip");
         QVERIFY_EXCEPTION_THROWN(cachedDips(job_, *registry_, path_, {}), Error);
         QFile::remove(file_);

@@ -1,4 +1,5 @@
-// Projects of every version of the file format, made by the program of that version, run as ever.
+// Projects of every file version, written by the program of that version, still give the same
+// results.
 
 #include "TestFolders.h"
 #include "pipeline/Pipeline.h"
@@ -16,7 +17,7 @@ using namespace dipwright;
 
 namespace {
 
-constexpr double allowed = 0.02; // of a figure: the last digits differ between systems
+constexpr double allowed = 0.02; // relative: the last digits differ between systems
 
 QJsonObject expectedOf(const QString& project) {
     QFile file(QFileInfo(project).path() + QLatin1Char('/') +
@@ -29,7 +30,7 @@ void compare(const QString& name, double actual, const QJsonValue& expected) {
     QVERIFY2(expected.isDouble(), qPrintable(name));
     const double wanted = expected.toDouble();
     QVERIFY2(std::abs(actual - wanted) <= allowed * std::abs(wanted),
-             qPrintable(QStringLiteral("%1: %2 instead of %3").arg(name).arg(actual).arg(wanted)));
+             qPrintable(QStringLiteral("%1: %2, expected %3").arg(name).arg(actual).arg(wanted)));
 }
 
 } // namespace
@@ -38,29 +39,29 @@ class GoldenTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void everyVersionHasAProject();
-    void runsAsEver_data();
-    void runsAsEver();
+    void goldenProjects_everyVersion_hasOne();
+    void runJob_goldenProject_givesTheRecordedFigures_data();
+    void runJob_goldenProject_givesTheRecordedFigures();
 
 private:
     const QDir golden_{sourceFolder("/tests/core/project/golden")};
 };
 
-void GoldenTest::everyVersionHasAProject() {
+void GoldenTest::goldenProjects_everyVersion_hasOne() {
     for (int version = 1; version <= projectVersion; ++version) {
         const QString name = QStringLiteral("version-%1.dipw").arg(version);
         QVERIFY2(golden_.exists(name), qPrintable(name));
     }
 }
 
-void GoldenTest::runsAsEver_data() {
+void GoldenTest::runJob_goldenProject_givesTheRecordedFigures_data() {
     QTest::addColumn<QString>("path");
     for (const QString& name : golden_.entryList({QStringLiteral("*.dipw")})) {
         QTest::newRow(qPrintable(name)) << golden_.filePath(name);
     }
 }
 
-void GoldenTest::runsAsEver() {
+void GoldenTest::runJob_goldenProject_givesTheRecordedFigures() {
     QFETCH(QString, path);
     const QJsonObject expected = expectedOf(path);
     Project project = loadProject(path);
@@ -71,7 +72,7 @@ void GoldenTest::runsAsEver() {
     const QJsonObject told = report(project, result);
     compare(QStringLiteral("coverage_total"), told["coverage_total"].toDouble(),
             expected["coverage_total"]);
-    // Before there were shares every dip painted all that it reached, and still does.
+    // Dips of projects from before shares still paint all that they reach.
     QCOMPARE(told.contains("share"), expected.contains("share"));
     const QJsonObject share = expected["share"].toObject();
     for (const QString& key : share.keys()) {

@@ -1,5 +1,5 @@
-// Several bodies dipped at once through one film: each is painted from its own place of it, and
-// neighbours draw the film between them away from each other.
+// Several parts dipped together through one film: each is painted from its own place of the film,
+// and neighbours share the film between them.
 #include "TestFolders.h"
 #include "TexturedBall.h"
 #include "dip/JigModel.h"
@@ -36,14 +36,14 @@ Project jobOf(const std::vector<JigPart>& parts) {
     return project;
 }
 
-// A red and a blue ball, their middles so many mm apart.
+// A red and a blue ball, with their centres `apart` mm apart.
 Project twoBalls(double apart) {
     return jobOf({part(QStringLiteral("Red"), QColor(220, 20, 20), -apart / 2),
                   part(QStringLiteral("Blue"), QColor(20, 20, 220), apart / 2)});
 }
 
-// mm of film, measured from below a ball's middle at `x` along X, that have gone to the place of
-// its surface that is 30° below the equator; to the right of it or to the left.
+// The length of film, in mm, from below the centre of the ball at `x` to the place 30° below its
+// equator, on the right or the left.
 double filmTo(const ImmersionResult& dip, double x, bool right) {
     const Eigen::Vector3f place(float(x) + (right ? 1 : -1) * radius * std::sqrt(0.75f), radius / 2,
                                 0);
@@ -69,7 +69,7 @@ private slots:
         far_ = run(twoBalls(110), *registry_);
     }
 
-    void eachIsPaintedFromItsOwnPlace() {
+    void runJob_jig_paintsEachPartFromItsOwnPlace() {
         const QImage sheet = far_.immersions.front().texture->image;
         std::size_t red = 0, blue = 0, astray = 0;
         for (int y = 0; y < sheet.height(); ++y) {
@@ -86,14 +86,14 @@ private slots:
         QCOMPARE(astray, std::size_t(0));
     }
 
-    // Far from each other they are painted as each by itself.
-    void farNeighboursDoNotMatter() {
+    void runJob_jigWithFarParts_equalsSingleDips() {
         Project alone = jobOf({part(QStringLiteral("Red"), QColor(220, 20, 20), 0)});
         alone.immersions[0].offset[0] = Millimetres(-55);
         const JobResult one = run(alone, *registry_);
         for (const bool right : {false, true}) {
             const double together = filmTo(far_.immersions.front(), -55, right);
-            // The film knows where the body is on the water, the body does not.
+            // The pose frame of the single ball has its origin at the ball, so its place needs no
+            // offset.
             const auto laid = one.immersions.front().laid->place(
                 one.immersions.front()
                     .body->query
@@ -107,8 +107,8 @@ private slots:
         }
     }
 
-    // Near each other each draws on the film between them, and gets less of it than outside.
-    void neighboursShareTheFilmBetweenThem() {
+    // Both balls draw on the film between them, so that each gets less there than outside.
+    void runJob_jigWithNearParts_shareTheFilmBetweenThem() {
         const JobResult near = run(twoBalls(36), *registry_);
         const ImmersionResult& dip = near.immersions.front();
         const double outside = filmTo(dip, -18, false), between = filmTo(dip, -18, true);
@@ -116,7 +116,7 @@ private slots:
         qInfo("outside %.2f and %.2f mm of film, between %.2f and %.2f", outside, otherOutside,
               between, otherBetween);
         QVERIFY(between < outside - 0.3 && otherBetween < otherOutside - 0.3);
-        QVERIFY(between + otherBetween < 36); // there is no more
+        QVERIFY(between + otherBetween < 36); // 36 mm of film lie between the centres
         QVERIFY(std::abs(outside - otherOutside) < 0.2);
         QVERIFY(std::abs(between - otherBetween) < 0.2);
     }

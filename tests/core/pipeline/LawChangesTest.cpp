@@ -1,4 +1,4 @@
-// How much a sheet depends on laws of ours, on balls of which it is known.
+// How much a sheet depends on the film model's assumed laws, on balls with known answers.
 #include "pipeline/LawChanges.h"
 #include "TestFolders.h"
 
@@ -33,8 +33,8 @@ Project ball() {
     return project;
 }
 
-// The share of what is painted of a ball up to where it turns up by `from` that lies above where it
-// turns up by `to`, both in degrees.
+// The share of a ball's painted area between the overhang angles `to` and `from`, in degrees, if
+// paint ends at `from`.
 double zone(double from, double to) {
     const double upper = std::sin(radians(Degrees(from))), lower = std::sin(radians(Degrees(to)));
     return (upper - lower) / (1 + upper);
@@ -50,21 +50,21 @@ private slots:
         QStandardPaths::setTestModeEnabled(true);
         whole_ = run(ball());
         Project shallow = ball();
-        shallow.process.depth = Millimetres(0.8 * radius); // its sides stay upright or turned down
+        shallow.process.depth = Millimetres(0.8 * radius); // only faces that turn down get wet
         shallow_ = run(shallow);
     }
 
-    void lawsAreVariedByAFifthAndNoFartherThanTheyGo() {
+    void lawChanges_vary20PercentWithinTheRange() {
         const LawChange& overhang = law(whole_, "process.overhang_deg");
         QCOMPARE(overhang.value, 20.0);
         QCOMPARE(overhang.less, 16.0);
         QCOMPARE(overhang.more, 24.0);
         const LawChange& gathering = law(whole_, "film.gathering_stretch");
-        QCOMPARE(gathering.less, 0.67); // 0.64 is no value of it
+        QCOMPARE(gathering.less, 0.67); // 0.64 is out of range
         QVERIFY(std::abs(gathering.more - 0.96) < 1e-9);
     }
 
-    void filmThatNeverTearsDoesNotDependOnTearing() {
+    void lawChanges_filmWithoutTears_doesNotDependOnTearing() {
         for (const ImmersionResult* result : {&whole_, &shallow_}) {
             const LawChange& tearing = law(*result, "process.tear_stretch");
             QCOMPARE(tearing.distance.maximum, 0.0);
@@ -72,7 +72,7 @@ private slots:
         }
     }
 
-    void aBodyWithoutOverhangDoesNotDependOnItsLaws() {
+    void lawChanges_bodyWithoutOverhang_doesNotDependOnOverhang() {
         for (const char* setting : {"process.overhang_deg", "film.grip_fade_deg"}) {
             const LawChange& change = law(shallow_, setting);
             QCOMPARE(change.distance.maximum, 0.0);
@@ -80,14 +80,15 @@ private slots:
         }
     }
 
-    void withLessOverhangTheZoneAboveItIsLost() {
+    void lawChanges_lessOverhang_losesTheZoneAboveIt() {
         const LawChange& overhang = law(whole_, "process.overhang_deg");
         const double lost = zone(20, 16); // 5 %
-        QVERIFY2(std::abs(overhang.lost - lost) < 0.005,
-                 qPrintable(QStringLiteral("%1, not %2").arg(overhang.lost).arg(lost)));
+        QVERIFY2(
+            std::abs(overhang.lost - lost) < 0.005,
+            qPrintable(QStringLiteral("share lost %1, expected %2").arg(overhang.lost).arg(lost)));
     }
 
-    void theReportHasThemWhereTheyWereAskedFor() {
+    void report_lawChangesAskedFor_containsThem() {
         JobResult asked;
         asked.immersions = {whole_};
         const auto laws = [&] {
@@ -101,7 +102,7 @@ private slots:
         QVERIFY(laws().isEmpty());
     }
 
-    void wordsSayHowMuch() {
+    void lawText_hasRangeDistanceAndShares() {
         LawChange change{QStringLiteral("process.tear_stretch"), 4, 3.2, 4.8, {}, 0.031, 0.002};
         change.distance.percentile95 = 0.12;
         const QString words = lawText(change, millimetres);

@@ -1,4 +1,4 @@
-// The main job as a value: what is computed anew, what is taken over, who takes over from whom.
+// The job: what is recomputed, what is reused, and when the CPU takes over.
 #include "pipeline/Pipeline.h"
 #include "PluginFolder.h"
 #include "TestFiles.h"
@@ -69,8 +69,8 @@ class PipelineTest : public QObject {
     Q_OBJECT
 
 private slots:
-    // Whatever the projects' files are called.
-    void eachProjectHasAFolderOfItsOwnInTheOneNamed() {
+    // Project files may have any name.
+    void resultFolders_clashingNames_areDistinct() {
         QCOMPARE(
             resultFolders({"a/job.dipw", "b/Job.dipw", "..dipw", "...dipw", ".dipw"}, "out"),
             QStringList({"out/job", "out/Job-2", "out/project", "out/project-2", "out/project-3"}));
@@ -83,9 +83,9 @@ private slots:
         first_ = runJob(job_, *registry_, {}, nullptr, {});
     }
 
-    void everyStageIsThere() {
+    void runJob_computesEveryStage() {
         QCOMPARE(first_.solver.id, QStringLiteral("pbd-cpu"));
-        QVERIFY(first_.solver.device != QLatin1String("cpu")); // but in words
+        QVERIFY(first_.solver.device != QLatin1String("cpu")); // a description, not the id
         QCOMPARE(first_.immersions.size(), 2U);
         for (const ImmersionResult& immersion : first_.immersions) {
             QVERIFY(immersion.body && immersion.laid && immersion.coverage && immersion.texture);
@@ -98,7 +98,7 @@ private slots:
         QVERIFY(first_.notes.isEmpty());
     }
 
-    void twoSidesCoverMoreThanOne() {
+    void runJob_twoDips_coverMoreThanOne() {
         const double one = first_.immersions[0].coverage->share;
         const double other = first_.immersions[1].coverage->share;
         QVERIFY(one > 0.4 && other > 0.4);
@@ -106,15 +106,15 @@ private slots:
         QVERIFY(first_.coverageTotal <= one + other + 0.01);
     }
 
-    void twiceTheSameSideCoversNoMoreThanOnce() {
+    void runJob_sameDipTwice_coversNoMoreThanOnce() {
         Project job = job_;
         job.immersions[1].rotation = job.immersions[0].rotation;
         const JobResult result = runJob(job, *registry_, {}, &first_, {});
         QVERIFY(std::abs(result.coverageTotal - first_.immersions[0].coverage->share) < 0.01);
     }
 
-    // What was laid before lies as it did, and what is laid besides is where the water has risen.
-    void aDeeperDipLaysWhatTheJobDoesAndMore() {
+    // The deeper dip keeps the film laid before and adds film where the water has risen.
+    void dippedDeeper_laysTheSameFilmAndMore() {
         Project job = job_;
         job.immersions.resize(1);
         job.process.depth = Millimetres(10);
@@ -144,7 +144,7 @@ private slots:
         QVERIFY(double(laid) > 0.99 * double(above)); // up to the equator
     }
 
-    void nothingChangedIsAllTakenOver() {
+    void runJob_nothingChanged_reusesEverything() {
         const JobResult again = runJob(job_, *registry_, {}, &first_, {});
         for (std::size_t index = 0; index < 2; ++index) {
             QVERIFY(again.immersions[index].laid == first_.immersions[index].laid);
@@ -153,7 +153,7 @@ private slots:
         QCOMPARE(again.proof.cacheKey(), first_.proof.cacheKey());
     }
 
-    void anotherResolutionNeedsNoNewDip() {
+    void runJob_otherResolution_reusesTheDip() {
         Project job = job_;
         job.sheet.resolution = DotsPerInch(100);
         const JobResult result = runJob(job, *registry_, {}, &first_, {});
@@ -162,7 +162,7 @@ private slots:
         QCOMPARE(result.immersions[0].sheet.image.size(), QSize(354, 354));
     }
 
-    void oneImmersionTurnedLeavesTheOther() {
+    void runJob_oneDipTurned_reusesTheOther() {
         Project job = job_;
         job.immersions[1].rotation[1] = Degrees(30);
         const JobResult result = runJob(job, *registry_, {}, &first_, {});
@@ -171,7 +171,7 @@ private slots:
         QVERIFY(result.field == first_.field);
     }
 
-    void anotherFilmIsDippedAnew() {
+    void runJob_otherFilm_dipsAgain() {
         Project job = job_;
         job.film.swellX = 1.05;
         const JobResult result = runJob(job, *registry_, {}, &first_, {});
@@ -180,7 +180,7 @@ private slots:
         QVERIFY(result.immersions[1].laid != first_.immersions[1].laid);
     }
 
-    void theSolverThatAutoChoseIsNoChange() {
+    void runJob_solverNamedThatAutoChose_reusesTheDip() {
         Project job = job_;
         job.process.solver = QStringLiteral("pbd-cpu");
         const JobResult named = runJob(job, *registry_, {}, &first_, {});
@@ -194,12 +194,12 @@ private slots:
         QVERIFY(back.immersions[0].laid == first_.immersions[0].laid);
     }
 
-    void anotherSolverDipsAnew() {
+    void runJob_otherSolver_dipsAgain() {
         const PluginFolder folder;
         folder.add(QStringLiteral("twin"), pluginFolder("/") + PluginFolder::moduleName("pbd-cpu"));
         const SolverRegistry registry({folder.path(), pluginFolder()});
         Project job = job_;
-        job.process.solver = QStringLiteral("twin"); // the same module under another name
+        job.process.solver = QStringLiteral("twin"); // the same module with another name
         const JobResult result = runJob(job, registry, {}, &first_, {});
         QCOMPARE(result.solver.id, QStringLiteral("twin"));
         QVERIFY(result.immersions[0].body == first_.immersions[0].body);
@@ -207,17 +207,17 @@ private slots:
         QVERIFY(result.field == first_.field);
     }
 
-    void anotherNameIsOnTheSheetAlone() {
+    void runJob_otherDipName_changesOnlyTheSheet() {
         Project job = job_;
         job.immersions[0].name = QStringLiteral("Renamed");
         const JobResult result = runJob(job, *registry_, {}, &first_, {});
         QVERIFY(result.immersions[0].texture == first_.immersions[0].texture);
         QCOMPARE(result.immersions[0].sheet.job.immersion, QStringLiteral("Renamed"));
         QCOMPARE(result.proof.cacheKey(), first_.proof.cacheKey()); // not traced again
-        QVERIFY(result.coverage != first_.coverage);                // lettered anew
+        QVERIFY(result.coverage != first_.coverage);                // its legend is new
     }
 
-    void whatIsTakenOverIsWhatWouldBeComputed() {
+    void runJob_reusedResults_equalFreshOnes() {
         Project job = job_;
         job.ink.compensate = false;
         const JobResult reused = runJob(job, *registry_, {}, &first_, {});
@@ -230,12 +230,12 @@ private slots:
         QCOMPARE(reused.proof, fresh.proof);
     }
 
-    void theChessboardTakesTheTexturesPlace() {
+    void runJob_chessboard_replacesTheTexture() {
         JobOptions options;
         options.chessboard = true;
         const JobResult result = runJob(job_, *registry_, options, &first_, {});
         QVERIFY(result.immersions[0].laid == first_.immersions[0].laid);
-        // Two corners of 17 mm squares meet in the middle of the sheet.
+        // Four squares of 17 mm meet in the middle of the sheet.
         const QImage& image = result.immersions[0].sheet.image;
         const int middle = image.width() / 2;
         const int off = int(0.5 * chessSquare / 25.4 * 72);
@@ -245,7 +245,7 @@ private slots:
                  qGray(image.pixel(middle - off, middle - off)));
     }
 
-    void theFilmIsSeenWhileItMoves() {
+    void runJob_observer_seesEachDipsFilm() {
         JobOptions options;
         std::size_t frames[2] = {0, 0};
         options.observer = [&](std::size_t immersion, const FilmFrame& frame) {
@@ -256,7 +256,7 @@ private slots:
         QVERIFY(frames[0] > 0 && frames[1] > 0);
     }
 
-    void progressGrowsFromNothingToAll() {
+    void runJob_progress_grows() {
         Progress progress;
         double last = 0;
         progress.report = [&](double share, const QString& text) {
@@ -268,7 +268,7 @@ private slots:
         QVERIFY(last > 0.8);
     }
 
-    void aCancelledJobThrows() {
+    void runJob_cancelled_throws() {
         Progress progress;
         CancelToken cancelToken = progress.cancelToken;
         progress.report = [&](double share, const QString&) {
@@ -279,7 +279,7 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(runJob(job_, *registry_, {}, nullptr, progress), Cancelled);
     }
 
-    void theCpuTakesOverFromAGpuThatFails() {
+    void runJob_gpuFails_cpuTakesOver() {
         const PluginFolder folder;
         QJsonObject description = PluginFolder::description(QStringLiteral("advance"));
         folder.add(QStringLiteral("advance"), builtModule(QStringLiteral("advance")));
@@ -292,14 +292,15 @@ private slots:
         QVERIFY2(result.notes.size() == 1 && result.notes[0].contains("The solver advance"),
                  qPrintable(result.notes.join('\n')));
         QCOMPARE(result.immersions[0].sheet.image, first_.immersions[0].sheet.image);
-        // As long as nothing changes, it is neither tried again nor forgotten who computed.
+        // While nothing changes, the GPU is not tried again and the solver that computed stays
+        // recorded.
         const JobResult again = runJob(job_, registry, {}, &result, {});
         QVERIFY(again.immersions[1].laid == result.immersions[1].laid);
         QCOMPARE(again.solver.id, QStringLiteral("pbd-cpu"));
         QCOMPARE(again.notes, result.notes);
     }
 
-    void theCpuTakesOverFromAGpuThatIsNotThere() {
+    void runJob_gpuMissing_cpuTakesOver() {
         const PluginFolder folder;
         QJsonObject description = PluginFolder::description(QStringLiteral("device"));
         folder.add(QStringLiteral("device"), builtModule(QStringLiteral("device")));
@@ -315,7 +316,7 @@ private slots:
         QCOMPARE(result.immersions[0].sheet.image, first_.immersions[0].sheet.image);
     }
 
-    void aCpuThatFailsIsAnError() {
+    void runJob_cpuFails_throwsError() {
         const PluginFolder folder;
         folder.add(QStringLiteral("advance"), builtModule(QStringLiteral("advance")));
         const SolverRegistry registry({folder.path(), pluginFolder()});
@@ -324,7 +325,7 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(runJob(job_, registry, options, nullptr, {}), Error);
     }
 
-    void anExpiredFilmIsToldOf() {
+    void runJob_expiredFilm_isReported() {
         Project job = job_;
         FilmProfile film;
         film.name = QStringLiteral("Blue box");
@@ -342,9 +343,9 @@ private slots:
         QVERIFY(runJob(job, *registry_, {}, &first_, {}).notes.isEmpty());
     }
 
-    void aFilmTooSmallIsToldOf() {
+    void runJob_tooSmallFilm_doNotPrint() {
         Project job = job_;
-        job.film.width = job.film.height = Millimetres(36); // of a ball of 30
+        job.film.width = job.film.height = Millimetres(36); // mm; the ball is 30 mm wide
         const JobResult result = runJob(job, *registry_, {}, nullptr, {});
         QCOMPARE(adviceOf(result), Advice::DoNotPrint);
         for (const ImmersionResult& dip : result.immersions) {
@@ -355,7 +356,7 @@ private slots:
         }
     }
 
-    void memoryIsToldBeforeTheWork() {
+    void validateJob_largeSheets_reportsMemory() {
         Project job = job_;
         QVERIFY(!validateJob(job, *registry_).join('\n').contains("memory"));
         job.film.width = Millimetres(700);
@@ -369,8 +370,8 @@ private slots:
         QVERIFY(sheetMemory(job) < both);
     }
 
-    // Which the usual cells of the distance field pass through.
-    void aThinPlateIsPainted() {
+    // The plate is thinner than a cell of the default distance field.
+    void runJob_thinPlate_isPainted() {
         Project job = job_;
         job.immersions.resize(1);
         job.model = plain(boxMesh({50, 0.4, 40}));
@@ -379,7 +380,7 @@ private slots:
         QVERIFY2(result.notes.isEmpty(), qPrintable(result.notes.join('\n')));
     }
 
-    void partsTooThinForTheFieldAreToldOf() {
+    void validateJob_partsTooThinForTheField_areReported() {
         Project job = job_;
         job.model = plain(transformed(
             boxMesh({60, 0.03, 60}),
@@ -389,7 +390,7 @@ private slots:
                  qPrintable(warnings));
     }
 
-    void aBodyLargerThanItsFilmIsRefusedWithTheFilmThatWouldDo() {
+    void validateJob_bodyLargerThanFilm_isRefusedWithTheNeededSize() {
         Project job = job_;
         job.model = plain(boxMesh({204, 30, 130}));
         const auto refusalOf = [](const auto& work) {
@@ -411,18 +412,18 @@ private slots:
         job.model = plain(boxMesh({5000, 5000, 5000}));
         QVERIFY2(refusalOf(validate).contains("size and unit"), qPrintable(refusalOf(validate)));
         job.film.swellX = 1;
-        job.model = plain(boxMesh({80, 30, 130})); // past two edges alone
+        job.model = plain(boxMesh({80, 30, 130})); // larger than the film in one direction
         QVERIFY(validateJob(job, *registry_).join('\n').contains("at least 100 × 150 mm"));
     }
 
-    void whatWasPutRightAtTheImportIsToldOf() {
+    void validateJob_importRepairs_areReported() {
         Project job = job_;
         job.modelOrigin.remarks = "Parts of the surface turned that were inside out: 2";
         QVERIFY(validateJob(job, *registry_).join('\n').contains(job.modelOrigin.remarks));
     }
 
-    // As of a project from before, which no import has turned.
-    void anInsideOutBodyIsToldOf() {
+    // An older project may hold a body that no import has flipped.
+    void validateJob_insideOutBody_isReported() {
         Project job = job_;
         job.immersions.resize(1);
         TexturedMesh turned = *job.model;
@@ -434,8 +435,8 @@ private slots:
         QVERIFY(runJob(job, *registry_, {}, nullptr, {}).notes.join('\n').contains("inside out"));
     }
 
-    void aBodyThatLiesAmissIsToldOf() {
-        Project job = job_; // a ball of 30 on a film of 90
+    void misplacement_bodyPastFilmOrTank_isReported() {
+        Project job = job_; // a ball of 30 mm on a film of 90 mm
         const auto said = [&job](double x, double z) {
             job.immersions[0].offset = {Millimetres(x), Millimetres(z)};
             return misplacement(job, job.immersions[0]);
@@ -453,14 +454,14 @@ private slots:
         QCOMPARE(said(0, 26), QString());
     }
 
-    void withoutAModelThereIsNoJob() {
+    void runJob_withoutModel_isRefused() {
         Project job = job_;
         job.model = nullptr;
         QVERIFY_EXCEPTION_THROWN(runJob(job, *registry_, {}, nullptr, {}), Error);
         QVERIFY_EXCEPTION_THROWN(validateJob(job, *registry_), Error);
     }
 
-    void theReportCountsWhatIsThere() {
+    void report_countsPointsConstraintsAndStretch() {
         const QJsonObject json = report(job_, first_);
         const QJsonObject immersion = json["immersions"].toArray()[1].toObject();
         QCOMPARE(immersion["name"].toString(), QStringLiteral("Turned"));
@@ -475,14 +476,13 @@ private slots:
         }
         QCOMPARE(immersion["adhered"].toInteger(), adhered);
         QCOMPARE(immersion["coverage"].toDouble(), result.coverage->share);
-        // Round a ball the film is drawn out along the meridians and pushed together round the
-        // axis.
+        // Round a ball the film is stretched along the meridians and compressed round the axis.
         const QJsonObject stretch = immersion["stretch"].toObject();
         QVERIFY(stretch["mean"].toDouble() > 0.8 && stretch["mean"].toDouble() < 1.2);
         QVERIFY(stretch["min"].toDouble() > 0 && stretch["max"].toDouble() < 2);
     }
 
-    void aResultFolderAppearsWholeOrNotAtAll() {
+    void folderTransaction_uncommitted_leavesNothing() {
         QTemporaryDir home;
         const QString target = home.filePath("deep/down/results");
         {
@@ -499,7 +499,7 @@ private slots:
         QVERIFY(!QFileInfo::exists(target + "/immersion-2"));
     }
 
-    void whatElseLiesAmongTheResultsStays() {
+    void writeResults_otherFilesInTheFolder_stay() {
         QTemporaryDir home;
         writeResults(job_, first_, home.path(), {});
         for (const char* name : {"immersion-1/job.dipw", "immersion-2/notes.txt"}) {
@@ -515,7 +515,7 @@ private slots:
         QCOMPARE(filesBelow(home.filePath("immersion-2")), QStringList("notes.txt"));
     }
 
-    void whatStandsInTheWayOfResultsIsNotRemoved() {
+    void writeResults_obstacleInTheWay_isRefusedAndKept() {
         QTemporaryDir home;
         QVERIFY(QDir(home.path()).mkpath("proof.png"));
         QFile file(home.filePath("immersion-1"));
@@ -523,7 +523,7 @@ private slots:
         file.close();
         try {
             writeResults(job_, first_, home.path(), {});
-            QFAIL("removed it");
+            QFAIL("the obstacle was overwritten, expected a refusal");
         } catch (const Error& error) {
             QVERIFY2(error.sentence().contains("in the way"), qPrintable(error.sentence()));
         }
@@ -531,7 +531,7 @@ private slots:
         QCOMPARE(filesBelow(home.path()), QStringList("immersion-1"));
     }
 
-    void writtenWhileItRunsAJobIsTheSame() {
+    void runAndWrite_writesTheSameFilesAsWriteResults() {
         QTemporaryDir home;
         writeResults(job_, first_, home.filePath("after"), {});
         const JobResult result = runAndWrite(job_, *registry_, {}, home.filePath("during"), {});
@@ -542,13 +542,13 @@ private slots:
             const QByteArray during = bytesOf(home.filePath("during/" + name));
             QVERIFY(!during.isEmpty());
             if (name.endsWith(".png") || name.endsWith(".vtp") ||
-                name == "ticket.json") { // the others say when
+                name == "ticket.json") { // the other files contain the time
                 QVERIFY2(during == bytesOf(home.filePath("after/" + name)), qPrintable(name));
             }
         }
     }
 
-    void theTicketNamesFilesByTheirHashes() {
+    void ticket_listsFilesWithTheirHashes() {
         QTemporaryDir home;
         Project job = job_;
         FilmProfile film;
@@ -595,13 +595,13 @@ private slots:
         QVERIFY2(schema.exitCode() == 0, schema.readAllStandardError().constData());
     }
 
-    void aJobThatFailsWhileItIsWrittenLeavesNothing_data() {
-        QTest::addColumn<double>("cancelled"); // at this share of the work
+    void runAndWrite_cancelled_leavesNothing_data() {
+        QTest::addColumn<double>("cancelled"); // share of the work at which it is cancelled
         for (const double share : {0.05, 0.3, 0.6, 0.9, 0.97}) {
             QTest::newRow(qPrintable(QString::number(share))) << share;
         }
     }
-    void aJobThatFailsWhileItIsWrittenLeavesNothing() {
+    void runAndWrite_cancelled_leavesNothing() {
         QFETCH(double, cancelled);
         QTemporaryDir home;
         Progress progress;
@@ -616,7 +616,7 @@ private slots:
         QVERIFY(QDir(home.path()).isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot));
     }
 
-    void aJobThatFailsLeavesEarlierResultsAlone() {
+    void writeResults_cancelled_keepsEarlierResults() {
         QTemporaryDir home;
         writeResults(job_, first_, home.path(), {});
         const QStringList before = filesBelow(home.path());

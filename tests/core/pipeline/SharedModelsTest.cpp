@@ -1,5 +1,5 @@
-// Needs models that are not in the repository: those in ../shared beside it. Without them its cases
-// are skipped, and scripts/test counts them.
+// Tests with the models in ../shared, which are not in the repository. Without them the cases are
+// skipped, and scripts/test counts them.
 #include "TestFolders.h"
 #include "WholeSample.h"
 #include "artwork/EditArtwork.h"
@@ -38,7 +38,7 @@ private slots:
         }
     }
 
-    void spotIsImported() {
+    void importModel_spot_isClosedWithTexture() {
         const auto [model, report] = importSpot();
         QCOMPARE(report.triangles, std::size_t(5856));
         QVERIFY(report.closed);
@@ -48,8 +48,9 @@ private slots:
         QVERIFY(model.hasTextureCoordinates(0));
     }
 
-    // Scans and drawings, with and without texture coordinates, most of them not meant for it.
-    void everyModelIsUnwrappedForArtwork_data() {
+    // Scans and drawn models, with and without texture coordinates, most of them not made for
+    // artwork.
+    void paintArtwork_sharedModels_unwrapWithoutOverlap_data() {
         QTest::addColumn<QString>("file");
         const std::vector<const char*> files{
             "spot/spot_triangulated.obj", "koala/koala_low_resolution.obj", "boot/boot.obj",
@@ -60,7 +61,7 @@ private slots:
         }
     }
 
-    void everyModelIsUnwrappedForArtwork() {
+    void paintArtwork_sharedModels_unwrapWithoutOverlap() {
         QFETCH(QString, file);
         ImportOptions options;
         options.longestEdge = Millimetres(90);
@@ -105,14 +106,15 @@ private slots:
         QVERIFY(once > 10'000);
     }
 
-    // Legs of six film cells, and a head dipped after the shoulders have let film go: what the
-    // documentation says of it. It is certain from 315 × 446 points on, too slow for a test.
-    void spotIsAsCertainAsDocumented() {
+    // The documentation gives these errors. Spot's legs are six film cells wide, and its head is
+    // dipped after the shoulders have released film. It is certain from 315 × 446 points on, which
+    // is too slow for a test.
+    void sheetCertainty_spot_isAsDocumented() {
         Project project;
         applyPreset(project, QStringLiteral("production"));
         project.immersions = {Immersion{}};
         project.model = std::make_shared<const TexturedMesh>(importSpot().model);
-        const bool isWhole = test::isWholeRun(); // otherwise a coarser film, off by more
+        const bool isWhole = test::isWholeRun(); // otherwise a coarser film with a larger error
         if (!isWhole) {
             project.film.columns = 72;
             project.film.rows = 102;
@@ -121,8 +123,16 @@ private slots:
         const auto certainty = sheetCertainty(project, registry, {});
         const double step = certainty[0].halfStep.distance.percentile95;
         const double spacing = certainty[0].halfSpacing.distance.percentile95;
-        QVERIFY2(step < (isWhole ? 0.06 : 0.12), qPrintable(QString::number(step)));
-        QVERIFY2(spacing < (isWhole ? 0.42 : 0.73), qPrintable(QString::number(spacing)));
+        QVERIFY2(
+            step < (isWhole ? 0.06 : 0.12),
+            qPrintable(QStringLiteral("half the step moves 95 % by up to %1 mm, expected < %2 mm")
+                           .arg(step)
+                           .arg(isWhole ? 0.06 : 0.12)));
+        QVERIFY2(
+            spacing < (isWhole ? 0.42 : 0.73),
+            qPrintable(QStringLiteral("half the cell moves 95 % by up to %1 mm, expected < %2 mm")
+                           .arg(spacing)
+                           .arg(isWhole ? 0.42 : 0.73)));
     }
 };
 

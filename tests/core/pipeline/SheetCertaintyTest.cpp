@@ -1,4 +1,4 @@
-// How far sheets move when they are computed more finely, and that the user is told.
+// How far sheets move when they are computed more finely, and the report of it.
 #include "pipeline/SheetCertainty.h"
 #include "TestFolders.h"
 #include "project/Project.h"
@@ -43,14 +43,14 @@ private slots:
         coarse_ = sheetCertainty(sphereOn(25), registry_, {});
     }
 
-    void samplesAreCertain_data() {
+    void sheetCertainty_samples_areCertain_data() {
         QTest::addColumn<QByteArray>("name");
         QTest::newRow("sphere") << QByteArray("sphere");
         if (test::isWholeRun()) {
             QTest::newRow("turtle") << QByteArray("turtle");
         }
     }
-    void samplesAreCertain() {
+    void sheetCertainty_samples_areCertain() {
         QFETCH(QByteArray, name);
         const Project project = sample(name);
         const auto certainty = sheetCertainty(project, registry_, {});
@@ -58,31 +58,39 @@ private slots:
         for (const ImmersionCertainty& one : certainty) {
             const double step = one.halfStep.distance.percentile95;
             const double spacing = one.halfSpacing.distance.percentile95;
-            QVERIFY2(step < certainHalfStep, qPrintable(QString::number(step)));
-            QVERIFY2(spacing < certainHalfSpacing, qPrintable(QString::number(spacing)));
+            QVERIFY2(step < certainHalfStep,
+                     qPrintable(
+                         QStringLiteral("half the step moves 95 % by up to %1 mm, expected < %2 mm")
+                             .arg(step)
+                             .arg(certainHalfStep)));
+            QVERIFY2(spacing < certainHalfSpacing,
+                     qPrintable(
+                         QStringLiteral("half the cell moves 95 % by up to %1 mm, expected < %2 mm")
+                             .arg(spacing)
+                             .arg(certainHalfSpacing)));
             QVERIFY(one.halfSpacing.painted > 0.5 && one.halfSpacing.painted < 0.8);
             QVERIFY(one.halfSpacing.paintedOnce < 0.02);
             QVERIFY(isCertain(one));
         }
     }
 
-    void moreFilmPointsAreMoreCertain() {
+    void sheetCertainty_moreFilmPoints_moveLess() {
         const auto finer = sheetCertainty(sphereOn(49), registry_, {});
         const Distribution& change = finer[0].halfSpacing.distance;
         QVERIFY(change.percentile95 < coarse_[0].halfSpacing.distance.percentile95 / 2);
         QVERIFY(change.percentile95 > 0);
     }
 
-    void theMapIsPaleWhereThereIsNoBody() {
+    void certaintyMap_withoutBody_isPale() {
         const QImage map = mapOf(coarse_[0]);
         QVERIFY(map.height() >= 1000);
-        // In the film's corner, and in its middle, which is not pale.
+        // The film's corner is pale; its middle is not.
         const QColor corner = map.pixelColor(map.width() / 6, map.height() / 6);
         const QColor middle = map.pixelColor(4 * map.width() / 10, map.height() / 2);
         QVERIFY(corner.lightnessF() > 0.7 && middle.lightnessF() < 0.5);
     }
 
-    void tooCoarseFilmIsNotCertain() {
+    void sheetCertainty_tooCoarseFilm_isNotCertain() {
         const auto certainty = sheetCertainty(sphereOn(9), registry_, {});
         QVERIFY(certainty[0].halfSpacing.distance.percentile95 > certainHalfSpacing);
         QVERIFY(!isCertain(certainty[0]));
@@ -91,7 +99,7 @@ private slots:
         QCOMPARE(json["certain"].toBool(true), false);
     }
 
-    void aSheetThatPaintsNothingIsNotCertain() {
+    void sheetCertainty_sheetPaintsNothing_isNotCertain() {
         Project project = sphereOn(9);
         project.film.width = project.film.height = Millimetres(900);
         const auto certainty = sheetCertainty(project, registry_, {});
@@ -99,7 +107,7 @@ private slots:
         QVERIFY(!isCertain(certainty[0]));
     }
 
-    void filmOfThePaperIsComparedAsWell() {
+    void sheetCertainty_papersFilm_isComputed() {
         Project project = sphereOn(17);
         applyPreset(project, QStringLiteral("paper-2020"));
         project.film.columns = project.film.rows = 17;
@@ -108,7 +116,7 @@ private slots:
         QVERIFY(certainty[0].halfSpacing.distance.percentile95 > 0);
     }
 
-    void theCpuTakesOverFromAGpuThatIsNotThere() {
+    void sheetCertainty_gpuMissing_cpuTakesOver() {
         const test::PluginFolder folder;
         QJsonObject description = test::PluginFolder::description(QStringLiteral("device"));
         folder.add(QStringLiteral("device"),
@@ -124,7 +132,7 @@ private slots:
         QVERIFY(coarse_[0].notes.isEmpty());
     }
 
-    void mapsAreWritten() {
+    void writeCertaintyMaps_replacesEarlierMaps() {
         const QTemporaryDir folder;
         writeCertaintyMaps({coarse_[0], coarse_[0]}, folder.filePath("maps"));
         QVERIFY(QFileInfo::exists(folder.filePath("maps/certainty-2.png")));
@@ -136,18 +144,18 @@ private slots:
                  QStringList("certainty-1.png"));
     }
 
-    void moreThanTheMostPointsAreRefused() {
+    void sheetCertainty_tooManyPoints_isRefused() {
         Project project = sphereOn(25);
         project.film.rows = 1500;
         try {
             sheetCertainty(project, registry_, {});
-            QFAIL("computed");
+            QFAIL("too many points were computed, expected a refusal");
         } catch (const Error& error) {
             QVERIFY2(error.sentence().contains("49 × 2999"), qPrintable(error.sentence()));
         }
     }
 
-    void progressGrows() {
+    void sheetCertainty_progress_grows() {
         Progress progress;
         double last = 0;
         progress.report = [&](double share, const QString& text) {
@@ -158,7 +166,7 @@ private slots:
         QVERIFY(last > 0.9);
     }
 
-    void cancelledItThrows() {
+    void sheetCertainty_cancelled_throws() {
         Progress progress;
         CancelToken cancelToken = progress.cancelToken;
         progress.report = [&cancelToken](double share, const QString&) {

@@ -1,4 +1,4 @@
-// Who computes, and who takes over from a GPU that is missing or fails.
+// Which solver computes, and when the CPU takes over from a GPU.
 #include "pipeline/SolverChoice.h"
 #include "PluginFolder.h"
 #include "TestFolders.h"
@@ -10,7 +10,7 @@ using test::PluginFolder;
 
 namespace {
 
-// The CPU solver's module, described as that of a GPU.
+// Adds a module that is described as a GPU's.
 void addGpu(const PluginFolder& folder, const char* module, const QString& path) {
     const QString id = QString::fromLatin1(module);
     folder.add(id, path);
@@ -30,7 +30,7 @@ class SolverChoiceTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void autoIsTheIdThatItStandsFor() {
+    void chooseSolver_auto_givesTheChosenId() {
         const SolverRegistry registry({pluginFolder()});
         const SolverChoice choice = chooseSolver(QStringLiteral("auto"), registry);
         QCOMPARE(choice.solver.id, QStringLiteral("pbd-cpu"));
@@ -38,7 +38,7 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(chooseSolver(QStringLiteral("no-such"), registry), Error);
     }
 
-    void theCpuIsChosenForAGpuThatIsNotThere() {
+    void chooseSolver_gpuMissing_choosesTheCpu() {
         const PluginFolder folder;
         addGpu(folder, "device", badModuleFolder("/") + PluginFolder::moduleName("device"));
         const SolverRegistry registry({folder.path(), pluginFolder()});
@@ -50,7 +50,7 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(chooseSolver(QStringLiteral("device"), alone), Error);
     }
 
-    void workIsDoneAgainWhereAGpuFails() {
+    void withFallback_gpuFails_repeatsOnTheCpu() {
         const PluginFolder folder;
         addGpu(folder, "gpu", cpuModule());
         const SolverRegistry registry({folder.path(), pluginFolder()});
@@ -68,13 +68,13 @@ private slots:
         QCOMPARE(tried, 2);
         QCOMPARE(choice.solver.id, QStringLiteral("pbd-cpu"));
         QVERIFY(choice.notes.size() == 1 && choice.notes[0].contains("Out of memory"));
-        // It stays chosen.
+        // The CPU stays chosen.
         QCOMPARE(withFallback(choice, registry, work), 7);
         QCOMPARE(tried, 3);
         QCOMPARE(choice.notes.size(), 1);
     }
 
-    void aCpuThatFailsIsAnError() {
+    void withFallback_cpuFails_throwsError() {
         const SolverRegistry registry({pluginFolder()});
         SolverChoice choice = chooseSolver(QStringLiteral("pbd-cpu"), registry);
         const auto work = [](const solver::SolverModule&) -> int {

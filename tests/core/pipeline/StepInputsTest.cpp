@@ -1,5 +1,5 @@
-// Which steps of the job depend on which of a project's values: all that decides what is computed
-// anew and what is out of date.
+// Which steps of the job depend on which values of a project. This decides what is recomputed and
+// what is stale.
 #include "pipeline/StepInputs.h"
 #include "model/TexturedMesh.h"
 #include "pipeline/JobOptions.h"
@@ -28,17 +28,17 @@ class StepInputsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void aValueIsInputOfTheStepsThatNeedIt_data() {
+    void stepInputs_changedValue_changesTheStepsThatNeedIt_data() {
         QTest::addColumn<QString>("path");
         QTest::addColumn<QString>("value");
-        QTest::addColumn<QString>("steps"); // of the first immersion, that depend on it
+        QTest::addColumn<QString>("steps"); // the steps of dip 1 that depend on it
         const auto row = [](const char* path, const char* value, const char* steps) {
             QTest::newRow(path) << QString(path) << QString(value) << QString(steps);
         };
         row("immersions[0].rotation_deg", "0;10;0", "body dip texture sheet");
         row("immersions[0].offset_mm", "3;4", "dip texture sheet");
         row("immersions[0].name", "Bow", "sheet");
-        row("immersions[1].rotation_deg", "0;10;0", "texture sheet"); // its share is another
+        row("immersions[1].rotation_deg", "0;10;0", "texture sheet"); // changes the share of dip 1
         row("immersions[1].name", "Stern", "");
         row("body.sdf_resolution", "256", "field dip texture sheet");
         row("film.swell", "1.1x1.1", "dip texture sheet");
@@ -47,7 +47,7 @@ private slots:
         row("film.gathering_stretch", "0.75", "dip texture sheet");
         row("process.overhang_deg", "30", "dip texture sheet");
         row("process.depth_mm", "12", "dip texture sheet");
-        row("process.solver", "pbd-cuda", "");                  // the id that was chosen tells
+        row("process.solver", "pbd-cuda", "");                  // the chosen id is compared instead
         row("artwork.base_colour", "#ff0000", "texture sheet"); // no dip
         row("ink.limit", "1.5", "texture sheet");
         row("ink.exponents", "1;0.9;0.8", "texture sheet");
@@ -65,7 +65,7 @@ private slots:
         row("body.base_colour", "#102030", "sheet");
     }
 
-    void aValueIsInputOfTheStepsThatNeedIt() {
+    void stepInputs_changedValue_changesTheStepsThatNeedIt() {
         QFETCH(QString, path);
         QFETCH(QString, value);
         const Project before = plainProject();
@@ -87,7 +87,7 @@ private slots:
         QTEST(changed.join(' '), "steps");
     }
 
-    void whatIsNotSharedDependsOnNoOtherDip() {
+    void textureInputs_withoutShare_ignoreTheOtherDip() {
         Project before = plainProject();
         before.share.enabled = false;
         Project now = before;
@@ -98,13 +98,13 @@ private slots:
         QVERIFY(!textureInputs(before, {}, 0, solverId).share);
     }
 
-    void anotherSolverDipsAnother() {
+    void dipInputs_otherSolver_differ() {
         const Project project = plainProject();
         QVERIFY(dipInputs(project, 0, solverId) !=
                 dipInputs(project, 0, QStringLiteral("pbd-cuda")));
     }
 
-    void aModelIsTheSameOnlyIfItIsOneObject() {
+    void stepInputs_copiedModel_differ() {
         const Project before = plainProject();
         Project now = before;
         now.model = std::make_shared<const TexturedMesh>(*before.model);
@@ -112,7 +112,7 @@ private slots:
         QVERIFY(fieldInputs(now) != fieldInputs(before));
     }
 
-    void whatIsOnTheFilmInsteadIsTheTexturesInput() {
+    void textureInputs_chessboardOrPicture_differ() {
         const Project project = plainProject();
         const TextureInputs reversed = textureInputs(project, {}, 0, solverId);
         JobOptions options;

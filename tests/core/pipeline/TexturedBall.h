@@ -1,4 +1,4 @@
-// A ball of 30 mm, one colour all over, its picture laid on from above.
+// Makes a ball of 30 mm in one colour, whose texture is projected from above.
 #pragma once
 
 #include "geometry/Shapes.h"

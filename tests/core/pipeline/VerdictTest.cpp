@@ -1,4 +1,4 @@
-// What a run says of its sheets, held against the full check: a body of each kind.
+// The verdicts of a run, compared with the full check, on one body of each kind.
 #include "TestFolders.h"
 #include "WholeSample.h"
 #include "pipeline/JobVerdict.h"
@@ -54,14 +54,14 @@ Project ball(int points) {
     return jobOf(sphereMesh(25, 60, 120), points);
 }
 
-// A ball with a thumb at its side, which goes down first.
+// A ball with a thumb at its side that touches the film first.
 Project thumb() {
     return jobOf(joined({{sphereMesh(20, 60, 120), {0, 0, 0}},
                          {ellipsoidMesh({8, 14, 8}, 60, 60), {15, -12, 0}}}),
                  73);
 }
 
-// Two round feet side by side, six film cells apart, under a body.
+// A body on two round feet, six film cells apart.
 Project onTwoFeet() {
     const TriangleMesh foot = ellipsoidMesh({7, 20, 7}, 60, 60);
     return jobOf(joined({{foot, {-12, 0, 0}},
@@ -78,7 +78,7 @@ class VerdictTest : public QObject {
 private slots:
     void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
 
-    void aCertainSheetMovesByNoMoreThanItSays() {
+    void verdict_certainSheet_movesWithinItsError() {
         const ImmersionResult result = run(ball(81));
         const ImmersionCertainty check = fullCheck(ball(81));
         QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Print it"));
@@ -89,7 +89,7 @@ private slots:
         QVERIFY(sentences(result).contains("95 %"));
     }
 
-    void whereALimbMeetsTheBodyThereIsSomethingToLookAt() {
+    void verdict_limbMeetsBody_checkFirst() {
         const ImmersionResult result = run(thumb());
         qInfo("%s", qPrintable(sentences(result)));
         QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Check these places first"));
@@ -104,23 +104,23 @@ private slots:
         }
     }
 
-    void filmThatTwoFeetShareIsSomethingToLookAt() {
+    void verdict_filmSharedByTwoFeet_checkFirst() {
         const ImmersionResult result = run(onTwoFeet());
         qInfo("%s", qPrintable(sentences(result)));
         QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Check these places first"));
-        if (test::isWholeRun()) { // the thumb has it in every run
+        if (test::isWholeRun()) { // the thumb is checked in every run
             QVERIFY(!isCertain(fullCheck(onTwoFeet())));
         }
         QVERIFY(!result.verdict.places.empty());
     }
 
-    void aSheetOfFarTooFewPointsIsNotToBePrinted() {
+    void verdict_farTooFewPoints_doNotPrint() {
         const ImmersionResult result = run(ball(17));
         QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Do not print"));
         QVERIFY(!isCertain(fullCheck(ball(17))));
     }
 
-    void aModelOfOnePlainColourIsCheckedFirst() {
+    void verdict_plainColour_checkFirst() {
         Project project = ball(33);
         const JobResult plain = unjudged(project);
         QCOMPARE(adviceOf(plain), Advice::LookFirst);
@@ -142,8 +142,8 @@ private slots:
         QVERIFY(QString::fromUtf8(QJsonDocument(json).toJson()).contains("wood.png"));
     }
 
-    // The top of the ball stays out of the water's reach.
-    void aMarkedZoneThatStaysBareIsNotPrinted() {
+    // The top of the ball stays bare because of the overhang.
+    void verdict_bareMarkedZone_doNotPrint() {
         Project project = ball(33);
         project.verdict.noPicture = Advice::Print;
         QVERIFY(adviceOf(unjudged(project)) < Advice::LookFirst);
@@ -158,10 +158,10 @@ private slots:
         QCOMPARE(reasonsOf(bare).front().reason.zone, std::optional(Zone::B));
     }
 
-    void whatNeitherOfTwoDipsReachesIsTold() {
+    void verdict_areaThatNoDipReaches_doNotPrint() {
         Project project = ball(33);
         project.verdict.noPicture = Advice::Print;
-        project.immersions = {Immersion{}, Immersion{}}; // in one pose
+        project.immersions = {Immersion{}, Immersion{}}; // in the same pose
         project.share.enabled = false;
         const JobResult result = unjudged(project);
         QCOMPARE(adviceOf(result), Advice::DoNotPrint);
@@ -171,7 +171,7 @@ private slots:
     }
 
 private:
-    // Without coarser dips, which these have nothing to do with.
+    // Runs the job without coarser dips, which these verdicts do not need.
     JobResult unjudged(const Project& project) {
         JobOptions options;
         options.estimatesCertainty = false;

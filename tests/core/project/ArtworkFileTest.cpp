@@ -1,5 +1,5 @@
-// Artwork in the project's file: kept whole, refused where it makes no sense, absent where there is
-// none.
+// Artwork in the project's file: it is kept, invalid artwork is refused, and no artwork leaves no
+// trace.
 #include "SampleProject.h"
 #include "artwork/EditArtwork.h"
 #include "base/Error.h"
@@ -45,7 +45,7 @@ Project decorated() {
     return project;
 }
 
-// The sentence and place of the refusal; empty where it is taken.
+// The place and message of the refusal; empty if the value is accepted.
 QString refusalOf(const QString& key, const QJsonValue& value) {
     QJsonObject json = toJson(decorated());
     QJsonObject artwork = json.value(QLatin1String("artwork")).toObject();
@@ -69,11 +69,11 @@ class ArtworkFileTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void withoutArtworkTheFileSaysNothingOfIt() {
+    void toJson_withoutArtwork_omitsIt() {
         QVERIFY(!toJson(sampleProject()).contains(QLatin1String("artwork")));
     }
 
-    void everythingComesBack() {
+    void saveProject_artwork_isReadAgain() {
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("job.dipw"));
         const Project project = decorated();
@@ -81,12 +81,13 @@ private slots:
         const Project read = loadProject(path);
         QCOMPARE(read.artwork, project.artwork);
         QCOMPARE(read.artwork.layers[1].picture.image, dots(Qt::red));
-        QVERIFY(read.unknownEntries == project.unknownEntries); // the picture is none of others'
+        QVERIFY(read.unknownEntries ==
+                project.unknownEntries); // the layer's picture is not an unknown entry
         saveProject(read, path);
         QCOMPARE(loadProject(path).artwork, project.artwork);
     }
 
-    void onePictureIsKeptOnce() {
+    void saveProject_samePictureTwice_isStoredOnce() {
         QTemporaryDir folder;
         const QString one = folder.filePath(QStringLiteral("one.dipw"));
         const QString two = folder.filePath(QStringLiteral("two.dipw"));
@@ -103,7 +104,7 @@ private slots:
         QVERIFY(QFileInfo(two).size() < QFileInfo(one).size() + 2000);
     }
 
-    void valuesOutOfRangeAreRefusedByTheirPath_data() {
+    void fromJson_layerValueOutOfRange_isRefusedByPath_data() {
         QTest::addColumn<QString>("key");
         QTest::addColumn<QJsonValue>("value");
         const auto row = [](const char* key, const QJsonValue& value) {
@@ -131,7 +132,7 @@ private slots:
         row("place_mm", QJsonArray{1e7, 0, 0});
     }
 
-    void valuesOutOfRangeAreRefusedByTheirPath() {
+    void fromJson_layerValueOutOfRange_isRefusedByPath() {
         QFETCH(QString, key);
         QFETCH(QJsonValue, value);
         const QString refusal = refusalOf(key, value);
@@ -139,7 +140,7 @@ private slots:
                  qPrintable(refusal));
     }
 
-    void anythingButAListOfLayersIsRefused() {
+    void fromJson_layersNotAList_areRefused() {
         for (const QJsonValue& layers :
              {QJsonValue(3), QJsonValue(QJsonArray{QJsonValue(1)}), QJsonValue(QJsonObject())}) {
             QJsonObject json = toJson(sampleProject());
@@ -157,7 +158,7 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(fromJson(json, QStringLiteral("job")), Error);
     }
 
-    void aPictureThatIsNotThereIsSaid() {
+    void loadProject_missingLayerPicture_isRefused() {
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("job.dipw"));
         Project project = decorated();
@@ -167,7 +168,7 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(loadProject(path), Error);
     }
 
-    void valuesAreSetByTheirPath() {
+    void setByPath_layerValues_areSet() {
         Project project = decorated();
         setByPath(project, QStringLiteral("artwork.layers[1].opacity"), QStringLiteral("0.75"));
         setByPath(project, QStringLiteral("artwork.layers[1].place_mm"), QStringLiteral("1;2;-3"));
@@ -182,7 +183,7 @@ private slots:
         }
     }
 
-    void spotInksAreKeptAndOldFilesHaveNone() {
+    void toJson_spotInk_isKeptAndOmittedIfUnset() {
         Project project = decorated();
         const QJsonObject plain = toJson(project);
         QVERIFY(!QJsonDocument(plain).toJson().contains("spot"));

@@ -1,5 +1,5 @@
-// A film's material: what a project and a profile have in common is the same in both, goes from one
-// to the other and back, and stands in the documents as it is declared.
+// A film's material: a project and a profile have the same fields, pass them to each other, and the
+// documentation lists them as declared.
 #include "project/FilmFields.h"
 
 #include "TestFolders.h"
@@ -48,7 +48,7 @@ const Field<Project>& fieldAt(const QString& path) {
     throw std::runtime_error("the project has no " + path.toStdString());
 }
 
-// Another value than a new project has.
+// A valid value that a new project does not have.
 QJsonValue unusual(const FieldRule& rule) {
     if (rule.kind == FieldKind::Choice) {
         return rule.choices.last();
@@ -101,7 +101,7 @@ QString valueText(const QJsonValue& value) {
                               : value.toString();
 }
 
-// The cells of the document's row for a path, which may stand there with others: `film.edges.left`,
+// The cells of the documentation's row for a path. A row may list several paths: `film.edges.left`,
 // `.right`.
 QStringList rowFor(const QString& path) {
     QFile file(sourceFolder("/docs/files-and-commands.md"));
@@ -183,7 +183,7 @@ private slots:
                  QStringLiteral("ink_tones"));
     }
 
-    // Sheets that were made before there was a field keep their job's number.
+    // Sheets from before a field existed keep their job number.
     void countedSettings_leaveOutWhatIsUsualAndLater() {
         const QStringList later{QStringLiteral("growth_per_s"), QStringLiteral("growth_limit"),
                                 QStringLiteral("grip_fade_deg"),

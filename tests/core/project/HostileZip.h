@@ -1,4 +1,4 @@
-// Zips as no honest program writes them.
+// Writes zips that no ordinary program would write.
 #pragma once
 
 #include <QByteArray>
@@ -10,11 +10,11 @@ namespace dipwright::test {
 struct ZipEntry {
     QString name;
     QByteArray contents;
-    const char* password = nullptr; // encrypted with it
+    const char* password = nullptr; // encrypts the entry; null: not encrypted
 };
 
 QByteArray zip(const QList<ZipEntry>& entries);
-// The entries of an honest zip, unpacked.
+// Returns the unpacked entries of an ordinary zip.
 QList<ZipEntry> entriesOf(const QString& path);
 
 } // namespace dipwright::test

@@ -83,29 +83,29 @@ class ProfilesTest : public QObject {
     ProfileLibrary library_{folder_.path()};
 
 private slots:
-    void findsWhatTheCommandLineKeptElsewhere();
-    void filesHoldEverything();
-    void programBringsSoundProfiles();
-    void usersProfileStandsInForTheProgramsOwn();
-    void importAndExportCarryOneProfile();
-    void whatCouldNotBeReadAgainIsNotSaved_data();
-    void whatCouldNotBeReadAgainIsNotSaved();
-    void missingProfileIsNamed();
-    void damagedFilesAreRefused();
-    void damagedFileDoesNotHideOthers();
-    void outOfRangeValuesAreRefusedByPath();
-    void refusedValueLeavesTheProfileAsItWas();
-    void projectTakesOverWhatAProfileSays();
-    void projectRemembersProfilesByContent();
+    void profileLibrary_earlierCommandLineFolder_isFound();
+    void profileFromJson_readsWhatToJsonWrote();
+    void profileLibrary_shippedProfiles_areValid();
+    void profileLibrary_usersProfile_replacesTheShippedOne();
+    void exportProfile_importedAgain_isTheSame();
+    void profileLibrary_invalidName_isNotSaved_data();
+    void profileLibrary_invalidName_isNotSaved();
+    void profileLibrary_missingProfile_isNamed();
+    void importProfile_damagedFile_isRefused();
+    void profileLibrary_damagedFile_doesNotHideOthers();
+    void profileFromJson_valueOutOfRange_isRefusedByPath();
+    void setByPath_refusedValue_leavesTheProfile();
+    void applyProfile_project_takesTheProfilesValues();
+    void project_profiles_areStoredByContent();
 };
 
-void ProfilesTest::filesHoldEverything() {
+void ProfilesTest::profileFromJson_readsWhatToJsonWrote() {
     for (const Profile& profile : {Profile(printer()), Profile(film()), Profile(tank())}) {
         QVERIFY(profileFromJson(toJson(profile), QString()) == profile);
     }
 }
 
-void ProfilesTest::programBringsSoundProfiles() {
+void ProfilesTest::profileLibrary_shippedProfiles_areValid() {
     for (ProfileKind kind : {ProfileKind::Printer, ProfileKind::Film, ProfileKind::Tank}) {
         const auto entries = library_.profiles(kind);
         QVERIFY(entries.size() >= 2);
@@ -116,7 +116,7 @@ void ProfilesTest::programBringsSoundProfiles() {
     }
 }
 
-void ProfilesTest::usersProfileStandsInForTheProgramsOwn() {
+void ProfilesTest::profileLibrary_usersProfile_replacesTheShippedOne() {
     const ProfileEntry shipped = library_.profiles(ProfileKind::Printer).front();
     auto changed = std::get<PrinterProfile>(library_.profile(ProfileKind::Printer, shipped.name));
     changed.scaleX = 1.01;
@@ -131,7 +131,7 @@ void ProfilesTest::usersProfileStandsInForTheProgramsOwn() {
     QVERIFY_EXCEPTION_THROWN(library_.remove(ProfileKind::Printer, shipped.name), Error);
 }
 
-void ProfilesTest::importAndExportCarryOneProfile() {
+void ProfilesTest::exportProfile_importedAgain_isTheSame() {
     const QString path = folder_.filePath("out.json");
     exportProfile(printer(), path);
     library_.replace(importProfile(path));
@@ -140,7 +140,7 @@ void ProfilesTest::importAndExportCarryOneProfile() {
                              Error);
 }
 
-void ProfilesTest::whatCouldNotBeReadAgainIsNotSaved_data() {
+void ProfilesTest::profileLibrary_invalidName_isNotSaved_data() {
     QTest::addColumn<QString>("name");
     QTest::addColumn<QString>("reasonPart");
     QTest::newRow("no name") << QString() << "needs a name";
@@ -149,7 +149,7 @@ void ProfilesTest::whatCouldNotBeReadAgainIsNotSaved_data() {
     QTest::newRow("too long") << QString(101, u'a') << "at most 100 characters";
 }
 
-void ProfilesTest::whatCouldNotBeReadAgainIsNotSaved() {
+void ProfilesTest::profileLibrary_invalidName_isNotSaved() {
     QFETCH(QString, name);
     QFETCH(QString, reasonPart);
     const QTemporaryDir folder;
@@ -174,17 +174,17 @@ void ProfilesTest::whatCouldNotBeReadAgainIsNotSaved() {
     QVERIFY(library.profile(ProfileKind::Film, profile.name) == Profile(profile));
 }
 
-void ProfilesTest::missingProfileIsNamed() {
+void ProfilesTest::profileLibrary_missingProfile_isNamed() {
     try {
         library_.profile(ProfileKind::Film, "Green box");
-        QFAIL("there is no such film");
+        QFAIL("a missing film was found, expected a refusal");
     } catch (const Error& error) {
         QVERIFY(error.sentence().contains("Green box"));
         QVERIFY(error.sentence().contains("Ideal film, A4"));
     }
 }
 
-void ProfilesTest::damagedFilesAreRefused() {
+void ProfilesTest::importProfile_damagedFile_isRefused() {
     const QString path = folder_.filePath("damaged.json");
     for (const QByteArray& bytes :
          {QByteArray(), QByteArray("{\"format\":\"dipwr"), QByteArray("[1,2]"), QByteArray("{}"),
@@ -204,7 +204,7 @@ void ProfilesTest::damagedFilesAreRefused() {
     QVERIFY(refusal(unknownKind).contains("scanner"));
 }
 
-void ProfilesTest::damagedFileDoesNotHideOthers() {
+void ProfilesTest::profileLibrary_damagedFile_doesNotHideOthers() {
     QDir().mkpath(folder_.filePath("film"));
     QFile file(folder_.filePath("film/000.json"));
     QVERIFY(file.open(QIODevice::WriteOnly));
@@ -213,7 +213,7 @@ void ProfilesTest::damagedFileDoesNotHideOthers() {
     QVERIFY(library_.profiles(ProfileKind::Film).size() >= 2);
 }
 
-void ProfilesTest::outOfRangeValuesAreRefusedByPath() {
+void ProfilesTest::profileFromJson_valueOutOfRange_isRefusedByPath() {
     QJsonObject json = toJson(Profile(printer()));
     json["scale"] = QJsonArray{1.0, 2.0};
     QVERIFY(refusal(json).contains("scale[1]"));
@@ -234,7 +234,7 @@ void ProfilesTest::outOfRangeValuesAreRefusedByPath() {
     QVERIFY(refusal(json).contains("soon"));
 }
 
-void ProfilesTest::refusedValueLeavesTheProfileAsItWas() {
+void ProfilesTest::setByPath_refusedValue_leavesTheProfile() {
     const Profile before = film();
     Profile profile = before;
     QVERIFY_EXCEPTION_THROWN(setByPath(profile, "expiry", "soon"), Error);
@@ -243,7 +243,7 @@ void ProfilesTest::refusedValueLeavesTheProfileAsItWas() {
     QVERIFY(profile == before);
 }
 
-void ProfilesTest::projectTakesOverWhatAProfileSays() {
+void ProfilesTest::applyProfile_project_takesTheProfilesValues() {
     Project project;
     project.process.overhang = Degrees(25);
     applyProfile(project, film());
@@ -257,7 +257,7 @@ void ProfilesTest::projectTakesOverWhatAProfileSays() {
     QCOMPARE(project.film.gripFade.value(), 7.0);
     QCOMPARE(project.film.gatheringStretch, 0.7);
     QCOMPARE(project.process.tearStretch, 3.0);
-    QCOMPARE(project.process.overhang.value(), 25.0); // of which the profile says nothing
+    QCOMPARE(project.process.overhang.value(), 25.0); // the profile does not set it
     applyProfile(project, printer());
     QCOMPARE(project.sheet.resolution.value(), 600.0);
     QCOMPARE(project.ink.limit, 1.7);
@@ -265,7 +265,7 @@ void ProfilesTest::projectTakesOverWhatAProfileSays() {
     QVERIFY(project.film.edges.rightPinned && !project.film.edges.leftPinned);
 }
 
-void ProfilesTest::projectRemembersProfilesByContent() {
+void ProfilesTest::project_profiles_areStoredByContent() {
     Project project;
     project.name = QStringLiteral("Turtle");
     applyProfile(project, printer());
@@ -281,9 +281,9 @@ void ProfilesTest::projectRemembersProfilesByContent() {
     QVERIFY_EXCEPTION_THROWN(fromJson(wrong, QStringLiteral("turtle.dipw")), Error);
 }
 
-// Up to version 0.1 the command line had a folder of its own. A printer calibrated there must not
-// be forgotten: its sheets would come out in the wrong size.
-void ProfilesTest::findsWhatTheCommandLineKeptElsewhere() {
+// Up to version 0.1 the command line had its own folder. A printer that was calibrated there must
+// be found, or its sheets get the wrong size.
+void ProfilesTest::profileLibrary_earlierCommandLineFolder_isFound() {
     QStandardPaths::setTestModeEnabled(true);
     const auto restore = qScopeGuard([] { QStandardPaths::setTestModeEnabled(false); });
     nameProgram();

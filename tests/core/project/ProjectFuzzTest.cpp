@@ -1,5 +1,5 @@
-// Damaged project files by the thousand: each opens or is refused with a sentence, none brings the
-// program down or takes its memory. The damage is the same in every run.
+// Thousands of damaged project files: each opens or is refused with a message. None crashes the
+// program or exhausts its memory. The damage is the same in every run.
 #include "SampleProject.h"
 
 #include "base/Error.h"
@@ -81,7 +81,8 @@ int valuesIn(const QJsonValue& value) {
     return count;
 }
 
-// `value` with the values whose turn, counted from `next`, is in `places` removed or replaced.
+// Returns `value` with some of its values removed or replaced: those whose number, counted from
+// `next`, is in `places`.
 QJsonValue damagedAt(const QJsonValue& value, const std::set<int>& places, int& next,
                      Random& random) {
     if (places.contains(next++)) {
@@ -112,8 +113,8 @@ QJsonValue damagedAt(const QJsonValue& value, const std::set<int>& places, int& 
     return value;
 }
 
-// One to four of the document's values removed or replaced: by number, so that a document that has
-// grown is refused no more often.
+// Returns the document with one to four values removed or replaced. Their number does not depend on
+// the document's size, so that larger documents are refused no more often.
 QJsonValue damagedJson(const QJsonObject& document, Random& random) {
     const int values = valuesIn(document);
     std::set<int> places;
@@ -130,7 +131,7 @@ class ProjectFuzzTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void damagedFilesAreOpenedOrRefused() {
+    void loadProject_damagedFiles_openOrAreRefused() {
         QTemporaryDir folder;
         const QString path = folder.filePath("job.dipw");
         saveProject(sampleProject(), path);
@@ -154,7 +155,7 @@ private slots:
         QVERIFY(refused > damagedFiles / 2);
     }
 
-    void damagedDocumentsAreReadOrRefused() {
+    void fromJson_damagedDocuments_areReadOrRefused() {
         const QJsonObject good = toJson(sampleProject());
         Random random(2);
         int read = 0;
@@ -163,7 +164,8 @@ private slots:
             const QJsonValue json = damagedJson(good, random);
             try {
                 const Project project = fromJson(json.toObject(), QStringLiteral("job.dipw"));
-                // What is read can be written and read again: nothing out of range came in.
+                // A document that was read can be written and read again: all its values are in
+                // range.
                 const QJsonObject written = toJson(project);
                 QCOMPARE(toJson(fromJson(written, QStringLiteral("job.dipw"))), written);
                 ++read;
@@ -173,10 +175,10 @@ private slots:
             }
         }
         QVERIFY2(read > 50 && refused > 50,
-                 qPrintable(QStringLiteral(
-                                "the damage is neither always nor never fatal: %1 read, %2 refused")
-                                .arg(read)
-                                .arg(refused)));
+                 qPrintable(
+                     QStringLiteral("%1 documents read, %2 refused; expected more than 50 of each")
+                         .arg(read)
+                         .arg(refused)));
     }
 };
 

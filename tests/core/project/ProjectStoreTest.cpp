@@ -1,4 +1,4 @@
-// Project files: whole after every save, and nothing hostile is opened.
+// Project files: every save leaves a whole file, and hostile files are refused.
 #include "HostileZip.h"
 #include "SampleProject.h"
 #include "TestFiles.h"
@@ -40,7 +40,7 @@ QJsonObject documentOf(const QList<ZipEntry>& entries) {
     return {};
 }
 
-// Saves two projects in turn over the same file, telling of each, until it is killed.
+// Saves two projects in turn over the same file and prints each save's number, until it is killed.
 [[noreturn]] void saveUntilKilled(const QString& path) {
     Project project = sampleProject();
     QTextStream out(stdout);
@@ -64,7 +64,7 @@ private slots:
         entries_ = entriesOf(path("good.dipw"));
     }
 
-    void aProjectComesBackAsItWas() {
+    void loadProject_savedProject_isTheSame() {
         const Project project = loadProject(path("good.dipw"));
         Project expected = sampleProject();
         expected.modelOrigin.sha256 = project.modelOrigin.sha256;
@@ -73,7 +73,7 @@ private slots:
         QCOMPARE(project.model->textures.front(), expected.model->textures.front());
     }
 
-    void theSolverIsKnownWithoutTheRest() {
+    void solverOfProject_readsOnlyTheSolver() {
         Project project = sampleProject();
         project.process.solver = QStringLiteral("pbd-cpu");
         saveProject(project, path("solver.dipw"));
@@ -83,12 +83,12 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(solverOfProject(path("missing.dipw")), Error);
     }
 
-    void theMimeTypeStandsFirstAndReadable() {
+    void saveProject_mimeType_isFirstAndUncompressed() {
         QCOMPARE(good_.mid(30, 8), QByteArray("mimetype"));
         QCOMPARE(good_.mid(38, 33), QByteArray("application/vnd.dipwright.project"));
     }
 
-    void theModelAndItsPictureAreInside() {
+    void saveProject_modelAndPicture_areInside() {
         const QJsonObject model = documentOf(entries_)["model"].toObject();
         QStringList names;
         for (const ZipEntry& entry : entries_) {
@@ -100,11 +100,12 @@ private slots:
         QVERIFY(model["texture"].toString().startsWith("assets/"));
     }
 
-    void whatWouldNotOpenAgainIsNotSaved() {
+    void saveProject_unreadableProject_isRefused() {
         Project project = sampleProject();
         saveProject(project, path("kept.dipw"));
         const QByteArray before = bytesOf(path("kept.dipw"));
-        project.unknownEntries["zeros"] = QByteArray(64 << 20, '\0'); // packs to nearly nothing
+        project.unknownEntries["zeros"] =
+            QByteArray(64 << 20, '\0'); // compresses to nearly nothing
         QVERIFY_EXCEPTION_THROWN(saveProject(project, path("kept.dipw")), Error);
         auto model = std::make_shared<TexturedMesh>(*sampleProject().model);
         model->textures.resize(1001, model->textures.front());
@@ -114,7 +115,7 @@ private slots:
         QCOMPARE(bytesOf(path("kept.dipw")), before);
     }
 
-    void manyAndNestedValuesAreRefused() {
+    void loadProject_tooManyOrNestedValues_areRefused() {
         const auto with = [this](const QByteArray& value) {
             writeFile(path("values.dipw"), zip(withDocument("{\"zz\":" + value + "}")));
             return refusal(path("values.dipw"));
@@ -125,17 +126,16 @@ private slots:
                     .contains("not a Dipwright project"));
     }
 
-    void namesStayInTheirLine() {
+    void loadProject_controlCharactersInName_areReplaced() {
         writeFile(path("name.dipw"), zip(withDocument(renamed("A\nFake: line\rX\x1b[31m"))));
         QCOMPARE(loadProject(path("name.dipw")).name, QStringLiteral("A Fake: line X [31m"));
-        // What turns the order of letters round is seen, and turns none.
+        // Characters that reverse the order of letters are replaced visibly.
         writeFile(path("turned.dipw"), zip(withDocument(renamed("abc\u202edef"))));
         QCOMPARE(loadProject(path("turned.dipw")).name, QStringLiteral("abc\uFFFDdef"));
     }
 
-    // "textures" is there for models of several pictures; other programs write and change
-    // "texture".
-    void thePictureIsNamedByTexture() {
+    // "textures" is for models with several pictures. Other programs write and change "texture".
+    void loadProject_textureKey_namesThePicture() {
         writeFile(path("one.dipw"), zip(withDocument(changed("textures", QJsonValue::Undefined))));
         QCOMPARE(loadProject(path("one.dipw")).model->textures, sampleProject().model->textures);
         QByteArray red;
@@ -149,7 +149,7 @@ private slots:
         QCOMPARE(loadProject(path("red.dipw")).model->textures.front().size(), QSize(4, 4));
     }
 
-    void whatOthersHaveAddedSurvivesASave() {
+    void saveProject_unknownEntries_areKept() {
         auto entries = plus("results/run.txt", "yesterday");
         entries.push_back({"assets/notes.bin", QByteArray("\0\1\2", 3)});
         writeFile(path("more.dipw"), zip(entries));
@@ -162,14 +162,14 @@ private slots:
         QVERIFY(loadProject(path("plain.dipw")).unknownEntries.empty());
     }
 
-    void theSameProjectGivesTheSameBytes() {
+    void saveProject_sameProject_givesTheSameBytes() {
         saveProject(sampleProject(), path("again.dipw"));
         QCOMPARE(bytesOf(path("again.dipw")), good_);
         saveProject(loadProject(path("again.dipw")), path("again.dipw"));
         QCOMPARE(bytesOf(path("again.dipw")), good_);
     }
 
-    void nothingStaysBesideASavedFile() {
+    void saveProject_leavesNoOtherFiles() {
         QTemporaryDir folder;
         saveProject(sampleProject(), folder.filePath("job.dipw"));
         saveProject(sampleProject(), folder.filePath("job.dipw"));
@@ -177,8 +177,9 @@ private slots:
         QCOMPARE(QDir(folder.path()).entryList(all), QStringList{"job.dipw"});
     }
 
-    // Six thousand pixels a side of one colour, in a few kilobytes: a file may have one of them.
-    void texturesAndLayersCountTogether() {
+    // A picture of one colour with 6000 × 6000 pixels takes a few kilobytes. The pixel limit allows
+    // one of them in a file.
+    void loadProject_pixelLimit_countsTexturesAndLayersTogether() {
         Project project = sampleProject();
         ArtworkLayer layer = newLayer(LayerKind::Picture, QStringLiteral("logo"));
         layer.picture = artworkPicture(project.model->textures.front());
@@ -205,26 +206,26 @@ private slots:
         const QString sentence = refusal(path("two.dipw"));
         QVERIFY2(sentence.contains("million pixels"), qPrintable(sentence));
 
-        // What would not be opened again is not saved.
+        // A project that could not be opened again is not saved.
         project = loadProject(path("one.dipw"));
         project.artwork.layers.front().picture = artworkPicture(project.model->textures.front());
         QVERIFY_EXCEPTION_THROWN(saveProject(project, path("one.dipw")), Error);
         QCOMPARE(loadProject(path("one.dipw")).artwork.layers.front().picture.image.width(), 16);
     }
 
-    void aPlaceThatCannotBeWrittenIsSaid() {
+    void saveProject_unwritablePlace_isRefused() {
         QVERIFY_EXCEPTION_THROWN(saveProject(sampleProject(), path("nowhere/job.dipw")), Error);
         QVERIFY_EXCEPTION_THROWN(saveProject(sampleProject(), folder_.path()), Error);
     }
 
-    void killedWhileSavingTheFileIsWhole() {
+    void saveProject_killed_leavesAWholeFile() {
         const QString file = path("killed.dipw");
         saveProject(sampleProject(), file);
         for (int kill = 0; kill < 25; ++kill) {
             QProcess saver;
             saver.start(QCoreApplication::applicationFilePath(), {savingArgument, file});
             QVERIFY(saver.waitForStarted());
-            // Killed wherever it happens to be when so many saves are over.
+            // The saver is killed at an arbitrary moment after some saves.
             for (qint64 seen = 0; seen < 2 * (1 + kill % 7); seen += saver.readAll().size()) {
                 QVERIFY(saver.waitForReadyRead());
             }
@@ -235,7 +236,7 @@ private slots:
         }
     }
 
-    void filesThatAreNoProjectAreRefused_data() {
+    void loadProject_notAProject_isRefused_data() {
         QTest::addColumn<QByteArray>("bytes");
         QTest::addColumn<QString>("says");
         QTest::newRow("empty") << QByteArray() << "empty";
@@ -254,13 +255,13 @@ private slots:
         QTest::newRow("backslash") << zip(plus("..\\outside", "x")) << "unsafe path";
         QTest::newRow("twice") << zip(plus("project.json", "{}")) << "twice";
         QTest::newRow("bomb") << zip(plus("assets/zeros", QByteArray(64 << 20, 0))) << "unpack";
-        QTest::newRow("many entries") << zip(crowd()) << "more entries";
+        QTest::newRow("many entries") << zip(crowd()) << "entries";
         QTest::newRow("not JSON") << zip(withDocument("{\"format\":")) << "damaged at character";
         QTest::newRow("an array") << zip(withDocument("[]")) << "project.json";
         QTest::newRow("wrong sha256")
             << zip(withDocument(changed("sha256", QString(64, 'a')))) << "sha256";
         QTest::newRow("mesh elsewhere")
-            << zip(withDocument(changed("mesh", "../../../etc/passwd"))) << "lacks";
+            << zip(withDocument(changed("mesh", "../../../etc/passwd"))) << "does not contain";
         QTest::newRow("texture is no picture")
             << zip(withDocument(changed("texture", "mimetype"))) << "picture";
         QTest::newRow("no mesh named") << zip(withDocument(changed("mesh", 5))) << "model.mesh";
@@ -268,7 +269,7 @@ private slots:
         newer["version"] = 3;
         QTest::newRow("newer") << zip(withDocument(QJsonDocument(newer).toJson())) << "version 3";
     }
-    void filesThatAreNoProjectAreRefused() {
+    void loadProject_notAProject_isRefused() {
         QFETCH(QByteArray, bytes);
         QFETCH(QString, says);
         writeFile(path("bad.dipw"), bytes);
@@ -277,19 +278,21 @@ private slots:
         QVERIFY(!sentence.contains('\n'));
     }
 
-    void missingFilesAndFoldersAreRefused() {
+    void loadProject_missingFileOrFolder_isRefused() {
         QVERIFY(refusal(path("missing.dipw")).contains("missing.dipw"));
         QVERIFY(refusal(folder_.path()).contains("it is a folder"));
     }
 
-    void aFileCutOffAnywhereIsRefused() {
+    void loadProject_truncated_isRefused() {
         for (qsizetype length = 1; length < good_.size(); length += 1 + length / 40) {
             writeFile(path("cut.dipw"), good_.left(length));
-            QVERIFY2(!refusal(path("cut.dipw")).isEmpty(), qPrintable(QString::number(length)));
+            QVERIFY2(!refusal(path("cut.dipw")).isEmpty(),
+                     qPrintable(QStringLiteral("the first %1 bytes are opened, expected a refusal")
+                                    .arg(length)));
         }
     }
 
-    void theGoldenProjectOfEveryVersionOpens() {
+    void loadProject_goldenOfEveryVersion_opens() {
         const QDir golden(sourceFolder("/tests/core/project/golden"));
         for (int version = 1; version <= projectVersion; ++version) {
             const Project project =
@@ -302,7 +305,7 @@ private slots:
         }
     }
 
-    void theFirstGoldenProjectIsAsItWas() {
+    void loadProject_goldenVersion1_isUnchanged() {
         const Project project = loadProject(QDir(sourceFolder("/tests/core/project/golden"))
                                                 .filePath(QStringLiteral("version-1.dipw")));
         QCOMPARE(project.name, QStringLiteral("golden"));
@@ -346,7 +349,7 @@ private:
         }
         return entries;
     }
-    // The document with another value in its "model".
+    // The document with another name.
     QByteArray renamed(const QString& name) const {
         QJsonObject json = documentOf(entries_);
         json["name"] = name;

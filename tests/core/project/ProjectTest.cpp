@@ -1,4 +1,4 @@
-// The document and its schema: what it says in JSON, what it refuses, how one value is set.
+// The project's document in JSON: its shape, what is refused, and how one value is set.
 #include "SampleProject.h"
 
 #include "base/Error.h"
@@ -15,7 +15,7 @@ namespace {
 
 const QString file = QStringLiteral("job.dipw");
 
-// The sentence with which reading `json` is refused; empty where it is not.
+// The message of the refusal; empty if `json` is read.
 QString refusal(const QJsonObject& json) {
     try {
         fromJson(json, file);
@@ -31,7 +31,8 @@ QString refusal(const QString& path, const QString& value) {
     try {
         setByPath(project, path, value);
     } catch (const Error& error) {
-        return project == before ? error.sentence() : QStringLiteral("changed all the same");
+        return project == before ? error.sentence()
+                                 : QStringLiteral("refused, but the project changed");
     }
     return {};
 }
@@ -55,7 +56,7 @@ class ProjectTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void aDocumentComesBackAsItWas() {
+    void fromJson_readsWhatToJsonWrote() {
         const Project project = sampleProject();
         Project read = fromJson(toJson(project), file);
         QVERIFY(read.unknown.isEmpty());
@@ -63,7 +64,7 @@ private slots:
         QVERIFY(read == project);
     }
 
-    void infinityIsNull() {
+    void toJson_infinity_isNull() {
         Project project = sampleProject();
         project.film.relaxationTime = Seconds(std::numeric_limits<double>::infinity());
         const QJsonObject json = toJson(project);
@@ -71,7 +72,7 @@ private slots:
         QVERIFY(std::isinf(fromJson(json, file).film.relaxationTime.value()));
     }
 
-    void theDocumentHasTheShapeThatIsPromised() {
+    void toJson_hasTheDocumentedShape() {
         const QJsonObject json = toJson(sampleProject());
         QCOMPARE(json["format"].toString(), QStringLiteral("dipwright-project"));
         QCOMPARE(json["version"].toInt(), 2);
@@ -98,7 +99,7 @@ private slots:
         QVERIFY(json["ink"].isObject());
     }
 
-    void missingValuesAreTheStandardOnes() {
+    void fromJson_missingValues_areTheDefaults() {
         const QJsonObject json{{"format", "dipwright-project"},
                                {"version", 1},
                                {"immersions", QJsonArray{QJsonObject()}}};
@@ -107,7 +108,7 @@ private slots:
         QVERIFY(project.process == ProcessSettings());
     }
 
-    void unknownKeysSurviveAtEveryLevel() {
+    void toJson_unknownKeys_areKeptAtEveryLevel() {
         QJsonObject json = toJson(sampleProject());
         json = with(json, {"future"}, QJsonObject{{"a", 1}});
         json = with(json, {"film", "grain"}, "fine");
@@ -126,7 +127,7 @@ private slots:
         QCOMPARE(written["film"].toObject()["swell"].toArray(), (QJsonArray{1.1, 1.2}));
     }
 
-    void marksForTheJoinComeBack() {
+    void fromJson_seamMarks_areReadOrRefusedByPath() {
         Project project = sampleProject();
         project.share.marks = {{ShareMarkKind::Second,
                                 {Millimetres(1), Millimetres(-2.5), Millimetres(3)},
@@ -143,10 +144,10 @@ private slots:
         QVERIFY(refusal(with(json, {"share", "marks"}, wrong)).contains("share.marks[1].kind"));
     }
 
-    void whatPosesAreSearchedForComesBack() {
+    void fromJson_poseAims_areRead() {
         Project project = sampleProject();
         project.poseAims = {};
-        QVERIFY(!toJson(project).contains("pose_search")); // a file of before
+        QVERIFY(!toJson(project).contains("pose_search")); // as in older files
         project.poseAims.weights[Measure::TrappedAir] = 0;
         project.poseAims.zoneWeights[0] = 7.5;
         project.poseAims.limits[Measure::Coverage] = 0.9;
@@ -156,7 +157,7 @@ private slots:
         QVERIFY(fromJson(toJson(project), "x").poseAims == project.poseAims);
     }
 
-    void dipsOfTheFirstVersionShareNothing() {
+    void fromJson_version1_hasNoShare() {
         QJsonObject json = toJson(sampleProject());
         QVERIFY(fromJson(json, file).share.enabled);
         json.remove("share");
@@ -164,13 +165,13 @@ private slots:
         QVERIFY(!fromJson(json, file).share.enabled);
     }
 
-    void aNewerVersionIsRefusedNamingBoth() {
+    void fromJson_newerVersion_isRefusedNamingBoth() {
         const QString sentence = refusal(with(toJson(sampleProject()), {"version"}, 7));
         QVERIFY2(sentence.contains("version 7") && sentence.contains("version 2"),
                  qPrintable(sentence));
     }
 
-    void wrongDocumentsAreRefusedByPath_data() {
+    void fromJson_invalidValue_isRefusedByPath_data() {
         QTest::addColumn<QStringList>("path");
         QTest::addColumn<QJsonValue>("value");
         QTest::addColumn<QString>("named");
@@ -210,7 +211,7 @@ private slots:
         row("sheet.dpi", 1e6, "sheet.dpi");
         row("sheet.paper", "wallpaper", "sheet.paper");
     }
-    void wrongDocumentsAreRefusedByPath() {
+    void fromJson_invalidValue_isRefusedByPath() {
         QFETCH(QStringList, path);
         QFETCH(QJsonValue, value);
         QFETCH(QString, named);
@@ -218,7 +219,7 @@ private slots:
         QVERIFY2(sentence.contains(named), qPrintable(sentence));
     }
 
-    void oneValueIsSetByItsPath() {
+    void setByPath_setsOneValue() {
         Project project = sampleProject();
         setByPath(project, "film.points", "240x360");
         QCOMPARE(project.film.columns, 240);
@@ -237,7 +238,7 @@ private slots:
         QCOMPARE(project.immersions[1].name, QStringLiteral("Belly; second"));
     }
 
-    void everyPathOfTheSchemaCanBeReadAndSet() {
+    void setByPath_everyField_canBeReadAndSet() {
         for (const auto& field : projectFields()) {
             if (field.path.startsWith("model.")) {
                 continue;
@@ -250,7 +251,7 @@ private slots:
             Project project = sampleProject();
             setByPath(project, field.path, parts.join(QLatin1Char('x')));
             Project expected = sampleProject();
-            if (field.path == QLatin1String("film.cell_mm")) { // it is what counts from now on
+            if (field.path == QLatin1String("film.cell_mm")) { // setting the cell also selects it
                 expected.film.resolution = FilmResolution::Cell;
             }
             QVERIFY2(project == expected || toJson(project) == toJson(expected),
@@ -258,7 +259,7 @@ private slots:
         }
     }
 
-    void pointsOrCellsCountAsWasSaidLast() {
+    void setByPath_pointsOrCell_lastOneCounts() {
         Project project = sampleProject();
         setByPath(project, "film.resolution", "automatic");
         QVERIFY(project.film.resolution == FilmResolution::Automatic);
@@ -282,7 +283,7 @@ private slots:
         QVERIFY(fromJson(old, "x").film.resolution == FilmResolution::Points);
     }
 
-    void aWrongSettingIsRefusedByName_data() {
+    void setByPath_invalidValue_isRefusedByPath_data() {
         QTest::addColumn<QString>("path");
         QTest::addColumn<QString>("value");
         QTest::newRow("unknown section") << "foam.points"
@@ -334,14 +335,14 @@ private slots:
         QTest::newRow("more than all") << "pose_search.limits.coverage"
                                        << "1.5";
     }
-    void aWrongSettingIsRefusedByName() {
+    void setByPath_invalidValue_isRefusedByPath() {
         QFETCH(QString, path);
         QFETCH(QString, value);
         const QString sentence = refusal(path, value);
         QVERIFY2(!sentence.isEmpty() && sentence.contains(path), qPrintable(sentence));
     }
 
-    void aNewFilmSizeKeepsTheCellsSquare_data() {
+    void setByPath_filmSize_keepsTheCellsSquare_data() {
         QTest::addColumn<QString>("path");
         QTest::addColumn<QString>("value");
         QTest::newRow("square") << "film.size_mm"
@@ -356,20 +357,21 @@ private slots:
             QTest::newRow(preset) << "film.preset" << preset;
         }
     }
-    void aNewFilmSizeKeepsTheCellsSquare() {
+    void setByPath_filmSize_keepsTheCellsSquare() {
         QFETCH(QString, path);
         QFETCH(QString, value);
         Project project;
         setByPath(project, path, value);
         const double shorter = std::min(project.film.columns, project.film.rows);
         QVERIFY2(std::abs(squareness(project.film) - 1) < 0.5 / (shorter - 1),
-                 qPrintable(QString::number(squareness(project.film))));
+                 qPrintable(QStringLiteral("a cell's width over its height is %1, expected 1")
+                                .arg(squareness(project.film))));
         QVERIFY(project.film.columns * project.film.rows <= 4'000'000);
-        // Written and read again, it is the same film.
+        // After writing and reading, the film is the same.
         QVERIFY(fromJson(toJson(project), file).film == project.film);
     }
 
-    void theSizeThatAFilmHasAlreadyChangesNothing() {
+    void setByPath_sameFilmSize_changesNothing() {
         Project project;
         setByPath(project, "film.preset", "A4");
         QVERIFY(project.film == FilmSettings());
@@ -377,7 +379,7 @@ private slots:
         QVERIFY(project.film == FilmSettings());
     }
 
-    void aFilmIsNamedByItsSize() {
+    void setByPath_filmSize_namesThePreset() {
         Project project;
         setByPath(project, "film.size_mm", "420x297");
         QCOMPARE(project.film.preset, QStringLiteral("A3"));
@@ -385,7 +387,7 @@ private slots:
         QCOMPARE(project.film.preset, QStringLiteral("custom"));
     }
 
-    void presetsAreTheFilmModels() {
+    void applyPreset_setsTheFilmModel() {
         Project project;
         applyPreset(project, "paper-2020");
         QVERIFY(project.film.lattice == solver::Lattice::Structural);

@@ -1,14 +1,14 @@
-// A small project with everything in it, for the tests of the document and of its store.
+// A small project that uses every part of the document, for tests.
 #pragma once
 
 #include "project/Project.h"
 
 namespace dipwright::test {
 
-// A box with two materials, one of them with a picture; two immersions; no value at its default.
+// A box with two materials, one of them with a picture, and two dips. No value is the default.
 Project sampleProject();
 
-// Whether what is saved of them is the same, models compared by content.
+// Whether both would be saved alike. Models are compared by content.
 bool isSame(const Project& a, const Project& b);
 
 } // namespace dipwright::test

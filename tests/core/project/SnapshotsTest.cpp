@@ -1,4 +1,4 @@
-// Named states of a project, as they are kept in its file.
+// Named states of a project in its file.
 #include "project/Snapshots.h"
 #include "artwork/EditArtwork.h"
 
@@ -36,7 +36,7 @@ class SnapshotsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void theyComeBackFromTheFile() {
+    void snapshots_savedProject_areReadAgain() {
         Project project = test::sampleProject();
         const std::vector<Snapshot> kept{named(project, "before"), named(project, "after")};
         const QTemporaryDir folder;
@@ -45,7 +45,7 @@ private slots:
         QVERIFY(snapshots(loadProject(path)) == kept);
     }
 
-    void theProjectGoesBackToItsSettings() {
+    void atSnapshot_restoresTheSettings() {
         const Project before = test::sampleProject();
         const Snapshot snapshot = named(before, "before");
         Project project = withSnapshots(before, {snapshot});
@@ -55,16 +55,17 @@ private slots:
         QCOMPARE(back.film.width.value(), before.film.width.value());
         QVERIFY(back.immersions == before.immersions);
         QVERIFY(back.model == before.model);
-        QVERIFY(snapshots(back) == std::vector{snapshot}); // they are the project's
+        QVERIFY(snapshots(back) ==
+                std::vector{snapshot}); // snapshots belong to the project, not to its state
     }
 
-    void theArtworkComesBackWithItsPictures() {
+    void atSnapshot_restoresArtworkAndPictures() {
         Project before = test::sampleProject();
         before.artwork.base = Qt::white;
         before.artwork.layers = {layer(Qt::red), layer(Qt::blue)};
         const Snapshot snapshot = named(before, "before");
         Project project = withSnapshots(before, {snapshot});
-        project.artwork.layers = {layer(Qt::green)}; // the others are in no layer any more
+        project.artwork.layers = {layer(Qt::green)}; // no layer has the other pictures any more
         project = withSnapshots(project, {snapshot, named(project, "after")});
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("job.dipw"));
@@ -75,14 +76,14 @@ private slots:
         QCOMPARE(back.artwork.layers[1].picture.image, before.artwork.layers[1].picture.image);
         QVERIFY(atSnapshot(back, snapshots(back).back()).artwork == project.artwork);
 
-        // Of a bare body, and from before snapshots had any.
+        // Snapshots of a body without artwork, and from before snapshots contained artwork.
         before.artwork = {};
         Snapshot bare = named(before, "bare");
         QVERIFY(atSnapshot(project, bare).artwork.isEmpty());
         bare.state.remove(QStringLiteral("artwork"));
         QVERIFY(atSnapshot(project, bare).artwork == project.artwork);
 
-        // A file that lost one.
+        // A file that has lost a snapshot's picture.
         Project without = read;
         std::erase_if(without.unknownEntries, [](const auto& entry) {
             return entry.first.startsWith(QLatin1String("snapshots/artwork-"));
@@ -90,11 +91,11 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(atSnapshot(without, snapshot), Error);
     }
 
-    void picturesCountAsWhatSnapshotsMayTake() {
+    void withSnapshots_pictures_countTowardsTheSizeLimit() {
         Project project = test::sampleProject();
         std::vector<Snapshot> many;
         std::mt19937 random(1);
-        for (int number = 0; number < 3; ++number) { // some 36 MB each, not to be packed
+        for (int number = 0; number < 3; ++number) { // about 36 MB each, not compressible
             QImage image(3000, 3000, QImage::Format_RGBA8888);
             for (int row = 0; row < image.height(); ++row) {
                 auto* words = reinterpret_cast<std::uint32_t*>(image.scanLine(row));
@@ -111,13 +112,13 @@ private slots:
         QVERIFY(atSnapshot(project, snapshots(project).front()).artwork == project.artwork);
     }
 
-    void picturesOfOneSnapshotCountTogether() {
+    void atSnapshot_pixelLimit_countsAllPicturesTogether() {
         Project project = test::sampleProject();
         project.artwork.layers = {layer(Qt::red), layer(Qt::blue)};
         const Snapshot snapshot = named(project, "before");
         project = withSnapshots(project, {snapshot});
         project.artwork.layers.clear();
-        QByteArray large; // of which a file may have one, as it is all of one colour
+        QByteArray large; // the pixel limit allows one of them
         QBuffer buffer(&large);
         QImage picture(6000, 6000, QImage::Format_Mono);
         picture.fill(1);
@@ -134,7 +135,7 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(atSnapshot(project, snapshot), Error);
     }
 
-    void theOldestGoWhereThereAreTooMany() {
+    void withSnapshots_tooMany_removesTheOldest() {
         const Project project = test::sampleProject();
         std::vector<Snapshot> many;
         for (std::size_t number = 0; number < mostSnapshots + 2; ++number) {
@@ -146,8 +147,8 @@ private slots:
         QCOMPARE(kept.back().name, many.back().name);
     }
 
-    // A file that another program has filled, saved by whoever saves it.
-    void theOldestGoWithTheFileThatIsSaved() {
+    // Another program has filled the file with snapshots.
+    void saveProject_tooManySnapshots_removesTheOldest() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("many.dipw"));
         Project project = test::sampleProject();
@@ -170,7 +171,7 @@ private slots:
         QCOMPARE(snapshots(read).back().name, QStringLiteral("200"));
     }
 
-    void whatIsDamagedIsPassedOver() {
+    void snapshots_damaged_areSkipped() {
         Project project = test::sampleProject();
         project = withSnapshots(project, {named(project, "whole")});
         for (const char* bytes : {"", "no JSON", "[]", "{}", "{\"state\": 3}", "{\"state\": {}}"}) {
@@ -181,7 +182,7 @@ private slots:
         }
     }
 
-    void valuesOutOfRangeAreRefused() {
+    void atSnapshot_valuesOutOfRange_areRefused() {
         const Project project = test::sampleProject();
         Snapshot snapshot = named(project, "strange");
         QJsonObject film = snapshot.state["film"].toObject();

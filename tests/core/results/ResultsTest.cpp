@@ -1,5 +1,5 @@
-// The files and pictures of a run, on a film laid round a ball by its closed form: no solver
-// needed.
+// The files and pictures of a run, on a film laid round a ball by the closed form, without a
+// solver.
 #include "results/Results.h"
 #include "DippedByHand.h"
 #include "texture/LinearLight.h"
@@ -47,7 +47,7 @@ TexturedMesh ball() {
     return model;
 }
 
-// The lower half of the ball wears film that kept its area: R = 2ρ sin(θ/2) (docs/film-model.md,
+// The lower half of the ball has film that kept its area: R = 2ρ sin(θ/2) (docs/film-model.md,
 // "Closed forms").
 DippedFilm dippedFilm(const solver::FilmGrid& grid) {
     DippedFilm film;
@@ -78,7 +78,7 @@ struct Dip {
     const DippedFilm& film = laid->film();
     Coverage covered = coverage(*laid);
 
-    // The same with all film right of the middle marked, or left of it.
+    // The same dip with all film right of the middle, or left of it, marked.
     std::shared_ptr<const LaidFilm> marked(solver::PointMark mark, bool right) const {
         DippedFilm other = film;
         for (std::size_t point = 0; point < film.positions.size(); ++point) {
@@ -87,7 +87,7 @@ struct Dip {
         }
         return layFilm(body, other, ProcessSettings{});
     }
-    // Another film that the same of is on the body.
+    // Another film with the same points on the body.
     LaidFilm withFilm(const DippedFilm& other) const { return {body, other, laid->contact()}; }
 };
 
@@ -121,7 +121,7 @@ int countColours(const QImage& image) {
     return int(colours.size());
 }
 
-// Keeps a picture for a person to look at when DIPWRIGHT_PICTURES names a folder.
+// Saves a picture if DIPWRIGHT_PICTURES names a folder.
 void keep(const QImage& image, const QString& name) {
     const QString folder = qEnvironmentVariable("DIPWRIGHT_PICTURES");
     if (!folder.isEmpty()) {
@@ -144,38 +144,38 @@ class ResultsTest : public QObject {
     }
 
 private slots:
-    void filmFileHoldsTheFilm();
-    void bodyFileHoldsTheBody();
-    void filesHoldTheMarks();
-    void filesAreTheSameEveryTime();
-    void colourMapsGrowEvenlyLighter_data();
-    void colourMapsGrowEvenlyLighter();
-    void balanceIsLightestInTheMiddle();
-    void unknownColourMapIsRefused();
-    void stretchMapShowsWhereFilmStretched();
-    void stretchMapFitsWideFilm();
-    void wordsOfOtherLanguagesStayOnTheMap();
-    void aMapIsToldInInchesToo();
-    void wrinklingIsToldFromThinning();
-    void farPlacesDoNotTakeTheColoursFromTheOthers();
-    void markedFilmIsHatchedOnTheMap();
-    void markedFilmIsHatchedOnTheProof();
-    void proofShowsTheImageOnTheBody();
-    void proofTakesInkBackToWhatShows();
-    void filmsOverEachOtherAddTheirInk();
-    void inkIsSeenOnThePartsOwnColourAndOnWhite();
-    void slippedFilmPrintsBesideItsPlace();
-    void lessDeepDipLeavesTheUpperPartBare();
-    void sharesAreShownOnTheFilm();
-    void sharesAreShownFromSixSides();
-    void shiftedJoinIsAsWrongAsReckoned();
-    void bareBodyInTheViewHasThePartsColour();
-    void proofIsTheSameEveryTime();
-    void proofCanBeCancelled();
-    void creasesStaySharp();
+    void filmVtp_holdsTheFilm();
+    void bodyVtp_holdsTheBody();
+    void filmAndBodyVtp_holdTheMarks();
+    void filmVtp_twice_givesTheSameBytes();
+    void mapColour_sequentialMaps_growEvenlyLighter_data();
+    void mapColour_sequentialMaps_growEvenlyLighter();
+    void mapColour_balance_isLightestInTheMiddle();
+    void mapColour_unknownMap_isRefused();
+    void stretchMap_showsStretchedFilm();
+    void stretchMap_wideFilm_isWide();
+    void certaintyMap_longTranslation_staysOnTheMap();
+    void certaintyMap_inches_differsFromMillimetres();
+    void wrinkling_compressionCounts_thinningDoesNot();
+    void certaintyMap_outliers_keepTheColourScale();
+    void certaintyMap_markedFilm_isHatched();
+    void proofPicture_markedFilm_isHatched();
+    void proofPicture_showsTheImageOnTheBody();
+    void proofPicture_stretchedFilm_showsPalerInk();
+    void proofPicture_overlappingFilms_addTheirInk();
+    void proofPicture_colouredPart_showsInkOnPartColourAndOnWhite();
+    void printedColours_shiftedFilm_matchClosedForm();
+    void printedColours_shallowerDip_leavesTheUpperPartBare();
+    void sharePicture_areasMatchClosedForm();
+    void coveragePicture_showsSharesAndSeam();
+    void printedColours_shiftedOverlap_matchClosedForm();
+    void printedColours_bareBody_hasThePartsColour();
+    void proofPicture_twice_givesTheSamePixels();
+    void proofPicture_cancelled_throws();
+    void cornerNormals_creases_staySharp();
 };
 
-void ResultsTest::filmFileHoldsTheFilm() {
+void ResultsTest::filmVtp_holdsTheFilm() {
     const auto data = readBack(filmVtp(*dip_.laid, dip_.model));
     QCOMPARE(data->GetNumberOfPoints(), vtkIdType(81 * 113));
     QCOMPARE(data->GetNumberOfPolys(), vtkIdType(2 * 80 * 112));
@@ -200,7 +200,7 @@ void ResultsTest::filmFileHoldsTheFilm() {
     QVERIFY(std::abs(lowest[1]) < 1e-4); // the pose frame: the body's lowest point at y = 0
 }
 
-void ResultsTest::bodyFileHoldsTheBody() {
+void ResultsTest::bodyVtp_holdsTheBody() {
     const auto data = readBack(bodyVtp(*dip_.body, dip_.model, dip_.covered));
     QCOMPARE(data->GetNumberOfPolys(), vtkIdType(dip_.model.mesh.triangles.size()));
     auto* texture = vtkFloatArray::SafeDownCast(data->GetPointData()->GetTCoords());
@@ -220,7 +220,7 @@ void ResultsTest::bodyFileHoldsTheBody() {
     QVERIFY(std::abs(bounds[2]) < 1e-4 && std::abs(bounds[3] - 70) < 1e-3);
 }
 
-void ResultsTest::filesHoldTheMarks() {
+void ResultsTest::filmAndBodyVtp_holdTheMarks() {
     const auto laid = dip_.marked(solver::PointMark::LetGo, true);
     const auto film = readBack(filmVtp(*laid, dip_.model));
     auto* marks = film->GetPointData()->GetArray("marks");
@@ -234,14 +234,14 @@ void ResultsTest::filesHoldTheMarks() {
     QCOMPARE(onBody->GetRange()[1], 2.0);
 }
 
-void ResultsTest::filesAreTheSameEveryTime() {
+void ResultsTest::filmVtp_twice_givesTheSameBytes() {
     const QByteArray once = filmVtp(*dip_.laid, dip_.model);
     QVERIFY(!once.isEmpty());
     QCOMPARE(once, filmVtp(*dip_.laid, dip_.model));
 }
 
 namespace {
-// CIE L*, by the standard's own formulas: an independent judge of the maps made in OKLab.
+// CIE L* by the standard's formulas, independent of the maps' OKLab.
 double lightness(const QColor& colour) {
     const LinearColour light = linearColour(colour);
     const double y = 0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2];
@@ -249,48 +249,54 @@ double lightness(const QColor& colour) {
 }
 } // namespace
 
-void ResultsTest::colourMapsGrowEvenlyLighter_data() {
+void ResultsTest::mapColour_sequentialMaps_growEvenlyLighter_data() {
     QTest::addColumn<QString>("map");
     for (const char* map : {"lagoon", "dusk", "grey"}) {
         QTest::newRow(map) << QString(map);
     }
 }
 
-void ResultsTest::colourMapsGrowEvenlyLighter() {
+void ResultsTest::mapColour_sequentialMaps_growEvenlyLighter() {
     QFETCH(QString, map);
     const double whole = lightness(mapColour(map, 1)) - lightness(mapColour(map, 0));
-    QVERIFY2(whole > 60, qPrintable(QString::number(whole)));
+    QVERIFY2(
+        whole > 60,
+        qPrintable(QStringLiteral("the map spans %1 of L*, expected more than 60").arg(whole)));
     for (int i = 0; i < 16; ++i) {
         const double step =
             lightness(mapColour(map, (i + 1) / 16.0)) - lightness(mapColour(map, i / 16.0));
-        QVERIFY2(step > 0.5 * whole / 16 && step < 1.6 * whole / 16,
-                 qPrintable(QString("step %1: %2 of %3").arg(i).arg(step).arg(whole)));
+        QVERIFY2(
+            step > 0.5 * whole / 16 && step < 1.6 * whole / 16,
+            qPrintable(
+                QString("step %1 is %2 of L*, of %3 in 16 steps").arg(i).arg(step).arg(whole)));
     }
 }
 
-void ResultsTest::balanceIsLightestInTheMiddle() {
+void ResultsTest::mapColour_balance_isLightestInTheMiddle() {
     for (int i = 0; i < 10; ++i) {
         const QColor low = mapColour("balance", i / 20.0);
         const QColor high = mapColour("balance", 1 - i / 20.0);
         QVERIFY(lightness(mapColour("balance", (i + 1) / 20.0)) > lightness(low));
         QVERIFY(low.blue() > low.red() && high.red() > high.blue());
-        QVERIFY2(std::abs(lightness(low) - lightness(high)) < 8,
-                 qPrintable(QString::number(lightness(low) - lightness(high))));
+        QVERIFY2(
+            std::abs(lightness(low) - lightness(high)) < 8,
+            qPrintable(QStringLiteral("opposite colours differ by %1 of L*, expected less than 8")
+                           .arg(lightness(low) - lightness(high))));
     }
 }
 
-void ResultsTest::unknownColourMapIsRefused() {
+void ResultsTest::mapColour_unknownMap_isRefused() {
     QVERIFY_EXCEPTION_THROWN(mapColour("rainbow", 0.5), Error);
 }
 
-void ResultsTest::stretchMapShowsWhereFilmStretched() {
+void ResultsTest::stretchMap_showsStretchedFilm() {
     const QImage map = stretchMap(*dip_.laid, 1000);
     keep(map, "stretch.png");
     QVERIFY(std::abs(map.height() - 1000) <= 1);
     QVERIFY(map.width() > 600 && map.width() < 1100);
     QVERIFY(countColours(map) > 100);
     QCOMPARE(map, stretchMap(*dip_.laid, 1000));
-    // Stronger colour where the film stretched than in the middle, where it did not.
+    // Stretched film has more colours than the same film without stretch.
     DippedFilm flat = dip_.film;
     for (std::size_t i = 0; i < flat.positions.size(); ++i) {
         const Eigen::Vector2f rest = restPosition(flat.grid, i);
@@ -300,7 +306,7 @@ void ResultsTest::stretchMapShowsWhereFilmStretched() {
 }
 
 namespace {
-// Says everything twice.
+// A translation that doubles the legend's text.
 class LongWords : public QTranslator {
 public:
     LongWords() { QCoreApplication::installTranslator(this); }
@@ -313,7 +319,7 @@ public:
 };
 } // namespace
 
-void ResultsTest::wordsOfOtherLanguagesStayOnTheMap() {
+void ResultsTest::certaintyMap_longTranslation_staysOnTheMap() {
     const std::vector<float> changes(dip_.film.positions.size(), 0.1f);
     const QImage known = certaintyMap(*dip_.laid, changes, 0.3, 1000);
     const LongWords german;
@@ -324,7 +330,7 @@ void ResultsTest::wordsOfOtherLanguagesStayOnTheMap() {
     }
 }
 
-void ResultsTest::aMapIsToldInInchesToo() {
+void ResultsTest::certaintyMap_inches_differsFromMillimetres() {
     std::vector<float> changes(dip_.film.positions.size());
     for (std::size_t point = 0; point < changes.size(); ++point) {
         changes[point] = 0.5f * float(point) / float(changes.size());
@@ -336,15 +342,15 @@ void ResultsTest::aMapIsToldInInchesToo() {
     QVERIFY(inches != millimetres);
 }
 
-void ResultsTest::stretchMapFitsWideFilm() {
+void ResultsTest::stretchMap_wideFilm_isWide() {
     const auto wide = layFilm(dip_.body, dippedFilm({113, 57, 196, 98}), ProcessSettings{});
     const QImage map = stretchMap(*wide, 800);
     keep(map, "stretch-wide.png");
     QVERIFY(map.width() > map.height());
 }
 
-void ResultsTest::wrinklingIsToldFromThinning() {
-    // Drawn out to 1.5 along one direction, and the other way kept, then compressed to 0.9.
+void ResultsTest::wrinkling_compressionCounts_thinningDoesNot() {
+    // Stretched to 1.5 in one direction; the other is kept at 1, then compressed to 0.9.
     const auto drawn = [&](float across) {
         DippedFilm film = dip_.film;
         for (std::size_t i = 0; i < film.positions.size(); ++i) {
@@ -368,7 +374,7 @@ void ResultsTest::wrinklingIsToldFromThinning() {
 }
 
 namespace {
-// Pixels of this very colour to the left and to the right of the picture's column.
+// The number of pixels in exactly this colour left and right of the column.
 std::pair<int, int> countBeside(const QImage& image, const QColor& colour, int column,
                                 const QRect& part) {
     std::pair<int, int> count{0, 0};
@@ -383,8 +389,8 @@ std::pair<int, int> countBeside(const QImage& image, const QColor& colour, int c
 }
 } // namespace
 
-void ResultsTest::farPlacesDoNotTakeTheColoursFromTheOthers() {
-    // Left of the middle off by a tenth of a millimetre, right of it by a half, and some by 150 mm.
+void ResultsTest::certaintyMap_outliers_keepTheColourScale() {
+    // The error is 0.1 mm left of the middle, 0.5 mm right of it, and 150 mm in some places.
     std::vector<float> changes;
     for (std::size_t point = 0; point < dip_.film.positions.size(); ++point) {
         changes.push_back(restPosition(dip_.film.grid, point).x() < 0 ? 0.1f : 0.5f);
@@ -402,13 +408,13 @@ void ResultsTest::farPlacesDoNotTakeTheColoursFromTheOthers() {
     const auto at = [&](const QImage& map, double share) {
         return map.pixelColor(90 + int(share * width), 120 + 390);
     };
-    // Both sides can still be told apart; what is past the scale is in no colour of its map.
+    // Both sides can still be distinguished. Errors past the scale have a colour outside the map.
     QVERIFY(lightness(at(far, 0.6)) > lightness(at(far, 0.4)) + 15);
     QVERIFY(at(far, 0.5).red() > at(far, 0.5).blue() + 100);
     QVERIFY(lightness(at(near, 0.6)) > lightness(at(near, 0.4)) + 15);
 }
 
-void ResultsTest::markedFilmIsHatchedOnTheMap() {
+void ResultsTest::certaintyMap_markedFilm_isHatched() {
     const std::vector<float> changes(dip_.film.positions.size(), 0.01f);
     const QImage plain = certaintyMap(*dip_.laid, changes, 0.3, 1000);
     for (const solver::PointMark mark : filmMarks) {
@@ -416,15 +422,19 @@ void ResultsTest::markedFilmIsHatchedOnTheMap() {
         const QImage map = certaintyMap(*marked, changes, 0.3, 1000);
         keep(map, QStringLiteral("marked-%1.png").arg(int(mark)));
         QVERIFY(map.height() > plain.height()); // a line of its legend
-        // The film's part of the picture, in FilmMap's hundredths.
+        // The film's part of the picture, in FilmMap's units of a hundredth.
         const QRect film(90, 120, int(780 * 140 / 196.0), 780);
         const auto [left, right] = countBeside(map, markColour(mark), film.center().x(), film);
-        QVERIFY2(left < 100 && right > 5000, qPrintable(QString::number(right)));
+        QVERIFY2(left < 100 && right > 5000,
+                 qPrintable(QStringLiteral(
+                                "%1 hatched pixels left and %2 right, expected < 100 and > 5000")
+                                .arg(left)
+                                .arg(right)));
         QCOMPARE(countBeside(plain, markColour(mark), 0, plain.rect()).second, 0);
     }
 }
 
-void ResultsTest::markedFilmIsHatchedOnTheProof() {
+void ResultsTest::proofPicture_markedFilm_isHatched() {
     QImage image(400, 560, QImage::Format_RGBA8888);
     image.fill(QColor(90, 90, 90));
     ProofOptions options;
@@ -436,13 +446,13 @@ void ResultsTest::markedFilmIsHatchedOnTheProof() {
     const solver::PointMark mark = solver::PointMark::Torn;
     const QImage proof = of(dip_.marked(mark, true));
     keep(proof, "marked-proof.png");
-    // On the front to the right, on the back to the left; and in the legend below.
+    // The marked film is on the right of the front view and on the left of the back view.
     const auto front = countBeside(proof, markColour(mark), 100, QRect(0, 0, 200, 200));
     const auto back = countBeside(proof, markColour(mark), 100, QRect(0, 200, 200, 180));
     QVERIFY(front.first < 20 && front.second > 300);
     QVERIFY(back.second < 20 && back.first > 300);
     QCOMPARE(countBeside(plain, markColour(mark), 0, plain.rect()).second, 0);
-    // Film that is marked where it does not paint changes nothing.
+    // Marked film that does not paint changes nothing.
     DippedFilm beside = dip_.film;
     for (std::size_t point = 0; point < beside.positions.size(); ++point) {
         beside.marks.push_back(beside.adhered(point) ? 0 : std::uint8_t(mark));
@@ -450,14 +460,14 @@ void ResultsTest::markedFilmIsHatchedOnTheProof() {
     QCOMPARE(of(layFilm(dip_.body, beside, ProcessSettings{})), plain);
 }
 
-void ResultsTest::proofShowsTheImageOnTheBody() {
+void ResultsTest::proofPicture_showsTheImageOnTheBody() {
     const bool large = qEnvironmentVariableIsSet("DIPWRIGHT_PICTURES");
     const QSize tile = large ? QSize(800, 800) : QSize(200, 200);
     const QImage image = proof(stripes(dip_.film.grid), tile);
     keep(image, "proof.png");
     QCOMPARE(image.size(), QSize(3 * tile.width(), 2 * tile.height()));
-    // Below the ball's middle there is paint, above it the bare body. From the front the film's
-    // left is left, from the back it is right.
+    // The ball is painted below its middle and bare above. The film's left is left from the front
+    // and right from the back.
     const auto pixel = [&](int view, double right, double down) {
         return image.pixelColor(int(tile.width() * (view % 3 + right)),
                                 int(tile.height() * (view / 3 + down)));
@@ -478,7 +488,7 @@ void ResultsTest::proofShowsTheImageOnTheBody() {
     QVERIFY(isGreen(pixel(3, 0.3, 0.72)));
     QVERIFY(isRed(pixel(3, 0.7, 0.72)));
     QVERIFY(isRed(pixel(4, 0.5, 0.8)));
-    // From below the left is left, too.
+    // From below, the film's left is left, too.
     QVERIFY(isRed(pixel(5, 0.3, 0.5)));
     QVERIFY(isGreen(pixel(5, 0.7, 0.5)));
     QVERIFY(isBlue(pixel(5, 0.5, 0.5)));
@@ -487,8 +497,8 @@ void ResultsTest::proofShowsTheImageOnTheBody() {
     }
 }
 
-void ResultsTest::proofTakesInkBackToWhatShows() {
-    // Film stretched to J = 4 shows a quarter of the printed density: much paler than printed.
+void ResultsTest::proofPicture_stretchedFilm_showsPalerInk() {
+    // Film stretched to J = 4 shows a quarter of the printed density.
     DippedFilm stretched = dip_.film;
     stretched.grid.width /= 2;
     stretched.grid.depth /= 2;
@@ -506,7 +516,7 @@ void ResultsTest::proofTakesInkBackToWhatShows() {
     QVERIFY(shown.pixelColor(30, 45).red() > printed.pixelColor(30, 45).red() + 30);
 }
 
-void ResultsTest::filmsOverEachOtherAddTheirInk() {
+void ResultsTest::proofPicture_overlappingFilms_addTheirInk() {
     QImage red(400, 560, QImage::Format_RGBA8888);
     red.fill(Qt::red);
     QImage holed = red; // green with a hole to the left
@@ -523,12 +533,12 @@ void ResultsTest::filmsOverEachOtherAddTheirInk() {
     const QColor left = image.pixelColor(30, 75);
     const QColor right = image.pixelColor(70, 75);
     QVERIFY(left.red() > left.green() + 40);
-    QVERIFY(right.red() < left.red() - 40); // the green lets no red through
-    QVERIFY(right.green() < 60);            // nor the red green
+    QVERIFY(right.red() < left.red() - 40); // the green ink absorbs red
+    QVERIFY(right.green() < 60);            // the red ink absorbs green
 }
 
-// Red ink on a blue part is all but black, but for where white lies under it, to the right.
-void ResultsTest::inkIsSeenOnThePartsOwnColourAndOnWhite() {
+// Red ink on a blue part is nearly black, except on the right, where white lies under it.
+void ResultsTest::proofPicture_colouredPart_showsInkOnPartColourAndOnWhite() {
     QImage red(400, 560, QImage::Format_RGBA8888);
     red.fill(Qt::red);
     QImage white(red.size(), QImage::Format_Grayscale8);
@@ -545,7 +555,7 @@ void ResultsTest::inkIsSeenOnThePartsOwnColourAndOnWhite() {
         return proofPicture(*proofStage(dip_.model), {appearance}, options, {});
     };
     const QImage usual = of({});
-    QCOMPARE(of(white), usual); // ink looks as on white anyhow
+    QCOMPARE(of(white), usual); // without a part colour, ink is shown on white anyway
     options.ground.base = QColor(20, 30, 200);
     const QImage bare = of({});
     const QImage backed = of(white);
@@ -558,7 +568,7 @@ void ResultsTest::inkIsSeenOnThePartsOwnColourAndOnWhite() {
     QVERIFY(veil.red() > 150 && std::abs(veil.red() - veil.green()) < 8);
 }
 
-void ResultsTest::slippedFilmPrintsBesideItsPlace() {
+void ResultsTest::printedColours_shiftedFilm_matchClosedForm() {
     QImage halves(1400, 1960, QImage::Format_RGBA8888);
     halves.fill(Qt::red);
     QPainter painter(&halves);
@@ -571,8 +581,8 @@ void ResultsTest::slippedFilmPrintsBesideItsPlace() {
     slip.swell = 1.05;
     const std::vector<QRgb> colours =
         printedColours(fine, {{dip_.laid, halves, slip}}, {.compensate = false});
-    // By the closed form: where the film rested that lies at a place of the ball, and which part of
-    // the picture was there.
+    // The closed form gives where the film of a place rested and which half of the picture was
+    // there.
     const double turn = radians(slip.turn);
     std::size_t tried = 0;
     for (std::size_t triangle = 0; triangle < colours.size(); ++triangle) {
@@ -595,7 +605,7 @@ void ResultsTest::slippedFilmPrintsBesideItsPlace() {
     QVERIFY(tried > 5000);
 }
 
-void ResultsTest::lessDeepDipLeavesTheUpperPartBare() {
+void ResultsTest::printedColours_shallowerDip_leavesTheUpperPartBare() {
     QImage red(140, 196, QImage::Format_RGBA8888);
     red.fill(Qt::red);
     const RefinedMesh fine(dip_.model.mesh, 1);
@@ -640,24 +650,24 @@ std::size_t countOf(const QImage& picture, const QColor& colour, const QRect& pa
 
 } // namespace
 
-void ResultsTest::sharesAreShownOnTheFilm() {
+void ResultsTest::sharePicture_areasMatchClosedForm() {
     const OppositeDips dips;
-    const QSize pixels(840, 1188); // 4 a mm
+    const QSize pixels(840, 1188); // 4 per mm
     const QImage picture = sharePicture(*dips.films[0], dips.share, 0, pixels);
-    // Film that rested within 2ρ·sin(θ/2) lies within θ of the lowest point: alone up to half a
-    // band before the equator.
+    // Film that rested within 2ρ·sin(θ/2) lies within θ of the lowest point. Dip 1 paints alone up
+    // to half the overlap before the equator.
     const double alone = pi / 2 - dips.share.overlap.middle / 2 / radius;
     const double disc = pi * std::pow(2 * radius * std::sin(alone / 2), 2) * 16;
     const auto painted = double(countOf(picture, painterColour(Painter::First), picture.rect()));
     QVERIFY2(std::abs(painted - disc) < 0.03 * disc,
-             qPrintable(QStringLiteral("%1 instead of %2").arg(painted).arg(disc)));
+             qPrintable(QStringLiteral("%1, expected %2").arg(painted).arg(disc)));
     QCOMPARE(picture.pixelColor(420, 594), painterColour(Painter::First));
     QVERIFY(countOf(picture, painterColour(Painter::Both), picture.rect()) > 500);
     QVERIFY(countOf(picture, painterColour(Painter::Second), picture.rect()) > 500);
     QVERIFY(picture.pixelColor(5, 5) != painterColour(Painter::First));
 }
 
-void ResultsTest::sharesAreShownFromSixSides() {
+void ResultsTest::coveragePicture_showsSharesAndSeam() {
     const OppositeDips dips;
     const int tile = 320;
     const QImage picture = coveragePicture(
@@ -670,13 +680,14 @@ void ResultsTest::sharesAreShownFromSixSides() {
     // The third views are from above and from below.
     QVERIFY(std::abs(hue(2, 0) - painterColour(Painter::Second).hslHue()) < 8);
     QVERIFY(std::abs(hue(2, 1) - painterColour(Painter::First).hslHue()) < 8);
-    // From the front the join runs across the middle.
+    // From the front the seam runs across the middle.
     const QColor join = shareLines(dips.share, {QString(), QString()}).back().colour;
     int found = 0;
     for (int y = tile / 2 - 4; y <= tile / 2 + 4; ++y) {
         found += std::abs(picture.pixelColor(tile / 2, y).hslHue() - join.hslHue()) < 8 ? 1 : 0;
     }
-    QVERIFY2(found > 0, qPrintable(QString::number(found)));
+    QVERIFY2(found > 0,
+             qPrintable(QStringLiteral("%1 pixels of the seam, expected 1 or more").arg(found)));
     Progress cancelled;
     cancelled.cancelToken.cancel();
     QVERIFY_EXCEPTION_THROWN(coveragePicture(*proofStage(dips.model), dips.share,
@@ -685,9 +696,9 @@ void ResultsTest::sharesAreShownFromSixSides() {
                              Cancelled);
 }
 
-void ResultsTest::shiftedJoinIsAsWrongAsReckoned() {
-    // Two films on the same place that fade into each other over 10 mm, the second shifted: ink is
-    // missing there, and a grey of reflectance R shows R^(1 − e/b).
+void ResultsTest::printedColours_shiftedOverlap_matchClosedForm() {
+    // Two films fade into each other over b = 10 mm, and the second is shifted by e. Ink is missing
+    // there: a grey of reflectance R shows R^(1 − e/b).
     const double shift = 2, band = 10, grey = 0.3;
     const auto fading = [&](bool toTheRight) {
         QImage image(1400, 1960, QImage::Format_RGBA8888);
@@ -716,11 +727,11 @@ void ResultsTest::shiftedJoinIsAsWrongAsReckoned() {
     QVERIFY(count > 20);
     const double wanted = std::pow(grey, 1 - shift / band);
     QVERIFY2(std::abs(sum / double(count) - wanted) < 0.01 * wanted,
-             qPrintable(QStringLiteral("%1 instead of %2").arg(sum / double(count)).arg(wanted)));
+             qPrintable(QStringLiteral("%1, expected %2").arg(sum / double(count)).arg(wanted)));
 }
 
-// As in the proof: where no film paints, the part's own colour, and ink over it darker.
-void ResultsTest::bareBodyInTheViewHasThePartsColour() {
+// Where no film paints, the part's own colour shows, as in the proof.
+void ResultsTest::printedColours_bareBody_hasThePartsColour() {
     const RefinedMesh fine(dip_.model.mesh, 2);
     QImage picture(140, 196, QImage::Format_RGBA8888);
     picture.fill(Qt::transparent);
@@ -734,12 +745,12 @@ void ResultsTest::bareBodyInTheViewHasThePartsColour() {
     }
 }
 
-void ResultsTest::proofIsTheSameEveryTime() {
+void ResultsTest::proofPicture_twice_givesTheSamePixels() {
     const QImage image = stripes(dip_.film.grid);
     QCOMPARE(proof(image), proof(image));
 }
 
-void ResultsTest::proofCanBeCancelled() {
+void ResultsTest::proofPicture_cancelled_throws() {
     Progress progress;
     progress.report = [&](double share, const QString&) {
         if (share > 0.3) {
@@ -753,7 +764,7 @@ void ResultsTest::proofCanBeCancelled() {
                              Cancelled);
 }
 
-void ResultsTest::creasesStaySharp() {
+void ResultsTest::cornerNormals_creases_staySharp() {
     const TriangleMesh box = boxMesh({10, 20, 30});
     const auto normals = cornerNormals(box);
     for (std::size_t i = 0; i < box.triangles.size(); ++i) {

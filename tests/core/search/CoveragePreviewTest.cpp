@@ -1,4 +1,4 @@
-// Coverage by the body's shape alone, against what is plain to see and against dips.
+// Coverage previewed from the body's shape alone, compared with closed forms and with dips.
 #include "search/CoveragePreview.h"
 #include "HollowBodies.h"
 #include "SearchSubjects.h"
@@ -40,20 +40,20 @@ private slots:
         registry_ = std::make_unique<SolverRegistry>(QStringList{pluginFolder()});
     }
 
-    void aBallIsPaintedUpToTheOverhang() {
+    void coveragePreview_ball_isPaintedUpToTheOverhang() {
         const SearchSubject subject = subjectOf(sphereMesh(20, 60, 80));
         const double wanted = (1 + std::sin(radians(subject.process.overhang))) / 2;
         QVERIFY(std::abs(previewed(subject, turned(0, 0)) - wanted) < 0.02);
         QVERIFY(std::abs(previewed(subject, turned(40, 20)) - wanted) < 0.02);
     }
 
-    void aCubeIsPaintedOnFiveSidesOrThree() {
+    void coveragePreview_cube_isPaintedOnFiveOrThreeSides() {
         const SearchSubject subject = subjectOf(boxMesh({30, 30, 30}));
         QVERIFY(std::abs(previewed(subject, turned(0, 0)) - 5.0 / 6) < 0.01);
         QVERIFY(std::abs(previewed(subject, turned(45, 35.26)) - 0.5) < 0.01); // on its corner
     }
 
-    void whatIsBesideTheSheetOrAboveTheWaterStaysBare() {
+    void coveragePreview_besideFilmOrAboveWater_staysBare() {
         SearchSubject subject = subjectOf(boxMesh({30, 30, 30}));
         Immersion beside;
         beside.offset[0] = Millimetres(50);
@@ -62,9 +62,9 @@ private slots:
         QVERIFY(std::abs(previewed(subject, turned(0, 0)) - (1 + 4 * 0.5) / 6) < 0.03);
     }
 
-    void whatIsHiddenFromBelowStaysBare() {
-        // Two plates one over the other: the upper one's underside and walls are not reached, as
-        // nothing leads there.
+    void coveragePreview_hiddenFromBelow_staysBare() {
+        // Two plates, one above the other: film does not reach the underside and walls of the upper
+        // one.
         TriangleMesh plates = boxMesh({30, 4, 30});
         TriangleMesh upper = boxMesh({20, 4, 20});
         const auto first = std::uint32_t(plates.positions.size());
@@ -80,20 +80,23 @@ private slots:
         QVERIFY(std::abs(share - lower / surfaceArea(plates)) < 0.01);
     }
 
-    void whatStaysInTrappedAirStaysBare() {
-        // A bowl with its rim down: the rim, and the wall up to the overhang; with a hole in its
-        // top, or tilted so that the air gets out, more.
+    void coveragePreview_trappedAir_staysBare() {
+        // A bowl with its rim down is painted on the rim and the wall up to the overhang. With a
+        // hole in its top, or tilted so that the air escapes, it is painted more.
         const SearchSubject subject = subjectOf(test::bowl());
         const double rim = pi * (32 * 32 - 29 * 29);
         const double wall = 2 * pi * 32 * 32 * std::sin(radians(subject.process.overhang));
         const double whole = surfaceArea(subject.model->mesh);
         const double share = previewed(subject, turned(0, 0));
-        QVERIFY2(std::abs(share - (rim + wall) / whole) < 0.03, qPrintable(QString::number(share)));
+        QVERIFY2(
+            std::abs(share - (rim + wall) / whole) < 0.03,
+            qPrintable(
+                QStringLiteral("coverage %1, expected %2").arg(share).arg((rim + wall) / whole)));
         QVERIFY(previewed(subjectOf(test::bowl(4)), turned(0, 0)) > share + 0.3);
         QVERIFY(previewed(subject, turned(90, 0)) > share + 0.1);
     }
 
-    void trianglesOfTheModelAreToldApart() {
+    void coveragePreview_ofModel_marksEachTriangle() {
         const SearchSubject subject = subjectOf(boxMesh({30, 30, 30}));
         const CoveragePreview preview(subject.model->mesh);
         const auto covered =
@@ -105,7 +108,7 @@ private slots:
         }
     }
 
-    void dipsPaintAboutAsMuch_data() {
+    void coveragePreview_agreesWithDips_data() {
         QTest::addColumn<int>("body");
         QTest::addColumn<double>("about");
         QTest::newRow("egg, tilted") << 1 << 50.0;
@@ -119,7 +122,7 @@ private slots:
             QTest::newRow("cylinder, tilted") << 4 << 40.0;
         }
     }
-    void dipsPaintAboutAsMuch() {
+    void coveragePreview_agreesWithDips() {
         QFETCH(int, body);
         QFETCH(double, about);
         const std::array<TriangleMesh, 5> meshes{
@@ -137,7 +140,9 @@ private slots:
         const double dipped = coverage(*laid).share;
         const double share = previewed(subject, immersion);
         QVERIFY2(std::abs(share - dipped) < 0.06,
-                 qPrintable(QStringLiteral("previewed %1, dipped %2").arg(share).arg(dipped)));
+                 qPrintable(QStringLiteral("previewed coverage %1, dipped %2; expected within 0.06")
+                                .arg(share)
+                                .arg(dipped)));
     }
 
 private:

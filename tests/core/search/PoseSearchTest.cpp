@@ -1,4 +1,4 @@
-// The pose search, on bodies whose best poses are plain to see.
+// The pose search, on bodies whose best poses are obvious.
 #include "search/PoseSearch.h"
 #include "HollowBodies.h"
 #include "SearchSubjects.h"
@@ -19,17 +19,17 @@ using namespace dipwright;
 
 namespace {
 
-// The body's direction that points down in this immersion.
+// The body's direction that points down in this dip.
 Eigen::Vector3d downOf(const Immersion& immersion) {
     return rotationMatrix(immersion.rotation).transpose() * -Eigen::Vector3d::UnitY();
 }
 
-// Degrees between the body's Y axis and the water.
+// The angle between the body's Y axis and the water, in degrees.
 double tiltOf(const RankedPoses& ranked) {
     return std::asin(downOf(ranked.immersions[0]).y()) * 180 / pi;
 }
 
-// By the sides of the box alone, as they are.
+// Searches only the six sides of the box, without refinement.
 SearchSettings sidesOnly(int immersions) {
     SearchSettings settings;
     settings.immersions = immersions;
@@ -59,20 +59,20 @@ private slots:
         board_ = subjectOf(boxMesh({6, 40, 40})); // its broad faces towards ±X
     }
 
-    void oneDipGoesInEdgeFirst() {
+    void searchPoses_board_goesInEdgeFirst() {
         const auto ranking = search(board_, sidesOnly(1)).ranking;
         QVERIFY(!ranking.empty());
         QCOMPARE(ranking[0].immersions.size(), 1U);
-        // So that film rolls on to both broad faces.
+        // Edge first, film rolls onto both broad faces.
         QVERIFY(std::abs(downOf(ranking[0].immersions[0]).x()) < 0.02);
         QVERIFY(ranking[0].measures[Measure::Coverage] > 0.6);
     }
 
-    void aBowlDoesNotGoInWithItsRimDown() {
+    void searchPoses_bowl_avoidsTheRimDown() {
         const SearchResult found = search(subjectOf(test::bowl()), sidesOnly(1));
         const RankedPoses& best = found.ranking.front();
         QVERIFY(best.measures[Measure::TrappedAir] < 0.02);
-        // Of all sides, that one paints least: only what the air leaves.
+        // With the rim down, trapped air keeps much of the bowl bare.
         const auto rimDown =
             std::find_if(found.ranking.begin(), found.ranking.end(), [](const RankedPoses& each) {
                 return downOf(each.immersions[0]).y() < -0.98;
@@ -82,20 +82,21 @@ private slots:
         QVERIFY(rimDown->measures[Measure::Coverage] < best.measures[Measure::Coverage]);
     }
 
-    void twoDipsPaintBothBroadFaces() {
+    void searchPoses_twoDips_paintBothBroadFaces() {
         const RankedPoses best = search(board_, sidesOnly(2)).ranking.front();
         QCOMPARE(best.immersions.size(), 2U);
         const Eigen::Vector3d first = downOf(best.immersions[0]);
         const Eigen::Vector3d second = downOf(best.immersions[1]);
-        QVERIFY2(first.dot(second) < -0.98, "from opposite sides");
+        QVERIFY2(first.dot(second) < -0.98, "the dips are not from opposite sides");
         QVERIFY(std::abs(first.x()) > 0.99);
         QVERIFY(best.measures[Measure::Coverage] > 0.8);
         QVERIFY(best.measures[Measure::Join] > 0);
         QVERIFY(best.immersions[0].name != best.immersions[1].name);
     }
 
-    // An egg on its side, from below and from above: film comes up a little over its girth.
-    void overlapsAreNarrowForDipsThatLieFarOff() {
+    // An egg on its side, dipped from below and from above: film reaches a little past its widest
+    // line.
+    void searchPoses_largeRegistrationError_makesTheOverlapNarrow() {
         const auto narrow = [&](double error) {
             SearchSubject subject = subjectOf(ellipsoidMesh({14, 22, 10}, 40, 60));
             subject.registrationError = Millimetres(error);
@@ -104,11 +105,15 @@ private slots:
             return search(subject, sidesOnly(2)).current->measures[Measure::Narrow];
         };
         const double ofGoodDips = narrow(0.05), ofBadDips = narrow(10);
-        QVERIFY2(ofGoodDips < 0.1, qPrintable(QString::number(ofGoodDips)));
-        QVERIFY2(ofBadDips > 0.9, qPrintable(QString::number(ofBadDips)));
+        QVERIFY2(ofGoodDips < 0.1,
+                 qPrintable(
+                     QStringLiteral("share of narrow overlap %1, expected < 0.1").arg(ofGoodDips)));
+        QVERIFY2(ofBadDips > 0.9,
+                 qPrintable(
+                     QStringLiteral("share of narrow overlap %1, expected > 0.9").arg(ofBadDips)));
     }
 
-    void theRankingFallsAndIsTheSameEveryTimeForAnyNumberOfThreads() {
+    void searchPoses_ranking_fallsAndIsTheSameForAnyNumberOfThreads() {
         SearchSettings settings;
         settings.directions = 300;
         settings.simulated = 8;
@@ -127,16 +132,15 @@ private slots:
         compare(search(board_, settings), once);
     }
 
-    // Otherwise what is ranked by it and what the job's film has confirmed could not stand in one
-    // table.
-    void finerFilmSaysWhatTheJobsFilmSays_data() {
+    // Both films must agree, because one table ranks poses by either.
+    void searchPoses_finerFilm_agreesWithTheJobsFilm_data() {
         QTest::addColumn<int>("body");
         QTest::newRow("egg") << 0;
         if (test::isWholeRun()) {
             QTest::newRow("ring") << 1;
         }
     }
-    void finerFilmSaysWhatTheJobsFilmSays() {
+    void searchPoses_finerFilm_agreesWithTheJobsFilm() {
         QFETCH(int, body);
         const std::array<TriangleMesh, 2> meshes{ellipsoidMesh({14, 22, 10}, 40, 60),
                                                  torusMesh(18, 6, 60, 24)};
@@ -155,11 +159,15 @@ private slots:
             QVERIFY(same != confirmed.ranking.end() && same->isConfirmed);
             QVERIFY2(
                 std::abs(same->objective - poses.objective) < 0.015,
-                qPrintable(QStringLiteral("%1 and %2").arg(poses.objective).arg(same->objective)));
+                qPrintable(
+                    QStringLiteral(
+                        "objective %1 by the finer film, %2 by the job's; expected within 0.015")
+                        .arg(poses.objective)
+                        .arg(same->objective)));
         }
     }
 
-    void partsMakeTheSameRanking() {
+    void searchPoses_mergedParts_giveTheSameRanking() {
         SearchSettings settings;
         settings.immersions = 2;
         settings.directions = 300;
@@ -176,7 +184,7 @@ private slots:
         compare(merged, search(board_, settings));
     }
 
-    void partsThatDoNotBelongAreRefused() {
+    void searchPoses_foreignParts_areRefused() {
         SearchSettings settings = sidesOnly(1);
         settings.finer = 1;
         const SearchShard one = searchShard(board_, settings, module(), 1, 2, {});
@@ -189,7 +197,7 @@ private slots:
                                  Error);
         settings.seed = 1;
         searchPoses(board_, settings, module(), {one, two}, {}, {});
-        SearchSubject elsewhere = board_; // as by another solver
+        SearchSubject elsewhere = board_; // as with another solver
         elsewhere.identity = "other";
         QVERIFY_EXCEPTION_THROWN(searchPoses(elsewhere, settings, module(), {one, two}, {}, {}),
                                  Error);
@@ -199,17 +207,20 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(shardFromFile("no part", "other"), Error);
     }
 
-    void alikePosesAreDippedOnce() {
+    void searchPoses_equalPoses_areDippedOnce() {
         SearchSettings settings = sidesOnly(1);
         settings.simulated = 40;
         settings.directions = 300;
         int wanted = 0;
         searchPoses(subjectOf(sphereMesh(15, 40, 60)), settings, module(), {},
                     [&](const SearchState& state) { wanted = state.wanted; }, {});
-        QVERIFY2(wanted <= 6, qPrintable(QString::number(wanted))); // a ball has one pose
+        QVERIFY2(
+            wanted <= 6,
+            qPrintable(
+                QStringLiteral("%1 dips, expected 6 or fewer").arg(wanted))); // a ball has one pose
     }
 
-    void aBodyOfRevolutionIsRankedAlikeHoweverItIsTurned() {
+    void searchPoses_turnedBodyOfRevolution_isRankedAlike() {
         SearchSettings settings;
         settings.directions = 600;
         settings.simulated = 16;
@@ -219,7 +230,8 @@ private slots:
         const TriangleMesh body = coneMesh(0.5, 40, 64);
         const auto fineSubjectOf = [](const TriangleMesh& mesh) {
             SearchSubject subject = subjectOf(mesh);
-            subject.film.columns = subject.film.rows = 48; // does not show how it lies by the body
+            subject.film.columns = subject.film.rows =
+                48; // so fine that its direction does not matter
             return subject;
         };
         const RankedPoses straight = search(fineSubjectOf(body), settings).ranking.front();
@@ -231,18 +243,19 @@ private slots:
             const RankedPoses turned =
                 search(fineSubjectOf(transformed(body, turn)), settings).ranking.front();
             QVERIFY(std::abs(turned.objective - straight.objective) < 0.005);
-            // The best tilt, but for the film's cells, which the body does not turn with.
+            // The best tilt is the same, apart from the film's cells, which do not turn with the
+            // body.
             QVERIFY(std::abs(tiltOf(turned) - tiltOf(straight)) < 12);
         }
     }
 
-    // Marked as what matters: one face of a cube, or three that meet.
-    void aCubeShowsTheFacesThatMatter_data() {
+    // One face of a cube is marked as important, or three that meet.
+    void searchPoses_markedFaces_pointDown_data() {
         QTest::addColumn<int>("faces");
         QTest::newRow("one") << 1;
         QTest::newRow("three") << 3;
     }
-    void aCubeShowsTheFacesThatMatter() {
+    void searchPoses_markedFaces_pointDown() {
         QFETCH(int, faces);
         SearchSubject cube = subjectOf(boxMesh({30, 30, 30}));
         for (int axis = 0; axis < faces; ++axis) {
@@ -261,18 +274,22 @@ private slots:
         settings.aims.zoneWeights = {1, 0, 0};
         const RankedPoses best = search(cube, settings).ranking.front();
         const Eigen::Vector3d down = downOf(best.immersions[0]);
-        QVERIFY2(best.measures[Measure::Quality] > 0.8,
-                 qPrintable(QString::number(best.measures[Measure::Quality])));
+        QVERIFY2(
+            best.measures[Measure::Quality] > 0.8,
+            qPrintable(
+                QStringLiteral("quality %1, expected > 0.8").arg(best.measures[Measure::Quality])));
         for (int axis = 0; axis < faces; ++axis) {
-            // Down, or upright, where film goes on over it: never up.
-            QVERIFY2(down[axis] > -0.05, qPrintable(QString::number(down[axis])));
+            // The face points down or is upright, never up.
+            QVERIFY2(down[axis] > -0.05,
+                     qPrintable(QStringLiteral("the face points down by %1, expected > -0.05")
+                                    .arg(down[axis])));
         }
     }
 
-    void limitsComeBeforeTheObjective() {
+    void searchPoses_limits_comeBeforeTheObjective() {
         SearchSettings settings = sidesOnly(1);
         const SearchResult free = search(board_, settings);
-        // More than the best one paints is kept by none: nearest to it comes first.
+        // The limit on stretch is the value of the last pose.
         const double painted = free.ranking.back().measures[Measure::Coverage];
         setLimit(settings.aims, QStringLiteral("stretch"),
                  free.ranking.back().measures[Measure::Stretch] + 1e-6);
@@ -284,7 +301,7 @@ private slots:
         QVERIFY(painted > 0);
     }
 
-    void aCancelledSearchKeepsTheBest() {
+    void searchPoses_cancelled_keepsTheBest() {
         Progress progress;
         progress.cancelToken.cancel();
         QVERIFY_EXCEPTION_THROWN(searchPoses(board_, sidesOnly(1), module(), {}, {}, progress),
@@ -304,7 +321,7 @@ private slots:
         QVERIFY(!kept.ranking.empty());
     }
 
-    void directionsMakeAMap() {
+    void searchPoses_directions_areListedWithTheirObjective() {
         SearchSettings settings = sidesOnly(1);
         settings.directions = 200;
         settings.finer = 1;
@@ -316,7 +333,7 @@ private slots:
         QVERIFY(judged >= 6);
     }
 
-    void reasonsNameWhatDiffers() {
+    void reasonText_namesWhatDiffers() {
         RankedPoses one, other;
         one.measures[Measure::Coverage] = 0.87;
         other.measures[Measure::Coverage] = 0.9;
@@ -329,7 +346,7 @@ private slots:
         QCOMPARE(reasonText(differences(one, one, {}, 100)), QStringLiteral("the same"));
     }
 
-    void settingsOutOfRangeAreRefused() {
+    void searchAims_valuesOutOfRange_areRefused() {
         SearchSettings settings;
         QVERIFY_EXCEPTION_THROWN(setWeight(settings.aims, "coverage", -1), Error);
         QVERIFY_EXCEPTION_THROWN(setWeight(settings.aims, "colour", 1), Error);
@@ -341,12 +358,12 @@ private slots:
         QCOMPARE(settings.aims.zoneWeights[1], 7.0);
     }
 
-    void stretchThatIsNotMeasuredIsNotTold() {
+    void measureText_stretchPastTheScale_isAtLeast() {
         QCOMPARE(measureText(Measure::Stretch, 1.844), QStringLiteral("1.84"));
         QCOMPARE(measureText(Measure::Stretch, 65535.0 / 4096), QStringLiteral("≥ 16"));
     }
 
-    void stretchedAndGatheredFilmShowsLess() {
+    void printQuality_stretchedOrGatheredFilm_isLower() {
         QCOMPARE(printQuality(1, 1), 1.0);
         QCOMPARE(printQuality(1.2, 0.7), 1.0);
         QVERIFY(printQuality(1.5, 1) > printQuality(2, 1));

@@ -1,4 +1,4 @@
-// Bodies of closed form to search poses for.
+// Makes subjects of the pose search from meshes.
 #pragma once
 
 #include "geometry/Shapes.h"
@@ -9,7 +9,7 @@
 
 namespace dipwright {
 
-// Over a film of 100 × 100 mm with 25 × 25 points.
+// The mesh over a film of 100 × 100 mm with 25 × 25 points.
 inline SearchSubject subjectOf(const TriangleMesh& mesh) {
     auto model = std::make_shared<TexturedMesh>();
     model->mesh = mesh;

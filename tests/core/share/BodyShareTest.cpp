@@ -1,5 +1,5 @@
-// A ball under two films laid by a closed form from opposite sides: who paints what, and whether
-// the join shows.
+// A ball under two films, laid from opposite sides by a closed form: which dip paints what, and
+// whether the seam shows.
 #include "DippedByHand.h"
 #include "base/Units.h"
 #include "dip/Coverage.h"
@@ -21,8 +21,9 @@ using namespace dipwright;
 namespace {
 
 constexpr double radius = 35;
-constexpr double reach = 115 * pi / 180; // of each film, from the point that it touches first
-const QSize a4Pixels(1240, 1754);        // 150 dpi
+constexpr double reach =
+    115 * pi / 180;               // radians, of each film from the point that it touches first
+const QSize a4Pixels(1240, 1754); // 150 dpi
 
 using Films = std::array<std::shared_ptr<const LaidFilm>, 2>;
 
@@ -30,7 +31,7 @@ std::shared_ptr<const LaidFilm> laidFrom(const TexturedMesh& model, double turn)
     return test::laidOnTurnedSphere(model.mesh, radius, reach, turn);
 }
 
-// From below and from above, as the model stands.
+// Films from below and from above.
 Films oppositeFilms(const TexturedMesh& model) {
     return {laidFrom(model, 0), laidFrom(model, 180)};
 }
@@ -48,8 +49,8 @@ double heightOf(const std::array<Eigen::Vector3f, 2>& piece) {
     return double(piece[0].y() + piece[1].y()) / 2;
 }
 
-// The light of a sheet at a place of the flat film, between its four nearest pixels; white where
-// nothing is printed.
+// The light of a sheet at a place of the flat film, interpolated between four pixels. Unprinted
+// pixels are white.
 LinearColour printedAt(const QImage& sheet, const solver::FilmGrid& grid,
                        const Eigen::Vector2f& rest) {
     const double x = (double(rest.x()) / grid.width + 0.5) * sheet.width() - 0.5;
@@ -69,7 +70,7 @@ LinearColour printedAt(const QImage& sheet, const solver::FilmGrid& grid,
     return sum;
 }
 
-// What one film's sheet shows at a place of the body.
+// The light that one film's sheet shows at a place of the body.
 LinearColour shownBy(const LaidFilm& laid, const QImage& sheet, const SurfacePoint& point) {
     const std::optional<FilmPlace> place = laid.place(point);
     if (!place) {
@@ -90,48 +91,53 @@ class BodyShareTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void oppositeDipsShareABallEvenly();
-    void joinLiesInThePlainHalf();
-    void greyIsRightAcrossTheJoin();
-    void blackAndWhiteAreRightAcrossTheJoin();
-    void nothingIsPaintedTwice();
-    void bandIsAsWideAsTheErrorNeeds_data();
-    void bandIsAsWideAsTheErrorNeeds();
-    void bandIsMeasuredOnTheFlatFilm();
-    void slippedFilmDoesNotShow();
-    void tooLittleRoomIsTold();
-    void whatOneDipAloneReachesIsItsOwn();
-    void whatOneDipAloneReachesGetsAllItsColour();
-    void placesOutOfReachAreListed();
-    void marksAreObeyed();
-    void lessStretchedFilmIsBetterLast();
-    void outlineOfARoundMarkIsACircle();
-    void outlineOfAFaceIsItsEdges();
-    void sameTwice();
+    void shareBody_oppositeDips_shareABallEvenly();
+    void shareBody_seam_liesInThePlainHalf();
+    void reverseTexture_greyAcrossTheSeam_isRight();
+    void reverseTexture_blackAndWhiteAcrossTheSeam_areRight();
+    void reverseTexture_otherDipsShare_isNotPainted();
+    void neededOverlap_isAsWideAsTheErrorNeeds_data();
+    void neededOverlap_isAsWideAsTheErrorNeeds();
+    void shareBody_overlap_isMeasuredOnTheFlatFilm();
+    void shareBody_slippedFilm_doesNotShow();
+    void shareBody_tooLittleRoom_isReportedAsNarrow();
+    void shareBody_areaOfOneDipAlone_isItsShare();
+    void shareBody_areaOfOneDipAlone_doesNotFade();
+    void shareBody_unreachedPlaces_areListed();
+    void shareBody_marks_areObeyed();
+    void betterLast_lessStretchedFilm_isLast();
+    void markOutline_roundMark_isACircle();
+    void markOutline_face_isItsEdges();
+    void shareBody_twice_givesTheSameBits();
 };
 
-void BodyShareTest::oppositeDipsShareABallEvenly() {
+void BodyShareTest::shareBody_oppositeDips_shareABallEvenly() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
     const BodyShare share = shared(model, oppositeFilms(model));
     const double whole = surfaceArea(model.mesh);
     QVERIFY(std::abs(share.areas.total() - whole) < 1e-3 * whole);
     QVERIFY2(std::abs(share.areas.first - share.areas.second) < 0.01 * whole,
-             qPrintable(QStringLiteral("%1 %2").arg(share.areas.first).arg(share.areas.second)));
+             qPrintable(QStringLiteral("dip 1 paints %1 mm² alone, dip 2 %2 mm²")
+                            .arg(share.areas.first)
+                            .arg(share.areas.second)));
     QCOMPARE(share.areas.none, 0.0);
     QVERIFY(share.unpainted.empty());
     QVERIFY(!share.join.empty());
     for (const auto& piece : share.join) {
-        QVERIFY2(std::abs(heightOf(piece)) < 1, qPrintable(QString::number(heightOf(piece))));
+        QVERIFY2(std::abs(heightOf(piece)) < 1,
+                 qPrintable(QStringLiteral("the seam is at y = %1 mm").arg(heightOf(piece))));
     }
     QVERIFY2(std::abs(share.cost.length - 2 * pi * radius) < 0.02 * 2 * pi * radius,
-             qPrintable(QString::number(share.cost.length)));
+             qPrintable(QStringLiteral("the seam is %1 mm long, expected %2 mm")
+                            .arg(share.cost.length)
+                            .arg(2 * pi * radius)));
 }
 
-void BodyShareTest::joinLiesInThePlainHalf() {
+void BodyShareTest::shareBody_seam_liesInThePlainHalf() {
     QImage picture(1200, 600, QImage::Format_RGBA8888);
     picture.fill(QColor(230, 230, 230));
     QPainter painter(&picture);
-    for (int row = 300; row < 600; row += 10) { // the map's south
+    for (int row = 300; row < 600; row += 10) { // the southern half of the map
         for (int column = 0; column < 1200; column += 20) {
             painter.fillRect(column + row % 20, row, 10, 10, Qt::black);
         }
@@ -140,13 +146,16 @@ void BodyShareTest::joinLiesInThePlainHalf() {
     const TexturedMesh model = test::globe(radius, 60, 120, picture);
     const BodyShare share = shared(model, oppositeFilms(model));
     for (const auto& piece : share.join) {
-        QVERIFY2(heightOf(piece) > 0, qPrintable(QString::number(heightOf(piece))));
+        QVERIFY2(heightOf(piece) > 0,
+                 qPrintable(QStringLiteral("the seam is at y = %1 mm").arg(heightOf(piece))));
     }
     QVERIFY2(share.cost.cost < 0.7 * share.equator.cost,
-             qPrintable(QStringLiteral("%1 %2").arg(share.cost.cost).arg(share.equator.cost)));
+             qPrintable(QStringLiteral("cost of the seam %1, of the equator %2")
+                            .arg(share.cost.cost)
+                            .arg(share.equator.cost)));
 }
 
-void BodyShareTest::greyIsRightAcrossTheJoin() {
+void BodyShareTest::reverseTexture_greyAcrossTheSeam_isRight() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
     const Films films = oppositeFilms(model);
     const BodyShare share = shared(model, films);
@@ -163,7 +172,7 @@ void BodyShareTest::greyIsRightAcrossTheJoin() {
         const LinearColour shown =
             shownBy(*films[0], sheets[0], point) * shownBy(*films[1], sheets[1], point);
         QVERIFY2(std::abs(shown[0] - wanted) < 0.01f,
-                 qPrintable(QStringLiteral("%1 instead of %2, %3 bands from the join")
+                 qPrintable(QStringLiteral("light %1, expected %2; %3 overlaps from the seam")
                                 .arg(double(shown[0]))
                                 .arg(double(wanted))
                                 .arg(double(share.fade.at(point)))));
@@ -171,7 +180,7 @@ void BodyShareTest::greyIsRightAcrossTheJoin() {
     QVERIFY(inBand > 100);
 }
 
-void BodyShareTest::blackAndWhiteAreRightAcrossTheJoin() {
+void BodyShareTest::reverseTexture_blackAndWhiteAcrossTheSeam_areRight() {
     for (const QColor& colour : {QColor(Qt::black), QColor(Qt::white)}) {
         const TexturedMesh model = ball(colour);
         const Films films = oppositeFilms(model);
@@ -185,12 +194,14 @@ void BodyShareTest::blackAndWhiteAreRightAcrossTheJoin() {
             const LinearColour shown =
                 shownBy(*films[0], first, point) * shownBy(*films[1], second, point);
             QVERIFY2(std::abs(shown[0] - linearColour(colour)[0]) < 0.02f,
-                     qPrintable(QString::number(double(shown[0]))));
+                     qPrintable(QStringLiteral("light %1, expected %2")
+                                    .arg(double(shown[0]))
+                                    .arg(double(linearColour(colour)[0]))));
         }
     }
 }
 
-void BodyShareTest::nothingIsPaintedTwice() {
+void BodyShareTest::reverseTexture_otherDipsShare_isNotPainted() {
     const TexturedMesh model = ball(QColor(40, 90, 160));
     const Films films = oppositeFilms(model);
     const BodyShare share = shared(model, films);
@@ -212,7 +223,7 @@ void BodyShareTest::nothingIsPaintedTwice() {
     }
 }
 
-void BodyShareTest::bandIsAsWideAsTheErrorNeeds_data() {
+void BodyShareTest::neededOverlap_isAsWideAsTheErrorNeeds_data() {
     QTest::addColumn<double>("light");
     QTest::addColumn<double>("error");
     for (const double light : {0.01, 0.1, 0.32, 0.5, 0.85, 0.95}) {
@@ -222,7 +233,7 @@ void BodyShareTest::bandIsAsWideAsTheErrorNeeds_data() {
     }
 }
 
-void BodyShareTest::bandIsAsWideAsTheErrorNeeds() {
+void BodyShareTest::neededOverlap_isAsWideAsTheErrorNeeds() {
     QFETCH(double, light);
     QFETCH(double, error);
     const double wide = neededOverlap(LinearColour::Constant(float(light)), error, 0);
@@ -235,25 +246,29 @@ void BodyShareTest::bandIsAsWideAsTheErrorNeeds() {
     QCOMPARE(neededOverlap(LinearColour::Constant(float(light)), 0, 1.5), 1.5);
 }
 
-void BodyShareTest::bandIsMeasuredOnTheFlatFilm() {
+void BodyShareTest::shareBody_overlap_isMeasuredOnTheFlatFilm() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
     const BodyShare share = shared(model, oppositeFilms(model));
-    // Viscous film that rested at R = 2ρ·sin(θ/2) is √2 times as long at the equator.
+    // Viscous film that rested at R = 2ρ·sin(θ/2) is stretched by √2 at the equator.
     const double needed = neededOverlap(linearColour(QColor(120, 120, 120)), 0.7, 0);
     const double wide = share.overlap.middle / (needed * std::sqrt(2));
-    QVERIFY2(wide > 1.05 && wide < 1.3, qPrintable(QString::number(wide)));
+    QVERIFY2(
+        wide > 1.05 && wide < 1.3,
+        qPrintable(
+            QStringLiteral("overlap over the needed width: %1, expected 1.05 to 1.3").arg(wide)));
     QVERIFY(share.overlap.least <= share.overlap.middle);
     QVERIFY(share.overlap.middle <= share.overlap.most);
-    // What white paper shows through needs no more than is asked for.
+    // White needs no more overlap than the settings ask for.
     const TexturedMesh white = ball(Qt::white);
     const BodyShare plain = shared(white, oppositeFilms(white));
-    QVERIFY2(std::abs(plain.overlap.middle - 1.5) < 0.3,
-             qPrintable(QString::number(plain.overlap.middle)));
+    QVERIFY2(
+        std::abs(plain.overlap.middle - 1.5) < 0.3,
+        qPrintable(QStringLiteral("overlap %1 mm, expected 1.5 mm").arg(plain.overlap.middle)));
 }
 
-// The second film lies off by as much as it may: what it gives a place is what it was to give
-// another, and the sum of both densities is off.
-void BodyShareTest::slippedFilmDoesNotShow() {
+// The second film is shifted by the registration error. It gives each place the ink of another,
+// which changes the sum of both densities.
+void BodyShareTest::shareBody_slippedFilm_doesNotShow() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
     const BodyShare share = shared(model, oppositeFilms(model));
     QCOMPARE(share.narrow, 0.0);
@@ -278,16 +293,16 @@ void BodyShareTest::slippedFilmDoesNotShow() {
             const auto given = double(share.of(0).at(point) + share.of(1).at(other));
             const double shown = std::pow(light, given);
             QVERIFY2(std::abs(shown - light) < 0.1,
-                     qPrintable(QStringLiteral("%1 instead of %2").arg(shown).arg(light)));
+                     qPrintable(QStringLiteral("light %1, expected %2").arg(shown).arg(light)));
         }
         ++joined;
     }
     QVERIFY(joined > 100);
 }
 
-void BodyShareTest::tooLittleRoomIsTold() {
+void BodyShareTest::shareBody_tooLittleRoom_isReportedAsNarrow() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
-    // Both reach past the equator by 4 mm.
+    // Both films reach 4 mm past the equator.
     const double end = pi / 2 + 4 / radius;
     const Films films{test::laidOnTurnedSphere(model.mesh, radius, end, 0),
                       test::laidOnTurnedSphere(model.mesh, radius, end, 180)};
@@ -296,11 +311,14 @@ void BodyShareTest::tooLittleRoomIsTold() {
     QCOMPARE(shared(model, films, settings).narrow, 0.0);
     settings.registrationError = Millimetres(3);
     const BodyShare share = shared(model, films, settings);
-    QVERIFY2(share.narrow > 0.9, qPrintable(QString::number(share.narrow)));
-    QVERIFY2(share.overlap.most < 10, qPrintable(QString::number(share.overlap.most)));
+    QVERIFY2(
+        share.narrow > 0.9,
+        qPrintable(QStringLiteral("share of narrow overlap %1, expected > 0.9").arg(share.narrow)));
+    QVERIFY2(share.overlap.most < 10,
+             qPrintable(QStringLiteral("overlap %1 mm, expected < 10 mm").arg(share.overlap.most)));
 }
 
-void BodyShareTest::whatOneDipAloneReachesIsItsOwn() {
+void BodyShareTest::shareBody_areaOfOneDipAlone_isItsShare() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
     const Films films = oppositeFilms(model);
     const BodyShare share = shared(model, films);
@@ -315,9 +333,9 @@ void BodyShareTest::whatOneDipAloneReachesIsItsOwn() {
     }
 }
 
-void BodyShareTest::whatOneDipAloneReachesGetsAllItsColour() {
+void BodyShareTest::shareBody_areaOfOneDipAlone_doesNotFade() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
-    // Films that leave a ring bare between them fade nowhere, up to their ends.
+    // Two films with a bare ring between them do not fade, up to their ends.
     const Films films{test::laidOnTurnedSphere(model.mesh, radius, 1.3, 0),
                       test::laidOnTurnedSphere(model.mesh, radius, 1.3, 180)};
     const BodyShare share = shared(model, films);
@@ -329,7 +347,8 @@ void BodyShareTest::whatOneDipAloneReachesGetsAllItsColour() {
             if (share.painters[triangle] == own) {
                 const SurfacePoint point = share.fade.mesh->middle(triangle);
                 QVERIFY2(share.of(dip).at(point) > 0.999f,
-                         qPrintable(QString::number(share.of(dip).at(point))));
+                         qPrintable(QStringLiteral("weight of the dip %1, expected 1")
+                                        .arg(double(share.of(dip).at(point)))));
                 ++tried[dip];
             }
         }
@@ -337,26 +356,28 @@ void BodyShareTest::whatOneDipAloneReachesGetsAllItsColour() {
     QVERIFY(tried[0] > 5000 && tried[1] > 5000);
 }
 
-void BodyShareTest::placesOutOfReachAreListed() {
+void BodyShareTest::shareBody_unreachedPlaces_areListed() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
-    // Both from below: the cap on top stays bare.
+    // Both dips are from below, so that the cap on top stays bare.
     const BodyShare share = shared(model, {laidFrom(model, 0), laidFrom(model, 0)});
     const double cap = surfaceArea(model.mesh) - coverage(*laidFrom(model, 0)).paintedArea;
-    QVERIFY2(std::abs(share.areas.none - cap) < 0.01 * cap,
-             qPrintable(QStringLiteral("%1 of %2").arg(share.areas.none).arg(cap)));
+    QVERIFY2(
+        std::abs(share.areas.none - cap) < 0.01 * cap,
+        qPrintable(
+            QStringLiteral("%1 mm² unpainted, expected %2 mm²").arg(share.areas.none).arg(cap)));
     QCOMPARE(share.unpainted.size(), std::size_t(1));
     QVERIFY(std::abs(share.unpainted[0].area - share.areas.none) < 0.01 * share.areas.none);
     QVERIFY((share.unpainted[0].place - Eigen::Vector3f(0, float(radius), 0)).norm() < 2);
 }
 
-void BodyShareTest::marksAreObeyed() {
+void BodyShareTest::shareBody_marks_areObeyed() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
     const Films films = oppositeFilms(model);
     const auto painterAt = [&](const BodyShare& share, const Eigen::Vector3f& place) {
         const SurfacePoint point = SurfaceQuery(model.mesh).closest(place).point;
         return share.painters[share.fade.mesh->onFine(point).triangle];
     };
-    // A little above the equator, which is the second dip's.
+    // A little above the equator, in the share of dip 2.
     const Eigen::Vector3f above = 35 * Eigen::Vector3f(0, 0.2f, 1).normalized();
     QCOMPARE(painterAt(shared(model, films), above), Painter::Second);
     ShareSettings settings;
@@ -369,7 +390,7 @@ void BodyShareTest::marksAreObeyed() {
     settings.marks.push_back(mark);
     settings.marks.back().kind = ShareMarkKind::Second;
     QCOMPARE(painterAt(shared(model, films, settings), above), Painter::Second);
-    // No join where it is to be avoided: it goes round the spot.
+    // The seam goes round a spot that it must avoid.
     settings.marks = {mark};
     settings.marks[0].kind = ShareMarkKind::Avoid;
     settings.marks[0].place = {Millimetres(0), Millimetres(0), Millimetres(radius)};
@@ -380,12 +401,13 @@ void BodyShareTest::marksAreObeyed() {
     }
 }
 
-void BodyShareTest::lessStretchedFilmIsBetterLast() {
+void BodyShareTest::betterLast_lessStretchedFilm_isLast() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
     BodyShare share = shared(model, oppositeFilms(model));
-    // At the equator viscous film is drawn out by 1/cos(45°) along the meridian.
+    // At the equator viscous film is stretched by 1/cos(45°) along the meridian.
     for (const double stretch : share.joinStretch) {
-        QVERIFY2(std::abs(stretch - std::sqrt(2)) < 0.05, qPrintable(QString::number(stretch)));
+        QVERIFY2(std::abs(stretch - std::sqrt(2)) < 0.05,
+                 qPrintable(QStringLiteral("stretch %1, expected √2").arg(stretch)));
     }
     QVERIFY(!betterLast(share));
     share.joinStretch = {1.2, 1.5};
@@ -394,7 +416,7 @@ void BodyShareTest::lessStretchedFilmIsBetterLast() {
     QCOMPARE(betterLast(share), std::optional<std::size_t>(1));
 }
 
-void BodyShareTest::outlineOfARoundMarkIsACircle() {
+void BodyShareTest::markOutline_roundMark_isACircle() {
     const TriangleMesh mesh = sphereMesh(radius, 120, 240);
     const SurfaceQuery query(mesh);
     ShareMark mark;
@@ -405,13 +427,15 @@ void BodyShareTest::outlineOfARoundMarkIsACircle() {
         length += double((to - from).norm());
         const double away = radius * std::acos(double(from.normalized().x()));
         // A round front is measured a few hundredths too long (SurfaceDistance.h).
-        QVERIFY2(std::abs(away - 8) < 0.08 * 8, qPrintable(QString::number(away)));
+        QVERIFY2(std::abs(away - 8) < 0.08 * 8,
+                 qPrintable(QStringLiteral("radius %1 mm, expected 8 mm").arg(away)));
     }
     const double circle = 2 * pi * radius * std::sin(8 / radius);
-    QVERIFY2(std::abs(length - circle) < 0.06 * circle, qPrintable(QString::number(length)));
+    QVERIFY2(std::abs(length - circle) < 0.06 * circle,
+             qPrintable(QStringLiteral("length %1 mm, expected %2 mm").arg(length).arg(circle)));
 }
 
-void BodyShareTest::outlineOfAFaceIsItsEdges() {
+void BodyShareTest::markOutline_face_isItsEdges() {
     const TriangleMesh box = boxMesh({10, 20, 30});
     const SurfaceQuery query(box);
     ShareMark mark;
@@ -426,7 +450,7 @@ void BodyShareTest::outlineOfAFaceIsItsEdges() {
     QCOMPARE(length, 80.0);
 }
 
-void BodyShareTest::sameTwice() {
+void BodyShareTest::shareBody_twice_givesTheSameBits() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
     const Films films = oppositeFilms(model);
     QCOMPARE(shared(model, films).fade.values, shared(model, films).fade.values);

@@ -1,4 +1,4 @@
-// Two labels with the least cost, against trying them all.
+// Labels with the least cost, compared with all possible labels.
 #include "share/MinimumCut.h"
 
 #include <QtTest>
@@ -40,11 +40,11 @@ class MinimumCutTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void nothingIsCheaper();
-    void whatBelongsTogetherStaysTogether();
+    void minimumCut_randomGraphs_haveTheLeastCost();
+    void minimumCut_expensiveEdges_areNotCut();
 };
 
-void MinimumCutTest::nothingIsCheaper() {
+void MinimumCutTest::minimumCut_randomGraphs_haveTheLeastCost() {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> any(0, 10);
     for (int round = 0; round < 50; ++round) {
@@ -60,11 +60,12 @@ void MinimumCutTest::nothingIsCheaper() {
         }
         const double cost = costOf(minimumCut(costs, edges), costs, edges);
         const double least = leastCost(costs, edges);
-        QVERIFY2(std::abs(cost - least) < 1e-2, qPrintable(QString::number(cost - least)));
+        QVERIFY2(std::abs(cost - least) < 1e-2,
+                 qPrintable(QStringLiteral("cost %1, least cost %2").arg(cost).arg(least)));
     }
 }
 
-void MinimumCutTest::whatBelongsTogetherStaysTogether() {
+void MinimumCutTest::minimumCut_expensiveEdges_areNotCut() {
     const std::vector<std::array<double, 2>> costs{{0, 9}, {1, 0}, {1, 0}, {9, 0}};
     const std::vector<CutEdge> edges{{0, 1, 5}, {1, 2, 5}, {2, 3, 1}};
     QCOMPARE(minimumCut(costs, edges), (std::vector<std::uint8_t>{0, 0, 0, 1}));

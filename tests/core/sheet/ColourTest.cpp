@@ -1,4 +1,4 @@
-// The sheet's colours in a printer's space, and the files that carry them.
+// The sheet's colours in a printer's colour space, and the files that contain them.
 #include "PaperMeasure.h"
 #include "TestProfiles.h"
 
@@ -118,30 +118,30 @@ class ColourTest : public QObject {
     }
 
 private slots:
-    void profilesTellWhatTheyAre();
-    void whatIsNoPrinterProfileIsRefused();
-    void greysStayGreyAndReachableColoursSurvive();
-    void inksAreWhatTheColourNeeds();
-    void softProofPalesWhatThePrinterCannotMake();
-    void gamutWarningPointsAtIt();
-    void tiffHoldsThePageInSrgb();
-    void tiffHoldsThePageInCmyk();
-    void marksInCmykAreBlackInkOnly();
-    void tiffTakesOutThePrintersScale();
-    void tiffIsTheSameEveryTime();
-    void pdfCarriesThePrintersSpace();
-    void pdfForAPrinterIsPdfX();
-    void pdfForScreensDoesNotPassForPdfX();
+    void printerColour_profile_hasKindAndDescription();
+    void printerColour_notAPrinterProfile_isRefused();
+    void printerColour_greysAndReachableColours_areKept();
+    void printerColour_cmyk_usesTheInksOfTheColour();
+    void softProof_outOfGamut_isPaler();
+    void gamutWarning_outOfGamut_isMarked();
+    void writeSheetTiff_withoutProfile_isSrgb();
+    void writeSheetTiff_cmykProfile_isSeparated();
+    void writeSheetTiff_cmykMarks_areBlackInkOnly();
+    void writeSheetTiff_printerScale_isCorrectedByResolution();
+    void writeSheetTiff_twice_givesTheSameBytes();
+    void writeSheetPdf_printerProfile_isOutputIntent();
+    void writeSheetPdf_printerProfile_isPdfX4();
+    void writeSheetPdf_screenProfile_isNotPdfX();
 };
 
-void ColourTest::profilesTellWhatTheyAre() {
+void ColourTest::printerColour_profile_hasKindAndDescription() {
     QVERIFY(!pale_.isCmyk());
     QCOMPARE(pale_.description(), QString("Pale printer"));
     QVERIFY(inks_.isCmyk());
     QCOMPARE(inks_.description(), QString("Simple inks"));
 }
 
-void ColourTest::whatIsNoPrinterProfileIsRefused() {
+void ColourTest::printerColour_notAPrinterProfile_isRefused() {
     const auto open = [](const QByteArray& bytes) {
         PrinterColour(bytes, RenderingIntent::Perceptual, true, "x.icc");
     };
@@ -151,7 +151,7 @@ void ColourTest::whatIsNoPrinterProfileIsRefused() {
     QVERIFY_EXCEPTION_THROWN(open(paleRgbProfile().replace(16, 4, "\xad\x78 0")), Error);
 }
 
-void ColourTest::greysStayGreyAndReachableColoursSurvive() {
+void ColourTest::printerColour_greysAndReachableColours_areKept() {
     const QImage printed = pale_.rgb(swatches());
     QCOMPARE(printed.pixelColor(5, 5), QColor(Qt::white));
     QCOMPARE(printed.pixelColor(35, 5).alpha(), 0);
@@ -160,7 +160,7 @@ void ColourTest::greysStayGreyAndReachableColoursSurvive() {
     QVERIFY(difference(pale_.softProof(swatches()).pixelColor(15, 5), QColor(128, 128, 128)) <= 2);
 }
 
-void ColourTest::inksAreWhatTheColourNeeds() {
+void ColourTest::printerColour_cmyk_usesTheInksOfTheColour() {
     const QByteArray inks = inks_.cmyk(swatches().convertToFormat(QImage::Format_RGB888));
     const auto* white = reinterpret_cast<const uchar*>(inks.constData()) + (5 * 40 + 5) * 4;
     const auto* red = white + 20 * 4;
@@ -172,13 +172,13 @@ void ColourTest::inksAreWhatTheColourNeeds() {
     QVERIFY(red[2] > 230);
 }
 
-void ColourTest::softProofPalesWhatThePrinterCannotMake() {
+void ColourTest::softProof_outOfGamut_isPaler() {
     const QColor red = pale_.softProof(swatches()).pixelColor(25, 5);
     QVERIFY2(red.green() > 40, qPrintable(red.name()));
     QCOMPARE(pale_.softProof(swatches()).pixelColor(35, 5).alpha(), 0);
 }
 
-void ColourTest::gamutWarningPointsAtIt() {
+void ColourTest::gamutWarning_outOfGamut_isMarked() {
     const GamutWarning warning = pale_.gamutWarning(swatches());
     QCOMPARE(qGray(warning.mask.pixel(5, 5)), 0);
     QCOMPARE(qGray(warning.mask.pixel(15, 5)), 0);
@@ -187,7 +187,7 @@ void ColourTest::gamutWarningPointsAtIt() {
     QVERIFY(std::abs(warning.share - 1.0 / 3) < 1e-9);
 }
 
-void ColourTest::tiffHoldsThePageInSrgb() {
+void ColourTest::writeSheetTiff_withoutProfile_isSrgb() {
     Sheet sheet = smallSheet();
     const Tiff tiff = tiffOf(sheet);
     QCOMPARE(int(tiff.width), 591);
@@ -200,7 +200,7 @@ void ColourTest::tiffHoldsThePageInSrgb() {
     QCOMPARE(int(tiff.pixel(300, 200)[0]), 255);
     QCOMPARE(int(tiff.pixel(300, 200)[1]), 0);
     QCOMPARE(int(tiff.pixel(100, 200)[1]), 255);
-    // Film pixels are not resampled on larger paper either.
+    // The film's pixels are not resampled on larger paper.
     sheet.settings.marks = false;
     sheet.settings.paper = QStringLiteral("A4");
     const Tiff page = tiffOf(sheet);
@@ -218,7 +218,7 @@ void ColourTest::tiffHoldsThePageInSrgb() {
     QCOMPARE(others, 0);
 }
 
-void ColourTest::tiffHoldsThePageInCmyk() {
+void ColourTest::writeSheetTiff_cmykProfile_isSeparated() {
     const Tiff tiff = tiffOf(smallSheet(), {.colour = &inks_});
     QCOMPARE(int(tiff.channels), 4);
     QCOMPARE(int(tiff.photometric), int(PHOTOMETRIC_SEPARATED));
@@ -228,13 +228,13 @@ void ColourTest::tiffHoldsThePageInCmyk() {
     QVERIFY(tiff.pixel(100, 200)[0] <= 2);
 }
 
-// Hairlines in four inks blur where the inks do not meet exactly.
-void ColourTest::marksInCmykAreBlackInkOnly() {
+// Hairlines in four inks blur if the inks are out of register.
+void ColourTest::writeSheetTiff_cmykMarks_areBlackInkOnly() {
     Sheet unpainted = smallSheet();
     unpainted.image.fill(Qt::transparent);
     const Tiff onPaper = tiffOf(unpainted, {.colour = &inks_});
     Sheet covered = smallSheet();
-    covered.image.fill(QColor(200, 60, 60)); // the marks stand on paint, with a white rim
+    covered.image.fill(QColor(200, 60, 60)); // the marks are on paint, with a white rim
     const Tiff onPaint = tiffOf(covered, {.colour = &inks_});
     for (const Tiff* tiff : {&onPaper, &onPaint}) {
         int black = 0;
@@ -248,24 +248,28 @@ void ColourTest::marksInCmykAreBlackInkOnly() {
                 QVERIFY(tiff == &onPaint || noColour);
             }
         }
-        QVERIFY2(black > 300, qPrintable(QString::number(black)));
+        QVERIFY2(black > 300,
+                 qPrintable(QStringLiteral("%1 black pixels, expected more than 300").arg(black)));
         QVERIFY(bare > 500);
     }
 }
 
-// A raster image processor prints as long as pixels and resolution say; the printer stretches that.
-void ColourTest::tiffTakesOutThePrintersScale() {
+// A raster image processor prints at the size that pixels and resolution give, and the printer
+// stretches that.
+void ColourTest::writeSheetTiff_printerScale_isCorrectedByResolution() {
     const Tiff plain = tiffOf(smallSheet());
     const Tiff corrected = tiffOf(smallSheet(), {.scaleX = 1.004, .scaleY = 0.997});
     QCOMPARE(corrected.pixels, plain.pixels);
     const double ruler = 100 / millimetresPerInch * 150; // pixels of 100 mm
     const double onPaperX = ruler / double(corrected.dpi) * millimetresPerInch * 1.004;
     const double onPaperY = ruler / double(corrected.dpiY) * millimetresPerInch * 0.997;
-    QVERIFY2(std::abs(onPaperX - 100) < 0.001, qPrintable(QString::number(onPaperX)));
-    QVERIFY2(std::abs(onPaperY - 100) < 0.001, qPrintable(QString::number(onPaperY)));
+    QVERIFY2(std::abs(onPaperX - 100) < 0.001,
+             qPrintable(QStringLiteral("100 mm are %1 mm on paper along X").arg(onPaperX)));
+    QVERIFY2(std::abs(onPaperY - 100) < 0.001,
+             qPrintable(QStringLiteral("100 mm are %1 mm on paper along Y").arg(onPaperY)));
 }
 
-void ColourTest::tiffIsTheSameEveryTime() {
+void ColourTest::writeSheetTiff_twice_givesTheSameBytes() {
     QBuffer first;
     QBuffer second;
     first.open(QIODevice::WriteOnly);
@@ -279,7 +283,7 @@ void ColourTest::tiffIsTheSameEveryTime() {
     QVERIFY_EXCEPTION_THROWN(writeSheetTiff(smallSheet(), readOnly), Error);
 }
 
-void ColourTest::pdfCarriesThePrintersSpace() {
+void ColourTest::writeSheetPdf_printerProfile_isOutputIntent() {
     QFile file(folder_.filePath("pale.pdf"));
     QVERIFY(file.open(QIODevice::WriteOnly));
     PrintCorrection correction;
@@ -300,8 +304,8 @@ void ColourTest::pdfCarriesThePrintersSpace() {
     QVERIFY(document.contains(pale_.iccProfile()));
 }
 
-// What a print shop's queue looks at before it takes a file.
-void ColourTest::pdfForAPrinterIsPdfX() {
+// A print shop's preflight checks these before it accepts a file.
+void ColourTest::writeSheetPdf_printerProfile_isPdfX4() {
     Sheet sheet = smallSheet();
     sheet.job.project = QStringLiteral("Turtle & Co");
     sheet.job.immersion = QStringLiteral("Top");
@@ -332,8 +336,8 @@ void ColourTest::pdfForAPrinterIsPdfX() {
     QVERIFY(again.open(QIODevice::ReadOnly) && again.readAll() == bytes);
 }
 
-// PDF/X names an output device; a screen's profile is none.
-void ColourTest::pdfForScreensDoesNotPassForPdfX() {
+// PDF/X needs the profile of an output device, which a screen is not.
+void ColourTest::writeSheetPdf_screenProfile_isNotPdfX() {
     const PrinterColour screen(QColorSpace(QColorSpace::AdobeRgb).iccProfile(),
                                RenderingIntent::RelativeColorimetric, true, "screen.icc");
     const QByteArray json = output("qpdf", {"--json", pdfOf(smallSheet(), screen)});

@@ -1,4 +1,4 @@
-// Several jobs on one film, as who cuts them apart, and who prints them alone, would check it.
+// Several jobs packed on one film, compared with each job alone.
 #include "PaperMeasure.h"
 
 #include "base/Error.h"
@@ -19,15 +19,15 @@ using namespace dipwright;
 
 namespace {
 
-// Its first two letters are ones that fonts like to join.
+// A job number that begins with ff, which fonts may draw as a ligature.
 QString jobNumber(const QString& name) {
     constexpr int letters = 12;
     const QByteArray hash = QCryptographicHash::hash(name.toUtf8(), QCryptographicHash::Md5);
     return (QStringLiteral("ff") + QString::fromLatin1(hash.toHex())).left(letters);
 }
 
-// A film of A4 with a picture of so many mm off its middle, each pixel of which is told from its
-// neighbours, and paint that thins out to nothing.
+// A piece on an A4 film, inked in the rectangle `inked` (mm). Each pixel differs from its
+// neighbours, also in opacity.
 PieceToPack part(const QString& name, QRectF inked, int copies = 1) {
     PieceToPack piece;
     Sheet& sheet = piece.sheet;
@@ -74,7 +74,7 @@ QRect inkedBox(const QImage& image) {
     return box;
 }
 
-// Of a piece's picture on the film, pixels.
+// The place of a piece's picture on the film, in pixels.
 QRect pictureBox(const Sheet& sheet, const SheetPiece& piece) {
     const double unit = sheet.image.width() / sheet.filmWidth.value();
     const QRectF own = piece.picture;
@@ -109,7 +109,7 @@ class FilmPackingTest : public QObject {
     }
 
 private slots:
-    void rectanglesNeitherOverlapNorLeave() {
+    void packed_rectangles_neitherOverlapNorLeaveTheBin() {
         std::mt19937 random(5);
         std::vector<PackItem> items;
         for (int number = 0; number < 300; ++number) {
@@ -136,12 +136,12 @@ private slots:
             }
         }
         QCOMPARE(std::count(seen.begin(), seen.end(), 1), std::ptrdiff_t(items.size()));
-        // No more bins than half as many again as the area alone would take.
+        // At most 1.5 times the bins that the area alone would need, and one more.
         QVERIFY2(double(bins.size()) <= 1 + 1.5 * area / (bin.width() * bin.height()),
-                 qPrintable(QString::number(bins.size())));
+                 qPrintable(QStringLiteral("%1 bins").arg(bins.size())));
     }
 
-    void nineSmallPartsGoOnOneA4() {
+    void planFilms_nineSmallParts_fitOnOneA4() {
         const std::vector<PieceToPack> parts = nineParts();
         PackingFilm film;
         const FilmPlan plan = planFilms(parts, film);
@@ -163,7 +163,7 @@ private slots:
         QCOMPARE(names.size(), 9);
     }
 
-    void eachPictureIsThatOfItsOwnSheetPixelByPixel() {
+    void filmSheet_pieces_equalTheirSheetsPixelByPixel() {
         const std::vector<PieceToPack> parts = nineParts();
         const FilmPlan plan = planFilms(parts, {});
         const Sheet sheet = filmSheet(parts, {}, plan, 0);
@@ -180,7 +180,7 @@ private slots:
             QCOMPARE(sheet.image.copy(place), own.sheet.image.copy(box));
             QCOMPARE(film.copy(place), flattened(own.sheet.image).copy(box));
             inked += qsizetype(box.width()) * box.height();
-            // The ticks say where the middle of its own film is.
+            // The ticks mark the middle of the piece's own film.
             const QPointF middle = piece.middle - piece.picture.topLeft();
             QVERIFY(std::abs(middle.x() - (105 - box.left() * 210 / 2480.0)) < 0.1);
             QVERIFY(std::abs(middle.y() - (148.5 - box.top() * 297 / 3508.0)) < 0.1);
@@ -191,10 +191,10 @@ private slots:
                 all += qAlpha(sheet.image.pixel(x, y)) > 0;
             }
         }
-        QCOMPARE(all, inked); // and nothing else is on it
+        QCOMPARE(all, inked); // nothing else is inked
     }
 
-    void aTurnedPieceIsTurnedAsItIs() {
+    void filmSheet_turnedPiece_isTurnedExactly() {
         std::vector<PieceToPack> parts{part("Turned", {40, 50, 30, 60})};
         parts[0].turning = Turning::Always;
         const FilmPlan plan = planFilms(parts, {});
@@ -205,14 +205,14 @@ private slots:
         QCOMPARE(pictureBox(sheet, sheet.pieces[0]), inkedBox(sheet.image));
     }
 
-    void whiteComesWithItsPicture() {
+    void filmSheet_white_staysWithItsPicture() {
         std::vector<PieceToPack> parts{part("Plain", {40, 50, 30, 40}),
                                        part("White", {60, 70, 30, 40})};
         Sheet& own = parts[1].sheet;
         own.settings.white = WhiteLayer::Last;
         QImage white(own.image.size(), QImage::Format_Grayscale8);
         white.fill(0);
-        for (int y = 700; y < 1500; ++y) { // more than is coloured: white paint on a dark part
+        for (int y = 700; y < 1500; ++y) { // white extends past the colour, as on a dark part
             white.scanLine(y)[800] = uchar(1 + y % 255);
         }
         own.plates = {{own.settings.whiteName, white}};
@@ -231,7 +231,7 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(planFilms(parts, {}), Error);
     }
 
-    void whatIsMadeUpForInkByInkComesWithItsPicture() {
+    void filmSheet_wantedInk_staysWithItsPicture() {
         std::vector<PieceToPack> parts{part("One", {40, 50, 30, 40}),
                                        part("Two", {60, 70, 30, 40})};
         InkSettings ink;
@@ -253,11 +253,11 @@ private slots:
             QCOMPARE(sheet.wanted->stretch.copy(pictureBox(sheet, piece)),
                      own.wanted->stretch.copy(box));
         }
-        parts[1].sheet.wanted->settings.law.exponents[0] = 0.6; // not of one mind
+        parts[1].sheet.wanted->settings.law.exponents[0] = 0.6; // the pieces' laws differ
         QVERIFY(!filmSheet(parts, {}, planFilms(parts, {}), 0).wanted);
     }
 
-    void copiesStandInRows() {
+    void planFilms_copies_areInRows() {
         const std::vector<PieceToPack> parts{part("Button", {90, 120, 30, 30}, 12)};
         const FilmPlan plan = planFilms(parts, {});
         QCOMPARE(plan.films.size(), std::size_t(1));
@@ -272,7 +272,7 @@ private slots:
         QCOMPARE(copies.size(), 12);
     }
 
-    void whatOneFilmDoesNotTakeGoesOnTheNext() {
+    void planFilms_tooManyCopies_continueOnTheNextFilm() {
         const std::vector<PieceToPack> parts{part("Button", {90, 120, 30, 30}, 50)};
         const FilmPlan plan = planFilms(parts, {});
         QCOMPARE(plan.films.size(), std::size_t(4));
@@ -283,7 +283,7 @@ private slots:
         QCOMPARE(count, std::size_t(50));
     }
 
-    void aRollIsCutOffBehindTheLastPiece() {
+    void filmSheet_roll_endsAfterTheLastPiece() {
         PackingFilm roll;
         roll.isRoll = true;
         roll.size = {610, 2000};
@@ -291,14 +291,15 @@ private slots:
         const FilmPlan plan = planFilms(parts, roll);
         QCOMPARE(plan.films.size(), std::size_t(1));
         const Sheet sheet = filmSheet(parts, roll, plan, 0);
-        // Two rows of 56 mm, the spacing between and the edges.
+        // Two rows of 56 mm, the spacing between them, and the edges.
         QVERIFY2(std::abs(sheet.filmHeight.value() - (5 + 56 + 3 + 56 + 10)) < 0.5,
-                 qPrintable(QString::number(sheet.filmHeight.value())));
+                 qPrintable(QStringLiteral("the film is %1 mm long, expected 130 mm")
+                                .arg(sheet.filmHeight.value())));
         QCOMPARE(sheetPixels(sheet.filmWidth, sheet.filmHeight, sheet.settings.resolution),
                  sheet.image.size());
     }
 
-    void squaresMeasureSeventeenMillimetresInThePdf() {
+    void writeSheetPdf_packedSquares_measure17mm() {
         PieceToPack chess = part("Chess", {}, 2);
         QPainter painter(&chess.sheet.image);
         painter.setRenderHint(QPainter::Antialiasing);
@@ -319,12 +320,14 @@ private slots:
             QCOMPARE(middles.size(), std::size_t(5));
             for (std::size_t i = 1; i < middles.size(); ++i) {
                 const double pitch = (middles[i] - middles[0]) / double(i) * 25.4 / dpi;
-                QVERIFY2(std::abs(pitch - 17) < 0.02, qPrintable(QString::number(pitch)));
+                QVERIFY2(std::abs(pitch - 17) < 0.02,
+                         qPrintable(
+                             QStringLiteral("a square measures %1 mm, expected 17 mm").arg(pitch)));
             }
         }
     }
 
-    void eachPieceSaysWhatItIsInWordsAndCode() {
+    void writeSheetPdf_pieces_haveTextAndCode() {
         std::vector<PieceToPack> parts = nineParts();
         parts.resize(3);
         parts[1].copies = 2;
@@ -355,29 +358,29 @@ private slots:
         QVERIFY2(words.contains("Dip 1, copy 2 of 2"), qPrintable(words));
     }
 
-    void theSamePiecesGiveTheSameBytes() {
+    void writeSheetPdf_samePieces_giveTheSameBytes() {
         const std::vector<PieceToPack> parts = nineParts();
         const auto once = [&] { return pdfOf(filmSheet(parts, {}, planFilms(parts, {}), 0)); };
         QCOMPARE(once(), once());
     }
 
-    void whatCannotBePackedIsSaid() {
+    void planFilms_unpackablePieces_areRefused() {
         const auto refused = [](const std::vector<PieceToPack>& parts, const char* words) {
             try {
                 planFilms(parts, {});
-                qWarning("packed it");
+                qWarning("packed, expected a refusal");
                 return false;
             } catch (const Error& error) {
                 return error.sentence().contains(QLatin1String(words));
             }
         };
-        QVERIFY(refused({part("Large", {1, 1, 205, 290})}, "take a larger film"));
+        QVERIFY(refused({part("Large", {1, 1, 205, 290})}, "use a larger film"));
         QVERIFY(refused({part("Blank", {})}, "no ink"));
         QVERIFY(refused({}, "1 to"));
         QVERIFY(refused({part("Many", {90, 120, 30, 30}, 2001)}, "1 to"));
         std::vector<PieceToPack> mixed{part("A", {90, 120, 30, 30}), part("B", {90, 120, 30, 30})};
         mixed[1].sheet.settings.resolution = DotsPerInch(600);
-        QVERIFY(refused(mixed, "one resolution"));
+        QVERIFY(refused(mixed, "same resolution"));
     }
 };
 

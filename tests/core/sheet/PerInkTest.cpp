@@ -1,5 +1,5 @@
-// Inks of a CMYK printer on film that stretches, each by its own law: what is printed is taken
-// apart by Ghostscript, carried forward by the laws and looked at by lcms2.
+// Inks of a CMYK printer on stretched film, each with its own law. Ghostscript separates the page,
+// the laws give the inks on the part, and lcms2 gives their colour.
 #include "PaperMeasure.h"
 #include "TestProfiles.h"
 #include "texture/Ink.h"
@@ -24,7 +24,7 @@ namespace {
 using Inks = std::array<double, 4>; // 0 … 1
 const QStringList inkNames{"Cyan", "Magenta", "Yellow", "Black"};
 
-// What lcms2 says of a printer's inks.
+// Colours of a printer's inks, computed by lcms2.
 class Print {
 public:
     explicit Print(const QByteArray& icc) {
@@ -46,7 +46,7 @@ public:
         cmsDoTransform(toLab_, percent.data(), &lab, 1);
         return lab;
     }
-    // The density of one ink alone, in the light of wide colour's primary that it takes.
+    // The density of one ink alone, in the primary of wide colour that it absorbs.
     double density(std::size_t ink, double amount) const {
         Inks alone{};
         alone[ink] = amount;
@@ -62,7 +62,7 @@ public:
     }
 
 private:
-    // BT.2020's primaries adapted to D50, from XYZ; luminance for black.
+    // BT.2020's primaries from XYZ, adapted to D50; luminance for black.
     static double light(std::size_t ink, const cmsCIELab& lab) {
         cmsCIEXYZ xyz;
         cmsLab2XYZ(nullptr, &xyz, &lab);
@@ -83,9 +83,9 @@ const QList<QColor> wantedColours{{215, 255, 255}, {150, 240, 255}, {255, 215, 2
                                   {190, 140, 120}, {130, 170, 150}};
 const std::array<float, 5> stretches{0.8f, 1.0f, 1.3f, 1.7f, 2.2f};
 constexpr int patch = 8; // mm
-constexpr int dpi = 127; // five pixels a mm
+constexpr int dpi = 127; // five pixels per mm
 
-// A column a colour, a row a stretch.
+// A sheet with one column for each colour and one row for each stretch.
 Sheet rampSheet(const InkSettings& settings) {
     Sheet sheet;
     sheet.filmWidth = Millimetres(patch * double(wantedColours.size()));
@@ -95,7 +95,7 @@ Sheet rampSheet(const InkSettings& settings) {
     const QSize pixels = sheetPixels(sheet.filmWidth, sheet.filmHeight, DotsPerInch(dpi));
     QImage wanted(pixels, QImage::Format_RGBA8888);
     QImage stretch = unstretched(pixels);
-    QImage printed(pixels, QImage::Format_RGBA8888); // as a printer of RGB gets it
+    QImage printed(pixels, QImage::Format_RGBA8888); // as an RGB printer gets it
     const InkCompensation compensation(settings);
     for (int y = 0; y < pixels.height(); ++y) {
         const float grown = stretches[std::size_t(std::min(y / (5 * patch), 4))];
@@ -113,7 +113,7 @@ Sheet rampSheet(const InkSettings& settings) {
     return sheet;
 }
 
-// Each ink has another law, none of them a dye's.
+// Each ink has its own law; none is that of a dye.
 InkSettings lawOfEachInk() {
     InkSettings settings;
     settings.law.exponents = {0.8, 0.4, 0.6, 0.2, 1};
@@ -143,7 +143,8 @@ class PerInkTest : public QObject {
         }
         return plates;
     }
-    // The farthest that a patch shows off the separated colour, where full ink binds none: ΔE.
+    // The largest ΔE between the colour shown and the separated colour, over patches without full
+    // ink. `counted`: the number of these patches.
     double worst(const Sheet& sheet, const PrinterColour& colour, const QByteArray& icc,
                  int& counted) const {
         const Print print(icc);
@@ -179,15 +180,15 @@ class PerInkTest : public QObject {
     }
 
 private Q_SLOTS:
-    void everyInkShowsWhatWasWanted_data();
-    void everyInkShowsWhatWasWanted();
-    void whatIsPrintedIsTurnedRound();
-    void whatFullInkDoesNotReachIsTold();
-    void totalInkHoldsAfterCompensation();
-    void otherPrintersGetWhatTheyGot();
+    void plateCompensation_everyInk_showsTheWantedColour_data();
+    void plateCompensation_everyInk_showsTheWantedColour();
+    void plateCompensation_shown_invertsPrinted();
+    void inkShortfall_fullInkTooPale_isReported();
+    void separate_totalInk_holdsAfterCompensation();
+    void writeSheetTiff_rgbPrinter_ignoresInkLaws();
 };
 
-void PerInkTest::everyInkShowsWhatWasWanted_data() {
+void PerInkTest::plateCompensation_everyInk_showsTheWantedColour_data() {
     QTest::addColumn<QByteArray>("icc");
     QTest::newRow("simple inks") << simpleCmykProfile(0.002);
     QFile press("/usr/share/color/icc/ghostscript/default_cmyk.icc");
@@ -196,23 +197,25 @@ void PerInkTest::everyInkShowsWhatWasWanted_data() {
     }
 }
 
-void PerInkTest::everyInkShowsWhatWasWanted() {
+void PerInkTest::plateCompensation_everyInk_showsTheWantedColour() {
     QFETCH(const QByteArray, icc);
     const PrinterColour colour(icc, RenderingIntent::RelativeColorimetric, false, "inks.icc");
     Sheet sheet = rampSheet(lawOfEachInk());
     int counted = 0;
     const double after = worst(sheet, colour, icc, counted);
-    // As before there was more than one law after separation: the picture itself compensated.
+    // Without the wanted colours, the picture is compensated before separation, as in earlier
+    // versions.
     Sheet before = sheet;
     before.wanted.reset();
     const std::map<QString, QImage> own = separations(sheet, colour);
     QVERIFY(separations(before, colour) != own);
     qInfo("worst ΔE %g of %d patches", after, counted);
     QVERIFY(counted >= 45);
-    QVERIFY2(after <= 1, qPrintable(QString::number(after)));
+    QVERIFY2(after <= 1,
+             qPrintable(QStringLiteral("largest difference ΔE %1, expected 1 or less").arg(after)));
 }
 
-void PerInkTest::whatIsPrintedIsTurnedRound() {
+void PerInkTest::plateCompensation_shown_invertsPrinted() {
     const PrinterColour colour(simpleCmykProfile(0.002), RenderingIntent::RelativeColorimetric,
                                false, "inks.icc");
     InkSettings settings = lawOfEachInk();
@@ -224,8 +227,9 @@ void PerInkTest::whatIsPrintedIsTurnedRound() {
                 const int printed = inks.printed(ink, std::uint8_t(wanted), stretch);
                 if (printed < 255) {
                     const double shown = inks.shown(ink, printed, stretch);
-                    QVERIFY2(std::abs(shown - wanted) < 1.2, // of 255; whole amounts are printed
-                             qPrintable(QString("%1 %2 %3 %4")
+                    QVERIFY2(std::abs(shown - wanted) <
+                                 1.2, // of 255; amounts are rounded to integers
+                             qPrintable(QString("ink %1, stretch %2: %4 shown, %3 wanted, of 255")
                                             .arg(ink)
                                             .arg(double(stretch))
                                             .arg(wanted)
@@ -240,14 +244,14 @@ void PerInkTest::whatIsPrintedIsTurnedRound() {
     }
 }
 
-void PerInkTest::whatFullInkDoesNotReachIsTold() {
+void PerInkTest::inkShortfall_fullInkTooPale_isReported() {
     const PrinterColour colour(simpleCmykProfile(0.002), RenderingIntent::RelativeColorimetric,
                                false, "inks.icc");
     Sheet sheet = rampSheet(lawOfEachInk());
     PrintCorrection correction{.colour = &colour};
     sheet.wanted->image.fill(QColor(200, 200, 200));
     QCOMPARE(inkShortfall(sheet, correction), 0.0);
-    // A dark column that film drawn out by 1.7 and 2.2 cannot show.
+    // A dark column that stretched film cannot show.
     for (int y = 0; y < sheet.wanted->image.height(); ++y) {
         for (int x = 0; x < 5 * patch; ++x) {
             sheet.wanted->image.setPixelColor(x, y, QColor(12, 12, 12));
@@ -256,16 +260,17 @@ void PerInkTest::whatFullInkDoesNotReachIsTold() {
     sheet.wanted->settings.law.exponents = {1, 1, 1, 1, 1};
     const double area = inkShortfall(sheet, correction);
     const double wanted = patch * patch * (1.3 + 1.7 + 2.2);
-    QVERIFY2(std::abs(area - wanted) < 0.02 * wanted, qPrintable(QString::number(area)));
+    QVERIFY2(std::abs(area - wanted) < 0.02 * wanted,
+             qPrintable(QStringLiteral("shortfall %1 mm², expected %2 mm²").arg(area).arg(wanted)));
     sheet.wanted.reset();
     QCOMPARE(inkShortfall(sheet, correction), 0.0);
 }
 
-void PerInkTest::totalInkHoldsAfterCompensation() {
+void PerInkTest::separate_totalInk_holdsAfterCompensation() {
     const PrinterColour colour(simpleCmykProfile(0.002), RenderingIntent::RelativeColorimetric,
                                false, "inks.icc");
     Sheet sheet = rampSheet(lawOfEachInk());
-    sheet.wanted->image.fill(QColor(160, 160, 160)); // three inks of 0.65
+    sheet.wanted->image.fill(QColor(160, 160, 160)); // three inks of 0.65 each
     PrintCorrection correction{.colour = &colour};
     const auto mostInk = [&] {
         const QByteArray inks = separate(sheet, correction).cmyk;
@@ -279,12 +284,13 @@ void PerInkTest::totalInkHoldsAfterCompensation() {
     QVERIFY(mostInk() > 2.1);
     QCOMPARE(inkShortfall(sheet, correction), 0.0);
     correction.totalInk = 2.0;
-    QVERIFY2(mostInk() <= 2.0, qPrintable(QString::number(mostInk())));
+    QVERIFY2(mostInk() <= 2.0,
+             qPrintable(QStringLiteral("total ink %1, expected 2.0 or less").arg(mostInk())));
     QVERIFY(inkShortfall(sheet, correction) > 0);
 }
 
-// What a printer of RGB is sent, and what a sheet of a dye is, does not know of this.
-void PerInkTest::otherPrintersGetWhatTheyGot() {
+// An RGB printer gets the same picture as without laws for each ink.
+void PerInkTest::writeSheetTiff_rgbPrinter_ignoresInkLaws() {
     const Sheet sheet = rampSheet(lawOfEachInk());
     Sheet plain = sheet;
     plain.wanted.reset();

@@ -1,4 +1,4 @@
-// What a print shop gets: PDF/X in inks, taken apart by programs that have nothing to do with ours.
+// Files for print shops: PDF/X in CMYK, checked with independent programs.
 #include "ChessSheet.h"
 #include "PaperMeasure.h"
 #include "TestProfiles.h"
@@ -25,7 +25,7 @@ namespace {
 
 constexpr double dark = 0.8; // of a plate's full ink
 
-// Half tint of white over 20 × 20 mm in the upper left of the film.
+// A half tint of white over 20 × 20 mm in the film's upper left.
 QImage cornerOfWhite(const Sheet& sheet) {
     QImage white(sheet.image.size(), QImage::Format_Grayscale8);
     white.fill(0);
@@ -37,7 +37,7 @@ QImage cornerOfWhite(const Sheet& sheet) {
     return white;
 }
 
-// A page's plates by their names, in grey: 0 full ink … 255 none.
+// A page's plates by name, in grey: 0 is full ink, 255 is none.
 using Separations = std::map<QString, QImage>;
 
 Separations separations(const QString& pdf, int dpi) {
@@ -66,18 +66,21 @@ int inkedPixels(const QImage& plate) {
     return count;
 }
 
-// A black square and the white one beside it, halved: half-inked pixels at their edges, which are
-// darker in inks than in RGB, make the one wider and the other narrower.
+// The mean of a black square and the white one beside it is compared. Partly inked pixels at their
+// edges, darker in CMYK than in RGB, make the one wider and the other narrower.
 void verifyPitch(const QString& path, bool across, double wanted) {
     const std::vector<double> sizes = squares(path, across);
     QVERIFY(sizes.size() >= 8);
     for (std::size_t i = 1; i < sizes.size(); ++i) {
         const double pitch = (sizes[i - 1] + sizes[i]) / 2;
-        QVERIFY2(std::abs(pitch - wanted) <= 0.02, qPrintable(QString::number(pitch)));
+        QVERIFY2(
+            std::abs(pitch - wanted) <= 0.02,
+            qPrintable(
+                QStringLiteral("a square measures %1 mm, expected %2 mm").arg(pitch).arg(wanted)));
     }
 }
 
-// Patches of 10 mm, wide ones as a texture in Adobe RGB gives them.
+// Colours of patches of 10 mm.
 const QList<QColor> patches{QColor(128, 128, 128), QColor(200, 60, 60),  QColor(40, 120, 60),
                             QColor(30, 40, 160),   QColor(240, 220, 40), QColor(10, 10, 10)};
 
@@ -120,28 +123,28 @@ class PrepressTest : public QObject {
     }
 
 private slots:
-    void pdfInInksIsPdfX();
-    void squaresAreTrueInInks();
-    void scaleAndTurnAreTakenOutInInks();
-    void piecesAreInInksToo();
-    void coloursAreThoseOfTheProfile();
-    void letteringIsBlackInkOnly();
-    void registrationMarksAreOnEveryPlate();
-    void inkKeepsToItsTotal();
-    void cutLineIsAPlateOfItsOwn();
-    void cutLineKeepsItsDistanceFromTheInk();
-    void cutLineGoesRoundAllPlates_data();
-    void cutLineGoesRoundAllPlates();
-    void colourGoesOnPastTheCut();
-    void whiteIsAPlateOfItsOwn_data();
-    void whiteIsAPlateOfItsOwn();
-    void spotsComeInTheirOrder();
-    void whiteIsASampleWithItsName();
-    void chokedWhiteIsSmallerAllRound();
-    void pdfInInksIsTheSameEveryTime();
+    void writeSheetPdf_cmyk_isPdfX4();
+    void writeSheetPdf_cmykSquares_measure17mm();
+    void writeSheetPdf_cmykScaleAndTurn_areCorrected();
+    void writeTiledPdf_cmyk_isValid();
+    void writeSheetPdf_cmykColours_matchTheProfile();
+    void writeSheetPdf_cmykText_isBlackInkOnly();
+    void writeSheetPdf_registrationMarks_areOnEveryPlate();
+    void writeSheetPdf_totalInk_isLimited();
+    void cutLine_isASeparatePlate();
+    void cutLine_keepsItsDistanceFromTheInk();
+    void cutLine_goesRoundAllPlates_data();
+    void cutLine_goesRoundAllPlates();
+    void cutBleed_continuesColourPastTheCut();
+    void white_isASeparatePlate_data();
+    void white_isASeparatePlate();
+    void spotPlates_keepNamesAndOrder();
+    void writeSheetTiff_white_isANamedSample();
+    void choked_white_isSmallerOnAllSides();
+    void writeSheetPdf_cmykTwice_givesTheSameBytes();
 };
 
-void PrepressTest::pdfInInksIsPdfX() {
+void PrepressTest::writeSheetPdf_cmyk_isPdfX4() {
     const QString path = pdfOf(patchSheet(), {.colour = &inks_});
     const QByteArray info = output("pdfinfo", {"-box", path});
     QVERIFY2(info.contains("PDF/X-4") && info.contains("Turtle – Top"), info);
@@ -157,13 +160,13 @@ void PrepressTest::pdfInInksIsPdfX() {
     QVERIFY(std::abs(pdfPage(path).height() - 80) < 0.005);
 }
 
-void PrepressTest::squaresAreTrueInInks() {
+void PrepressTest::writeSheetPdf_cmykSquares_measure17mm() {
     const QString path = pdfOf(chessSheet("Top"), {.colour = &inks_});
     verifyPitch(path, true, 17);
     verifyPitch(path, false, 17);
 }
 
-void PrepressTest::scaleAndTurnAreTakenOutInInks() {
+void PrepressTest::writeSheetPdf_cmykScaleAndTurn_areCorrected() {
     const QString path =
         pdfOf(chessSheet("Top", {297, 210}),
               {.scaleX = 1.004, .scaleY = 0.997, .colour = &inks_, .acrossPaper = true});
@@ -172,7 +175,7 @@ void PrepressTest::scaleAndTurnAreTakenOutInInks() {
     verifyPitch(path, false, 17 / 0.997);
 }
 
-void PrepressTest::piecesAreInInksToo() {
+void PrepressTest::writeTiledPdf_cmyk_isValid() {
     const QString path = written("tiles.pdf", [&](QIODevice& device) {
         writeTiledPdf(chessSheet("Top"), {.paper = {148, 210}}, device, {.colour = &inks_});
     });
@@ -186,8 +189,8 @@ void PrepressTest::piecesAreInInksToo() {
     }
 }
 
-// Held against lcms2 itself: the colours that the plates come to are those that were asked for.
-void PrepressTest::coloursAreThoseOfTheProfile() {
+// The plates give the colours that lcms2 computes from the profile.
+void PrepressTest::writeSheetPdf_cmykColours_matchTheProfile() {
     for (const bool wide : {false, true}) {
         Sheet sheet = patchSheet();
         if (wide) {
@@ -219,7 +222,9 @@ void PrepressTest::coloursAreThoseOfTheProfile() {
             cmsDoTransform(look, sent, &sentLab, 1);
             cmsDoTransform(look, wanted, &wantedLab, 1);
             const double off = cmsDeltaE(&sentLab, &wantedLab);
-            QVERIFY2(off <= 1, qPrintable(QString("%1: %2").arg(patches[i].name()).arg(off)));
+            QVERIFY2(off <= 1,
+                     qPrintable(
+                         QString("%1: ΔE %2, expected 1 or less").arg(patches[i].name()).arg(off)));
         }
         for (const cmsHTRANSFORM transform : {own, look}) {
             cmsDeleteTransform(transform);
@@ -230,7 +235,7 @@ void PrepressTest::coloursAreThoseOfTheProfile() {
     }
 }
 
-void PrepressTest::letteringIsBlackInkOnly() {
+void PrepressTest::writeSheetPdf_cmykText_isBlackInkOnly() {
     Sheet bare = patchSheet();
     bare.image.fill(Qt::transparent);
     bare.settings.marks = false;
@@ -246,7 +251,7 @@ void PrepressTest::letteringIsBlackInkOnly() {
     }
 }
 
-void PrepressTest::registrationMarksAreOnEveryPlate() {
+void PrepressTest::writeSheetPdf_registrationMarks_areOnEveryPlate() {
     Sheet bare = patchSheet();
     bare.image.fill(Qt::transparent);
     bare.settings.ruler = bare.settings.jobLine = false;
@@ -257,7 +262,7 @@ void PrepressTest::registrationMarksAreOnEveryPlate() {
     for (const char* colour : {"Cyan", "Magenta", "Yellow"}) {
         QCOMPARE(plates.at(colour), plates.at("Black"));
     }
-    // On paint they stand clear of it.
+    // On paint, the marks have a bare rim.
     Sheet covered = patchSheet();
     covered.image.fill(QColor(200, 60, 60));
     const Separations onPaint = separations(pdfOf(covered, {.colour = &inks_}), 300);
@@ -267,8 +272,8 @@ void PrepressTest::registrationMarksAreOnEveryPlate() {
     }
 }
 
-// The simple inks have no black of their own: a dark colour is three inks.
-void PrepressTest::inkKeepsToItsTotal() {
+// The simple profile has no black generation: a dark colour uses three inks.
+void PrepressTest::writeSheetPdf_totalInk_isLimited() {
     const Sheet sheet = patchSheet();
     PrintCorrection correction{.colour = &inks_};
     const Separations free = separations(pdfOf(sheet, correction), 150);
@@ -285,22 +290,24 @@ void PrepressTest::inkKeepsToItsTotal() {
             after += ink(limited, name, at);
         }
         most = std::max(most, before);
-        QVERIFY2(after < 2.4 + 1e-9, qPrintable(QString::number(after)));
+        QVERIFY2(after < 2.4 + 1e-9,
+                 qPrintable(QStringLiteral("total ink %1, expected 2.4 or less").arg(after)));
         if (before <= 2.4) {
-            QCOMPARE(after, before); // what is within stays as it is
+            QCOMPARE(after, before); // ink within the limit does not change
         } else {
             QVERIFY(after > 2.35);
         }
     }
-    QVERIFY2(most > 2.5, qPrintable(QString::number(most)));
-    // Black stays, the hue too.
+    QVERIFY2(most > 2.5,
+             qPrintable(QStringLiteral("most ink without a limit %1, expected > 2.5").arg(most)));
+    // Black and the hue do not change.
     QByteArray pixel("\xff\x80\x40\xc8", 4);
     limitInk(pixel, 2);
     QCOMPARE(uchar(pixel[3]), uchar(200));
     QVERIFY(std::abs(double(uchar(pixel[0])) / uchar(pixel[1]) - 255.0 / 128) < 0.03);
 }
 
-void PrepressTest::cutLineIsAPlateOfItsOwn() {
+void PrepressTest::cutLine_isASeparatePlate() {
     Sheet sheet = patchSheet();
     const Separations without = separations(pdfOf(sheet, {.colour = &inks_}), 150);
     sheet.settings.cutLine = CutLine::Ink;
@@ -313,7 +320,7 @@ void PrepressTest::cutLineIsAPlateOfItsOwn() {
         return plate.first.startsWith("Thru cut");
     });
     QVERIFY(cut != plates.end());
-    // It takes nothing away from the plates under it. The marks are on all of them.
+    // The cut line does not change the other plates. The marks are on all of them.
     for (const auto& [name, plate] : without) {
         QCOMPARE(plates.at(name), plate);
     }
@@ -321,8 +328,9 @@ void PrepressTest::cutLineIsAPlateOfItsOwn() {
     QCOMPARE(separations(pdfOf(sheet, {.colour = &inks_}), 150).size(), std::size_t(4));
 }
 
-// Round the patches of 60 × 10 mm in the middle: straight sides at the distance, round corners.
-void PrepressTest::cutLineKeepsItsDistanceFromTheInk() {
+// The line goes round patches of 60 × 10 mm in the middle, with straight sides at the distance and
+// round corners.
+void PrepressTest::cutLine_keepsItsDistanceFromTheInk() {
     constexpr int dpi = 600;
     const auto pixels = [](double mm) { return mm / millimetresPerInch * dpi; };
     Sheet sheet = patchSheet();
@@ -333,7 +341,7 @@ void PrepressTest::cutLineKeepsItsDistanceFromTheInk() {
     const auto verify = [&](bool alongRow, double at, double first, double second) {
         const std::vector<double> middles = darkMiddles(line, alongRow, int(pixels(at)));
         QCOMPARE(middles.size(), std::size_t(2));
-        const double tolerance = pixels(0.2); // a pixel that ink is in counts whole
+        const double tolerance = pixels(0.2); // a pixel with any ink counts fully
         QVERIFY2(std::abs(middles[0] - pixels(first)) < tolerance,
                  qPrintable(QString::number(middles[0] / pixels(1))));
         QVERIFY2(std::abs(middles[1] - pixels(second)) < tolerance,
@@ -352,15 +360,15 @@ void PrepressTest::cutLineKeepsItsDistanceFromTheInk() {
     QVERIFY(std::abs(sides[1] - sides[0] - pixels(100)) < pixels(0.02));
 }
 
-void PrepressTest::cutLineGoesRoundAllPlates_data() {
+void PrepressTest::cutLine_goesRoundAllPlates_data() {
     QTest::addColumn<int>("plate");
     QTest::newRow("white printed last") << 0;
     QTest::newRow("varnish printed first") << 1;
     QTest::newRow("ink compensated by itself") << 2;
 }
 
-// 4 mm round a square of 10 mm in the upper left corner, where the picture has nothing.
-void PrepressTest::cutLineGoesRoundAllPlates() {
+// The cut line is 4 mm round a square of 10 mm in the upper left, where the picture is empty.
+void PrepressTest::cutLine_goesRoundAllPlates() {
     QFETCH(int, plate);
     constexpr int dpi = 150;
     const auto pixels = [](double mm) { return mm / millimetresPerInch * dpi; };
@@ -390,8 +398,8 @@ void PrepressTest::cutLineGoesRoundAllPlates() {
              qPrintable(QString::number(middles[1] / pixels(1))));
 }
 
-// The patches of 60 × 10 mm in the middle of the film, cut 1 mm from them, with 3 mm of bleed.
-void PrepressTest::colourGoesOnPastTheCut() {
+// The patches of 60 × 10 mm in the film's middle are cut 1 mm from their edge, with 3 mm of bleed.
+void PrepressTest::cutBleed_continuesColourPastTheCut() {
     constexpr int dpi = 150;
     const auto pixel = [](double x, double y) {
         return QPoint(int(x / millimetresPerInch * dpi), int(y / millimetresPerInch * dpi));
@@ -420,7 +428,7 @@ void PrepressTest::colourGoesOnPastTheCut() {
     QCOMPARE(ink(plates, "Magenta", pixel(35, 30.7)), 0.0);  // 4.3 mm
     QVERIFY(ink(plates, "White", pixel(35, 33)) > 0.6);      // its choke is kept
     QCOMPARE(ink(plates, "White", pixel(35, 31.4)), 0.0);
-    // The boxes say so, in points from below.
+    // The page's boxes contain cut and bleed, in points from below.
     const QByteArray page = output("qpdf", {"--qdf", "--stream-data=uncompress", path, "-"});
     const auto box = [&](const char* name) {
         const auto at = page.indexOf('[', page.indexOf(name)) + 1;
@@ -436,18 +444,22 @@ void PrepressTest::colourGoesOnPastTheCut() {
     QCOMPARE(trim.size(), 4);
     QCOMPARE(bleed.size(), 4);
     for (int side = 0; side < 4; ++side) {
-        QVERIFY2(std::abs(trim[side] - cut[side]) < 0.25, qPrintable(QString::number(trim[side])));
+        QVERIFY2(std::abs(trim[side] - cut[side]) < 0.25,
+                 qPrintable(QStringLiteral("side %1 of the trim box is at %2 mm, expected %3 mm")
+                                .arg(side)
+                                .arg(trim[side])
+                                .arg(cut[side])));
         QVERIFY(std::abs(std::abs(bleed[side] - trim[side]) - 3) < 1e-3);
     }
 }
 
-void PrepressTest::whiteIsAPlateOfItsOwn_data() {
+void PrepressTest::white_isASeparatePlate_data() {
     QTest::addColumn<bool>("first");
     QTest::newRow("printed last") << false;
     QTest::newRow("printed first") << true;
 }
 
-void PrepressTest::whiteIsAPlateOfItsOwn() {
+void PrepressTest::white_isASeparatePlate() {
     QFETCH(bool, first);
     Sheet sheet = patchSheet();
     sheet.image.fill(QColor(200, 60, 60)); // under the white, and over it
@@ -459,19 +471,19 @@ void PrepressTest::whiteIsAPlateOfItsOwn() {
     const Separations plates = separations(path, 150);
     QCOMPARE(plates.size(), std::size_t(5));
     for (const auto& [name, plate] : without) {
-        QCOMPARE(plates.at(name), plate); // neither takes anything from the other
+        QCOMPARE(plates.at(name), plate); // white and colours overprint each other
     }
     QVERIFY(std::abs(ink(plates, "Opaque White", {30, 30}) - 128 / 255.0) < 0.01);
     QCOMPARE(ink(plates, "Opaque White", {300, 300}), 0.0);
-    // Whoever looks at it sees the colour.
+    // A viewer shows the colour.
     QVERIFY(qGray(renderedPage(path, 100, QRectF(5, 5, 2, 2)).pixel(3, 3)) < 160);
     const QByteArray page = output("qpdf", {"--qdf", "--stream-data=uncompress", path, "-"});
     const QByteArray order = page.mid(page.indexOf("/Plate0 Do"));
     QVERIFY(order.indexOf("/Plate1 Do") > 0);
 }
 
-// Varnish outside, a colour of its own, white on the part: names and order as they are printed.
-void PrepressTest::spotsComeInTheirOrder() {
+// A varnish printed first, a spot colour and white: the file keeps their names and printing order.
+void PrepressTest::spotPlates_keepNamesAndOrder() {
     Sheet sheet = patchSheet();
     sheet.settings.marks = sheet.settings.ruler = sheet.settings.jobLine = false;
     const auto tinted = [&](int value) {
@@ -500,7 +512,7 @@ void PrepressTest::spotsComeInTheirOrder() {
         places << page.indexOf(name);
         QVERIFY(places.back() > 0);
     }
-    // Whoever does not know the ink sees what stands for it, here over bare film.
+    // A viewer without the ink shows its alternate colour, here over bare film.
     QVERIFY(qGray(renderedPage(path, 100, QRectF(5, 5, 2, 2)).pixel(3, 3)) < 160);
     const QString tiff = written(
         "spots.tif", [&](QIODevice& device) { writeSheetTiff(sheet, device, {.colour = &inks_}); });
@@ -521,7 +533,7 @@ void PrepressTest::spotsComeInTheirOrder() {
     QCOMPARE(int(row[7 * 100 + 6]), 200);
 }
 
-void PrepressTest::whiteIsASampleWithItsName() {
+void PrepressTest::writeSheetTiff_white_isANamedSample() {
     Sheet sheet = patchSheet();
     sheet.plates = {{QStringLiteral("White"), cornerOfWhite(sheet)}};
     const QString path = written(
@@ -551,7 +563,7 @@ void PrepressTest::whiteIsASampleWithItsName() {
     QCOMPARE(int(row[5 * 300 + 4]), 0);
 }
 
-void PrepressTest::chokedWhiteIsSmallerAllRound() {
+void PrepressTest::choked_white_isSmallerOnAllSides() {
     QImage white(200, 100, QImage::Format_Grayscale8);
     white.fill(0);
     for (int y = 20; y < 80; ++y) {
@@ -568,7 +580,7 @@ void PrepressTest::chokedWhiteIsSmallerAllRound() {
     QCOMPARE(choked(white, 0), white);
 }
 
-void PrepressTest::pdfInInksIsTheSameEveryTime() {
+void PrepressTest::writeSheetPdf_cmykTwice_givesTheSameBytes() {
     const auto bytes = [&] {
         QFile file(pdfOf(patchSheet(), {.colour = &inks_}));
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();

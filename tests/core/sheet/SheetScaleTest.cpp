@@ -1,4 +1,4 @@
-// Printers that stretch, and paper that is too small: corrected scales, calibration pages, tiles.
+// Printers that stretch and paper that is too small: corrected scale, calibration pages and tiles.
 #include "PaperMeasure.h"
 
 #include "sheet/page/CalibrationPage.h"
@@ -65,21 +65,21 @@ class SheetScaleTest : public QObject {
     }
 
 private slots:
-    void correctedRulerComesOutTrue();
-    void verificationPageComesOutTrue();
-    void calibrationPageMeasuresWhatItSays();
-    void calibrationPageFitsItsPaper();
-    void measuredLengthsGiveTheScale();
-    void marksKeepClearOfThePrintersMargins();
-    void tilesCoverTheWholeSheet();
-    void tiledPdfHasAPageForEachPiece();
-    void labelsOfPiecesLieOnBarePaper();
-    void tilesThatCannotBeAreRefused();
+    void writeSheetPdf_printerScale_rulerMeasures100mm();
+    void verificationPage_printerScale_measuresItsLength();
+    void calibrationPage_measuresTheStatedLengths();
+    void calibrationPage_everyPaper_fits();
+    void calibratedScale_measuredLengths_giveTheScale();
+    void sheetLayout_clearance_keepsMarksOffTheMargins();
+    void sheetTiles_coverTheWholeSheet();
+    void writeTiledPdf_hasOnePageForEachTile();
+    void writeTiledPdf_labels_areOnBarePaper();
+    void sheetTiles_tooSmallPaper_isRefused();
 };
 
-// A printer that stretches by 1.004 × 0.997 is told so; what it prints is measured by its own
-// error.
-void SheetScaleTest::correctedRulerComesOutTrue() {
+// The printer stretches by 1.004 × 0.997, and the file is corrected for that. The measured length
+// is multiplied by the printer's error.
+void SheetScaleTest::writeSheetPdf_printerScale_rulerMeasures100mm() {
     constexpr double stretchX = 1.004;
     const Sheet sheet = patchSheet();
     const QString path = saved("corrected.pdf", [&](QIODevice& device) {
@@ -90,17 +90,19 @@ void SheetScaleTest::correctedRulerComesOutTrue() {
     });
     const QRectF ruler = sheetLayout(sheet).ruler->box();
     const QImage strip = rendered(path, ruler.adjusted(-1, -1, 1, 1));
-    // The page is drawn about its middle: the ruler's lower edge has moved out by 0.003 · 145 mm.
+    // The page is scaled about its middle, which moves the ruler's lower edge out by 0.003 · 145
+    // mm.
     std::vector<double> found;
     for (int row = strip.height() - 1; row > 0 && found.size() != 101; --row) {
         found = ticks(strip, true, row);
     }
     QCOMPARE(found.size(), std::size_t(101));
     const double onPaper = (found.back() - found.front()) * stretchX;
-    QVERIFY2(std::abs(onPaper - 100) < 0.05, qPrintable(QString::number(onPaper)));
+    QVERIFY2(std::abs(onPaper - 100) < 0.05,
+             qPrintable(QStringLiteral("the ruler measures %1 mm, expected 100 mm").arg(onPaper)));
 }
 
-void SheetScaleTest::verificationPageComesOutTrue() {
+void SheetScaleTest::verificationPage_printerScale_measuresItsLength() {
     constexpr double stretchY = 0.997;
     CalibrationPage page;
     page.scaleX = 1.004;
@@ -117,10 +119,12 @@ void SheetScaleTest::verificationPageComesOutTrue() {
     QCOMPARE(found.size(), expected);
     const double onPaper = (found.back() - found.front()) * stretchY;
     QVERIFY2(std::abs(onPaper - calibrationLengths(page).y.value()) < 0.05,
-             qPrintable(QString::number(onPaper)));
+             qPrintable(QStringLiteral("the scale measures %1 mm, expected %2 mm")
+                            .arg(onPaper)
+                            .arg(calibrationLengths(page).y.value())));
 }
 
-void SheetScaleTest::calibrationPageMeasuresWhatItSays() {
+void SheetScaleTest::calibrationPage_measuresTheStatedLengths() {
     CalibrationPage page;
     page.printer = QStringLiteral("Canon imagePROGRAF");
     const QString path =
@@ -142,7 +146,7 @@ void SheetScaleTest::calibrationPageMeasuresWhatItSays() {
     QCOMPARE(again.data(), file.readAll());
 }
 
-void SheetScaleTest::calibrationPageFitsItsPaper() {
+void SheetScaleTest::calibrationPage_everyPaper_fits() {
     for (const QSizeF& paper :
          {QSizeF(148, 210), QSizeF(297, 210), QSizeF(297, 420), QSizeF(610, 900)}) {
         CalibrationPage page;
@@ -157,9 +161,9 @@ void SheetScaleTest::calibrationPageFitsItsPaper() {
     QVERIFY_EXCEPTION_THROWN(calibrationLengths(tiny), Error);
 }
 
-void SheetScaleTest::measuredLengthsGiveTheScale() {
+void SheetScaleTest::calibratedScale_measuredLengths_giveTheScale() {
     QCOMPARE(calibratedScale(1, Millimetres(180), Millimetres(180.72)), 1.004);
-    // On a page that was corrected already, what is left is taken on top.
+    // On a corrected page the remaining error is multiplied with the scale.
     QCOMPARE(calibratedScale(1.004, Millimetres(180), Millimetres(180)), 1.004);
     QVERIFY(std::abs(calibratedScale(1.004, Millimetres(200), Millimetres(199)) - 1.004 * 0.995) <
             1e-12);
@@ -168,7 +172,7 @@ void SheetScaleTest::measuredLengthsGiveTheScale() {
     QVERIFY_EXCEPTION_THROWN(calibratedScale(1, Millimetres(180), Millimetres(qQNaN())), Error);
 }
 
-void SheetScaleTest::marksKeepClearOfThePrintersMargins() {
+void SheetScaleTest::sheetLayout_clearance_keepsMarksOffTheMargins() {
     Sheet sheet = patchSheet();
     sheet.clearance = Millimetres(6.5);
     const SheetLayout layout = sheetLayout(sheet);
@@ -180,11 +184,12 @@ void SheetScaleTest::marksKeepClearOfThePrintersMargins() {
     QVERIFY(reach.contains(layout.jobLine->box()));
 }
 
-void SheetScaleTest::tilesCoverTheWholeSheet() {
+void SheetScaleTest::sheetTiles_coverTheWholeSheet() {
     const Sheet sheet = patchSheet(Millimetres(400), Millimetres(500));
     const TileSettings settings;
     const std::vector<QRectF> tiles = sheetTiles(sheet, settings);
-    QCOMPARE(tiles.size(), std::size_t(3 * 2)); // 400 mm in 200 mm pieces that share 10 mm
+    QCOMPARE(tiles.size(),
+             std::size_t(3 * 2)); // 400 mm in tiles of 200 mm with an overlap of 10 mm
     for (double x = 0.5; x < 400; x += 7) {
         for (double y = 0.5; y < 500; y += 7) {
             QVERIFY(std::any_of(tiles.begin(), tiles.end(),
@@ -193,7 +198,7 @@ void SheetScaleTest::tilesCoverTheWholeSheet() {
     }
 }
 
-void SheetScaleTest::tiledPdfHasAPageForEachPiece() {
+void SheetScaleTest::writeTiledPdf_hasOnePageForEachTile() {
     const Sheet sheet = patchSheet(Millimetres(300), Millimetres(280));
     const QString path = saved(
         "tiles.pdf", [&](QIODevice& device) { writeTiledPdf(sheet, TileSettings{}, device); });
@@ -201,14 +206,17 @@ void SheetScaleTest::tiledPdfHasAPageForEachPiece() {
     QVERIFY(info.contains("Pages:           2"));
     QVERIFY(info.contains("A4"));
     QVERIFY(pdfWords(path, 2).contains("column 2 of 2"));
-    // The patch reaches from 38.1 mm to 261.9 mm of the sheet; the second piece starts at 190 mm.
+    // The patch reaches from 38.1 mm to 261.9 mm on the sheet. The second tile starts at 190 mm.
     const std::vector<double> patch = ticks(rendered(path, QRectF(0, 100, 210, 1), 2), true, 10);
     QCOMPARE(patch.size(), std::size_t(1));
-    QVERIFY2(std::abs(patch[0] - (5 + 71.9 / 2)) < 0.3, qPrintable(QString::number(patch[0])));
+    QVERIFY2(std::abs(patch[0] - (5 + 71.9 / 2)) < 0.3,
+             qPrintable(QStringLiteral("the patch's middle is at %1 mm, expected %2 mm")
+                            .arg(patch[0])
+                            .arg(5 + 71.9 / 2)));
 }
 
-// On paint a label would be hard to read, and its rim would take paint away from the film.
-void SheetScaleTest::labelsOfPiecesLieOnBarePaper() {
+// On paint a label is hard to read, and its rim removes paint from the film.
+void SheetScaleTest::writeTiledPdf_labels_areOnBarePaper() {
     Sheet sheet = patchSheet(Millimetres(300), Millimetres(500));
     sheet.image.fill(QColor(20, 90, 160));
     const TileSettings settings;
@@ -229,7 +237,7 @@ void SheetScaleTest::labelsOfPiecesLieOnBarePaper() {
     QVERIFY(dark > 100);
 }
 
-void SheetScaleTest::tilesThatCannotBeAreRefused() {
+void SheetScaleTest::sheetTiles_tooSmallPaper_isRefused() {
     TileSettings settings;
     settings.paper = {18, 297};
     QVERIFY_EXCEPTION_THROWN(sheetTiles(patchSheet(), settings), Error);

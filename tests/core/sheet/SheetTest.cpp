@@ -1,4 +1,4 @@
-// The sheet as a user meets it: measured on the finished PDF and PNG with the tools of poppler.
+// The sheet, measured on the finished PDF and PNG with poppler's tools.
 #include "PaperMeasure.h"
 
 #include "sheet/page/SheetLayout.h"
@@ -37,7 +37,7 @@ void fillMillimetres(Sheet& sheet, const QRectF& box, QColor colour) {
     painter.fillRect(box, colour);
 }
 
-// 17 mm squares over the whole film, two corners meeting in its middle.
+// Squares of 17 mm over the whole film; four of them meet in its middle.
 Sheet chessSheet() {
     Sheet sheet = sheetOf(Millimetres(210), Millimetres(297));
     sheet.image.fill(Qt::white);
@@ -84,35 +84,35 @@ class SheetTest : public QObject {
     }
 
 private slots:
-    void a4HasExactlyTheseManyPixels();
-    void imagesPastTheLimitAreRefused();
-    void pngCarriesResolutionAndProfile();
-    void squaresMeasureSeventeenMillimetres();
-    void imageInPdfIsBitExact();
-    void rulerMeasuresAHundredMillimetres();
-    void marksStandInTheCorners();
-    void jobLineCanBeRead();
-    void aLetterThatNoFontHasIsPrintedAsItsNumber();
-    void partsCanBeSwitchedOff();
-    void partsKeepOffThePaint();
-    void partsStandOnPaintOnlyWhereItIsEverywhere();
-    void papers_data();
-    void papers();
-    void filmLiesInTheMiddleOfLargerPaper();
-    void tooSmallPaperIsRefused();
-    void unknownPaperIsRefused();
-    void sameSheetGivesTheSameBytes();
-    void viewersAreAskedNotToScale();
-    void titleNamesProjectAndImmersion();
-    void unwritableDeviceIsAnError();
+    void sheetPixels_a4And300Dpi_are2480x3508();
+    void sheetPixels_pastTheLimit_isRefused();
+    void writeSheetPng_hasResolutionAndProfile();
+    void writeSheetPdf_squares_measure17mm();
+    void writeSheetPdf_image_isBitExact();
+    void writeSheetPdf_ruler_measures100mm();
+    void sheetLayout_marks_areInTheCorners();
+    void writeSheetPdf_jobLine_canBeRead();
+    void writeSheetPdf_letterWithoutGlyph_isPrintedAsItsCode();
+    void writeSheetPdf_marksRulerAndJobLine_canBeSwitchedOff();
+    void sheetLayout_rulerAndJobLine_avoidPaint();
+    void sheetLayout_fullyPaintedSheet_putsRulerAndJobLineOnPaint();
+    void writeSheetPdf_everyPaper_hasItsPageSize_data();
+    void writeSheetPdf_everyPaper_hasItsPageSize();
+    void sheetLayout_largerPaper_centresTheFilm();
+    void writeSheetPdf_tooSmallPaper_isRefused();
+    void pageSize_unknownPaper_isRefused();
+    void writeSheetPdf_twice_givesTheSameBytes();
+    void writeSheetPdf_asksViewersNotToScale();
+    void writeSheetPdf_title_namesProjectAndDip();
+    void writeSheet_unwritableDevice_throwsError();
 };
 
-void SheetTest::a4HasExactlyTheseManyPixels() {
+void SheetTest::sheetPixels_a4And300Dpi_are2480x3508() {
     QCOMPARE(sheetPixels(Millimetres(210), Millimetres(297), DotsPerInch(300)), QSize(2480, 3508));
     QCOMPARE(sheetPixels(Millimetres(297), Millimetres(420), DotsPerInch(600)), QSize(7016, 9921));
 }
 
-void SheetTest::imagesPastTheLimitAreRefused() {
+void SheetTest::sheetPixels_pastTheLimit_isRefused() {
     QVERIFY_EXCEPTION_THROWN(sheetPixels(Millimetres(5000), Millimetres(297), DotsPerInch(1200)),
                              Error);
     QVERIFY_EXCEPTION_THROWN(sheetPixels(Millimetres(0), Millimetres(297), DotsPerInch(300)),
@@ -121,7 +121,7 @@ void SheetTest::imagesPastTheLimitAreRefused() {
                              Error);
 }
 
-void SheetTest::pngCarriesResolutionAndProfile() {
+void SheetTest::writeSheetPng_hasResolutionAndProfile() {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     writeSheetPng(patchSheet(), buffer);
@@ -135,35 +135,38 @@ void SheetTest::pngCarriesResolutionAndProfile() {
     QCOMPARE(image.pixelColor(1240, 1754), QColor(20, 90, 160));
 }
 
-void SheetTest::squaresMeasureSeventeenMillimetres() {
+void SheetTest::writeSheetPdf_squares_measure17mm() {
     const QString path = save(pdfOf(chessSheet()), "chess.pdf");
     constexpr int dpi = 600;
     const double millimetre = dpi / millimetresPerInch;
-    // Through the middle of a row of squares, and of a column, away from the marks.
+    // Strips through the middle of a row and of a column of squares, away from the marks.
     const QImage row = renderedPage(path, dpi, QRectF(15, 157, 180, 1));
     const QImage column = renderedPage(path, dpi, QRectF(113.5, 15, 1, 267));
     for (const QImage& strip : {row, column.transformed(QTransform().rotate(90))}) {
         const std::vector<double> found = edges(strip, strip.height() / 2, 0);
-        QVERIFY2(found.size() >= 11, qPrintable(QString::number(found.size())));
+        QVERIFY2(found.size() >= 11,
+                 qPrintable(QStringLiteral("%1 edges, expected 11 or more").arg(found.size())));
         for (std::size_t i = 1; i < found.size(); ++i) {
             const double square = (found[i] - found[i - 1]) / millimetre;
-            QVERIFY2(std::abs(square - 17) < 0.02, qPrintable(QString::number(square)));
+            QVERIFY2(
+                std::abs(square - 17) < 0.02,
+                qPrintable(QStringLiteral("a square measures %1 mm, expected 17 mm").arg(square)));
         }
     }
 }
 
-void SheetTest::imageInPdfIsBitExact() {
+void SheetTest::writeSheetPdf_image_isBitExact() {
     const Sheet sheet = patchSheet();
     const QString path = save(pdfOf(sheet), "patch.pdf");
     output("pdfimages", {"-png", path, folder_.filePath("image")});
     QImage image(folder_.filePath("image-000.png"));
     QVERIFY(!image.isNull());
-    image.setColorSpace(QColorSpace::SRgb); // PDF says it once, by the output intent
+    image.setColorSpace(QColorSpace::SRgb); // the PDF states it once, in the output intent
     QCOMPARE(image.convertToFormat(QImage::Format_RGB888), flattened(sheet.image));
     QVERIFY(!QFile::exists(folder_.filePath("image-001.png")));
 }
 
-void SheetTest::rulerMeasuresAHundredMillimetres() {
+void SheetTest::writeSheetPdf_ruler_measures100mm() {
     const Sheet sheet = patchSheet();
     const SheetLayout layout = sheetLayout(sheet);
     QVERIFY(layout.ruler);
@@ -172,19 +175,20 @@ void SheetTest::rulerMeasuresAHundredMillimetres() {
     const QRectF box = layout.ruler->box();
     const QImage strip = renderedPage(path, dpi, box);
     const double millimetre = dpi / millimetresPerInch;
-    // Just above the base line every tick is a dark run; its middle is the millimetre.
+    // Just above the base line every tick is a dark run whose middle is the millimetre.
     std::vector<double> ticks = darkMiddles(strip, true, strip.height() - int(0.6 * millimetre));
     for (double& tick : ticks) {
         tick /= millimetre;
     }
     QCOMPARE(ticks.size(), std::size_t(101));
     QVERIFY2(std::abs(ticks.back() - ticks.front() - 100) < 0.01,
-             qPrintable(QString::number(ticks.back() - ticks.front())));
+             qPrintable(QStringLiteral("the ruler measures %1 mm, expected 100 mm")
+                            .arg(ticks.back() - ticks.front())));
     QVERIFY(std::abs(ticks[50] - ticks[0] - 50) < 0.01);
     QVERIFY(output("pdftotext", {path, "-"}).contains("100 mm"));
 }
 
-void SheetTest::marksStandInTheCorners() {
+void SheetTest::sheetLayout_marks_areInTheCorners() {
     const SheetLayout layout = sheetLayout(patchSheet());
     QCOMPARE(layout.marks.size(), std::size_t(4));
     QCOMPARE(layout.marks[0].centre, QPointF(6, 6));
@@ -207,7 +211,7 @@ void SheetTest::marksStandInTheCorners() {
     }
 }
 
-void SheetTest::jobLineCanBeRead() {
+void SheetTest::writeSheetPdf_jobLine_canBeRead() {
     Sheet sheet = patchSheet();
     sheet.job.project = QStringLiteral("Zürich Straße\nNo. 5");
     const QString text = pdfWords(save(pdfOf(sheet), "job.pdf"));
@@ -218,15 +222,15 @@ void SheetTest::jobLineCanBeRead() {
     }
 }
 
-// U+0378 is no letter, and so in no font.
-void SheetTest::aLetterThatNoFontHasIsPrintedAsItsNumber() {
+// U+0378 is not assigned to a letter, so no font has it.
+void SheetTest::writeSheetPdf_letterWithoutGlyph_isPrintedAsItsCode() {
     Sheet sheet = patchSheet();
     sheet.job.project = QStringLiteral("Box \u0378");
     const QString text = pdfWords(save(pdfOf(sheet), "letters.pdf"));
     QVERIFY2(text.contains(QStringLiteral("Box \\u0378")), qPrintable(text));
 }
 
-void SheetTest::partsCanBeSwitchedOff() {
+void SheetTest::writeSheetPdf_marksRulerAndJobLine_canBeSwitchedOff() {
     Sheet sheet = patchSheet();
     sheet.settings.marks = sheet.settings.ruler = sheet.settings.jobLine = false;
     const QString path = save(pdfOf(sheet), "bare.pdf");
@@ -239,10 +243,10 @@ void SheetTest::partsCanBeSwitchedOff() {
     }
 }
 
-void SheetTest::partsKeepOffThePaint() {
+void SheetTest::sheetLayout_rulerAndJobLine_avoidPaint() {
     Sheet sheet = sheetOf(Millimetres(210), Millimetres(297));
-    fillMillimetres(sheet, QRectF(0, 0, 210, 20), Qt::red);   // the job line's first choice
-    fillMillimetres(sheet, QRectF(0, 280, 120, 17), Qt::red); // the middle of the ruler's
+    fillMillimetres(sheet, QRectF(0, 0, 210, 20), Qt::red);   // where the job line would be
+    fillMillimetres(sheet, QRectF(0, 280, 120, 17), Qt::red); // where the ruler would be
     const SheetLayout layout = sheetLayout(sheet);
     QVERIFY(layout.jobLine && layout.ruler);
     QVERIFY(!layout.jobLine->overPaint);
@@ -250,7 +254,7 @@ void SheetTest::partsKeepOffThePaint() {
     QVERIFY(!layout.jobLine->box().intersects(layout.ruler->box()));
 }
 
-void SheetTest::partsStandOnPaintOnlyWhereItIsEverywhere() {
+void SheetTest::sheetLayout_fullyPaintedSheet_putsRulerAndJobLineOnPaint() {
     const Sheet sheet = chessSheet();
     const SheetLayout layout = sheetLayout(sheet);
     QVERIFY(layout.jobLine && layout.ruler);
@@ -259,7 +263,7 @@ void SheetTest::partsStandOnPaintOnlyWhereItIsEverywhere() {
     QVERIFY(text.contains("Turtle") && text.contains("100 mm"));
 }
 
-void SheetTest::papers_data() {
+void SheetTest::writeSheetPdf_everyPaper_hasItsPageSize_data() {
     QTest::addColumn<QString>("paper");
     QTest::addColumn<bool>("landscape");
     QTest::addColumn<QSizeF>("film");
@@ -277,7 +281,7 @@ void SheetTest::papers_data() {
     QTest::newRow("small") << "film" << false << QSizeF(40, 40) << QSizeF(40, 40);
 }
 
-void SheetTest::papers() {
+void SheetTest::writeSheetPdf_everyPaper_hasItsPageSize() {
     QFETCH(QString, paper);
     QFETCH(bool, landscape);
     QFETCH(QSizeF, film);
@@ -291,15 +295,19 @@ void SheetTest::papers() {
     sheet.settings.customHeight = Millimetres(483);
     const QSizeF measured = pdfPage(save(pdfOf(sheet), "paper.pdf"));
     QVERIFY2(std::abs(measured.width() - page.width()) < 0.01,
-             qPrintable(QString::number(measured.width())));
+             qPrintable(QStringLiteral("the page is %1 mm wide, expected %2 mm")
+                            .arg(measured.width())
+                            .arg(page.width())));
     QVERIFY2(std::abs(measured.height() - page.height()) < 0.01,
-             qPrintable(QString::number(measured.height())));
+             qPrintable(QStringLiteral("the page is %1 mm high, expected %2 mm")
+                            .arg(measured.height())
+                            .arg(page.height())));
     QVERIFY(sheetLayout(sheet).jobLine);
     QVERIFY(sheetLayout(sheet).jobLineText.contains("3fa9c2d1"));
     QCOMPARE(bool(sheetLayout(sheet).ruler), std::max(page.width(), page.height()) > 60);
 }
 
-void SheetTest::filmLiesInTheMiddleOfLargerPaper() {
+void SheetTest::sheetLayout_largerPaper_centresTheFilm() {
     Sheet sheet = patchSheet();
     sheet.settings.paper = QStringLiteral("A3");
     const SheetLayout layout = sheetLayout(sheet);
@@ -311,7 +319,7 @@ void SheetTest::filmLiesInTheMiddleOfLargerPaper() {
     QVERIFY(!layout.jobLine->box().intersects(layout.film));
 }
 
-void SheetTest::tooSmallPaperIsRefused() {
+void SheetTest::writeSheetPdf_tooSmallPaper_isRefused() {
     Sheet sheet = patchSheet();
     sheet.settings.paper = QStringLiteral("A4");
     sheet.settings.landscape = true;
@@ -319,7 +327,7 @@ void SheetTest::tooSmallPaperIsRefused() {
     buffer.open(QIODevice::WriteOnly);
     try {
         writeSheetPdf(sheet, buffer);
-        QFAIL("a film of 297 mm was put on 210 mm of paper");
+        QFAIL("a film of 297 mm was put on paper of 210 mm, expected a refusal");
     } catch (const Error& error) {
         QVERIFY2(error.sentence().contains("smaller than the film"), qPrintable(error.sentence()));
         QVERIFY(error.sentence().contains("297"));
@@ -327,22 +335,22 @@ void SheetTest::tooSmallPaperIsRefused() {
     QVERIFY(buffer.data().isEmpty());
 }
 
-void SheetTest::unknownPaperIsRefused() {
+void SheetTest::pageSize_unknownPaper_isRefused() {
     Sheet sheet = patchSheet();
     sheet.settings.paper = QStringLiteral("B7");
     QVERIFY_EXCEPTION_THROWN(pageSize(sheet), Error);
 }
 
-void SheetTest::sameSheetGivesTheSameBytes() {
+void SheetTest::writeSheetPdf_twice_givesTheSameBytes() {
     const QByteArray first = pdfOf(patchSheet());
-    QVERIFY(!first.contains("/CreationDate")); // the one thing that the clock would change
+    QVERIFY(!first.contains("/CreationDate")); // the only value that depends on the time
     QCOMPARE(pdfOf(patchSheet()), first);
     Sheet other = patchSheet();
     other.job.immersion = QStringLiteral("Bottom");
     QVERIFY(pdfOf(other) != first);
 }
 
-void SheetTest::viewersAreAskedNotToScale() {
+void SheetTest::writeSheetPdf_asksViewersNotToScale() {
     const QString path = save(pdfOf(patchSheet()), "prefs.pdf");
     const QByteArray json = output("qpdf", {"--json", path});
     QVERIFY(json.contains("\"/PrintScaling\": \"/None\""));
@@ -352,8 +360,8 @@ void SheetTest::viewersAreAskedNotToScale() {
     QVERIFY(!output("qpdf", {"--check", path}).isEmpty());
 }
 
-// Two dips make two documents; whoever has both open tells them apart.
-void SheetTest::titleNamesProjectAndImmersion() {
+// Two dips give two documents, which the title distinguishes.
+void SheetTest::writeSheetPdf_title_namesProjectAndDip() {
     Sheet sheet = patchSheet();
     sheet.job.project = QStringLiteral("Turtle");
     sheet.job.immersion = QStringLiteral("Top");
@@ -361,7 +369,7 @@ void SheetTest::titleNamesProjectAndImmersion() {
     QVERIFY2(info.contains("Turtle – Top"), info);
 }
 
-void SheetTest::unwritableDeviceIsAnError() {
+void SheetTest::writeSheet_unwritableDevice_throwsError() {
     QBuffer readOnly;
     readOnly.open(QIODevice::ReadOnly);
     QVERIFY_EXCEPTION_THROWN(writeSheetPdf(patchSheet(), readOnly), Error);

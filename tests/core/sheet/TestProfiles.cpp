@@ -68,7 +68,7 @@ void setTable(cmsHPROFILE profile, cmsTagSignature tag, int from, int to, cmsSAM
     cmsStage* table = cmsStageAllocCLut16bit(nullptr, from == 3 ? 33 : 9, cmsUInt32Number(from),
                                              cmsUInt32Number(to), nullptr);
     cmsStageSampleCLut16bit(table, sampler, &leastLight, 0);
-    // The file format has a table between curves only.
+    // The file format allows a table only between curves.
     cmsPipelineInsertStage(pipeline, cmsAT_END,
                            cmsStageAllocToneCurves(nullptr, cmsUInt32Number(from), nullptr));
     cmsPipelineInsertStage(pipeline, cmsAT_END, table);

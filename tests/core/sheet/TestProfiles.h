@@ -1,14 +1,14 @@
-// ICC profiles for tests, made with lcms2: no files, the same everywhere.
+// Makes ICC profiles for tests with lcms2, without files.
 #pragma once
 
 #include <QByteArray>
 
 namespace dipwright {
 
-// An RGB printer whose red, green and blue are pale (half-way to the white point from sRGB's).
+// An RGB printer with pale red, green and blue: halfway from sRGB's primaries to the white point.
 QByteArray paleRgbProfile();
 // A CMYK printer with simple inks: light = (1 − ink)·(1 − black), in sRGB's primaries, and no black
-// generation. `leastLight`: of a channel under full ink.
+// generation. `leastLight`: the light of a channel under full ink.
 QByteArray simpleCmykProfile(double leastLight);
 
 } // namespace dipwright

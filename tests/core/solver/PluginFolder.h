@@ -1,4 +1,4 @@
-// A folder of plugins made up by a test.
+// A temporary folder of solver plugins for tests.
 #pragma once
 
 #include <QJsonObject>
@@ -12,7 +12,7 @@ public:
     QString path() const { return folder_.path(); }
     QString filePath(const QString& name) const { return folder_.filePath(name); }
 
-    // A description that is right in every way, of the module `id` + the system's module suffix.
+    // A valid description of the plugin `id`, whose module is moduleName(id).
     static QJsonObject description(const QString& id);
     static QString moduleName(const QString& id);
 

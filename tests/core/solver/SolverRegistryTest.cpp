@@ -1,4 +1,4 @@
-// What the registry makes of the files that it finds, without any code of a plugin.
+// How the registry treats the files that it finds, without loading plugin code.
 
 #include "solver/SolverRegistry.h"
 #include "PluginFolder.h"
@@ -36,32 +36,32 @@ class SolverRegistryTest : public QObject {
 
 private slots:
     void initTestCase();
-    void emptyOrMissingFoldersHoldNoSolvers();
-    void badDescriptionsAreListedWithTheirReason_data();
-    void badDescriptionsAreListedWithTheirReason();
-    void missingModuleIsNamed();
-    void descriptionsThatAreNoFilesAreNotRead();
-    void prioritiesAreLimited();
-    void fileThatIsNoModuleIsRefused();
-    void firstFolderWins();
-    void unknownSolverIsRefusedWithTheChoice();
-    void whatIsShippedComesFirst();
-    void moduleBeingLoadedNowHasNotCrashed();
-    void aGroupsFolderIsOthersUnlessItIsTheUsersOwn();
+    void solverRegistry_emptyOrMissingFolder_hasNoSolvers();
+    void solverRegistry_badDescription_isListedWithItsReason_data();
+    void solverRegistry_badDescription_isListedWithItsReason();
+    void solverRegistry_missingModule_isNamed();
+    void solverRegistry_pipeOrDeviceAsDescription_isNotRead();
+    void solverRegistry_priorityOutOfRange_isRefused();
+    void solverRegistry_fileThatIsNoModule_isRefused();
+    void solverRegistry_sameIdTwice_firstFolderWins();
+    void solverRegistry_unknownSolver_isRefusedWithTheChoice();
+    void standardFolders_shippedPlugins_comeFirst();
+    void crashesOf_moduleBeingLoaded_isZero();
+    void writableByOthers_groupFolder_unlessItIsTheUsersOwnGroup();
 };
 
 void SolverRegistryTest::initTestCase() {
     QStandardPaths::setTestModeEnabled(true);
 }
 
-void SolverRegistryTest::emptyOrMissingFoldersHoldNoSolvers() {
+void SolverRegistryTest::solverRegistry_emptyOrMissingFolder_hasNoSolvers() {
     const PluginFolder empty;
     const SolverRegistry registry({empty.path(), empty.filePath(QStringLiteral("missing"))});
     QVERIFY(registry.solvers().empty());
     QVERIFY_THROWS_EXCEPTION(Error, registry.module(QStringLiteral("auto")));
 }
 
-void SolverRegistryTest::badDescriptionsAreListedWithTheirReason_data() {
+void SolverRegistryTest::solverRegistry_badDescription_isListedWithItsReason_data() {
     QTest::addColumn<QString>("key");
     QTest::addColumn<QJsonValue>("value");
     QTest::addColumn<QString>("reasonPart");
@@ -69,13 +69,13 @@ void SolverRegistryTest::badDescriptionsAreListedWithTheirReason_data() {
                         const char* reasonPart) {
         QTest::newRow(name) << QString::fromLatin1(key) << value << QString::fromLatin1(reasonPart);
     };
-    row("another format", "format", "something", "not one of a solver");
+    row("another format", "format", "something", "does not describe a solver");
     row("newer interface", "interface", 99, "interface 99");
     row("no interface", "interface", QJsonValue::Null, "interface");
     row("interface as text", "interface", "1", "interface");
     row("no id", "id", QJsonValue::Null, "\"id\"");
-    row("id with spaces", "id", "my solver", "id may hold");
-    row("id that means any", "id", "auto", "id may hold");
+    row("id with spaces", "id", "my solver", "id may contain");
+    row("id that means any", "id", "auto", "id may contain");
     row("no name", "name", " ", "\"name\"");
     row("no version", "version", 3, "\"version\"");
     row("no device", "device", QJsonValue::Null, "\"device\"");
@@ -84,7 +84,7 @@ void SolverRegistryTest::badDescriptionsAreListedWithTheirReason_data() {
     row("module elsewhere", "module", "../solver.so", "beside its description");
 }
 
-void SolverRegistryTest::badDescriptionsAreListedWithTheirReason() {
+void SolverRegistryTest::solverRegistry_badDescription_isListedWithItsReason() {
     QFETCH(QString, key);
     QFETCH(QJsonValue, value);
     QFETCH(QString, reasonPart);
@@ -99,7 +99,7 @@ void SolverRegistryTest::badDescriptionsAreListedWithTheirReason() {
     QVERIFY2(info.reason.contains(reasonPart), qPrintable(info.reason));
 }
 
-void SolverRegistryTest::missingModuleIsNamed() {
+void SolverRegistryTest::solverRegistry_missingModule_isNamed() {
     const PluginFolder folder;
     folder.describe(PluginFolder::description(QStringLiteral("good")));
     const SolverInfo info = onlySolver(folder);
@@ -109,8 +109,8 @@ void SolverRegistryTest::missingModuleIsNamed() {
     QVERIFY(info.reason.contains(PluginFolder::moduleName(QStringLiteral("good"))));
 }
 
-// The one never ends, the other never begins.
-void SolverRegistryTest::descriptionsThatAreNoFilesAreNotRead() {
+// Reading the device never ends; reading the pipe never begins.
+void SolverRegistryTest::solverRegistry_pipeOrDeviceAsDescription_isNotRead() {
 #ifdef Q_OS_UNIX
     const PluginFolder place;
     const QString pipe = place.filePath(QStringLiteral("pipe"));
@@ -126,7 +126,7 @@ void SolverRegistryTest::descriptionsThatAreNoFilesAreNotRead() {
 #endif
 }
 
-void SolverRegistryTest::prioritiesAreLimited() {
+void SolverRegistryTest::solverRegistry_priorityOutOfRange_isRefused() {
     const auto described = [](const QJsonValue& priority) {
         const PluginFolder folder;
         QJsonObject description = PluginFolder::description(QStringLiteral("good"));
@@ -147,7 +147,7 @@ void SolverRegistryTest::prioritiesAreLimited() {
     QCOMPARE(described(QJsonValue(QJsonValue::Undefined)).priority, 0);
 }
 
-void SolverRegistryTest::fileThatIsNoModuleIsRefused() {
+void SolverRegistryTest::solverRegistry_fileThatIsNoModule_isRefused() {
     const PluginFolder folder;
     const QString name = PluginFolder::moduleName(QStringLiteral("good"));
     folder.describe(PluginFolder::description(QStringLiteral("good")));
@@ -170,7 +170,7 @@ void SolverRegistryTest::fileThatIsNoModuleIsRefused() {
     }
 }
 
-void SolverRegistryTest::firstFolderWins() {
+void SolverRegistryTest::solverRegistry_sameIdTwice_firstFolderWins() {
     const PluginFolder first, second;
     QJsonObject description = PluginFolder::description(QStringLiteral("same"));
     second.describe(description);
@@ -182,23 +182,23 @@ void SolverRegistryTest::firstFolderWins() {
     QCOMPARE(solvers[0].id, QStringLiteral("another"));
     QCOMPARE(solvers[1].id, QStringLiteral("same"));
     QCOMPARE(solvers[1].name, QStringLiteral("The first"));
-    QCOMPARE(solvers[2].id, QStringLiteral("same-2")); // can be chosen by it
+    QCOMPARE(solvers[2].id, QStringLiteral("same-2")); // the id by which it can be chosen
 }
 
-void SolverRegistryTest::unknownSolverIsRefusedWithTheChoice() {
+void SolverRegistryTest::solverRegistry_unknownSolver_isRefusedWithTheChoice() {
     const PluginFolder folder;
     folder.describe(PluginFolder::description(QStringLiteral("good")));
     const SolverRegistry registry({folder.path()});
     try {
         registry.module(QStringLiteral("better"));
-        QFAIL("found a solver that is not there");
+        QFAIL("a missing solver was found, expected a refusal");
     } catch (const Error& error) {
         QCOMPARE(error.where(), QStringLiteral("better"));
         QVERIFY(error.message().contains(QLatin1String("auto, good")));
     }
 }
 
-void SolverRegistryTest::whatIsShippedComesFirst() {
+void SolverRegistryTest::standardFolders_shippedPlugins_comeFirst() {
     const QByteArray before = qgetenv("DIPWRIGHT_PLUGIN_PATH");
     const QString path = QStringLiteral("/one") + QDir::listSeparator() + QStringLiteral("/two");
     qputenv("DIPWRIGHT_PLUGIN_PATH", path.toUtf8());
@@ -207,7 +207,7 @@ void SolverRegistryTest::whatIsShippedComesFirst() {
     const QString program = QCoreApplication::applicationDirPath();
     QCOMPARE(folders.size(), 6);
     QCOMPARE(folders[0], program + QStringLiteral("/plugins"));
-    // Where it is installed, the program lies beside the libraries' folder.
+    // In an installation the program's folder is beside the libraries' folder.
     QVERIFY2(folders[2].startsWith(QFileInfo(program).path()), qPrintable(folders[2]));
     QVERIFY2(folders[2].endsWith(QLatin1String("/dipwright/plugins")), qPrintable(folders[2]));
     QCOMPARE(folders[3], QStringLiteral("/one"));
@@ -215,7 +215,7 @@ void SolverRegistryTest::whatIsShippedComesFirst() {
     QVERIFY2(folders[5].endsWith(QLatin1String("/plugins")), qPrintable(folders[5]));
 }
 
-void SolverRegistryTest::moduleBeingLoadedNowHasNotCrashed() {
+void SolverRegistryTest::crashesOf_moduleBeingLoaded_isZero() {
     const PluginFolder folder;
     folder.write(QStringLiteral("module"), "x");
     const QString module = folder.filePath(QStringLiteral("module"));
@@ -226,8 +226,8 @@ void SolverRegistryTest::moduleBeingLoadedNowHasNotCrashed() {
     QCOMPARE(crashesOf(module), 0);
 }
 
-// With every group that this user can give a folder to.
-void SolverRegistryTest::aGroupsFolderIsOthersUnlessItIsTheUsersOwn() {
+// Tries every group that this user can give a folder to.
+void SolverRegistryTest::writableByOthers_groupFolder_unlessItIsTheUsersOwnGroup() {
 #ifdef Q_OS_UNIX
     const PluginFolder folder;
     const QByteArray path = QFile::encodeName(folder.path());
@@ -238,7 +238,7 @@ void SolverRegistryTest::aGroupsFolderIsOthersUnlessItIsTheUsersOwn() {
     const QByteArray name = user ? user->pw_name : "";
     std::vector<gid_t> groups(65536);
     groups.resize(std::size_t(std::max(::getgroups(int(groups.size()), groups.data()), 0)));
-    groups.insert(groups.end(), {::getegid(), 1, 12345}); // root may give it to any
+    groups.insert(groups.end(), {::getegid(), 1, 12345}); // root may give it to any group
     for (const gid_t id : groups) {
         if (::chown(path.constData(), ::uid_t(-1), id) != 0) {
             continue;

@@ -1,4 +1,4 @@
-// From body to sheet with the film simulated by the CPU plugin.
+// From the body to the sheet, with the film simulated by the CPU plugin.
 #include "DippedByHand.h"
 #include "dip/Coverage.h"
 #include "dip/Dip.h"
@@ -18,7 +18,7 @@ using namespace dipwright;
 
 namespace {
 
-// One immersion from a model to its film on the body.
+// Dips a model and returns its film on the body.
 std::shared_ptr<const LaidFilm> dipped(const TexturedMesh& model, const Immersion& immersion,
                                        const FilmSettings& film, std::optional<Millimetres> depth,
                                        MillimetresPerSecond speed = ProcessSettings().dipSpeed) {
@@ -50,7 +50,7 @@ TexturedMesh lettered() {
     return test::boxWithPicture(boxSize, test::letterF());
 }
 
-// A box over a place off the film's middle, dipped by 2 mm.
+// A box beside the film's middle, dipped by 2 mm.
 std::shared_ptr<const LaidFilm> dippedBox(const FilmSettings& film,
                                           MillimetresPerSecond speed = ProcessSettings().dipSpeed) {
     Immersion beside;
@@ -61,7 +61,8 @@ std::shared_ptr<const LaidFilm> dippedBox() {
     return dippedBox(filmOf(Millimetres(120), Millimetres(100), 97));
 }
 
-// By an eighth until the box comes to the water, ten seconds after the begin at this speed.
+// At this speed the box reaches the water after ten seconds. Until then the film below grows by an
+// eighth.
 constexpr MillimetresPerSecond slowly{0.05};
 FilmSettings growing(FilmSettings film) {
     film.growthRate = 0.02;
@@ -70,13 +71,13 @@ FilmSettings growing(FilmSettings film) {
 }
 const double grownByThen = 1 + 0.2 * (1 - std::exp(-0.02 * 10 / 0.2));
 
-// Of the film in its middle, which is under the box.
+// The smaller stretch in the film's middle, which is under the box.
 double compressionInTheMiddle(const LaidFilm& laid) {
     const std::vector<float>& stretches = laid.painted().wrinkling.pointStretches;
     return double(stretches[stretches.size() / 2]);
 }
 
-// Film cells wholly under the box's bottom: whether a film triangle is one.
+// Whether a film triangle lies completely under the box's bottom.
 bool isUnderBottom(const solver::FilmGrid& grid, const FilmTriangle& triangle) {
     return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t point) {
         const Eigen::Vector2f rest = restPosition(grid, point) - Eigen::Vector2f(12, -7);
@@ -90,15 +91,15 @@ class PrintedBodyTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void flatFaceIsCarriedUnchanged();
-    void letterOnTheBottomIsMirroredOnTheSheet();
-    void whatGrowsIsPrintedSmaller();
-    void filmThatCannotGrowWrinkles();
-    void sphereIsPaintedToItsOverhangAndInPlace();
-    void sphereComesOutInPlaceOnAFilmThatGrows();
+    void simulateDip_flatFace_keepsTheFilm();
+    void reverseTexture_letterOnTheBottom_isMirroredOnTheSheet();
+    void reverseTexture_growingFilm_isPrintedSmaller();
+    void simulateDip_growingFilmPinnedAllRound_wrinkles();
+    void simulateDip_sphere_isPaintedToTheOverhangInPlace();
+    void simulateDip_sphereOnGrowingFilm_matchesClosedForm();
 };
 
-void PrintedBodyTest::flatFaceIsCarriedUnchanged() {
+void PrintedBodyTest::simulateDip_flatFace_keepsTheFilm() {
     const auto laid = dippedBox();
     const solver::FilmGrid& grid = laid->film().grid;
     const std::vector<FilmTriangle>& triangles = laid->triangles();
@@ -122,12 +123,12 @@ void PrintedBodyTest::flatFaceIsCarriedUnchanged() {
     QVERIFY(cells > 4000);
 }
 
-void PrintedBodyTest::letterOnTheBottomIsMirroredOnTheSheet() {
+void PrintedBodyTest::reverseTexture_letterOnTheBottom_isMirroredOnTheSheet() {
     ReverseTextureOptions options;
-    options.pixels = {1200, 1000}; // ten a millimetre
+    options.pixels = {1200, 1000}; // ten per mm
     const QImage sheet = reverseTexture(*dippedBox(), lettered(), options, Progress{}).image;
-    // The letter as it has to stand on the sheet: mirrored, 60 mm wide, its middle 12 mm right of
-    // the film's and 7 mm above it.
+    // The letter must be mirrored on the sheet and 60 mm wide, its middle 12 mm right of the film's
+    // and 7 mm above it.
     const QImage mirrored = test::letterF().mirrored(true, false);
     int wrong = 0;
     int inked = 0;
@@ -141,15 +142,15 @@ void PrintedBodyTest::letterOnTheBottomIsMirroredOnTheSheet() {
         }
     }
     QVERIFY(inked > 20000);
-    // 0.05 mm along all of the letter's outline of 170 mm is 850 pixels.
-    QVERIFY2(wrong < 850, qPrintable(QString::number(wrong)));
+    // An error of 0.05 mm along the letter's outline of 170 mm is 850 pixels.
+    QVERIFY2(wrong < 850, qPrintable(QStringLiteral("%1 wrong pixels, expected < 850").arg(wrong)));
 }
 
-// The sheet is the film as it was when the dip began. So the letter stands on it an eighth smaller,
-// and nearer to the middle.
-void PrintedBodyTest::whatGrowsIsPrintedSmaller() {
+// The sheet is the film at the beginning of the dip. There the letter is an eighth smaller and
+// nearer to the middle.
+void PrintedBodyTest::reverseTexture_growingFilm_isPrintedSmaller() {
     ReverseTextureOptions options;
-    options.pixels = {1200, 1000}; // ten a millimetre
+    options.pixels = {1200, 1000}; // ten per mm
     const auto laid = dippedBox(growing(filmOf(Millimetres(120), Millimetres(100), 97)), slowly);
     const QImage sheet = reverseTexture(*laid, lettered(), options, Progress{}).image;
     const QImage mirrored = test::letterF().mirrored(true, false);
@@ -165,39 +166,48 @@ void PrintedBodyTest::whatGrowsIsPrintedSmaller() {
         }
     }
     QVERIFY(inked > 20000);
-    QVERIFY2(wrong < 850, qPrintable(QString::number(wrong))); // 0.05 mm, as above
+    QVERIFY2(
+        wrong < 850,
+        qPrintable(
+            QStringLiteral("%1 wrong pixels, expected < 850").arg(wrong))); // 0.05 mm, as above
     QVERIFY(std::abs(compressionInTheMiddle(*laid) - 1) < 0.002);
 }
 
-void PrintedBodyTest::filmThatCannotGrowWrinkles() {
+void PrintedBodyTest::simulateDip_growingFilmPinnedAllRound_wrinkles() {
     FilmSettings film = filmOf(Millimetres(120), Millimetres(100), 97);
     film.edges = {true, true, true, true};
     const auto plain = dippedBox(film, slowly), grown = dippedBox(growing(film), slowly);
     QVERIFY(std::abs(compressionInTheMiddle(*plain) - 1) < 0.002);
     QVERIFY(std::abs(compressionInTheMiddle(*grown) - 1 / grownByThen) < 0.002);
-    // All but what is drawn down the sides.
+    // Everything wrinkles except film that is drawn down the sides.
     QVERIFY(plain->painted().wrinkling.share < 0.1);
     QVERIFY(grown->painted().wrinkling.share > 0.9);
 }
 
-void PrintedBodyTest::sphereIsPaintedToItsOverhangAndInPlace() {
+void PrintedBodyTest::simulateDip_sphere_isPaintedToTheOverhangInPlace() {
     QImage picture(256, 128, QImage::Format_RGBA8888);
     picture.fill(Qt::red);
     const TexturedMesh globe = test::globe(35, 90, 180, picture);
     const auto laid =
         dipped(globe, Immersion{}, filmOf(Millimetres(210), Millimetres(210), 91), std::nullopt);
     const ReadBackError error = readBackError(*laid, *laid, globe);
-    QVERIFY2(error.mean <= 0.15, qPrintable(QString::number(error.mean)));
-    QVERIFY2(error.percentile95 <= 0.4, qPrintable(QString::number(error.percentile95)));
+    QVERIFY2(error.mean <= 0.15,
+             qPrintable(QStringLiteral("read-back error: mean %1 mm, expected 0.15 mm or less")
+                            .arg(error.mean)));
+    QVERIFY2(
+        error.percentile95 <= 0.4,
+        qPrintable(QStringLiteral("read-back error: 95 % within %1 mm, expected 0.4 mm or less")
+                       .arg(error.percentile95)));
     const Coverage cover = coverage(*laid);
-    // Painted from the pole to where the sphere turns up by 20°, but for a film cell or two.
+    // Painted from the pole to the overhang of 20°, within two film cells.
     const double end = (1 + std::sin(radians(Degrees(20)))) / 2;
-    QVERIFY2(cover.share > end - 0.06 && cover.share < end + 0.005,
-             qPrintable(QString::number(cover.share)));
+    QVERIFY2(
+        cover.share > end - 0.06 && cover.share < end + 0.005,
+        qPrintable(QStringLiteral("coverage %1, expected up to %2").arg(cover.share).arg(end)));
     QCOMPARE(cover.trappedAir.area, 0.0);
 }
 
-void PrintedBodyTest::sphereComesOutInPlaceOnAFilmThatGrows() {
+void PrintedBodyTest::simulateDip_sphereOnGrowingFilm_matchesClosedForm() {
     constexpr double radius = 35, side = 240, speed = 2;
     QImage picture(256, 128, QImage::Format_RGBA8888);
     picture.fill(Qt::red);
@@ -206,7 +216,10 @@ void PrintedBodyTest::sphereComesOutInPlaceOnAFilmThatGrows() {
     const auto laid =
         dipped(globe, Immersion{}, film, Millimetres(34), MillimetresPerSecond(speed));
     const ReadBackError error = readBackError(*laid, *laid, globe);
-    QVERIFY2(error.percentile95 <= 0.2, qPrintable(QString::number(error.percentile95)));
+    QVERIFY2(
+        error.percentile95 <= 0.2,
+        qPrintable(QStringLiteral("read-back error: 95 % within %1 mm, expected 0.2 mm or less")
+                       .arg(error.percentile95)));
 
     const FloatingFilm floating{FilmLaw::Elastic, FilmEdge::Free, side / std::sqrt(pi),
                                 [](double depth) {
@@ -218,7 +231,7 @@ void PrintedBodyTest::sphereComesOutInPlaceOnAFilmThatGrows() {
     FloatingFilm still = floating;
     still.grown = [](double) { return 1.0; };
     QVERIFY(ClosedForm(sphere, still).filmRadius(sphere.fullArc) >
-            exact.filmRadius(sphere.fullArc) + 2); // what growth is worth
+            exact.filmRadius(sphere.fullArc) + 2); // growth moves film by more than 2 mm
     const DippedFilm& dip = laid->film();
     int compared = 0;
     for (std::size_t point = 0; point < dip.states.size(); ++point) {

@@ -1,4 +1,4 @@
-// The measure of how well sheet and body meet.
+// The read-back error, on films laid by hand.
 #include "texture/ReadBack.h"
 #include "DippedByHand.h"
 #include "geometry/Shapes.h"
@@ -19,7 +19,7 @@ QImage anyPicture() {
     return image;
 }
 
-// Measures a film that came to lie as `dipped` when its sheet was made for `planned`.
+// The error of a film that lies as `dipped`, with a sheet that was made for `planned`.
 ReadBackError measured(const TexturedMesh& model, const DippedFilm& planned,
                        const DippedFilm& dipped) {
     return readBackError(*test::laid(model.mesh, planned), *test::laid(model.mesh, dipped), model);
@@ -31,15 +31,15 @@ class ReadBackTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void flatFaceIsExact();
-    void sphereIsWithinTheTargets_data();
-    void sphereIsWithinTheTargets();
-    void bodyWithoutTextureIsMeasuredToo();
-    void filmThatSlippedShowsAsFarAsItSlipped();
-    void bareBodyHasNoSamples();
+    void readBackError_flatFace_isZero();
+    void readBackError_sphere_isWithinTheTargets_data();
+    void readBackError_sphere_isWithinTheTargets();
+    void readBackError_bodyWithoutTexture_isMeasured();
+    void readBackError_slippedFilm_isTheSlip();
+    void readBackError_bareBody_hasNoSamples();
 };
 
-void ReadBackTest::flatFaceIsExact() {
+void ReadBackTest::readBackError_flatFace_isZero() {
     const DippedFilm film = test::flatUnderBox(test::a4Grid(), {60, 30, 60});
     const ReadBackError error =
         measured(test::boxWithPicture({60, 30, 60}, anyPicture()), film, film);
@@ -47,7 +47,7 @@ void ReadBackTest::flatFaceIsExact() {
     QVERIFY(error.samples > 10000);
 }
 
-void ReadBackTest::sphereIsWithinTheTargets_data() {
+void ReadBackTest::readBackError_sphere_isWithinTheTargets_data() {
     QTest::addColumn<int>("rings");
     QTest::addColumn<bool>("halved");
     QTest::newRow("fine globe") << 160 << false;
@@ -55,20 +55,26 @@ void ReadBackTest::sphereIsWithinTheTargets_data() {
     QTest::newRow("two charts") << 60 << true;
 }
 
-void ReadBackTest::sphereIsWithinTheTargets() {
+void ReadBackTest::readBackError_sphere_isWithinTheTargets() {
     QFETCH(int, rings);
     QFETCH(bool, halved);
     const TexturedMesh model = halved ? test::halvedBall(radius, rings, 2 * rings, anyPicture())
                                       : test::globe(radius, rings, 2 * rings, anyPicture());
     const DippedFilm film = test::viscousOnSphere(test::a4Grid(), radius, 1.9);
     const ReadBackError error = measured(model, film, film);
-    QVERIFY2(error.mean <= 0.02, qPrintable(QString::number(error.mean)));
-    QVERIFY2(error.percentile95 <= 0.05, qPrintable(QString::number(error.percentile95)));
-    QVERIFY2(error.maximum <= 0.2, qPrintable(QString::number(error.maximum)));
+    QVERIFY2(error.mean <= 0.02,
+             qPrintable(QStringLiteral("mean %1 mm, expected 0.02 mm or less").arg(error.mean)));
+    QVERIFY2(
+        error.percentile95 <= 0.05,
+        qPrintable(
+            QStringLiteral("95 % within %1 mm, expected 0.05 mm or less").arg(error.percentile95)));
+    QVERIFY2(
+        error.maximum <= 0.2,
+        qPrintable(QStringLiteral("maximum %1 mm, expected 0.2 mm or less").arg(error.maximum)));
     QVERIFY(error.samples > 14000);
 }
 
-void ReadBackTest::bodyWithoutTextureIsMeasuredToo() {
+void ReadBackTest::readBackError_bodyWithoutTexture_isMeasured() {
     const DippedFilm film = test::viscousOnSphere(test::a4Grid(), radius, 1.9);
     const ReadBackError error =
         measured(test::plainModel(sphereMesh(radius, 60, 120), Qt::red), film, film);
@@ -76,7 +82,7 @@ void ReadBackTest::bodyWithoutTextureIsMeasuredToo() {
     QVERIFY(error.samples > 14000);
 }
 
-void ReadBackTest::filmThatSlippedShowsAsFarAsItSlipped() {
+void ReadBackTest::readBackError_slippedFilm_isTheSlip() {
     const DippedFilm film = test::flatUnderBox(test::a4Grid(), {58, 30, 58});
     DippedFilm slipped = film;
     for (Eigen::Vector3f& position : slipped.positions) {
@@ -89,7 +95,7 @@ void ReadBackTest::filmThatSlippedShowsAsFarAsItSlipped() {
     QVERIFY(std::abs(error.maximum - 0.5) < 0.01);
 }
 
-void ReadBackTest::bareBodyHasNoSamples() {
+void ReadBackTest::readBackError_bareBody_hasNoSamples() {
     DippedFilm film = test::flatUnderBox(test::a4Grid(), {60, 30, 60});
     film.states.assign(film.states.size(), solver::PointState::Free);
     const ReadBackError error =

@@ -1,4 +1,5 @@
-// What repeats in the parts of a job, told from chance, and taken off the next sheet.
+// The error that repeats in the parts of a job is separated from scatter and corrected on the next
+// sheet.
 #include "accuracy/correction/SheetCorrection.h"
 
 #include <QtTest>
@@ -12,13 +13,13 @@ namespace {
 
 const Millimetres width(210), height(297);
 
-// The tank: what nobody has put into the simulation, about 1 mm.
+// The tank's error, about 1 mm, which the simulation does not contain.
 Eigen::Vector2d tank(const Eigen::Vector2d& at) {
     return {0.7 + 0.35 * std::sin(at.x() / 40) + 0.2 * std::cos(at.y() / 45),
             -0.4 + 0.3 * std::cos((at.x() - at.y()) / 60)};
 }
 
-// 48 places of the film as it was made, 16 mm apart.
+// 48 places on the uncorrected film, 16 mm apart.
 std::vector<Eigen::Vector2d> places() {
     std::vector<Eigen::Vector2d> places;
     for (int row = 0; row < 8; ++row) {
@@ -29,8 +30,8 @@ std::vector<Eigen::Vector2d> places() {
     return places;
 }
 
-// Dips a part with the sheet as it is corrected now, and keeps what is seen of it: each place's
-// scatter, along each axis, and that of the part as a whole.
+// Dips a part with the sheet as it is corrected now and keeps the measured places. `scatter` is
+// that of each place along each axis, `whole` that of the part, both in mm.
 void dip(AsBuilt& built, double scatter, double whole, std::mt19937& random) {
     std::normal_distribution<double> off(0, 1);
     const RepeatingError error(built, 1);
@@ -50,8 +51,8 @@ void dip(AsBuilt& built, double scatter, double whole, std::mt19937& random) {
     }
 }
 
-// Root mean square of how far film lies from where it is meant to lie in a next part that does not
-// scatter; half way between the places that were seen.
+// Root mean square of how far the film of a next part without scatter lies from its place, in mm,
+// halfway between the measured places.
 double nextResidual(const AsBuilt& built) {
     const RepeatingError error(built, 1);
     double sum = 0;
@@ -80,8 +81,8 @@ double worstFallen(int parts, double scatter, double whole) {
     for (int seed = 1; seed <= 20; ++seed) {
         worst = std::min(worst, fallen(parts, scatter, whole, seed));
     }
-    qInfo("parts %d, scatter %.2f mm, of parts %.2f mm: falls by %.1f %% at least", parts, scatter,
-          whole, 100 * worst);
+    qInfo("parts %d, scatter %.2f mm, scatter of parts %.2f mm: falls by %.1f %% at least", parts,
+          scatter, whole, 100 * worst);
     return worst;
 }
 
@@ -91,22 +92,22 @@ class SheetCorrectionTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void whatRepeatsFallsAfterOnePart() {
+    void repeatingError_oneMeasuredPart_fallsByMostOfIt() {
         QVERIFY(worstFallen(1, 0, 0) > 0.95);
         QVERIFY(worstFallen(1, 0.2, 0) > 0.70);
     }
 
-    void andFurtherAfterThree() {
+    void repeatingError_threeMeasuredParts_fallsFurther() {
         QVERIFY(worstFallen(3, 0.2, 0) > 0.85);
         worstFallen(3, 0.2, 0.2);
         worstFallen(10, 0.2, 0);
     }
 
-    void theNextPartStaysCorrectedAsItIsCorrectedAgain() {
-        QVERIFY(fallen(6, 0.05, 0, 3) > 0.9); // each but the first on a corrected sheet
+    void repeatingError_partsOnCorrectedSheets_staysCorrected() {
+        QVERIFY(fallen(6, 0.05, 0, 3) > 0.9); // all but the first on a corrected sheet
     }
 
-    void scatterIsToldAndNotCorrected() {
+    void repeatingError_scatterOnly_isReportedAndNotCorrected() {
         std::mt19937 random{5};
         std::normal_distribution<double> off(0, 0.3);
         AsBuilt built;
@@ -132,7 +133,7 @@ private slots:
         QVERIFY(most < 0.1 && mean > 0.3);
     }
 
-    void beyondThePlacesNothingRunsAway() {
+    void repeatingError_farFromThePlaces_staysBounded() {
         std::mt19937 random{6};
         AsBuilt built;
         dip(built, 0.1, 0, random);
@@ -147,8 +148,7 @@ private slots:
         QVERIFY(!isCorrected(built, 1));
     }
 
-    // A dot moves against the error, by as much.
-    void thePictureMovesAgainstTheError() {
+    void correctedImage_knownError_movesAgainstIt() {
         AsBuilt built;
         for (int i = 0; i < 12; ++i) {
             BuiltPlace seen;
@@ -170,7 +170,7 @@ private slots:
         QCOMPARE(correctedImage(film, width, height, error, 0), film);
     }
 
-    void itsPictureIsDrawn() {
+    void correctionPicture_isDrawnAtTheWantedSize() {
         std::mt19937 random{7};
         AsBuilt built;
         dip(built, 0.1, 0, random);

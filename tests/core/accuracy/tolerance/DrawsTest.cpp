@@ -1,4 +1,4 @@
-// Dips that are off at random, and yet stand for all.
+// Random draws of handling errors whose mean and covariance are exact.
 #include "accuracy/tolerance/Draws.h"
 
 #include <QtTest>
@@ -9,7 +9,7 @@ class DrawsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void theirMeanIsNothingAndTheirCovarianceOne() {
+    void evenDraws_haveZeroMeanAndUnitCovariance() {
         const Eigen::MatrixXd draws = evenDraws(24, 12, 1);
         QCOMPARE(draws.rows(), Eigen::Index(24));
         QVERIFY(draws.colwise().mean().cwiseAbs().maxCoeff() < 1e-12);
@@ -17,17 +17,17 @@ private slots:
         QVERIFY((covariance - Eigen::MatrixXd::Identity(12, 12)).cwiseAbs().maxCoeff() < 1e-9);
     }
 
-    void thereAreTwoForEachQuantityAtLeast() {
+    void evenDraws_fewAsked_givesTwoForEachQuantity() {
         QCOMPARE(evenDraws(3, 8, 1).rows(), Eigen::Index(16));
         QCOMPARE(evenDraws(25, 8, 1).rows(), Eigen::Index(26));
     }
 
-    void aSeedGivesTheSameAndAnotherOneOthers() {
+    void evenDraws_seed_determinesTheDraws() {
         QVERIFY(evenDraws(24, 5, 7) == evenDraws(24, 5, 7));
         QVERIFY(evenDraws(24, 5, 7) != evenDraws(24, 5, 8));
     }
 
-    void manyAreSpreadAsNormalOnesAre() {
+    void evenDraws_many_areNormallyDistributed() {
         const Eigen::MatrixXd draws = evenDraws(2000, 1, 3);
         const double within = double((draws.array().abs() < 1).count()) / 2000;
         QVERIFY2(std::abs(within - 0.683) < 0.03, qPrintable(QString::number(within)));

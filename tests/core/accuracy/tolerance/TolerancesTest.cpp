@@ -1,4 +1,4 @@
-// How far colours land off their places for what is off, where that is known.
+// How far colours land from their places for given handling errors, where that is known.
 #include "DippedByHand.h"
 #include "TestFolders.h"
 #include "geometry/Shapes.h"
@@ -17,7 +17,7 @@ using namespace dipwright;
 
 namespace {
 
-constexpr double radius = 25; // mm, of the ball
+constexpr double radius = 25; // mm, the ball's
 constexpr double percent = 0.01;
 
 ToleranceSettings exact() {
@@ -42,7 +42,7 @@ Project jobOf(const TriangleMesh& mesh, double film, int points) {
     return project;
 }
 
-// Its flat bottom touches the film all at once, and lays it as it is.
+// A box whose flat bottom touches the film all at once and does not deform it.
 Project box() {
     Project project = jobOf(boxMesh({60, 20, 40}), 100, 51);
     project.process.depth = Millimetres(1);
@@ -68,7 +68,8 @@ DipTolerances tolerances(const JobResult& result, const ToleranceSettings& setti
     return jobTolerances(result, settings, registry(), {}).dips.front();
 }
 
-// The places of the box's bottom, but for a cell along its edges, in model coordinates.
+// Calls `look` with each place of the box's bottom that is a cell from its edges, in model
+// coordinates.
 template <typename Look>
 void eachOfTheBottom(const JobResult& result, const DipTolerances& found, const Look& look) {
     const TexturedMesh& model = *result.project.model;
@@ -86,7 +87,7 @@ void eachOfTheBottom(const JobResult& result, const DipTolerances& found, const 
 
 #define VERIFY_NEAR(value, wanted, allowed)                                                        \
     QVERIFY2(std::abs((value) - (wanted)) <= (allowed),                                            \
-             qPrintable(QStringLiteral("%1, not %2").arg(value).arg(wanted)))
+             qPrintable(QStringLiteral("%1, expected %2").arg(value).arg(wanted)))
 
 } // namespace
 
@@ -100,14 +101,14 @@ private slots:
         ball_ = resultOf(ball());
     }
 
-    void onAFlatBottomColoursAreOffByWhatTheBodyIs() {
+    void jobTolerances_positionOverFlatBottom_movesColoursByAsMuch() {
         ToleranceSettings settings = exact();
         settings.position = {Millimetres(0.6), Millimetres(0.8)};
         eachOfTheBottom(box_, tolerances(box_, settings),
                         [](auto, double spread) { VERIFY_NEAR(spread, 1.0, 1e-3); });
     }
 
-    void tolerancesTooSmallForASquareAreExact() {
+    void jobTolerances_squareUnderflows_givesZeroSpread() {
         ToleranceSettings settings = exact();
         settings.position[0] = Millimetres(1e-300);
         settings.swell = 1e-200;
@@ -115,17 +116,17 @@ private slots:
                         [](auto, double spread) { QCOMPARE(spread, 0.0); });
     }
 
-    void filmThatLiesOffIsABodyThatLiesOff() {
+    void jobTolerances_filmPosition_equalsTheSameBodyPosition() {
         ToleranceSettings film = exact(), body = exact();
         film.filmPosition = body.position = {Millimetres(0.5), Millimetres(0.2)};
         film.filmTurn = body.turn[1] = Degrees(0.7);
         const DipTolerances one = tolerances(ball_, film), other = tolerances(ball_, body);
         QCOMPARE(one.places, other.places);
-        // Proved by dips: the same setup, but for the way back.
+        // The change of the dip is the same, but inverted.
         Immersion aside;
         aside.offset = {Millimetres(20), Millimetres(-10)};
         const DipChange change = changeBy(Contributor::FilmTurn, aside);
-        // A body beside the middle of the film moves round that the other way.
+        // A body beside the film's centre moves round that centre the other way.
         const Eigen::Vector2d offset(20, -10);
         const double angle = pi / 180;
         VERIFY_NEAR(of(change, Freedom::TurnY), -1.0, 1e-12);
@@ -134,7 +135,7 @@ private slots:
         VERIFY_NEAR(of(change, Freedom::Z), angle * offset.x(), 1e-12);
     }
 
-    void swellMovesColoursByTheirDistanceFromTheFilmsMiddle() {
+    void jobTolerances_swell_movesColoursByDistanceFromFilmCentre() {
         ToleranceSettings settings = exact();
         settings.swell = percent;
         eachOfTheBottom(box_, tolerances(box_, settings),
@@ -143,7 +144,7 @@ private slots:
                         });
     }
 
-    void aTurnAboutTheVerticalMovesThemRound() {
+    void jobTolerances_turnAboutVertical_movesColoursByTheArc() {
         ToleranceSettings settings = exact();
         settings.turn[1] = Degrees(1);
         eachOfTheBottom(box_, tolerances(box_, settings),
@@ -152,9 +153,9 @@ private slots:
                         });
     }
 
-    // Viscous film lies at R = 2ρ sin(θ/2): a mm of it is 1/cos(θ/2) mm along the meridian and
+    // Viscous film lies at R = 2ρ sin(θ/2): 1 mm of it becomes 1/cos(θ/2) mm along the meridian and
     // cos(θ/2) mm across (docs/film-model.md, "Closed forms").
-    void onABallTheyAreOffByWhatTheFilmMakesOfIt() {
+    void jobTolerances_positionOnBall_movesColoursByTheClosedForm() {
         Project viscous = ball();
         viscous.film.relaxationTime = Seconds(0);
         const JobResult result = resultOf(viscous);
@@ -187,7 +188,7 @@ private slots:
                  qPrintable(QString::number(spreadOf(ratios).percentile95)));
     }
 
-    void theWaterLevelMovesNothingOfABodyThatGoesUnder() {
+    void jobTolerances_waterLevelOfSubmergedBody_movesNothing() {
         ToleranceSettings settings = exact();
         settings.waterLevel = Millimetres(1);
         const DipTolerances found = tolerances(ball_, settings);
@@ -195,20 +196,20 @@ private slots:
         QVERIFY(found.contributions.front().lost < 1);
     }
 
-    void itMovesTheBorderOfOneThatDoesNot() {
+    void jobTolerances_waterLevelOfHalfDippedBody_movesTheBorder() {
         Project half = ball();
         half.process.depth = Millimetres(radius * 0.6);
         ToleranceSettings settings = exact();
         settings.waterLevel = Millimetres(4); // more than a film cell
         const DipTolerances found = tolerances(resultOf(half), settings);
-        const double belt = 2 * pi * radius * 4; // mm², wherever on a ball
+        const double belt = 2 * pi * radius * 4; // mm², at any height of a ball
         QVERIFY2(found.spread.percentile95 < 0.05,
                  qPrintable(QString::number(found.spread.percentile95)));
         VERIFY_NEAR(found.contributions.front().lost, belt, 0.2 * belt);
         VERIFY_NEAR(found.contributions.front().gained, belt, 0.2 * belt);
     }
 
-    void speedMovesNothingOfElasticFilm() {
+    void jobTolerances_speedOfElasticFilm_movesNothing() {
         ToleranceSettings settings = exact();
         settings.speed = 10 * percent;
         settings.relaxation = 20 * percent;
@@ -217,8 +218,8 @@ private slots:
         QVERIFY(!found.sampled);
     }
 
-    // What counts is how much time the film has against how much it needs.
-    void aDipThatIsFasterIsAFilmThatRelaxesLess() {
+    // Only the ratio of the dip's duration to the relaxation time counts.
+    void jobTolerances_speedAndRelaxation_haveTheSameEffect() {
         Project slow = ball();
         slow.film.relaxationTime = Seconds(5);
         const JobResult result = resultOf(slow);
@@ -230,7 +231,7 @@ private slots:
         VERIFY_NEAR(one / other, 1.0, 0.05);
     }
 
-    void contributionsAddUpToAll() {
+    void jobTolerances_contributions_addUpToOne() {
         const DipTolerances& found = everythingOff();
         QCOMPARE(found.contributions.size(), contributorCount);
         double sum = 0;
@@ -243,7 +244,7 @@ private slots:
         QCOMPARE(found.worst[0].spread, found.spread.maximum);
     }
 
-    void dipsWithEverythingOffComeToTheSame() {
+    void jobTolerances_sampledDips_agreeWithTheLinearSpread() {
         const DipTolerances& found = everythingOff();
         QVERIFY(found.sampled);
         QCOMPARE(found.sampled->dips, 24);
@@ -252,7 +253,7 @@ private slots:
                                                          .arg(found.sampled->linear)));
     }
 
-    void theSameOnAnyNumberOfThreads() {
+    void jobTolerances_anyNumberOfThreads_giveTheSameBits() {
         Project coarse = jobOf(sphereMesh(radius, 30, 60), 120, 25);
         coarse.tolerance.samples = 4;
         coarse.tolerance.filmPosition = coarse.tolerance.position;
@@ -266,14 +267,14 @@ private slots:
         QCOMPARE(one.sampled->percentile95, three.sampled->percentile95);
     }
 
-    void tolerancesChangeNoSheet() {
+    void tolerances_changed_leaveTheSheet() {
         Project strict = box();
         strict.tolerance.position[0] = Millimetres(2);
         strict.tolerance.marks.emplace_back();
         QCOMPARE(resultOf(strict).immersions[0].sheet.job.hash, box_.immersions[0].sheet.job.hash);
     }
 
-    void theReportHasThemWhereTheyWereAskedFor() {
+    void report_tolerancesAskedFor_containsThem() {
         QVERIFY(!report(box_.project, box_).contains(QStringLiteral("zones")));
         JobResult asked = box_;
         ToleranceSettings settings = exact();
@@ -294,7 +295,7 @@ private slots:
     }
 
 private:
-    // Of the ball, with the tolerances that every project begins with.
+    // The ball's tolerances with the settings of a new project.
     const DipTolerances& everythingOff() {
         if (!everythingOff_) {
             everythingOff_ = tolerances(ball_, ToleranceSettings());

@@ -1,4 +1,4 @@
-// Which place of a body is in which zone, and what is told of a zone.
+// Which zone a place of a body belongs to, and the verdict on each zone.
 #include "accuracy/tolerance/Zones.h"
 #include "DippedByHand.h"
 #include "geometry/Shapes.h"
@@ -23,7 +23,7 @@ double shareOf(Zone zone, const std::vector<Zone>& zones) {
     return double(std::count(zones.begin(), zones.end(), zone)) / double(zones.size());
 }
 
-// A dip that is off by as much everywhere, by one contributor.
+// A dip with the same spread (mm) everywhere, from one contributor.
 DipTolerances evenlyOff(std::size_t places, float spread, Contributor contributor) {
     DipTolerances dip;
     Contribution contribution;
@@ -52,12 +52,12 @@ class ZonesTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void unmarkedIsTheLastZone() {
+    void zonedBody_withoutMarks_isZoneC() {
         const std::vector<SurfacePoint> places = tolerancePlaces(*ball_);
         QCOMPARE(shareOf(Zone::C, zonesOf(ball_, {}, places)), 1.0);
     }
 
-    void aSpotReachesItsRadiusAlongTheSurface() {
+    void spotMark_reachesItsRadiusAlongTheSurface() {
         const std::vector<SurfacePoint> places = tolerancePlaces(*ball_);
         const auto zones =
             zonesOf(ball_, {markAt(Zone::A, ZoneExtent::Spot, {0, -radius, 0}, 20)}, places);
@@ -66,7 +66,7 @@ private slots:
                  qPrintable(QString::number(shareOf(Zone::A, zones) / cap)));
     }
 
-    void aFaceGoesToItsEdges() {
+    void faceMark_reachesTheEdges() {
         const auto box = std::make_shared<const TexturedMesh>(
             test::plainModel(boxMesh({40, 20, 60}), Qt::white));
         const std::vector<SurfacePoint> places = tolerancePlaces(*box);
@@ -77,7 +77,7 @@ private slots:
         }
     }
 
-    void aMaterialIsMarkedWhereverItIs() {
+    void materialMark_marksAllOfTheMaterial() {
         TexturedMesh two = *ball_;
         two.materials.push_back(two.materials.front());
         for (std::size_t triangle = 0; triangle < two.material.size(); ++triangle) {
@@ -92,7 +92,7 @@ private slots:
         }
     }
 
-    void marksThatAreTakenBackLeaveWhatWasThere() {
+    void setMarks_markRemoved_restoresEarlierZones() {
         const std::vector<ZoneMark> marks{markAt(Zone::B, ZoneExtent::Spot, {0, -radius, 0}, 20),
                                           markAt(Zone::A, ZoneExtent::Spot, {radius, 0, 0}, 10)};
         ZonedBody body(ball_), again(ball_);
@@ -106,7 +106,7 @@ private slots:
         QCOMPARE(body.zones(), again.zones());
     }
 
-    void laterMarksCountOverEarlierOnes() {
+    void laterMark_overEarlierOne_wins() {
         const std::vector<SurfacePoint> places = tolerancePlaces(*ball_);
         const Eigen::Vector3d below(0, -radius, 0);
         const auto zones = zonesOf(ball_,
@@ -116,7 +116,7 @@ private slots:
         QCOMPARE(shareOf(Zone::B, zones), 1.0);
     }
 
-    void aZoneKeepsItsLimitWhereAlmostAllOfItDoes() {
+    void zoneVerdicts_percentile95AboveLimit_doesNotHold() {
         const std::vector<SurfacePoint> places = tolerancePlaces(*ball_);
         ToleranceSettings settings;
         settings.marks = {markAt(Zone::A, ZoneExtent::Spot, {0, -radius, 0}, 20)};
@@ -133,7 +133,7 @@ private slots:
         QVERIFY(std::abs(verdicts[0].area + verdicts[1].area - surfaceArea(ball_->mesh)) < 1);
     }
 
-    void ofTwoDipsTheWorseCountsAndWhatNeitherPaintsIsTold() {
+    void zoneVerdicts_twoDips_takeTheWorseAndReportUnpaintedArea() {
         const std::vector<SurfacePoint> places = tolerancePlaces(*ball_);
         DipTolerances one = evenlyOff(places.size(), 0.2f, Contributor::Swell);
         DipTolerances other = evenlyOff(places.size(), 1, Contributor::FilmTurn);

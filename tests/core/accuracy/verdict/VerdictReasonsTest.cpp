@@ -1,4 +1,4 @@
-// What a verdict says of films laid by hand, with and without a comparison.
+// Verdicts on films laid by hand, with and without an estimate of the numerical error.
 #include "accuracy/verdict/Verdict.h"
 
 #include "DippedByHand.h"
@@ -12,7 +12,7 @@ namespace {
 
 const Eigen::Vector3d boxSize(40, 30, 40);
 
-// `isGraded`: its lines are told one by one, 1 mm apart, as those of automatic cells are.
+// `isGraded`: the film lists its lines one by one, 1 mm apart, as automatic cells do.
 std::shared_ptr<const LaidFilm> filmWith(const solver::EquilibriumAccount& account,
                                          bool isGraded = false) {
     DippedFilm film = test::flatUnderBox({61, 61, 60, 60}, boxSize);
@@ -24,13 +24,13 @@ std::shared_ptr<const LaidFilm> filmWith(const solver::EquilibriumAccount& accou
     return test::laid(boxMesh(boxSize), film);
 }
 
-// Of a film that all coarser dips agree with.
+// The estimate for a film with which all coarser dips agree.
 CertaintyEstimate agreement(const LaidFilm& laid) {
     const auto same = test::laid(laid.body().mesh, laid.film());
     return certaintyEstimate(laid, {same, same, {}});
 }
 
-// Of a film that twice the cell moves by so much everywhere, mm.
+// The estimate for a film that twice the cell moves by `change` mm everywhere.
 CertaintyEstimate movedBy(const LaidFilm& laid, double change) {
     CertaintyEstimate estimate = agreement(laid);
     estimate.doubleSpacing.distance.percentile95 = change;
@@ -44,7 +44,7 @@ Verdict judged(const LaidFilm& laid, const CertaintyEstimate* estimate,
     return verdict({laid, coverage(laid), estimate, 0, zones}, tolerance, {});
 }
 
-// What is said of a film of 1 mm cells, graded or not, that twice the cell changes so much, mm.
+// The verdict's text for a film of 1 mm cells that twice the cell moves by `change` mm.
 QString toldOf(double change, bool isGraded) {
     const auto laid = filmWith({}, isGraded);
     const CertaintyEstimate estimate = movedBy(*laid, change);
@@ -55,7 +55,7 @@ qsizetype mentions(const Verdict& verdict) {
     return verdictText(QStringLiteral("Top"), verdict).count(QStringLiteral("equilibrium"));
 }
 
-// Of a dip that is certain, with this of its coverage and ink changed.
+// The verdict on a dip without numerical error, after `change` to its coverage.
 template <typename Change>
 Verdict changedBy(Change change, double paleArea = 0) {
     const auto laid = filmWith({});
@@ -71,7 +71,7 @@ class VerdictReasonsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void stepsWithoutEquilibriumAreToldOnce() {
+    void verdict_stepsWithoutEquilibrium_givesOneReason() {
         const auto laid = filmWith({3, 0.25, 900});
         const CertaintyEstimate estimate = agreement(*laid);
         const Verdict found = judged(*laid, &estimate);
@@ -79,8 +79,8 @@ private slots:
         QCOMPARE(mentions(found), qsizetype(1));
     }
 
-    // Zone C, which is all that is not marked, allows a third of 1.5 mm.
-    void aFilmThatIsTooCoarseIsToldWhatCanBeSet() {
+    // Zone C, the unmarked area, allows a third of 1.5 mm.
+    void verdictText_coarseFilm_namesTheSettingToChange() {
         QVERIFY(toldOf(0.75, false).contains(QStringLiteral("Film > Points")));
         QVERIFY(toldOf(0.75, true).contains(QStringLiteral("Set Film > Cells to 0.67 mm")));
         for (const bool isGraded : {false, true}) {
@@ -91,7 +91,7 @@ private slots:
         }
     }
 
-    void eachZoneHasALimitOfItsOwn() {
+    void verdict_markedZone_usesItsOwnLimit() {
         const auto laid = filmWith({});
         auto model = std::make_shared<TexturedMesh>(
             test::plainModel(laid->body().mesh, QColor(200, 200, 200)));
@@ -113,21 +113,21 @@ private slots:
         QCOMPARE(judged(*laid, &estimate, &zones, tolerance).advice, Advice::Print);
     }
 
-    void whatTheStepsChangeIsToldOfThem() {
+    void verdict_stepErrorAboveLimit_givesReasonStep() {
         const auto laid = filmWith({}, true);
         CertaintyEstimate estimate = movedBy(*laid, 0.75);
         estimate.doubleStep.distance.percentile95 = 0.8;
         QCOMPARE(judged(*laid, &estimate).reasons.front().kind, VerdictReason::Kind::Step);
     }
 
-    void shareAboveItsLimitIsLookedAtAndFarAboveItNotPrinted_data() {
+    void verdict_shareAboveLimit_checkFirstThenDoNotPrint_data() {
         QTest::addColumn<double>("share");
         QTest::addColumn<int>("advice");
         QTest::newRow("within") << 0.9 << int(Advice::Print);
         QTest::newRow("above") << 1.1 << int(Advice::LookFirst);
         QTest::newRow("far above") << 5.5 << int(Advice::DoNotPrint);
     }
-    void shareAboveItsLimitIsLookedAtAndFarAboveItNotPrinted() {
+    void verdict_shareAboveLimit_checkFirstThenDoNotPrint() {
         QFETCH(double, share);
         QFETCH(int, advice);
         const VerdictSettings limits;
@@ -151,14 +151,14 @@ private slots:
         }
     }
 
-    void aBodyThatStaysBareIsNotPrinted() {
+    void verdict_unpaintedBody_doNotPrint() {
         const Verdict bare = changedBy([](Coverage& painted, double) { painted.paintedArea = 0; });
         QCOMPARE(bare.advice, Advice::DoNotPrint);
         QCOMPARE(bare.reasons.front().kind, VerdictReason::Kind::Unpainted);
     }
 
-    // The film is 60 mm wide and the box 40, so that 10 mm are left on each side.
-    void paintNearTheFilmsEdgeIsTold() {
+    // The film is 60 mm wide and the box 40 mm, which leaves 10 mm on each side.
+    void verdict_paintNearFilmEdge_checkFirst() {
         const auto laid = filmWith({});
         const CertaintyEstimate estimate = agreement(*laid);
         const JudgedDip dip{*laid, coverage(*laid), &estimate};
@@ -168,11 +168,11 @@ private slots:
         limits.edge = Millimetres(12);
         const Verdict near = verdict(dip, {}, limits);
         QCOMPARE(near.advice, Advice::LookFirst);
-        QVERIFY(std::abs(near.reasons.front().value - 10) < 1.01); // to a cell
+        QVERIFY(std::abs(near.reasons.front().value - 10) < 1.01); // within a cell
     }
 
-    // What speaks against it speaks against it all the same.
-    void sheetsThatNobodyAskedAboutAreNotJudged() {
+    // Reasons against printing count without an estimate, too.
+    void verdict_withoutEstimate_isNotJudged() {
         QCOMPARE(judged(*filmWith({}), nullptr).advice, Advice::NotJudged);
         const Verdict unbalanced = judged(*filmWith({3, 0.25, 900}), nullptr);
         QCOMPARE(unbalanced.advice, Advice::LookFirst);
@@ -180,7 +180,7 @@ private slots:
         QCOMPARE(mentions(unbalanced), qsizetype(1));
     }
 
-    void whereAllAgreesThereIsNothingElseToTell() {
+    void verdict_allDipsAgree_printWithOneReason() {
         const auto laid = filmWith({});
         const CertaintyEstimate estimate = agreement(*laid);
         const Verdict found = judged(*laid, &estimate);
@@ -192,7 +192,7 @@ private slots:
                  qPrintable(line));
     }
 
-    void everyReasonHasASentenceAndAKey() {
+    void verdictReason_everyKind_hasTextAndUniqueKey() {
         QStringList keys;
         for (int kind = 0; kind <= int(VerdictReason::Kind::GuessedFilm); ++kind) {
             const VerdictReason reason{
