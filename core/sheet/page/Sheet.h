@@ -80,6 +80,8 @@ QImage onPaper(const QImage& filmImage);
 // The same in sRGB (Format_RGB888): what is seen, and what a printer without an ICC profile is
 // sent.
 QImage flattened(const QImage& filmImage);
+// The same, `width` pixels wide, its height in proportion; large pictures without a copy.
+QImage reduced(const QImage& filmImage, int width);
 // Draws the whole page with a painter whose unit is the millimetre and whose origin is the page's
 // upper left corner: used by the PDF, the printer and the preview.
 void paintSheet(QPainter& painter, const Sheet& sheet);

@@ -10,6 +10,8 @@ namespace dipwright {
 QSizeF inPoints(QSizeF millimetres);
 
 // Each page drawn from its box's upper left corner, the box rounded up. Needs a QGuiApplication.
-QByteArray drawnPdf(const std::vector<PdfPage>& pages, const QString& title);
+// `imagesLater`: others will be put in place of the images (drawsImagesLater()).
+QByteArray drawnPdf(const std::vector<PdfPage>& pages, const QString& title, bool imagesLater);
+bool drawsImagesLater(const QPainter& painter);
 
 } // namespace dipwright

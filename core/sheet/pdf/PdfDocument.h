@@ -6,6 +6,7 @@
 // is that of a printer, the file is PDF/X-4.
 #pragma once
 
+#include "base/PackedPixels.h"
 #include "sheet/pdf/Plates.h"
 
 #include <QByteArray>
@@ -32,7 +33,12 @@ struct PdfSettings {
     // Of pages in CMYK, as the profile then is: the film's picture, in place of whatever image the
     // pages draw. Null: in RGB.
     std::shared_ptr<const Plates> inks = {};
+    // The same of pages in RGB. Null: images are as they are drawn.
+    std::shared_ptr<const PackedPixels> picture = {};
 };
+
+// Whether the painter's page puts the film's picture in place of every image: one pixel will do.
+bool replacesImages(const QPainter& painter);
 
 // The pages as one file, in the order given, at least one. Same bytes for the same pages. Needs a
 // QGuiApplication.

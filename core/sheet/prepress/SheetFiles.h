@@ -9,6 +9,9 @@
 
 namespace dipwright {
 
+// The film image as it stands in RGB files: on white, in sRGB or the printer's RGB.
+PackedPixels packedFilm(const Sheet& sheet, const PrinterColour* colour = nullptr);
+
 // PNG of the film with resolution and sRGB profile. Unprinted is white. Throws Error when not
 // writable.
 void writeSheetPng(const Sheet& sheet, QIODevice& device);
@@ -25,6 +28,12 @@ PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correctio
 // black ink only, registration marks on every plate.
 // Same bytes for the same sheet. Throws Error when not writable.
 void writeSheetPdf(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction = {});
+
+// Both of these files in sRGB, of one packing.
+struct SheetPngPdf {
+    QByteArray png, pdf;
+};
+SheetPngPdf sheetPngPdf(const Sheet& sheet);
 
 // TIFF of the whole page, for raster image processors: RGB, or CMYK where the colour is in CMYK,
 // with resolution and ICC profile, compressed without loss; in CMYK a sheet's white is one more
