@@ -2,6 +2,7 @@
 
 #include "base/Bytes.h"
 #include "base/Error.h"
+#include "base/ImageRows.h"
 #include "printing/PrintFile.h"
 #include "printing/PrintReach.h"
 #include "sheet/page/SheetLayout.h"
@@ -164,16 +165,17 @@ const PrinterMedia& tilePaper(const PrinterInfo& printer, const QString& name) {
 }
 
 bool isColoured(const QImage& image) {
-    const QImage pixels = image.convertToFormat(QImage::Format_RGBA8888);
-    for (int y = 0; y < pixels.height(); ++y) {
-        const uchar* pixel = pixels.constScanLine(y);
-        for (int x = 0; x < pixels.width(); ++x, pixel += 4) {
-            if (pixel[3] != 0 && (pixel[0] != pixel[1] || pixel[1] != pixel[2])) {
-                return true;
+    bool isGrey = true;
+    forImageRows(image, [&](const QImage& rows, int) {
+        const QImage pixels = rows.convertToFormat(QImage::Format_RGBA8888);
+        for (int y = 0; y < pixels.height() && isGrey; ++y) {
+            const uchar* pixel = pixels.constScanLine(y);
+            for (int x = 0; x < pixels.width(); ++x, pixel += 4) {
+                isGrey &= pixel[3] == 0 || (pixel[0] == pixel[1] && pixel[1] == pixel[2]);
             }
         }
-    }
-    return false;
+    });
+    return !isGrey;
 }
 
 void checkColour(const PrinterInfo& printer, const Sheet& sheet, const PrintRequest& request,

@@ -3,8 +3,8 @@
 #include "base/Bytes.h"
 #include "base/ColourNote.h"
 #include "base/Error.h"
+#include "base/ImageRows.h"
 #include "base/WideGamut.h"
-#include "parallel/ParallelFor.h"
 
 #include <QColorSpace>
 #include <QCoreApplication>
@@ -13,19 +13,12 @@
 
 #include <zlib.h>
 
-#include <cstdlib>
-#include <new>
-#include <vector>
-
 namespace dipwright {
 namespace {
 
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(Png)
 };
-
-constexpr qsizetype bandBytes = qsizetype(1) << 20; // of pixels that are compressed together
-constexpr char paethFilter = 4;                     // its number in the file
 
 void append(QByteArray& bytes, quint32 number) {
     const quint32 bigEndian = qToBigEndian(number);
@@ -42,13 +35,12 @@ QByteArray chunk(QByteArrayView name, const QByteArray& contents) {
     return bytes;
 }
 
-QByteArray header(const QImage& image) {
+QByteArray header(const PackedPixels& pixels) {
     QByteArray bytes;
-    append(bytes, quint32(image.width()));
-    append(bytes, quint32(image.height()));
-    const char bits = isWide(image) ? 16 : 8;
-    const char colourType = image.hasAlphaChannel() ? 6 : 2;
-    bytes.append(bits).append(colourType).append(3, '\0');
+    append(bytes, quint32(pixels.size.width()));
+    append(bytes, quint32(pixels.size.height()));
+    const char colourType = pixels.channels == 4 ? 6 : 2;
+    bytes.append(char(pixels.bits)).append(colourType).append(3, '\0');
     return chunk("IHDR", bytes);
 }
 
@@ -58,10 +50,10 @@ QByteArray colourProfile(const QColorSpace& space) {
     return chunk("iCCP", QByteArrayLiteral("ICC profile\0\0") + packed);
 }
 
-QByteArray resolution(const QImage& image) {
+QByteArray resolution(const PngNotes& notes) {
     QByteArray bytes;
-    append(bytes, quint32(image.dotsPerMeterX()));
-    append(bytes, quint32(image.dotsPerMeterY()));
+    append(bytes, quint32(notes.dotsPerMetreX));
+    append(bytes, quint32(notes.dotsPerMetreY));
     return chunk("pHYs", bytes.append('\1'));
 }
 
@@ -69,102 +61,6 @@ QByteArray resolution(const QImage& image) {
 QByteArray colourText(const QString& note) {
     return note.isEmpty() ? QByteArray()
                           : chunk("tEXt", QByteArray(colourNoteKey) + '\0' + note.toLatin1());
-}
-
-// Appends a row as its differences from the prediction of Paeth's filter, which uses the pixels to
-// the left and above (PNG specification, third edition, section 9.4). Both rows begin with one
-// pixel of zeros.
-void appendFiltered(std::vector<uchar>& filtered, const std::vector<uchar>& row,
-                    const std::vector<uchar>& above, std::size_t pixelBytes) {
-    filtered.push_back(paethFilter);
-    const std::size_t begin = filtered.size();
-    const std::size_t count = row.size() - pixelBytes;
-    filtered.resize(begin + count);
-    uchar* out = filtered.data() + begin;
-    const uchar* left = row.data();
-    const uchar* here = left + pixelBytes;
-    const uchar* upperLeft = above.data();
-    const uchar* upper = upperLeft + pixelBytes;
-    for (std::size_t i = 0; i < count; ++i) {
-        const int a = left[i], b = upper[i], c = upperLeft[i];
-        const int fromA = std::abs(b - c), fromB = std::abs(a - c), fromC = std::abs(a + b - 2 * c);
-        const int nearest = fromA <= fromB && fromA <= fromC ? a : fromB <= fromC ? b : c;
-        out[i] = uchar(here[i] - nearest);
-    }
-}
-
-std::vector<uchar> filteredRows(const QImage& image, int begin, int end) {
-    const std::size_t pixelBytes = std::size_t(image.depth()) / 8;
-    const std::size_t rowBytes = std::size_t(image.width()) * pixelBytes;
-    std::vector<uchar> filtered, row(pixelBytes + rowBytes, 0), above = row;
-    filtered.reserve(std::size_t(end - begin) * (rowBytes + 1));
-    if (begin > 0) {
-        std::copy_n(image.constScanLine(begin - 1), rowBytes, row.data() + pixelBytes);
-    }
-    for (int y = begin; y < end; ++y) {
-        row.swap(above);
-        std::copy_n(image.constScanLine(y), rowBytes, row.data() + pixelBytes);
-        appendFiltered(filtered, row, above, pixelBytes);
-    }
-    return filtered;
-}
-
-// A run of rows, compressed so that others can follow it.
-struct Band {
-    QByteArray packed;
-    std::size_t length = 0; // uncompressed
-    uLong checksum = 0;     // of the uncompressed bytes
-};
-
-// Filtered rows hold mostly runs and small numbers. Searching for other matches takes three times
-// as long and saves only a tenth.
-Band packedBand(const std::vector<uchar>& rows, bool isLast) {
-    z_stream stream{};
-    constexpr int withoutHeader = -MAX_WBITS, usualMemory = 8;
-    if (deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, withoutHeader, usualMemory, Z_RLE) !=
-        Z_OK) {
-        throw std::bad_alloc();
-    }
-    Band band;
-    constexpr uLong endOfBand = 16; // bytes that deflateBound() does not count
-    band.packed.resize(qsizetype(deflateBound(&stream, uLong(rows.size())) + endOfBand));
-    stream.next_in = const_cast<Bytef*>(rows.data()); // zlib only reads it
-    stream.avail_in = uInt(rows.size());
-    stream.next_out = reinterpret_cast<Bytef*>(band.packed.data());
-    stream.avail_out = uInt(band.packed.size());
-    deflate(&stream, isLast ? Z_FINISH : Z_SYNC_FLUSH);
-    band.packed.resize(qsizetype(stream.total_out));
-    deflateEnd(&stream);
-    band.length = rows.size();
-    band.checksum = adler32_z(adler32_z(0, nullptr, 0), rows.data(), rows.size());
-    return band;
-}
-
-std::vector<Band> packedBands(const QImage& image) {
-    const int rows = int(std::max<qsizetype>(bandBytes / image.bytesPerLine(), 1));
-    std::vector<Band> bands(std::size_t((image.height() + rows - 1) / rows));
-    parallelFor(std::size_t(0), bands.size(), [&](std::size_t band) {
-        const int begin = int(band) * rows;
-        const int end = std::min(begin + rows, image.height());
-        bands[band] = packedBand(filteredRows(image, begin, end), end == image.height());
-    });
-    return bands;
-}
-
-// Joins the bands into a single zlib stream (RFC 1950), with one IDAT chunk for each band.
-QByteArray pixels(const QImage& image) {
-    std::vector<Band> bands = packedBands(image);
-    bands.front().packed.prepend("\x78\x01", 2);
-    uLong checksum = bands.front().checksum;
-    for (std::size_t band = 1; band < bands.size(); ++band) {
-        checksum = adler32_combine(checksum, bands[band].checksum, z_off_t(bands[band].length));
-    }
-    append(bands.back().packed, quint32(checksum));
-    QByteArray bytes;
-    for (const Band& band : bands) {
-        bytes.append(chunk("IDAT", band.packed));
-    }
-    return bytes;
 }
 
 // Converts a wide picture's channels to the file's byte order, big-endian.
@@ -179,22 +75,35 @@ QImage bigEndian(const QImage& wide) {
 
 } // namespace
 
+QByteArray pngBytes(const PackedPixels& pixels, const PngNotes& notes) {
+    QByteArray bytes = QByteArrayLiteral("\x89PNG\r\n\x1a\n") + header(pixels);
+    if (notes.colours.isValid()) {
+        bytes += colourProfile(notes.colours);
+    }
+    bytes += resolution(notes) + colourText(notes.colourNote);
+    for (const QByteArray& part : pixels.parts) {
+        bytes += chunk("IDAT", part);
+    }
+    return bytes + chunk("IEND", QByteArray());
+}
+
 QByteArray pngBytes(const QImage& image, const QString& where) {
-    const QImage plain =
-        isWide(image) ? bigEndian(image)
-                      : image.convertToFormat(image.hasAlphaChannel() ? QImage::Format_RGBA8888
-                                                                      : QImage::Format_RGB888);
-    if (plain.isNull()) {
+    if (image.isNull()) {
         throw Error(Text::tr("The picture cannot be stored as PNG, because it is empty or too "
                              "large for this computer's memory"),
                     where);
     }
-    QByteArray bytes = QByteArrayLiteral("\x89PNG\r\n\x1a\n") + header(plain);
-    if (plain.colorSpace().isValid()) {
-        bytes += colourProfile(plain.colorSpace());
-    }
-    return bytes + resolution(plain) + colourText(colourNoteValue(image)) + pixels(plain) +
-           chunk("IEND", QByteArray());
+    const bool wide = isWide(image);
+    const int channels = wide || image.hasAlphaChannel() ? 4 : 3;
+    const auto rows = [&](int first, int end) {
+        const QImage part = imageRows(image, first, end);
+        return wide ? bigEndian(part)
+                    : part.convertToFormat(channels == 4 ? QImage::Format_RGBA8888
+                                                         : QImage::Format_RGB888);
+    };
+    return pngBytes(
+        packedPixels({image.size(), channels, wide ? 16 : 8, rows}),
+        {image.dotsPerMeterX(), image.dotsPerMeterY(), image.colorSpace(), colourNoteValue(image)});
 }
 
 void writePng(const QImage& image, QIODevice& device, const QString& where) {

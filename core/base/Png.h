@@ -1,7 +1,10 @@
 // Writes pictures as PNG files.
 #pragma once
 
+#include "base/PackedPixels.h"
+
 #include <QByteArray>
+#include <QColorSpace>
 #include <QImage>
 
 class QIODevice;
@@ -14,5 +17,14 @@ namespace dipwright {
 // user knows the picture.
 void writePng(const QImage& image, QIODevice& device, const QString& where);
 QByteArray pngBytes(const QImage& image, const QString& where);
+
+// The metadata of a PNG file.
+struct PngNotes {
+    int dotsPerMetreX = 0, dotsPerMetreY = 0;
+    QColorSpace colours = {}; // invalid: none
+    QString colourNote = {};  // base/ColourNote.h
+};
+// Returns a PNG file of compressed pixels, RGB or RGBA.
+QByteArray pngBytes(const PackedPixels& pixels, const PngNotes& notes);
 
 } // namespace dipwright

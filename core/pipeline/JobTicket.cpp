@@ -1,5 +1,6 @@
 #include "pipeline/JobTicket.h"
 
+#include "base/ImageRows.h"
 #include "base/ProgramName.h"
 #include "base/Sha256.h"
 #include "pipeline/JobTraveller.h"
@@ -89,11 +90,13 @@ QJsonArray filesTicket(const QStringList& names, const ResultContents& contents)
 } // namespace
 
 QString pictureHash(const QImage& filmImage) {
-    const QImage picture = flattened(filmImage);
     Sha256 hash;
-    for (int row = 0; row < picture.height(); ++row) {
-        hash.add(QByteArrayView(picture.constScanLine(row), 3 * qsizetype(picture.width())));
-    }
+    forImageRows(filmImage, [&](const QImage& rows, int) {
+        const QImage picture = flattened(rows);
+        for (int row = 0; row < picture.height(); ++row) {
+            hash.add(QByteArrayView(picture.constScanLine(row), 3 * qsizetype(picture.width())));
+        }
+    });
     return QString::fromLatin1(hash.result().toHex());
 }
 

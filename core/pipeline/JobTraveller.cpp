@@ -75,8 +75,7 @@ Traveller jobTraveller(const JobResult& result, const Progress& progress) {
             dip.cradle = cradle->notes;
         }
         dip.verdict = verdictLines(result, i);
-        dip.sheet = flattened(immersion.sheet.image)
-                        .scaledToWidth(sheetPixelsAcross, Qt::SmoothTransformation);
+        dip.sheet = reduced(immersion.sheet.image, sheetPixelsAcross);
         dip.body = boundingBox(immersion.body->mesh);
         films.push_back(dipped[i]);
         dip.after = afterDip({*immersion.body, nullptr, films}, progress.silent());

@@ -1,6 +1,5 @@
 #include "pipeline/WriteResults.h"
 
-#include "base/Bytes.h"
 #include "base/Error.h"
 #include "base/Png.h"
 #include "cradle/CradleFiles.h"
@@ -94,16 +93,11 @@ void writeTogether(const std::vector<Piece>& pieces, const Progress& progress) {
 void addSheet(std::vector<Piece>& pieces, const ImmersionResult& result, const QString& prefix,
               const FolderTransaction& folder) {
     const QString text = Text::tr("Writing the sheet of %1").arg(result.immersion.name);
-    pieces.push_back(
-        {text, [&result, prefix, &folder] {
-             folder.write(prefix + QStringLiteral("sheet.png"),
-                          bytesOf([&](QIODevice& device) { writeSheetPng(result.sheet, device); }));
-         }});
-    pieces.push_back(
-        {text, [&result, prefix, &folder] {
-             folder.write(prefix + QStringLiteral("sheet.pdf"),
-                          bytesOf([&](QIODevice& device) { writeSheetPdf(result.sheet, device); }));
-         }});
+    pieces.push_back({text, [&result, prefix, &folder] {
+                          const SheetPngPdf files = sheetPngPdf(result.sheet);
+                          folder.write(prefix + QStringLiteral("sheet.png"), files.png);
+                          folder.write(prefix + QStringLiteral("sheet.pdf"), files.pdf);
+                      }});
 }
 
 // `allowedError`: limit of the numerical error map, mm.

@@ -86,8 +86,7 @@ std::vector<std::uint8_t> cutBody(const RefinedMesh& body, std::vector<std::arra
     obeyMarks(body.mesh(), settings.marks, costs, weights);
     std::vector<CutEdge> edges = joinEdges(body, weights);
     for (CutEdge& edge : edges) {
-        edge.cost *=
-            qEnvironmentVariableIsSet("JW") ? qEnvironmentVariable("JW").toDouble() : joinWeight;
+        edge.cost *= joinWeight;
     }
     return minimumCut(costs, edges);
 }

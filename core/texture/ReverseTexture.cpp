@@ -1,6 +1,7 @@
 #include "texture/ReverseTexture.h"
 
 #include "base/Error.h"
+#include "base/ImageRows.h"
 #include "base/WideGamut.h"
 #include "parallel/ParallelFor.h"
 #include "texture/Bleed.h"
@@ -62,8 +63,7 @@ public:
     // Makes no picture if neither is wanted.
     AsidePicture(QSize pixels, bool isWanted) {
         if (isWanted) {
-            picture_ = QImage(pixels, QImage::Format_RGBA8888);
-            picture_.fill(Qt::transparent);
+            picture_ = blankImage(pixels, QImage::Format_RGBA8888);
             bits_ = picture_.bits();
         }
     }
@@ -82,12 +82,13 @@ public:
     // Returns the tints where the film image has colour.
     QImage white(const QImage& image) const {
         const PixelCode code(image);
-        QImage tint(picture_.size(), QImage::Format_Grayscale8);
+        QImage tint = blankImage(picture_.size(), QImage::Format_Grayscale8);
         for (int y = 0; y < tint.height(); ++y) {
             const uchar* colour = image.constScanLine(y);
             for (int x = 0; x < tint.width(); ++x, colour += code.bytes()) {
-                tint.scanLine(y)[x] =
-                    code.alpha(colour) != 0 ? picture_.constScanLine(y)[4 * x] : 0;
+                if (code.alpha(colour) != 0) {
+                    tint.scanLine(y)[x] = picture_.constScanLine(y)[4 * x];
+                }
             }
         }
         return tint;
@@ -393,7 +394,7 @@ void blankAs(const QImage& image, QImage& picture) {
         const uchar* from = image.constScanLine(y);
         uchar* to = picture.scanLine(y);
         for (int x = 0; x < image.width(); ++x, from += code.bytes(), to += code.bytes()) {
-            if (code.alpha(from) == 0) {
+            if (code.alpha(from) == 0 && code.alpha(to) != 0) {
                 std::fill_n(to, code.bytes(), std::uint8_t(0));
             }
         }
@@ -403,20 +404,21 @@ void blankAs(const QImage& image, QImage& picture) {
 // Returns the tints of a plate's image, Grayscale8.
 QImage tintsOf(const QImage& plate) {
     const PixelCode code(plate);
-    QImage tints(plate.size(), QImage::Format_Grayscale8);
+    QImage tints = blankImage(plate.size(), QImage::Format_Grayscale8);
     for (int y = 0; y < plate.height(); ++y) {
         const uchar* pixel = plate.constScanLine(y);
         for (int x = 0; x < plate.width(); ++x, pixel += code.bytes()) {
-            const float light = code.alpha(pixel) != 0 ? code.light(pixel)[0] : 1;
-            tints.scanLine(y)[x] = std::uint8_t(std::lround(255 * (1 - light)));
+            if (code.alpha(pixel) != 0) {
+                tints.scanLine(y)[x] = std::uint8_t(std::lround(255 * (1 - code.light(pixel)[0])));
+            }
         }
     }
     return tints;
 }
 
-// Makes a blank image.
-QImage blankImage(QSize pixels, bool isWide) {
-    QImage image(pixels, isWide ? QImage::Format_RGBA64 : QImage::Format_RGBA8888);
+// Makes a blank film image.
+QImage unprinted(QSize pixels, bool isWide) {
+    QImage image = blankImage(pixels, isWide ? QImage::Format_RGBA64 : QImage::Format_RGBA8888);
     if (image.isNull()) {
         throw Error(Text::tr("The film image is too large for this computer's memory; choose a "
                              "lower resolution"),
@@ -425,7 +427,6 @@ QImage blankImage(QSize pixels, bool isWide) {
     if (isWide) {
         image.setColorSpace(wideSpace());
     }
-    image.fill(Qt::transparent);
     return image;
 }
 
@@ -453,9 +454,9 @@ ReverseTexture reversed(const LaidFilm& laid, const SurfaceAppearance& appearanc
     progress(0, Text::tr("Reversing the texture"));
     ReverseTexture result;
     const BodyColours colours(appearance);
-    result.image = blankImage(options.pixels, colours.isWide());
+    result.image = unprinted(options.pixels, colours.isWide());
     if (options.keepsWanted) {
-        result.wanted = result.image;
+        result.wanted = unprinted(options.pixels, colours.isWide());
     }
     AsidePicture aside(options.pixels, options.white > 0 || options.keepsWanted);
     const ReverseMap map(laid, appearance);

@@ -1,5 +1,6 @@
 #include "sheet/page/InkedPixels.h"
 
+#include "base/ImageRows.h"
 #include "parallel/ParallelFor.h"
 #include "sheet/page/SheetLayout.h"
 
@@ -9,13 +10,17 @@ namespace dipwright {
 namespace {
 
 void addPicture(QImage& mask, const QImage& picture, const QRect& part) {
-    const QImage pixels = picture.copy(part).convertToFormat(QImage::Format_RGBA8888);
     uchar* const inked = mask.bits();
     parallelFor(0, mask.height(), [&](int y) {
-        const uchar* pixel = pixels.constScanLine(y);
+        const QImage pixels = imageRows(picture, part.y() + y, part.y() + y + 1)
+                                  .copy(part.x(), 0, part.width(), 1)
+                                  .convertToFormat(QImage::Format_RGBA8888);
+        const uchar* pixel = pixels.constScanLine(0);
         uchar* row = inked + y * mask.bytesPerLine();
         for (int x = 0; x < mask.width(); ++x, pixel += 4) {
-            row[x] |= prints(pixel) ? 255 : 0;
+            if (prints(pixel)) {
+                row[x] = 255;
+            }
         }
     });
 }
@@ -24,16 +29,18 @@ void addTints(QImage& mask, const QImage& tints, const QRect& part) {
     for (int y = 0; y < mask.height(); ++y) {
         const uchar* tint = tints.constScanLine(part.y() + y) + part.x();
         uchar* row = mask.scanLine(y);
-        std::transform(tint, tint + mask.width(), row, row,
-                       [](uchar ink, uchar before) { return uchar(ink != 0 ? 255 : before); });
+        for (int x = 0; x < mask.width(); ++x) {
+            if (tint[x] != 0) {
+                row[x] = 255;
+            }
+        }
     }
 }
 
 } // namespace
 
 QImage inkedPixels(const Sheet& sheet, const QRect& part, InkedPlates plates) {
-    QImage mask(part.size(), QImage::Format_Grayscale8);
-    mask.fill(0);
+    QImage mask = blankImage(part.size(), QImage::Format_Grayscale8);
     addPicture(mask, sheet.image, part);
     if (plates == InkedPlates::All) {
         if (sheet.wanted) {

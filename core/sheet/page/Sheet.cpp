@@ -1,6 +1,7 @@
 #include "sheet/page/Sheet.h"
 
 #include "base/Error.h"
+#include "base/ImageRows.h"
 #include "base/Sha256.h"
 #include "base/WideGamut.h"
 #include "sheet/page/CutContour.h"
@@ -52,6 +53,26 @@ QImage flattened(const QImage& filmImage) {
     return page;
 }
 
+QImage reduced(const QImage& filmImage, int width) {
+    const int height =
+        std::max(int(std::lround(double(filmImage.height()) * width / filmImage.width())), 1);
+    constexpr int rowsAtOnce = 16;
+    if (filmImage.height() < 2 * height) {
+        return flattened(filmImage).scaled(width, height, Qt::IgnoreAspectRatio,
+                                           Qt::SmoothTransformation);
+    }
+    QImage picture(width, height, QImage::Format_RGB888);
+    QPainter painter(&picture);
+    const auto source = [&](int row) { return int(qint64(row) * filmImage.height() / height); };
+    for (int row = 0; row < height; row += rowsAtOnce) {
+        const int end = std::min(row + rowsAtOnce, height);
+        const QImage rows = flattened(imageRows(filmImage, source(row), source(end)));
+        painter.drawImage(
+            0, row, rows.scaled(width, end - row, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+    }
+    return picture;
+}
+
 QString hashOfJobs(const QStringList& jobs) {
     constexpr int letters = 12;
     return sha256Hex(jobs.join(u' ').toLatin1()).left(letters);
@@ -61,7 +82,8 @@ void paintSheet(QPainter& painter, const Sheet& sheet) {
     const SheetLayout layout = sheetLayout(sheet);
     painter.save();
     painter.setRenderHint(QPainter::LosslessImageRendering);
-    painter.drawImage(layout.film, flattened(sheet.image));
+    painter.drawImage(layout.film, replacesImages(painter) ? QImage(1, 1, QImage::Format_RGB888)
+                                                           : flattened(sheet.image));
     if (takesSpots(painter)) {
         const SpotInk cutter{sheet.settings.cutName, {0, 1, 0, 0}}; // magenta if unknown
         strokeCut(painter, cutContour(sheet, layout), hairline, cutter,

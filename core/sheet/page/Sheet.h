@@ -83,6 +83,9 @@ QImage onPaper(const QImage& filmImage);
 // Returns the film image on white in sRGB (Format_RGB888). It is shown on screen and sent to
 // printers without an ICC profile.
 QImage flattened(const QImage& filmImage);
+// Returns the same picture reduced to `width` pixels, its height in proportion. A large picture is
+// not copied as a whole.
+QImage reduced(const QImage& filmImage, int width);
 // Draws the whole page for PDF, printer and preview. The painter's unit is the millimetre, its
 // origin the page's upper left corner.
 void paintSheet(QPainter& painter, const Sheet& sheet);

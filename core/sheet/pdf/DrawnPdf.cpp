@@ -13,6 +13,12 @@ namespace {
 
 constexpr int dotsPerInch = 1200; // resolution of the drawing's coordinates; images keep their own
 
+class Writer : public QPdfWriter {
+public:
+    Writer(QIODevice* device, bool imagesLater) : QPdfWriter(device), areImagesLater(imagesLater) {}
+    const bool areImagesLater;
+};
+
 // Qt rounds pages to whole points. This page is rounded up; qpdf later sets the exact box.
 QPageLayout roomFor(QSizeF page) {
     const QSizeF exact = inPoints(page);
@@ -27,10 +33,15 @@ QSizeF inPoints(QSizeF millimetres) {
     return millimetres / millimetresPerInch * 72;
 }
 
-QByteArray drawnPdf(const std::vector<PdfPage>& pages, const QString& title) {
+bool drawsImagesLater(const QPainter& painter) {
+    const auto* const writer = dynamic_cast<const Writer*>(painter.device());
+    return writer && writer->areImagesLater;
+}
+
+QByteArray drawnPdf(const std::vector<PdfPage>& pages, const QString& title, bool imagesLater) {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
-    QPdfWriter writer(&buffer);
+    Writer writer(&buffer, imagesLater);
     writer.setResolution(dotsPerInch);
     writer.setTitle(title);
     writer.setCreator(QStringLiteral("Dipwright ") + programVersion());

@@ -1,6 +1,7 @@
 #include "sheet/pdf/InkedPages.h"
 
 #include "sheet/pdf/DrawnPdf.h"
+#include "sheet/pdf/ImageObject.h"
 
 #include <QPaintDevice>
 #include <QPaintEngine>
@@ -237,17 +238,16 @@ QPDFObjectHandle compressed(QPDF& pdf, const QByteArray& bytes) {
     return stream;
 }
 
-QPDFObjectHandle imageOf(QPDF& pdf, QSize size, const QByteArray& bytes,
+// `format` has as many bytes per pixel as `bytes`.
+QPDFObjectHandle imageOf(QPDF& pdf, QSize size, const QByteArray& bytes, QImage::Format format,
                          const QPDFObjectHandle& space) {
-    QPDFObjectHandle stream = compressed(pdf, bytes);
-    QPDFObjectHandle image = stream.getDict();
-    image.replaceKey("/Type", QPDFObjectHandle::newName("/XObject"));
-    image.replaceKey("/Subtype", QPDFObjectHandle::newName("/Image"));
-    image.replaceKey("/Width", QPDFObjectHandle::newInteger(size.width()));
-    image.replaceKey("/Height", QPDFObjectHandle::newInteger(size.height()));
-    image.replaceKey("/BitsPerComponent", QPDFObjectHandle::newInteger(8));
-    image.replaceKey("/ColorSpace", space);
-    return stream;
+    const int channels = int(bytes.size() / (qsizetype(size.width()) * size.height()));
+    const qsizetype stride = qsizetype(size.width()) * channels;
+    const auto rows = [&](int first, int end) {
+        const auto* pixels = reinterpret_cast<const uchar*>(bytes.constData()) + first * stride;
+        return QImage(pixels, size.width(), end - first, stride, format);
+    };
+    return imageObject(pdf, packedPixels({size, channels, 8, rows}), space);
 }
 
 // In printing order.
@@ -259,13 +259,15 @@ std::vector<QPDFObjectHandle> plateImages(QPDF& pdf, const Plates& plates) {
     const auto add = [&](bool first) {
         for (const SpotPlate& plate : plates.spots) {
             if (plate.first == first) {
-                images.push_back(imageOf(pdf, plates.size, plate.tint, separation(pdf, plate.ink)));
+                images.push_back(imageOf(pdf, plates.size, plate.tint, QImage::Format_Grayscale8,
+                                         separation(pdf, plate.ink)));
             }
         }
     };
     add(true);
-    images.push_back(
-        imageOf(pdf, plates.size, plates.cmyk, QPDFObjectHandle::newName("/DeviceCMYK")));
+    images.push_back(imageOf(pdf, plates.size, plates.cmyk,
+                             QImage::Format_RGBX8888, // any format of four bytes
+                             QPDFObjectHandle::newName("/DeviceCMYK")));
     add(false);
     return images;
 }

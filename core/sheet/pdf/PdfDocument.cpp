@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "base/ProgramName.h"
 #include "sheet/pdf/DrawnPdf.h"
+#include "sheet/pdf/ImageObject.h"
 #include "sheet/pdf/InkedPages.h"
 #include "sheet/pdf/PdfX.h"
 
@@ -53,12 +54,23 @@ QByteArray written(QPDF& pdf) {
     return {reinterpret_cast<const char*>(bytes->getBuffer()), qsizetype(bytes->getSize())};
 }
 
-// Adds RGB pages that Qt has drawn.
-void addDrawnPages(QPDF& pdf, const std::vector<PdfPage>& pages, const QByteArray& drawn) {
+// Adds RGB pages that Qt has drawn. `picture` replaces their images; null: they stay.
+void addDrawnPages(QPDF& pdf, const std::vector<PdfPage>& pages, const QByteArray& drawn,
+                   const PackedPixels* picture) {
     pdf.processMemoryFile("drawn.pdf", drawn.constData(), std::size_t(drawn.size()));
-    const std::vector<QPDFPageObjectHelper> drawnPages = QPDFPageDocumentHelper(pdf).getAllPages();
+    std::vector<QPDFPageObjectHelper> drawnPages = QPDFPageDocumentHelper(pdf).getAllPages();
     for (std::size_t i = 0; i < pages.size(); ++i) {
         setExactBox(drawnPages.at(i).getObjectHandle(), inPoints(pages[i].size));
+    }
+    if (picture) {
+        const QPDFObjectHandle image =
+            imageObject(pdf, *picture, QPDFObjectHandle::newName("/DeviceRGB"));
+        for (QPDFPageObjectHelper& page : drawnPages) {
+            QPDFObjectHandle objects = page.getAttribute("/Resources", false).getKey("/XObject");
+            for (const auto& [name, drawnImage] : page.getImages()) {
+                objects.replaceKey(name, image);
+            }
+        }
     }
 }
 
@@ -76,15 +88,20 @@ void addInformation(QPDF& pdf, const QString& title) {
 
 } // namespace
 
+bool replacesImages(const QPainter& painter) {
+    return takesSpots(painter) || drawsImagesLater(painter);
+}
+
 QByteArray pdfDocument(const std::vector<PdfPage>& pages, const PdfSettings& settings) {
-    const QByteArray drawn = settings.inks ? QByteArray() : drawnPdf(pages, settings.title);
+    const QByteArray drawn =
+        settings.inks ? QByteArray() : drawnPdf(pages, settings.title, settings.picture != nullptr);
     QPDF pdf; // reads from `drawn` on demand
     if (settings.inks) {
         pdf.emptyPDF();
         addInkedPages(pdf, pages, *settings.inks);
         addInformation(pdf, settings.title);
     } else {
-        addDrawnPages(pdf, pages, drawn);
+        addDrawnPages(pdf, pages, drawn, settings.picture.get());
     }
     const QByteArray profile = settings.outputProfile.isEmpty()
                                    ? QColorSpace(QColorSpace::SRgb).iccProfile()

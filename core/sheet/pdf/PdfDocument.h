@@ -6,6 +6,7 @@
 // printer's, the file is PDF/X-4.
 #pragma once
 
+#include "base/PackedPixels.h"
 #include "sheet/pdf/Plates.h"
 
 #include <QByteArray>
@@ -33,7 +34,13 @@ struct PdfSettings {
     // For CMYK pages, whose profile is then CMYK too: the film's picture, in place of any image
     // that the pages draw. Null: the pages are in RGB.
     std::shared_ptr<const Plates> inks = {};
+    // The same for RGB pages. Null: images stay as drawn.
+    std::shared_ptr<const PackedPixels> picture = {};
 };
+
+// Whether the painter's page puts the film's picture in place of every image. Drawing an image of
+// one pixel is then enough.
+bool replacesImages(const QPainter& painter);
 
 // Writes the pages as one file, in the order given; at least one. The same pages give the same
 // bytes. Needs a QGuiApplication.

@@ -1,5 +1,6 @@
 #include "sheet/prepress/Separation.h"
 
+#include "base/ImageRows.h"
 #include "parallel/ParallelFor.h"
 #include "sheet/page/InkDistance.h"
 #include "sheet/prepress/PlateCompensation.h"
@@ -29,10 +30,9 @@ void limitInk(QByteArray& cmyk, double mostInk) {
     });
 }
 
-QImage choked(const QImage& tint, double choke) {
-    if (choke <= 0) {
-        return tint;
-    }
+namespace {
+
+QImage chokedPart(const QImage& tint, double choke) {
     const auto width = std::size_t(tint.width());
     std::vector<unsigned char> bare(width * std::size_t(tint.height()));
     for (int y = 0; y < tint.height(); ++y) {
@@ -50,6 +50,38 @@ QImage choked(const QImage& tint, double choke) {
                 row[x] = 0;
             }
         }
+    }
+    return smaller;
+}
+
+// Returns the smallest box of all tinted pixels, one pixel wider on each side within the picture.
+QRect tintedBox(const QImage& tint) {
+    QRect box;
+    for (int y = 0; y < tint.height(); ++y) {
+        const uchar* row = tint.constScanLine(y);
+        const uchar* const end = row + tint.width();
+        const auto isTinted = [](uchar value) { return value != 0; };
+        const uchar* const first = std::find_if(row, end, isTinted);
+        if (first != end) {
+            const auto last =
+                std::find_if(std::reverse_iterator(end), std::reverse_iterator(first), isTinted);
+            box |= QRect(QPoint(int(first - row), y), QPoint(int(last.base() - row) - 1, y));
+        }
+    }
+    return box.isEmpty() ? box : box.adjusted(-1, -1, 1, 1).intersected(tint.rect());
+}
+
+} // namespace
+
+QImage choked(const QImage& tint, double choke) {
+    const QRect box = choke > 0 ? tintedBox(tint) : QRect();
+    if (box.isEmpty()) {
+        return tint;
+    }
+    const QImage part = chokedPart(tint.copy(box), choke);
+    QImage smaller = blankImage(tint.size(), QImage::Format_Grayscale8);
+    for (int y = 0; y < part.height(); ++y) {
+        std::copy_n(part.constScanLine(y), part.width(), smaller.scanLine(box.y() + y) + box.x());
     }
     return smaller;
 }
@@ -141,11 +173,9 @@ void forPixels(QByteArray& cmyk, const QImage& stretch, const Work& work) {
 // The picture's inks, each compensated separately.
 struct PerInk {
     QByteArray wanted, printed; // four bytes per pixel
-    PlateCompensation law;
 
-    PerInk(const WantedInk& film, const PrintCorrection& correction)
-        : wanted(correction.colour->cmyk(onPaper(film.image))), printed(wanted),
-          law(*correction.colour, film.settings) {
+    PerInk(const WantedInk& film, const PrintCorrection& correction, const PlateCompensation& law)
+        : wanted(correction.colour->cmyk(onPaper(film.image))), printed(wanted) {
         forPixels(printed, film.stretch, [&](qsizetype, uchar* inks, float stretch) {
             for (int ink = 0; ink < 4; ++ink) {
                 inks[ink] = law.printed(ink, inks[ink], stretch);
@@ -170,7 +200,8 @@ Plates separate(const Sheet& original, const PrintCorrection& correction) {
     const Sheet sheet = withCutBleed(original);
     Plates plates{sheet.image.size(), {}, spotsOf(sheet, *correction.colour)};
     if (sheet.wanted) {
-        plates.cmyk = PerInk(*sheet.wanted, correction).printed;
+        const PlateCompensation law(*correction.colour, sheet.wanted->settings);
+        plates.cmyk = PerInk(*sheet.wanted, correction, law).printed;
         return plates;
     }
     plates.cmyk = correction.colour->cmyk(onPaper(sheet.image));
@@ -184,17 +215,21 @@ double inkShortfall(const Sheet& sheet, const PrintCorrection& correction) {
     if (!sheet.wanted || !correction.colour || !correction.colour->isCmyk()) {
         return 0;
     }
-    PerInk inks(*sheet.wanted, correction);
+    const PlateCompensation law(*correction.colour, sheet.wanted->settings);
     const QImage& stretch = sheet.wanted->stretch;
     std::vector<double> rows(std::size_t(stretch.height()), 0);
-    const auto* wanted = reinterpret_cast<const uchar*>(inks.wanted.constData());
-    forPixels(inks.printed, stretch, [&](qsizetype pixel, const uchar* printed, float grown) {
-        for (int ink = 0; ink < 4; ++ink) {
-            if (inks.law.fallsShort(ink, wanted[4 * pixel + ink], printed[ink], grown)) {
-                rows[std::size_t(pixel / stretch.width())] += double(grown);
-                break;
+    forImageRows(sheet.wanted->image, [&](const QImage& image, int first) {
+        const QImage grownBy = imageRows(stretch, first, first + image.height());
+        PerInk inks({image, grownBy, sheet.wanted->settings}, correction, law);
+        const auto* wanted = reinterpret_cast<const uchar*>(inks.wanted.constData());
+        forPixels(inks.printed, grownBy, [&](qsizetype pixel, const uchar* printed, float grown) {
+            for (int ink = 0; ink < 4; ++ink) {
+                if (law.fallsShort(ink, wanted[4 * pixel + ink], printed[ink], grown)) {
+                    rows[std::size_t(first + pixel / stretch.width())] += double(grown);
+                    break;
+                }
             }
-        }
+        });
     });
     const double pixelArea = sheet.filmWidth.value() * sheet.filmHeight.value() /
                              (double(stretch.width()) * stretch.height());

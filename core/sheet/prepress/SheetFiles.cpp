@@ -1,6 +1,7 @@
 #include "sheet/prepress/SheetFiles.h"
 
 #include "base/Error.h"
+#include "base/ImageRows.h"
 #include "base/Png.h"
 #include "base/ProgramName.h"
 #include "base/WideGamut.h"
@@ -206,47 +207,76 @@ void setTags(TIFF* tiff, QSize size, int channels, Resolution resolution, const 
     TIFFSetField(tiff, TIFFTAG_ICCPROFILE, std::uint32_t(icc.size()), icc.constData());
 }
 
-} // namespace
-
-void writeSheetPng(const Sheet& sheet, QIODevice& device) {
-    QImage image = flattened(sheet.image);
+QByteArray pngOf(const Sheet& sheet, const PackedPixels& film) {
     const int dotsPerMetre =
         int(std::lround(pixelsPerMillimetre(sheet.settings.resolution) * 1000));
-    image.setDotsPerMeterX(dotsPerMetre);
-    image.setDotsPerMeterY(dotsPerMetre);
-    writePng(image, device, QStringLiteral("sheet.png"));
+    return pngBytes(film, {dotsPerMetre, dotsPerMetre, QColorSpace(QColorSpace::SRgb)});
 }
 
-PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correction) {
+QByteArray pdfOf(const PreparedSheet& prepared, const PrintCorrection& correction) {
+    const auto paint = [&](QPainter& painter) {
+        paintCorrectedSheet(painter, prepared.sheet, correction);
+    };
+    const QSizeF page = pageSize(prepared.sheet);
+    const QSizeF paper = correction.acrossPaper ? page.transposed() : page;
+    return pdfDocument({{paper, paint}}, prepared.settings);
+}
+
+// Prepares everything except the colours.
+PreparedSheet unpreparedSheet(const Sheet& sheet) {
     PreparedSheet prepared{sheet, {}};
     QStringList names{sheet.job.project.simplified(), sheet.job.immersion.simplified()};
     names.removeAll(QString());
     prepared.settings.title = names.join(QStringLiteral(" – ")); // each dip has its own title
     prepared.settings.date = sheet.job.date.simplified();
+    return prepared;
+}
+
+void write(const QByteArray& bytes, QIODevice& device, const QString& sentence, const char* where) {
+    if (device.write(bytes) != bytes.size()) {
+        throw Error(sentence.arg(device.errorString()), QLatin1String(where));
+    }
+}
+
+} // namespace
+
+PackedPixels packedFilm(const Sheet& sheet, const PrinterColour* colour) {
+    const QImage& image = sheet.image;
+    return packedPixels({image.size(), 3, 8, [&](int first, int end) {
+                             const QImage rows = imageRows(image, first, end);
+                             return flattened(colour ? colour->rgb(rows) : rows);
+                         }});
+}
+
+void writeSheetPng(const Sheet& sheet, QIODevice& device) {
+    write(pngOf(sheet, packedFilm(sheet)), device,
+          Text::tr("The sheet's PNG cannot be written: %1"), "sheet.png");
+}
+
+PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correction) {
+    PreparedSheet prepared = unpreparedSheet(sheet);
     if (correction.colour) {
         prepared.settings.outputProfile = correction.colour->iccProfile();
         prepared.settings.outputName = correction.colour->description();
         if (correction.colour->isCmyk()) {
             prepared.settings.inks = std::make_shared<const Plates>(separate(sheet, correction));
-        } else {
-            prepared.sheet.image = correction.colour->rgb(sheet.image);
+            return prepared;
         }
     }
+    prepared.settings.picture =
+        std::make_shared<const PackedPixels>(packedFilm(sheet, correction.colour));
     return prepared;
 }
 
 void writeSheetPdf(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction) {
-    const PreparedSheet prepared = preparedSheet(sheet, correction);
-    const auto paint = [&](QPainter& painter) {
-        paintCorrectedSheet(painter, prepared.sheet, correction);
-    };
-    const QSizeF page = pageSize(sheet);
-    const QSizeF paper = correction.acrossPaper ? page.transposed() : page;
-    const QByteArray pdf = pdfDocument({{paper, paint}}, prepared.settings);
-    if (device.write(pdf) != pdf.size()) {
-        throw Error(Text::tr("The sheet's PDF cannot be written: %1").arg(device.errorString()),
-                    QStringLiteral("sheet.pdf"));
-    }
+    write(pdfOf(preparedSheet(sheet, correction), correction), device,
+          Text::tr("The sheet's PDF cannot be written: %1"), "sheet.pdf");
+}
+
+SheetPngPdf sheetPngPdf(const Sheet& sheet) {
+    PreparedSheet prepared = unpreparedSheet(sheet);
+    prepared.settings.picture = std::make_shared<const PackedPixels>(packedFilm(sheet));
+    return {pngOf(sheet, *prepared.settings.picture), pdfOf(prepared, {})};
 }
 
 void writeSheetTiff(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction) {

@@ -9,6 +9,9 @@
 
 namespace dipwright {
 
+// Returns the film image on white as RGB files hold it: in sRGB, or in the printer's RGB.
+PackedPixels packedFilm(const Sheet& sheet, const PrinterColour* colour = nullptr);
+
 // Writes a PNG of the film with its resolution and an sRGB profile. Unprinted areas are white.
 // Throws Error if `device` cannot be written.
 void writeSheetPng(const Sheet& sheet, QIODevice& device);
@@ -25,6 +28,12 @@ PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correctio
 // ink only, and registration marks are on every plate. The same sheet gives the same bytes. Throws
 // Error if `device` cannot be written.
 void writeSheetPdf(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction = {});
+
+// Returns both files in sRGB. The picture is compressed once for both.
+struct SheetPngPdf {
+    QByteArray png, pdf;
+};
+SheetPngPdf sheetPngPdf(const Sheet& sheet);
 
 // Writes a TIFF of the whole page for raster image processors, in RGB or CMYK, with resolution and
 // ICC profile, compressed without loss. In CMYK, a sheet's white is one more named sample. The film
