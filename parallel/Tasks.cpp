@@ -68,7 +68,7 @@ void Tasks::wait() {
     }
 }
 
-void undisturbed(const std::function<void()>& work) {
+void runIsolated(const std::function<void()>& work) {
     tbb::this_task_arena::isolate(work);
 }
 

@@ -29,6 +29,6 @@ private:
 
 // Calls `work` on this thread. While the thread waits within it, it takes only loops and tasks from
 // inside `work`, so that other work does not delay it.
-void undisturbed(const std::function<void()>& work);
+void runIsolated(const std::function<void()>& work);
 
 } // namespace dipwright

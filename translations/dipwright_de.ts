@@ -126,7 +126,7 @@
     </message>
 </context>
 <context>
-    <name>CertaintyPanel</name>
+    <name>VerdictPanel</name>
     <message>
         <source>Setting</source>
         <translation>Einstellung</translation>
@@ -3972,7 +3972,7 @@
     </message>
 </context>
 <context>
-    <name>dipwright::BodyPrintPreview</name>
+    <name>dipwright::FinishedPartPreview</name>
     <message>
         <source>Printing the body</source>
         <translation>Bedrucke den Körper</translation>
@@ -4470,7 +4470,7 @@
     </message>
 </context>
 <context>
-    <name>dipwright::CertaintyPanel</name>
+    <name>dipwright::VerdictPanel</name>
     <message>
         <source>Certainty of the sheet</source>
         <translation>Sicherheit des Bogens</translation>
@@ -5969,7 +5969,7 @@ auf steife, wasserfeste Karte gedruckt</translation>
     </message>
 </context>
 <context>
-    <name>dipwright::JoinFields</name>
+    <name>dipwright::SeamFields</name>
     <message>
         <source>The whole face</source>
         <translation>Die ganze Fläche</translation>

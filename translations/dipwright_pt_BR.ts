@@ -126,7 +126,7 @@
     </message>
 </context>
 <context>
-    <name>CertaintyPanel</name>
+    <name>VerdictPanel</name>
     <message>
         <source>Setting</source>
         <translation>Definição</translation>
@@ -3972,7 +3972,7 @@
     </message>
 </context>
 <context>
-    <name>dipwright::BodyPrintPreview</name>
+    <name>dipwright::FinishedPartPreview</name>
     <message>
         <source>Printing the body</source>
         <translation>Imprimindo o corpo</translation>
@@ -4470,7 +4470,7 @@
     </message>
 </context>
 <context>
-    <name>dipwright::CertaintyPanel</name>
+    <name>dipwright::VerdictPanel</name>
     <message>
         <source>Certainty of the sheet</source>
         <translation>Certeza da folha</translation>
@@ -5969,7 +5969,7 @@ impresso em cartão rígido e impermeável</translation>
     </message>
 </context>
 <context>
-    <name>dipwright::JoinFields</name>
+    <name>dipwright::SeamFields</name>
     <message>
         <source>The whole face</source>
         <translation>A face inteira</translation>

@@ -326,7 +326,7 @@ public:
             request.printer = target.printer;
             request.acceptOtherPaper = acceptsOtherPaper(parser);
             const PrintPlan plan = planCalibration(*system, page, request);
-            printAndTell(*system, {plan}, console.progress(), console.out());
+            printAndReport(*system, {plan}, console.progress(), console.out());
         }
         printRulerLengths(page, console.out());
     }

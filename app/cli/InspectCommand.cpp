@@ -316,7 +316,7 @@ private:
                                  files[i])});
         }
         progress(1, QStringLiteral("Done"));
-        finish(watchedFilm(std::move(photos), begin, filmOptions.rulerError.value()),
+        finish(evaluatedFilmWatch(std::move(photos), begin, filmOptions.rulerError.value()),
                notesOf(parser, taken), std::move(target), parser.value(outOption), console);
     }
 

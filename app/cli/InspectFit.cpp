@@ -18,8 +18,8 @@ const QString projectOption =
 const QString keepOption = QStringLiteral("keep-camera");
 const QString pairsOption = QStringLiteral("pairs");
 
-FitWish wishOf(const QCommandLineParser& parser, const std::optional<Lens>& lens) {
-    FitWish wish{{}, parser.isSet(keepOption), lens};
+FitRequest wishOf(const QCommandLineParser& parser, const std::optional<Lens>& lens) {
+    FitRequest wish{{}, parser.isSet(keepOption), lens};
     for (const QString& key : parser.value(fitOption).split(u',', Qt::SkipEmptyParts)) {
         try {
             wish.quantities.push_back(fitQuantityOf(key.trimmed()));
@@ -68,7 +68,7 @@ FittedPart fitPart(const QStringList& files, const QCommandLineParser& parser,
         throw UsageError(QStringLiteral("Name the job of this part with --project JOB.dipw"),
                          QStringLiteral("--project"));
     }
-    const FitWish wish = wishOf(parser, lens);
+    const FitRequest wish = wishOf(parser, lens);
     FittedPart part;
     if (parser.isSet(updateOption)) {
         checkWritable(path); // fails now instead of after the work

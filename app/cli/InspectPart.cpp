@@ -80,7 +80,7 @@ void printFoundCorners(const FoundPrint& print, QTextStream& out) {
 std::vector<std::shared_ptr<const LaidFilm>> dippedFilms(Project project,
                                                          const Progress& progress) {
     JobOptions options;
-    options.estimatesCertainty = false;
+    options.estimatesNumericalError = false;
     project.sheet.resolution = DotsPerInch(72); // low, as the sheets are not kept
     const JobResult result = runJob(project, SolverRegistry(), options, nullptr, progress);
     std::vector<std::shared_ptr<const LaidFilm>> dips;

@@ -171,7 +171,7 @@ private:
         const SolverRegistry registry;
         JobOptions options;
         options.solver = parser.value(solverOption);
-        options.estimatesCertainty = false;
+        options.estimatesNumericalError = false;
         std::vector<JobResult> results;
         for (std::size_t i = 0; i < projects.size(); ++i) {
             Project project = readProject(projects[i].path, parser);
@@ -198,7 +198,7 @@ private:
             for (const PrintPlan& plan : plans) {
                 printWarnings(plan.warnings, out);
             }
-            printAndTell(*system, plans, progress, out);
+            printAndReport(*system, plans, progress, out);
             return;
         }
         if (sheets.size() > 1) {

@@ -63,7 +63,7 @@ void printSheets(PrintSystem& system, const JobResult& result, const PrintReques
             out << QStringLiteral("%1: %2\n").arg(sheets[i].job.immersion, warning);
         }
     }
-    printAndTell(system, plans, progress, out);
+    printAndReport(system, plans, progress, out);
 }
 
 // Returns the size of a paper: one of the project's names, or WIDTHxHEIGHT in mm.
@@ -108,7 +108,7 @@ void writeProof(const Sheet& sheet, const PrintRequest& request, const QString& 
 void printGamutShare(const Sheet& sheet, const PrintRequest& request, QTextStream& out) {
     const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
     if (colour) {
-        const double share = colour->gamutWarning(askedColours(sheet, *colour)).share;
+        const double share = colour->gamutWarning(requestedColours(sheet, *colour)).share;
         out << QStringLiteral("%1: %2 % of the printed colour is out of the printer's gamut\n")
                    .arg(sheet.job.immersion)
                    .arg(100 * share, 0, 'f', 1);
@@ -150,7 +150,7 @@ void listHistory(QTextStream& out) {
                    .arg(record.mediumSize.width())
                    .arg(record.mediumSize.height())
                    .arg(record.copies)
-                   .arg(fateText(record));
+                   .arg(outcomeText(record));
     }
 }
 
@@ -230,7 +230,7 @@ public:
         for (const QString& note : result.notes) {
             console.out() << note << '\n';
         }
-        tellVerdict(result, console.out());
+        printVerdict(result, console.out());
         for (const ImmersionResult& immersion : result.immersions) {
             printGamutShare(immersion.sheet, request, console.out());
         }

@@ -110,8 +110,8 @@ PrintRequest printRequest(const QCommandLineParser& parser, const PrintTarget& t
     return request;
 }
 
-void printAndTell(PrintSystem& system, const std::vector<PrintPlan>& plans,
-                  const Progress& progress, QTextStream& out) {
+void printAndReport(PrintSystem& system, const std::vector<PrintPlan>& plans,
+                    const Progress& progress, QTextStream& out) {
     const auto tell = [&](const PrintTask& task, const PrintJob& job, JobState state) {
         out << (state == JobState::Printed
                     ? QStringLiteral("Printed %1 on %2, job %3\n")
@@ -124,7 +124,7 @@ void printAndTell(PrintSystem& system, const std::vector<PrintPlan>& plans,
     try {
         const PrintEnd end = printPlans(system, plans, PrintHistory(), progress, tell);
         if (!end.notKept.isEmpty()) {
-            out << notKeptText(end.notKept) << '\n';
+            out << historyErrorText(end.notKept) << '\n';
         }
     } catch (const Cancelled&) {
         throw Error(QStringLiteral("Cancelled. The job was withdrawn, but pages that the printer "

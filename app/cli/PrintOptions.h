@@ -25,7 +25,7 @@ PrintTarget printTarget(const QCommandLineParser& parser);
 PrintRequest printRequest(const QCommandLineParser& parser, const PrintTarget& target,
                           const std::optional<PrinterProfile>& remembered);
 // Prints the plans and writes one line with the outcome of each job.
-void printAndTell(PrintSystem& system, const std::vector<PrintPlan>& plans,
-                  const Progress& progress, QTextStream& out);
+void printAndReport(PrintSystem& system, const std::vector<PrintPlan>& plans,
+                    const Progress& progress, QTextStream& out);
 
 } // namespace dipwright::cli

@@ -47,7 +47,7 @@ void printPlaces(const ImmersionResult& result, QTextStream& out) {
         return;
     }
     const auto area = [](double value) { return QStringLiteral("%1 mm²").arg(number(value, 0)); };
-    for (const UncertainPlace& place : result.verdict.places) {
+    for (const PlaceToCheck& place : result.verdict.places) {
         out << QStringLiteral("  at x %1 mm, z %2 mm on the film: %3\n")
                    .arg(number(double(place.rest.x()), 0), number(double(place.rest.y()), 0),
                         placeText(place, millimetres, area));
@@ -152,7 +152,7 @@ void printSummary(const JobResult& result, QTextStream& out) {
     for (const QString& note : result.notes) {
         out << note << '\n';
     }
-    tellVerdict(result, out);
+    printVerdict(result, out);
     for (std::size_t i = 0; i < result.immersions.size(); ++i) {
         const ImmersionResult& immersion = result.immersions[i];
         printPlaces(immersion, out);
@@ -214,7 +214,7 @@ std::optional<Advice> requiredAdvice(const QCommandLineParser& parser) {
         return Advice::Print;
     }
     if (word == QLatin1String("check")) {
-        return Advice::LookFirst;
+        return Advice::CheckFirst;
     }
     throw UsageError(QStringLiteral("“%1” is not a verdict; require print or check").arg(word),
                      QStringLiteral("--require"));
@@ -343,9 +343,9 @@ private:
     static JobOptions jobOptions(const QCommandLineParser& parser) {
         JobOptions options;
         options.solver = parser.value(solverOption);
-        options.estimatesCertainty = !parser.isSet(certaintyOption);
+        options.estimatesNumericalError = !parser.isSet(certaintyOption);
         options.variesLaws = parser.isSet(lawsOption);
-        options.tellsTolerances = parser.isSet(tolerancesOption);
+        options.computesTolerances = parser.isSet(tolerancesOption);
         if (parser.isSet(languageOption)) {
             setLanguage(parser.value(languageOption));
         }

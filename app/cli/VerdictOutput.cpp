@@ -4,7 +4,7 @@
 
 namespace dipwright::cli {
 
-void tellVerdict(const JobResult& result, QTextStream& out) {
+void printVerdict(const JobResult& result, QTextStream& out) {
     out << adviceText(adviceOf(result)).toUpper() << '\n';
     for (const JobReason& reason : reasonsOf(result)) {
         out << QStringLiteral("  %1\n").arg(reasonText(reason, result, millimetres));

@@ -8,6 +8,6 @@
 namespace dipwright::cli {
 
 // Prints the verdict and all reasons for it, worst first.
-void tellVerdict(const JobResult& result, QTextStream& out);
+void printVerdict(const JobResult& result, QTextStream& out);
 
 } // namespace dipwright::cli

@@ -142,7 +142,7 @@ struct CloseConnection {
 using Connection = std::unique_ptr<http_t, CloseConnection>;
 
 // What only the printer itself reports; its queue has only its own defaults.
-struct DeviceWord {
+struct DeviceReport {
     std::vector<QSizeF> loaded; // sizes; empty if it does not report them
     QString scaling;
     bool takesTrueSize = false; // PDF jobs can forbid scaling
@@ -211,7 +211,7 @@ std::vector<QSizeF> sizesOf(ipp_attribute_t* media) {
     return sizes;
 }
 
-DeviceWord wordOfDevice(cups_dest_t* dest) {
+DeviceReport wordOfDevice(cups_dest_t* dest) {
     const Device device = deviceOf(dest);
     if (!device.connection) {
         return {};
@@ -227,7 +227,7 @@ DeviceWord wordOfDevice(cups_dest_t* dest) {
     if (!answer) {
         return {};
     }
-    DeviceWord word;
+    DeviceReport word;
     word.loaded =
         sizesOf(ippFindAttribute(answer.get(), "media-col-ready", IPP_TAG_BEGIN_COLLECTION));
     word.scaling = keywordsOf(answer.get(), "print-scaling-default").value(0);
@@ -356,7 +356,7 @@ public:
         addMedia(info.media, dest.get(), details.get(), CUPS_MEDIA_FLAGS_DEFAULT);
         const QString uri = option(dest, "device-uri");
         info.tellsPrinted = speaksIpp(uri);
-        const DeviceWord word = info.tellsPrinted ? wordOfDevice(dest.get()) : DeviceWord{};
+        const DeviceReport word = info.tellsPrinted ? wordOfDevice(dest.get()) : DeviceReport{};
         markLoaded(info.media, word.loaded);
         info.scaling = word.scaling;
         info.takesTrueSize = word.takesTrueSize;

@@ -130,7 +130,7 @@ QStringList writeSheetFile(const Sheet& sheet, const PrintFileRequest& request,
                         path);
         }
         const TileSettings tiles =
-            tileSettings(*request.tilePaper, lostEdges(*request.tilePaper, margins, correction));
+            tileSettings(*request.tilePaper, clippedEdges(*request.tilePaper, margins, correction));
         writeAtomically(
             path, [&](QIODevice& device) { writeTiledPdf(sheet, tiles, device, correction); });
         return warnings;
@@ -156,21 +156,21 @@ QStringList writePrintFile(const Sheet& original, const PrintFileRequest& reques
     PrintRecord record = recordOf(sheet, request.source, request.profile,
                                   request.tilePaper.value_or(pageSize(sheet)));
     record.file = QFileInfo(path).absoluteFilePath();
-    record.fate = PrintFate::WrittenToFile;
+    record.fate = PrintOutcome::WrittenToFile;
     const QString failure = history.keep(record);
     if (!failure.isEmpty()) {
-        warnings << notKeptText(failure);
+        warnings << historyErrorText(failure);
     }
     return warnings;
 }
 
-const QImage& askedColours(const Sheet& sheet, const PrinterColour& colour) {
+const QImage& requestedColours(const Sheet& sheet, const PrinterColour& colour) {
     return sheet.wanted && colour.isCmyk() ? sheet.wanted->image : sheet.image;
 }
 
 PrintProof printProof(const Sheet& sheet, const PrintCorrection& correction, bool marked) {
     const PrinterColour& colour = *correction.colour;
-    const QImage page = onPaper(askedColours(sheet, colour));
+    const QImage page = onWhitePaper(requestedColours(sheet, colour));
     const GamutWarning warning = colour.gamutWarning(page);
     const QImage shown = sheet.wanted && colour.isCmyk()
                              ? colour.screen(separate(sheet, correction).cmyk, page.size())

@@ -61,6 +61,6 @@ struct PrintProof {
 PrintProof printProof(const Sheet& sheet, const PrintCorrection& correction, bool marked);
 // The colours requested from the printer. If it compensates each ink separately, these are the
 // wanted colours, else those of the film image.
-const QImage& askedColours(const Sheet& sheet, const PrinterColour& colour);
+const QImage& requestedColours(const Sheet& sheet, const PrinterColour& colour);
 
 } // namespace dipwright

@@ -30,7 +30,7 @@ constexpr qint64 mostBytes = 64 << 10; // size limit of a record
 constexpr int mostCopies = 100'000;
 constexpr double largestMedium = 100'000; // mm
 
-// In the order of PrintFate.
+// In the order of PrintOutcome.
 constexpr std::array fateWords{"sent",      "printed", "handed_over", "written",
                                "cancelled", "failed",  "stopped",     "unknown"};
 
@@ -90,7 +90,7 @@ std::optional<PrintRecord> recordFromJson(const QJsonObject& json, const QString
                        line(json, "medium"),
                        {side(0), side(1)},
                        std::clamp(json.value(QLatin1String("copies")).toInt(1), 1, mostCopies),
-                       PrintFate(fate - fateWords.begin()),
+                       PrintOutcome(fate - fateWords.begin()),
                        line(json, "reason")};
 }
 
@@ -120,29 +120,29 @@ PrintRecord recordOf(const Sheet& sheet, const PrintSource& source,
     return record;
 }
 
-QString fateText(const PrintRecord& record) {
+QString outcomeText(const PrintRecord& record) {
     switch (record.fate) {
-    case PrintFate::Sent:
+    case PrintOutcome::Sent:
         return Text::tr("Sent, outcome unknown");
-    case PrintFate::Printed:
+    case PrintOutcome::Printed:
         return Text::tr("Printed");
-    case PrintFate::HandedOver:
+    case PrintOutcome::HandedOver:
         return Text::tr("Handed to the printer's queue");
-    case PrintFate::WrittenToFile:
+    case PrintOutcome::WrittenToFile:
         return Text::tr("Written to a file");
-    case PrintFate::Cancelled:
+    case PrintOutcome::Cancelled:
         return Text::tr("Cancelled");
-    case PrintFate::Failed:
+    case PrintOutcome::Failed:
         return Text::tr("Failed: %1").arg(record.reason);
-    case PrintFate::Stopped:
+    case PrintOutcome::Stopped:
         return Text::tr("Stopped: %1").arg(record.reason);
-    case PrintFate::Unknown:
+    case PrintOutcome::Unknown:
         break;
     }
     return Text::tr("Unknown: %1").arg(record.reason);
 }
 
-QString notKeptText(const QString& reason) {
+QString historyErrorText(const QString& reason) {
     return Text::tr("This print is missing in the print history: %1").arg(reason);
 }
 

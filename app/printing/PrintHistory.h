@@ -17,7 +17,7 @@ struct Sheet;
 // The known outcome of a print. `Sent`: the program ended before the outcome was known. `Failed`:
 // the job was refused or aborted. `Stopped`: the printer stopped or did not answer, and the job was
 // cancelled. `Unknown`: the outcome cannot be queried; the sheet may have been printed.
-enum class PrintFate {
+enum class PrintOutcome {
     Sent,
     Printed,
     HandedOver,
@@ -47,7 +47,7 @@ struct PrintRecord {
     QString mediumName; // the printer's name for it, or empty
     QSizeF mediumSize;  // mm
     int copies = 1;
-    PrintFate fate = PrintFate::Sent;
+    PrintOutcome fate = PrintOutcome::Sent;
     QString reason; // why it was not printed, or why the outcome is unknown
 };
 
@@ -56,10 +56,10 @@ PrintRecord recordOf(const Sheet& sheet, const PrintSource& source,
                      const std::optional<PrinterProfile>& profile, QSizeF mediumSize);
 
 // The outcome in words: "Printed", "Failed: out of paper".
-QString fateText(const PrintRecord& record);
+QString outcomeText(const PrintRecord& record);
 
 // What to tell the user when the history cannot be written for this reason.
-QString notKeptText(const QString& reason);
+QString historyErrorText(const QString& reason);
 
 class PrintHistory {
 public:

@@ -38,9 +38,9 @@ QMarginsF lostOnPage(const Sheet& sheet, const QMarginsF& margins,
                      const PrintCorrection& correction) {
     const QSizeF page = pageSize(sheet);
     if (!correction.acrossPaper) {
-        return lostEdges(page, margins, correction);
+        return clippedEdges(page, margins, correction);
     }
-    const QMarginsF lost = lostEdges(page.transposed(), margins, correction);
+    const QMarginsF lost = clippedEdges(page.transposed(), margins, correction);
     return {lost.top(), lost.right(), lost.bottom(), lost.left()};
 }
 
@@ -63,7 +63,7 @@ QMarginsF unreachable(const QMarginsF& ofPrinter, const std::optional<PrinterPro
     return larger(ofPrinter, {m[0].value(), m[1].value(), m[2].value(), m[3].value()});
 }
 
-QMarginsF lostEdges(QSizeF paper, const QMarginsF& margins, const PrintCorrection& correction) {
+QMarginsF clippedEdges(QSizeF paper, const QMarginsF& margins, const PrintCorrection& correction) {
     const double x = paper.width() / 2;
     const double y = paper.height() / 2;
     return {lostEdge(x, margins.left(), correction.scaleX),

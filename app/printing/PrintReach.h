@@ -21,7 +21,7 @@ QMarginsF unreachable(const QMarginsF& ofPrinter, const std::optional<PrinterPro
 // What is lost at the drawing's edges, in its own mm, when it is drawn centred on `paper` with the
 // correction's scales. These are the margins, and more if a scale below 1 makes the drawing larger
 // than the paper.
-QMarginsF lostEdges(QSizeF paper, const QMarginsF& margins, const PrintCorrection& correction);
+QMarginsF clippedEdges(QSizeF paper, const QMarginsF& margins, const PrintCorrection& correction);
 
 // The sheet with its marks, ruler and job line moved clear of the paper's margins, at least the
 // usual distance from the edges. If colour is lost, throws an Error that names `where`, or with

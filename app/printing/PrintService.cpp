@@ -260,7 +260,7 @@ public:
         : history_(history), record_(record) {
         keep();
     }
-    void end(PrintFate fate, const QString& reason = {}) {
+    void end(PrintOutcome fate, const QString& reason = {}) {
         if (record_) {
             record_->fate = fate;
             record_->reason = reason;
@@ -282,7 +282,7 @@ private:
 };
 
 // Cancels a job and says whether that is known to have worked.
-QString takenBack(PrintSystem& system, const PrintJob& job) {
+QString cancelAndDescribe(PrintSystem& system, const PrintJob& job) {
     constexpr int questions = 10;
     system.cancel(job);
     for (int i = 0; i < questions; ++i) {
@@ -304,7 +304,7 @@ std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const Jo
     case JobState::Printed:
         if (printer && !printer->tellsPrinted && !printer->answers) {
             throw NotPrinted(
-                PrintFate::Unknown,
+                PrintOutcome::Unknown,
                 Text::tr("The print system has finished the job, but the printer does not answer; "
                          "check whether the sheet was printed, and print it again if not"),
                 job.printer);
@@ -313,14 +313,14 @@ std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const Jo
     case JobState::HandedOver:
         return JobState::HandedOver;
     case JobState::Cancelled:
-        throw NotPrinted(PrintFate::Cancelled, Text::tr("The job was cancelled at the printer"),
+        throw NotPrinted(PrintOutcome::Cancelled, Text::tr("The job was cancelled at the printer"),
                          job.printer);
     case JobState::Failed:
-        throw NotPrinted(PrintFate::Failed, Text::tr("The printer aborted the job: %1").arg(reason),
-                         job.printer);
+        throw NotPrinted(PrintOutcome::Failed,
+                         Text::tr("The printer aborted the job: %1").arg(reason), job.printer);
     case JobState::Stopped:
         system.cancel(job);
-        throw NotPrinted(PrintFate::Stopped,
+        throw NotPrinted(PrintOutcome::Stopped,
                          Text::tr("The printer stopped in the middle of the job: %1; the rest was "
                                   "cancelled, so print the sheet again")
                              .arg(reason),
@@ -332,7 +332,7 @@ std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const Jo
     }
     if (printer && printer->state == PrinterState::Stopped) {
         system.cancel(job);
-        throw NotPrinted(PrintFate::Stopped,
+        throw NotPrinted(PrintOutcome::Stopped,
                          Text::tr("The printer has stopped: %1; the job was cancelled, so start "
                                   "the printer and print the sheet again")
                              .arg(printer->stateReason.isEmpty() ? reason : printer->stateReason),
@@ -353,10 +353,10 @@ public:
         listen(status, printer);
         if (silence_.isValid() && silence_.hasExpired(patience_.count())) {
             throw NotPrinted(
-                PrintFate::Stopped,
+                PrintOutcome::Stopped,
                 Text::tr("The printer does not answer (%1); %2; check its power, its cable and its "
                          "address in the system, and print the sheet again")
-                    .arg(told, takenBack(system, job)),
+                    .arg(told, cancelAndDescribe(system, job)),
                 job.printer);
         }
         if (!told_.contains(told)) {
@@ -365,7 +365,7 @@ public:
         }
         if (printer && !printer->tellsPrinted && status.state == JobState::Printing &&
             sinceNews_.hasExpired(10 * patience_.count())) {
-            throw NotPrinted(PrintFate::Unknown,
+            throw NotPrinted(PrintOutcome::Unknown,
                              Text::tr("The state of job %1 has not changed for a long time (%2), "
                                       "and this printer cannot be queried; check the printer, and "
                                       "remove the job from its queue if it does not print")
@@ -421,7 +421,7 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& unnumbered, const PrintReq
     plan.task.media = paper.media;
     const QMarginsF margins = unreachable(paper.media.margins, request.profile);
     if (tiled) {
-        fillTiled(plan.task, original, lostEdges(paper.media.size, margins, correction),
+        fillTiled(plan.task, original, clippedEdges(paper.media.size, margins, correction),
                   correction);
     } else {
         correction.acrossPaper = paper.turned;
@@ -507,17 +507,18 @@ PrintEnd printPlans(PrintSystem& system, const std::vector<PrintPlan>& plans,
     for (const PrintPlan& plan : plans) {
         progress.cancelToken.throwIfCancelled();
         KeptPrint kept(history, plan.record);
-        PrintFate ifNot = PrintFate::Failed;
+        PrintOutcome ifNot = PrintOutcome::Failed;
         try {
             const PrintJob job = system.submit(plan.task);
-            ifNot = PrintFate::Unknown;
+            ifNot = PrintOutcome::Unknown;
             end.state = followJob(system, job, progress.part(done, done + share));
-            kept.end(end.state == JobState::Printed ? PrintFate::Printed : PrintFate::HandedOver);
+            kept.end(end.state == JobState::Printed ? PrintOutcome::Printed
+                                                    : PrintOutcome::HandedOver);
             if (ended) {
                 ended(plan.task, job, end.state);
             }
         } catch (const Cancelled&) {
-            kept.end(PrintFate::Cancelled);
+            kept.end(PrintOutcome::Cancelled);
             throw;
         } catch (const NotPrinted& error) {
             kept.end(error.fate(), error.message());

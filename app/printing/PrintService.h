@@ -58,12 +58,12 @@ std::vector<PrintPlan> planPrints(PrintSystem& system, const std::vector<Sheet>&
 // history.
 class NotPrinted : public Error {
 public:
-    NotPrinted(PrintFate fate, const QString& message, const QString& where)
+    NotPrinted(PrintOutcome fate, const QString& message, const QString& where)
         : Error(message, where), fate_(fate) {}
-    PrintFate fate() const { return fate_; }
+    PrintOutcome fate() const { return fate_; }
 
 private:
-    PrintFate fate_;
+    PrintOutcome fate_;
 };
 
 // Follows a submitted job until it is printed, asking a few times a second. Returns HandedOver if

@@ -67,7 +67,7 @@ std::optional<QByteArray> Pipe::fetch(const QString& name) {
         return std::nullopt;
     }
     allowedFor_ += length;
-    allowFor(allowedFor_);
+    raiseLimits(allowedFor_);
     return take(length);
 }
 

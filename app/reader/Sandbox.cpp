@@ -93,7 +93,7 @@ bool filterCalls() {
 
 #if defined(Q_OS_UNIX)
 
-void leaveSurroundings() {
+void closeInheritedFiles() {
 #if defined(Q_OS_LINUX)
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     prctl(PR_SET_DUMPABLE, 0);
@@ -108,31 +108,31 @@ bool enterSandbox() {
     std::signal(SIGXCPU, [](int) { _exit(readerOutOfTime); });
     limit(RLIMIT_CORE, 0, 0);
     limit(RLIMIT_FSIZE, 0, 0);
-    allowFor(0);
+    raiseLimits(0);
     return filterCalls();
 }
 
-void allowFor(qint64 fileBytes) {
+void raiseLimits(qint64 fileBytes) {
     constexpr qint64 second = 1000;
-    const qint64 time = mostOf(Budget::Milliseconds, fileBytes);
+    const qint64 time = budgetLimit(Budget::Milliseconds, fileBytes);
     // The kernel kills the process after the last second. The signal one second earlier gives the
     // reason.
     limit(RLIMIT_CPU, rlim_t((time + second - 1) / second),
-          rlim_t(mostOf(Budget::Milliseconds, anyFile) / second + 2));
+          rlim_t(budgetLimit(Budget::Milliseconds, anyFile) / second + 2));
 #if !defined(DIPWRIGHT_SANITIZED) // sanitizers reserve terabytes of addresses
 #if defined(Q_OS_LINUX)
     const int memory = RLIMIT_DATA; // counts written memory only, as more is reserved
 #else
     const int memory = RLIMIT_AS;
 #endif
-    limit(memory, rlim_t(mostOf(Budget::Memory, fileBytes)),
-          rlim_t(mostOf(Budget::Memory, anyFile)));
+    limit(memory, rlim_t(budgetLimit(Budget::Memory, fileBytes)),
+          rlim_t(budgetLimit(Budget::Memory, anyFile)));
 #endif
 }
 
 #elif defined(Q_OS_WIN)
 
-void leaveSurroundings() {
+void closeInheritedFiles() {
     for (const int stream : {0, 1}) {
         _setmode(stream, _O_BINARY);
     }
@@ -145,14 +145,14 @@ bool enterSandbox() {
     limits.BasicLimitInformation.LimitFlags =
         JOB_OBJECT_LIMIT_ACTIVE_PROCESS | JOB_OBJECT_LIMIT_PROCESS_MEMORY;
     limits.BasicLimitInformation.ActiveProcessLimit = 1;
-    limits.ProcessMemoryLimit = SIZE_T(mostOf(Budget::Memory, mostOf(Budget::FileBytes)));
+    limits.ProcessMemoryLimit = SIZE_T(budgetLimit(Budget::Memory, budgetLimit(Budget::FileBytes)));
     const HANDLE job = CreateJobObjectW(nullptr, nullptr);
     return SetInformationJobObject(job, JobObjectExtendedLimitInformation, &limits,
                                    sizeof limits) != 0 &&
            AssignProcessToJobObject(job, GetCurrentProcess()) != 0;
 }
 
-void allowFor(qint64 /*fileBytes*/) {}
+void raiseLimits(qint64 /*fileBytes*/) {}
 
 #endif
 

@@ -8,14 +8,14 @@ namespace dipwright {
 
 // Closes all inherited files except the three standard streams. On Linux, the process also ends
 // with its parent. Call this before anything else.
-void leaveSurroundings();
+void closeInheritedFiles();
 
 // From now on the process cannot use files, the network, other processes or new executable memory.
-// It also keeps the limits that mostOf() gives for a file of no bytes. Call this once, after all
-// libraries are loaded. Returns false if the system refuses its sandbox.
+// It also keeps the limits that budgetLimit() gives for a file of no bytes. Call this once, after
+// all libraries are loaded. Returns false if the system refuses its sandbox.
 [[nodiscard]] bool enterSandbox();
 
 // Raises the limits of memory and computing time to those for files of `fileBytes` bytes in total.
-void allowFor(qint64 fileBytes);
+void raiseLimits(qint64 fileBytes);
 
 } // namespace dipwright

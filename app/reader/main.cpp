@@ -74,7 +74,7 @@ void read(const ReaderJob& job, Pipe& pipe) {
 
 int main(int argc, char* argv[]) {
     using namespace dipwright;
-    leaveSurroundings();
+    closeInheritedFiles();
     const QCoreApplication application(argc, argv);
     Pipe pipe;
     const ReaderJob job = pipe.readJob();

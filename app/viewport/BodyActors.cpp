@@ -132,12 +132,12 @@ void BodyActors::addPart(std::size_t material, const CornerNormals& normals) {
         part.texture = vtkTextureOf(model_->textures[std::size_t(picture)]);
         part.texture->RepeatOn();
     }
-    wearOwnLook(part);
+    applyOwnLook(part);
     renderer_->AddActor(part.actor);
     parts_.push_back(std::move(part));
 }
 
-void BodyActors::wearOwnLook(const Part& part) const {
+void BodyActors::applyOwnLook(const Part& part) const {
     part.data->GetCellData()->SetScalars(nullptr);
     part.actor->SetTexture(part.texture);
     const QColor colour = part.texture ? QColor(Qt::white) : part.colour;
@@ -147,7 +147,7 @@ void BodyActors::wearOwnLook(const Part& part) const {
 void BodyActors::setTriangleColours(const std::vector<QRgb>& colours) {
     for (const Part& part : parts_) {
         if (colours.empty()) {
-            wearOwnLook(part);
+            applyOwnLook(part);
             continue;
         }
         auto scalars = vtkSmartPointer<vtkUnsignedCharArray>::New();

@@ -43,7 +43,7 @@ private:
         QColor colour;
     };
     void addPart(std::size_t material, const CornerNormals& normals);
-    void wearOwnLook(const Part& part) const;
+    void applyOwnLook(const Part& part) const;
     void showSection();
 
     vtkRenderer* renderer_;

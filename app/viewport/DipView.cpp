@@ -278,7 +278,7 @@ void DipView::draw() {
 }
 
 void DipView::take(const ViewPicture& picture) {
-    const bool isMoved = picture.isSteered && picture.camera != state_->shown.camera;
+    const bool isMoved = picture.isMovedByUser && picture.camera != state_->shown.camera;
     state_->shown = picture;
     update();
     if (isMoved) {

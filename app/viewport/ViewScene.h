@@ -24,7 +24,7 @@ struct ViewPicture {
     ViewProjection projection;
     int milliseconds = 0;
     ViewCamera camera;
-    bool isSteered = false; // the camera was last moved here, not by setCamera()
+    bool isMovedByUser = false; // the camera was last moved here, not by setCamera()
 };
 
 // The size of the widget that shows the pictures.

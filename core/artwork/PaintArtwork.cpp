@@ -187,7 +187,7 @@ SurfaceAppearance baked(const TexturedMesh& model, const Artwork& artwork, Paint
                         double texel, const Progress& progress, qint64 mostTexels) {
     const QString step = Text::tr("Painting the artwork");
     progress(0, step);
-    const qint64 most = mostOf(Budget::Pixels);
+    const qint64 most = budgetLimit(Budget::Pixels);
     const SurfaceQuery query(model.mesh);
     const Unwrapping charts =
         unwrapped(model.mesh, middlesOfDecals(artwork, query), texel,

@@ -325,7 +325,7 @@ private:
 Unwrapping unwrapped(const TriangleMesh& mesh, const std::vector<std::uint32_t>& begins,
                      double texel, qint64 mostTexels, const Progress& progress) {
     const double extent = double(longestEdgeOf(mesh));
-    const double side = double(mostOf(Budget::PictureSide) / 4);
+    const double side = double(budgetLimit(Budget::PictureSide) / 4);
     texel = std::max({texel, std::sqrt(surfaceArea(mesh) / double(mostTexels)), 2 * extent / side,
                       1e-6 * extent});
     while (true) {

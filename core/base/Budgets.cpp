@@ -99,20 +99,20 @@ const Row& row(Budget budget) {
 
 } // namespace
 
-qint64 mostOf(Budget budget, qint64 fileBytes) {
+qint64 budgetLimit(Budget budget, qint64 fileBytes) {
     const Row& entry = row(budget);
     return qint64(std::min(entry.always + entry.perByte * double(fileBytes), entry.ever));
 }
 
 void requireWithin(Budget budget, qint64 amount, const QString& where, qint64 fileBytes) {
-    if (amount > mostOf(budget, fileBytes)) {
+    if (amount > budgetLimit(budget, fileBytes)) {
         throw Error(sentenceOf(budget, fileBytes), where);
     }
 }
 
 QString sentenceOf(Budget budget, qint64 fileBytes) {
     const Row& entry = row(budget);
-    const double amount = double(mostOf(budget, fileBytes)) / entry.unit;
+    const double amount = double(budgetLimit(budget, fileBytes)) / entry.unit;
     return QCoreApplication::translate(context, entry.sentence)
         .arg(amount, 0, amount < 10 ? 'g' : 'f', amount < 10 ? 2 : 0);
 }

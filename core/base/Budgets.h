@@ -28,7 +28,7 @@ enum class Budget {
 };
 
 // Returns the limit for files with this total size.
-qint64 mostOf(Budget budget, qint64 fileBytes = 0);
+qint64 budgetLimit(Budget budget, qint64 fileBytes = 0);
 
 // Throws Error with the budget's message about `where` if `amount` exceeds the limit.
 void requireWithin(Budget budget, qint64 amount, const QString& where, qint64 fileBytes = 0);

@@ -49,7 +49,7 @@ Extent extentOf(const QByteArray& json) {
 
 } // namespace
 
-void requireModestJson(const QByteArray& text, const QString& where) {
+void requireJsonWithinLimits(const QByteArray& text, const QString& where) {
     const Extent extent = extentOf(text);
     requireWithin(Budget::DocumentDepth, extent.depth, where);
     requireWithin(Budget::DocumentValues, extent.values, where);

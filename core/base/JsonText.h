@@ -9,6 +9,6 @@ namespace dipwright {
 // Throws Error about `where` if the text holds more values, or nests them deeper, than Budgets.h
 // allows. Two bytes of JSON can take a hundred bytes of memory once parsed, and thousands when
 // written again with four spaces for each level. Does not check that the text is valid JSON.
-void requireModestJson(const QByteArray& text, const QString& where);
+void requireJsonWithinLimits(const QByteArray& text, const QString& where);
 
 } // namespace dipwright

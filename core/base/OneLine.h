@@ -17,7 +17,7 @@ inline bool isUnseenFormat(QChar letter) {
 }
 
 // Replaces each of these characters by U+FFFD, which is visible.
-inline QString inReadingOrder(QString text) {
+inline QString withVisibleFormats(QString text) {
     std::replace_if(text.begin(), text.end(), isUnseenFormat, QChar(QChar::ReplacementCharacter));
     return text;
 }
@@ -33,7 +33,7 @@ inline QString oneLine(QString text) {
                    letter.category() == QChar::Separator_Paragraph;
         },
         u' ');
-    return inReadingOrder(std::move(text));
+    return withVisibleFormats(std::move(text));
 }
 
 } // namespace dipwright

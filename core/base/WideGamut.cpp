@@ -62,7 +62,7 @@ QImage inWide(const QImage& picture) {
     return isWide(picture) ? picture : converted(picture, QColorSpace::SRgb, wideSpace());
 }
 
-bool isHeldBySrgb(const QImage& wide) {
+bool fitsInSrgb(const QImage& wide) {
     constexpr double step = 1.0 / 255;
     const double least = -step / 12.92; // sRGB's curve is straight there
     const double most = lightOf(1 + step);

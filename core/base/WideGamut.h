@@ -31,6 +31,6 @@ QImage inSrgb(const QImage& picture);
 QImage inWide(const QImage& picture);
 // Whether eight-bit sRGB can show every pixel of a wide picture: none is more than one step outside
 // its range.
-bool isHeldBySrgb(const QImage& wide);
+bool fitsInSrgb(const QImage& wide);
 
 } // namespace dipwright

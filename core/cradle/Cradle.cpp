@@ -36,7 +36,7 @@ double lowestOf(const std::vector<SeatPiece>& seat, const PosedBody& body, doubl
     bool isSteady = false;
     for (; reach < reachGrowth * body.height; reach *= reachGrowth) {
         const double lowest = body.height - reach;
-        const Standing standing = standingOn(above(seat, lowest), centre);
+        const CradleStability standing = standingOn(above(seat, lowest), centre);
         if (standing.tiltDegrees >= steadyTilt && standing.sideHoldDegrees >= steadySlope) {
             return lowest;
         }

@@ -190,7 +190,7 @@ Eigen::Vector3d centreOfVolume(const TriangleMesh& body) {
     return sixfold == 0 ? origin : (origin + sum / sixfold).eval();
 }
 
-Standing standingOn(const std::vector<SeatPiece>& seat, const Eigen::Vector3d& centre) {
+CradleStability standingOn(const std::vector<SeatPiece>& seat, const Eigen::Vector3d& centre) {
     return {tiltDegrees(seat, centre), sideHoldDegrees(seat)};
 }
 

@@ -17,7 +17,7 @@ struct SeatPiece {
 };
 
 // How firmly a body rests in its cradle, with the plate on a table and the body on top.
-struct Standing {
+struct CradleStability {
     // Tilt of the plate in degrees at which the body tips over, for a body of uniform density.
     // Negative if it tips over without tilt.
     double tiltDegrees = -90;
@@ -35,7 +35,7 @@ struct CradleCheck {
     bool comesOut = false; // the body can move down without touching the cradle
     double seatArea = 0;   // area of the body that lies on it, mm²
     double paddedArea = 0; // part of seatArea that an earlier dip has painted, mm²
-    Standing standing;
+    CradleStability standing;
 };
 
 // Whether the mesh is closed (isClosed()) and the triangles round every position form one ring.
@@ -43,7 +43,7 @@ bool isClosedSurface(const TriangleMesh& mesh);
 
 // Returns the centre of a closed body's volume.
 Eigen::Vector3d centreOfVolume(const TriangleMesh& body);
-Standing standingOn(const std::vector<SeatPiece>& seat, const Eigen::Vector3d& centre);
+CradleStability standingOn(const std::vector<SeatPiece>& seat, const Eigen::Vector3d& centre);
 
 // `seat` holds the pieces that may lie on the cradle. Pieces within `nearest` mm count as lying on
 // it; padded pieces within `nearest` + `padding`. `painted` is the surface that film reaches; may

@@ -63,7 +63,7 @@ void requireBodyOverFilm(const PosedBody& body, const Immersion& immersion,
         throw missedFilm(immersion);
     }
     const Eigen::AlignedBox2d wet = undersideOf(body, process).shadow;
-    requireFilmRound(wet.translated(Eigen::Vector2d(x, z)), settings, immersion);
+    requireFilmBeyondBody(wet.translated(Eigen::Vector2d(x, z)), settings, immersion);
 }
 
 // A solver and the loop that drives it. Exceptions of the module pass through.

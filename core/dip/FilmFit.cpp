@@ -24,14 +24,14 @@ double lengthFor(double low, double high, double swell) {
 
 } // namespace
 
-std::optional<FilmSize> leastFilm(const Eigen::AlignedBox2d& outline, const FilmSettings& film) {
+std::optional<FilmSize> smallestFilm(const Eigen::AlignedBox2d& outline, const FilmSettings& film) {
     const FilmSize least{lengthFor(outline.min().x(), outline.max().x(), film.swellX),
                          lengthFor(outline.min().y(), outline.max().y(), film.swellY)};
     return std::max(least.width, least.height) <= largestFilm ? std::optional(least) : std::nullopt;
 }
 
 QString adviceOnFilm(const Eigen::AlignedBox2d& outline, const FilmSettings& film) {
-    const std::optional<FilmSize> least = leastFilm(outline, film);
+    const std::optional<FilmSize> least = smallestFilm(outline, film);
     return least ? Text::tr("choose a film of at least %1 × %2 mm")
                        .arg(std::max(least->width, film.width.value()))
                        .arg(std::max(least->height, film.height.value()))
@@ -39,8 +39,8 @@ QString adviceOnFilm(const Eigen::AlignedBox2d& outline, const FilmSettings& fil
                        .arg(largestFilm);
 }
 
-void requireFilmRound(const Eigen::AlignedBox2d& outline, const FilmSettings& film,
-                      const Immersion& immersion) {
+void requireFilmBeyondBody(const Eigen::AlignedBox2d& outline, const FilmSettings& film,
+                           const Immersion& immersion) {
     const solver::FilmGrid grid = filmGrid(film);
     const Eigen::Vector2d half(grid.width / 2, grid.depth / 2);
     if (outline.isEmpty() || (outline.min().array() >= -half.array()).any() ||

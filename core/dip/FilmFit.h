@@ -16,7 +16,7 @@ namespace dipwright {
 struct FilmSize {
     double width = 0, height = 0;
 };
-std::optional<FilmSize> leastFilm(const Eigen::AlignedBox2d& outline, const FilmSettings& film);
+std::optional<FilmSize> smallestFilm(const Eigen::AlignedBox2d& outline, const FilmSettings& film);
 
 inline constexpr double largestFilm = 3000; // mm along each side; limit of film.size_mm
 
@@ -25,7 +25,7 @@ QString adviceOnFilm(const Eigen::AlignedBox2d& outline, const FilmSettings& fil
 
 // Throws Error if the body reaches past the film on all four sides, because no film could then wrap
 // round it. The message names a film that is large enough.
-void requireFilmRound(const Eigen::AlignedBox2d& outline, const FilmSettings& film,
-                      const Immersion& immersion);
+void requireFilmBeyondBody(const Eigen::AlignedBox2d& outline, const FilmSettings& film,
+                           const Immersion& immersion);
 
 } // namespace dipwright

@@ -167,8 +167,8 @@ private:
 
 } // namespace
 
-FilmContact filmThatPaints(const DippedFilm& film, const PosedBody& body,
-                           const ProcessSettings& process) {
+FilmContact findFilmContact(const DippedFilm& film, const PosedBody& body,
+                            const ProcessSettings& process) {
     FilmContact contact;
     const std::vector<SurfacePoint> located = locatePoints(film, body);
     contact.surface = located;

@@ -21,7 +21,7 @@ namespace dipwright {
 // - These points end about one cell before the limit of contact. Isotropic film is extended to the
 //   limit; see ContactLimit.h.
 // `film` is in the body's pose frame. Uses all cores; deterministic.
-FilmContact filmThatPaints(const DippedFilm& film, const PosedBody& body,
-                           const ProcessSettings& process);
+FilmContact findFilmContact(const DippedFilm& film, const PosedBody& body,
+                            const ProcessSettings& process);
 
 } // namespace dipwright

@@ -80,7 +80,7 @@ std::optional<Eigen::Vector3f> LaidFilm::onBody(const FilmPlace& place) const {
 
 std::shared_ptr<const LaidFilm> layFilm(std::shared_ptr<const PosedBody> body, DippedFilm film,
                                         const ProcessSettings& process) {
-    FilmContact contact = filmThatPaints(film, *body, process);
+    FilmContact contact = findFilmContact(film, *body, process);
     return std::make_shared<const LaidFilm>(std::move(body), std::move(film), std::move(contact));
 }
 

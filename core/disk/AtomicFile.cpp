@@ -29,7 +29,7 @@ QString linkTarget(const QString& path) {
 
 } // namespace
 
-QString hiddenBeside(const QString& path, Beside what) {
+QString hiddenFilePath(const QString& path, Beside what) {
     const QFileInfo file(path);
     const QString prefix = what == Beside::Lock ? lockPrefix : newPrefix;
     QString name = prefix + file.fileName();
@@ -41,7 +41,7 @@ QString hiddenBeside(const QString& path, Beside what) {
     return file.absolutePath() + QLatin1Char('/') + name;
 }
 
-bool isHiddenBeside(const QString& path) {
+bool isHiddenFile(const QString& path) {
     const QString name = QFileInfo(path).fileName();
     return name.startsWith(newPrefix) || name.startsWith(lockPrefix);
 }
@@ -54,7 +54,7 @@ void removeAbandoned(const QString& temporary) {
 }
 
 AtomicFile::AtomicFile(const QString& path)
-    : target_(linkTarget(path)), beside_(hiddenBeside(target_, Beside::NewContents)) {}
+    : target_(linkTarget(path)), beside_(hiddenFilePath(target_, Beside::NewContents)) {}
 
 AtomicFile::~AtomicFile() {
     if (!file_.remove()) {

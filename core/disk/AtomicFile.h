@@ -47,9 +47,9 @@ void checkWritable(const QString& path);
 enum class Beside { NewContents, Lock };
 // Returns the path of such a hidden file, always the same for one file. Its name is a fixed prefix
 // and the file's name, or a hash of that name where it would be too long.
-QString hiddenBeside(const QString& path, Beside what);
+QString hiddenFilePath(const QString& path, Beside what);
 // Whether the file's name has such a prefix.
-bool isHiddenBeside(const QString& path);
+bool isHiddenFile(const QString& path);
 // Removes a temporary file unless somebody is writing it.
 void removeAbandoned(const QString& temporary);
 

@@ -20,7 +20,7 @@ constexpr qint64 longestLock = 1024; // bytes
 // A file that several links reach has one lock.
 QString lockPath(const QString& path) {
     const QString canonical = QFileInfo(path).canonicalFilePath();
-    return hiddenBeside(canonical.isEmpty() ? path : canonical, Beside::Lock);
+    return hiddenFilePath(canonical.isEmpty() ? path : canonical, Beside::Lock);
 }
 
 // Lines: process, program, machine.

@@ -17,7 +17,7 @@ constexpr qsizetype mostFolders = 64;
 
 bool isWork(const QString& path) {
     return path.size() <= longestPath && QDir::isAbsolutePath(path) && !path.contains(QChar(0)) &&
-           (isHiddenBeside(path) || QFileInfo(path).fileName() == FolderTransaction::workName());
+           (isHiddenFile(path) || QFileInfo(path).fileName() == FolderTransaction::workName());
 }
 
 } // namespace

@@ -25,7 +25,7 @@ QDir noteFolder() {
 // Returns false if something is left to do.
 bool putRight(const UnfinishedNote& note, const std::function<bool()>& mayGoOn) {
     bool done = true;
-    if (isHiddenBeside(note.work)) {
+    if (isHiddenFile(note.work)) {
         removeAbandoned(note.work);
         done = !QFileInfo::exists(note.work);
     } else {

@@ -25,7 +25,7 @@ constexpr double worse = 1.02; // growth of the residual at which a round goes b
 constexpr double surelyUnknown = 6; // times the interval that counts as known, before the end
 
 std::vector<FitUnknown> unknownsOf(const Project& project, const FittedDips& dips,
-                                   const std::vector<PrintedPlace>& printed, const FitWish& wish,
+                                   const std::vector<PrintedPlace>& printed, const FitRequest& wish,
                                    const QString& where) {
     std::vector<FitQuantity> quantities = wish.quantities;
     std::sort(quantities.begin(), quantities.end());
@@ -38,7 +38,7 @@ std::vector<FitUnknown> unknownsOf(const Project& project, const FittedDips& dip
     for (const FitQuantity quantity : quantities) {
         if (!dips.matters(quantity)) {
             if (isNamed) {
-                throw Error(notInThisFilm(quantity), where);
+                throw Error(hasNoEffectSentence(quantity), where);
             }
             continue;
         }
@@ -73,7 +73,8 @@ std::pair<std::size_t, double> leastKnown(const JointSolution& solution,
                                           const std::vector<bool>& isFree) {
     std::pair<std::size_t, double> worst{0, 0};
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
-        const double off = solution.off[Eigen::Index(i)] / fitScale(unknowns[i].quantity).mostOff;
+        const double off =
+            solution.off[Eigen::Index(i)] / fitScale(unknowns[i].quantity).widestKnownInterval;
         if (isFree[i] && off > worst.second) {
             worst = {i, off};
         }
@@ -85,7 +86,7 @@ std::pair<std::size_t, double> leastKnown(const JointSolution& solution,
 class Search {
 public:
     Search(const Project& project, const DistanceField& field, const FitPairs& pairs,
-           const FitWish& wish, const solver::SolverModule& module)
+           const FitRequest& wish, const solver::SolverModule& module)
         : pairs_(pairs), wish_(wish), seen_{pairs.printed, pairs.body, pairs.picture},
           camera_(firstCamera(pairs, wish.lens)),
           places_(project, field, pairs.printed, module, pairs.where),
@@ -121,9 +122,9 @@ public:
 
 private:
     JointSolution solve(const std::vector<bool>& isFree) const {
-        const CameraFit camera = wish_.holdsCamera ? CameraFit::Held
-                                 : wish_.lens      ? CameraFit::KnownLens
-                                                   : CameraFit::Whole;
+        const CameraFit camera = wish_.keepsBodyPairsCamera ? CameraFit::Held
+                                 : wish_.lens               ? CameraFit::KnownLens
+                                                            : CameraFit::Whole;
         return fitJointly(near_, seen_, camera_, isFree, camera, pairs_.where);
     }
 
@@ -217,7 +218,7 @@ private:
     }
 
     const FitPairs& pairs_;
-    const FitWish& wish_;
+    const FitRequest& wish_;
     SeenPlaces seen_;
     PartView camera_;
     SimulatedPlaces places_;
@@ -250,7 +251,7 @@ double perPixel(const PartView& view, const FitPairs& pairs, const PrintedPlace&
 void fillDistances(FilmFit& fit, const Search& search, const FitPairs& pairs) {
     std::vector<double> before, after, beforeMm, afterMm;
     for (std::size_t i = 0; i < pairs.printed.size(); ++i) {
-        FitOff& off = fit.off.emplace_back();
+        FitDistance& off = fit.off.emplace_back();
         const std::optional<Eigen::Vector3d>& lies = search.near().places[i];
         off.isOnBody = lies.has_value();
         if (!off.isOnBody) {
@@ -304,7 +305,8 @@ void apply(FilmFit& fit, const FittedQuantity& found, const FittedDips& dips,
 } // namespace
 
 FilmFit fitFilm(const Project& project, const DistanceField& field, const FitPairs& pairs,
-                const FitWish& wish, const solver::SolverModule& module, const Progress& progress) {
+                const FitRequest& wish, const solver::SolverModule& module,
+                const Progress& progress) {
     Search search(project, field, pairs, wish, module);
     search.run(progress);
     const JointSolution& solution = search.after();
@@ -330,7 +332,7 @@ FilmFit fitFilm(const Project& project, const DistanceField& field, const FitPai
         }
         unknowns.push_back(unknown);
         values.push_back(value);
-        fit.doubt += whyUnsure(solution, i, search.near());
+        fit.doubt += whyRelaxationIsUncertain(solution, i, search.near());
         fit.quantities.push_back({unknown, dips.before(unknown), dips.told(unknown, value),
                                   dips.told(unknown, value - off),
                                   dips.told(unknown, value + off)});

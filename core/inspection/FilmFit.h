@@ -28,11 +28,11 @@ struct FitPairs {
     QString where; // names the pairs for the user
 };
 
-struct FitWish {
+struct FitRequest {
     // Empty: the usualQuantities() that the pairs determine.
     std::vector<FitQuantity> quantities;
-    bool holdsCamera = false; // keeps the camera that fits the body's places alone
-    std::optional<Lens> lens; // known from an earlier measurement of the camera
+    bool keepsBodyPairsCamera = false; // keeps the camera that fits the body's places alone
+    std::optional<Lens> lens;          // known from an earlier measurement of the camera
 };
 
 // Values have the quantity's own unit. Shifts are offsets on the water; a turn counts from the
@@ -45,7 +45,7 @@ struct FittedQuantity {
 
 // The distance of one printed place, seen minus expected. `before` uses the camera that fits best
 // without the fitted quantities.
-struct FitOff {
+struct FitDistance {
     bool isOnBody = false; // in the fitted simulation; if false, the other members have no meaning
     Eigen::Vector2d before{0, 0}, after{0, 0}; // pixels
     double millimetres = 0;                    // `after` in mm, across the line of sight
@@ -58,7 +58,7 @@ struct FilmFit {
     std::vector<FitUnknown> left;
     // Why relaxation is not known to a tenth, and what to photograph; empty if it is known.
     QString doubt;
-    std::vector<FitOff> off;                  // one per printed place
+    std::vector<FitDistance> off;             // one per printed place
     PartView view;                            // without figures
     double beforePixels = 0, afterPixels = 0; // root mean square distances
     double beforeMillimetres = 0, afterMillimetres = 0;
@@ -74,6 +74,7 @@ struct FilmFit {
 // Uses all cores; deterministic. Throws Cancelled. Throws Error if the pairs do not determine a
 // named quantity; the message says what they cannot separate and what to photograph.
 FilmFit fitFilm(const Project& project, const DistanceField& field, const FitPairs& pairs,
-                const FitWish& wish, const solver::SolverModule& module, const Progress& progress);
+                const FitRequest& wish, const solver::SolverModule& module,
+                const Progress& progress);
 
 } // namespace dipwright

@@ -62,7 +62,7 @@ QByteArray jsonOf(const FilmFit& fit, const FitPairs& pairs, const std::vector<F
             QJsonObject{{"file", QFileInfo(photo.where).fileName()}, {"sha256", photo.sha256}});
     }
     const auto used = std::count_if(fit.off.begin(), fit.off.end(),
-                                    [](const FitOff& off) { return off.isOnBody; });
+                                    [](const FitDistance& off) { return off.isOnBody; });
     return QJsonDocument(
                QJsonObject{{"version", 1},
                            {"date", notes.date},
@@ -91,7 +91,7 @@ QByteArray tableOf(const FilmFit& fit, const FitPairs& pairs) {
            "after_y_px,after_mm\n";
     for (std::size_t i = 0; i < fit.off.size(); ++i) {
         const PrintedPlace& place = pairs.printed[i];
-        const FitOff& off = fit.off[i];
+        const FitDistance& off = fit.off[i];
         const auto number = [](double value) { return QString::number(value, 'f', 4); };
         out << place.photo + 1 << ',' << number(place.pixel.x()) << ',' << number(place.pixel.y())
             << ',' << place.dip + 1 << ',' << number(place.sheet.x()) << ','

@@ -176,7 +176,7 @@ FlatFilm measureFlatFilm(const QImage& photo, const FlatSettings& settings, cons
     return fitFlatFilm(*film, *card, photo.size(), settings, where);
 }
 
-FilmWatch watchedFilm(std::vector<WatchedPhoto> photos, double begin, double rulerError) {
+FilmWatch evaluatedFilmWatch(std::vector<WatchedPhoto> photos, double begin, double rulerError) {
     FilmWatch watch{std::move(photos), {}, begin, rulerError};
     std::stable_sort(watch.photos.begin(), watch.photos.end(),
                      [&](const WatchedPhoto& a, const WatchedPhoto& b) {
@@ -236,7 +236,7 @@ QStringList watchSentences(const FilmWatch& watch) {
     sentences << growthSentences(watch);
     double uneven = 0;
     for (const WatchedPhoto& photo : watch.photos) {
-        uneven = std::max(uneven, photo.film.unevenMillimetres);
+        uneven = std::max(uneven, photo.film.unevennessMillimetres);
     }
     sentences << Text::tr("Unevenness: 95 % of the film lies within %1 mm of where an evenly "
                           "swollen film would lie")

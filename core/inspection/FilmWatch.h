@@ -41,7 +41,7 @@ struct FilmWatch {
 // begins. The swell's interval includes the error of reading the rulers. Growth does not depend on
 // that error, because all photos share one scale. Throws Error if there are three or more times,
 // all too far from the start of the dip.
-FilmWatch watchedFilm(std::vector<WatchedPhoto> photos, double begin, double rulerError = 0);
+FilmWatch evaluatedFilmWatch(std::vector<WatchedPhoto> photos, double begin, double rulerError = 0);
 
 // What the user noted when the photos were taken.
 struct WatchNotes {

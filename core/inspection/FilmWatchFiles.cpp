@@ -45,7 +45,7 @@ QJsonObject toJson(const WatchedPhoto& photo) {
             {"swell_off", pair(film.swellX.off, film.swellY.off)},
             {"shear_deg", film.shearDegrees},
             {"residual_px", film.residualPixels},
-            {"uneven_p95_mm", film.unevenMillimetres},
+            {"uneven_p95_mm", film.unevennessMillimetres},
             {"lens", pair(film.lens.k1, film.lens.k2)}};
 }
 
@@ -148,7 +148,7 @@ public:
         drawScale(painter);
         letter(painter, {4, 96}, 1.6,
                Text::tr("95 % of the corners lie within %1 mm of an evenly swollen film")
-                   .arg(QLocale().toString(film_.unevenMillimetres, 'f', 3)));
+                   .arg(QLocale().toString(film_.unevennessMillimetres, 'f', 3)));
         return picture;
     }
 

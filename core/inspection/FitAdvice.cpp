@@ -49,7 +49,7 @@ QString advice(FitQuantity quantity) {
 
 } // namespace
 
-QString notInThisFilm(FitQuantity quantity) {
+QString hasNoEffectSentence(FitQuantity quantity) {
     return quantity == FitQuantity::Growth
                ? Text::tr("The project's film does not grow, so its growth cannot be fitted; "
                           "measure it from photos of the floating film with “inspect film”")
@@ -61,7 +61,8 @@ QString whyUnknown(const JointSolution& solution, const std::vector<FitUnknown>&
                    const std::vector<bool>& isFree, std::size_t unknown, const PlacesNear& near,
                    bool hasBodyPairs) {
     const QString name = fitQuantityText(unknowns[unknown].quantity);
-    if (farthest(near, unknown, fitScale(unknowns[unknown].quantity).mostOff) < leastEffect) {
+    if (farthest(near, unknown, fitScale(unknowns[unknown].quantity).widestKnownInterval) <
+        leastEffect) {
         return Text::tr("%1 moves none of the places, so the pairs do not determine it; %2")
             .arg(name, advice(FitQuantity::Depth));
     }
@@ -101,7 +102,8 @@ QString whyUnknown(const JointSolution& solution, const std::vector<FitUnknown>&
         .arg(name, advice(unknowns[unknown].quantity));
 }
 
-QString whyUnsure(const JointSolution& solution, std::size_t unknown, const PlacesNear& near) {
+QString whyRelaxationIsUncertain(const JointSolution& solution, std::size_t unknown,
+                                 const PlacesNear& near) {
     const double tenth = std::log(1.1), off = solution.off[Eigen::Index(unknown)];
     if (near.unknowns[unknown].quantity != FitQuantity::Relaxation || off <= tenth) {
         return {};

@@ -8,7 +8,7 @@
 namespace dipwright {
 
 // Explains that a quantity has no effect on a film like the project's.
-QString notInThisFilm(FitQuantity quantity);
+QString hasNoEffectSentence(FitQuantity quantity);
 
 // Explains why the free unknown `unknown` is not determined: which other unknown, or the camera,
 // has the same effect. `hasBodyPairs` says whether some pairs are places on the body itself.
@@ -17,6 +17,7 @@ QString whyUnknown(const JointSolution& solution, const std::vector<FitUnknown>&
                    bool hasBodyPairs);
 
 // Explains how well relaxation is known if it is known to no better than a tenth; otherwise empty.
-QString whyUnsure(const JointSolution& solution, std::size_t unknown, const PlacesNear& near);
+QString whyRelaxationIsUncertain(const JointSolution& solution, std::size_t unknown,
+                                 const PlacesNear& near);
 
 } // namespace dipwright

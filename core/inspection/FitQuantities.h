@@ -47,10 +47,10 @@ struct FitUnknown {
 // The scale of an unknown. In a fit, an unknown is a number of the order of 1 that starts at 0: mm,
 // degrees, per cent of the swell, or the logarithm of relaxation or growth over its start.
 struct FitScale {
-    double step;    // to either side, for the derivatives
-    double most;    // largest change in one round
-    double mostOff; // 95 % interval above which it does not count as known
-    double least;   // smallest change that needs another round
+    double step;                // to either side, for the derivatives
+    double most;                // largest change in one round
+    double widestKnownInterval; // 95 % interval above which it does not count as known
+    double least;               // smallest change that needs another round
 };
 FitScale fitScale(FitQuantity quantity);
 

@@ -271,7 +271,7 @@ FlatFilm fitFlatFilm(const SeenBoard& film, const SeenBoard& card, QSize picture
         uneven.push_back(off.norm() * mm);
     }
     fillSwell(result.corners);
-    result.unevenMillimetres = percentile95(std::move(uneven));
+    result.unevennessMillimetres = percentile95(std::move(uneven));
     return result;
 }
 

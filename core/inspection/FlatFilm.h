@@ -44,8 +44,8 @@ struct FlatFilm {
     double shearDegrees = 0; // deviation of the board's right angle
     std::vector<FilmCorner> corners;
     std::vector<Eigen::Vector2d> cardCorners; // pixels of the photo
-    double residualPixels = 0;    // root mean square distance of the corners from the fit
-    double unevenMillimetres = 0; // 95th percentile of `off`
+    double residualPixels = 0;        // root mean square distance of the corners from the fit
+    double unevennessMillimetres = 0; // 95th percentile of `off`
     Lens lens;
 };
 

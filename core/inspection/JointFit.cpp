@@ -37,7 +37,7 @@ public:
         : near_(near), seen_(seen),
           camera_(start,
                   camera == CameraFit::Whole
-                      ? distortionsTold(seen.printed.size() + seen.body.size())
+                      ? fittableDistortions(seen.printed.size() + seen.body.size())
                       : 0,
                   camera == CameraFit::Held) {
         for (std::size_t i = 0; i < isFree.size(); ++i) {
@@ -116,8 +116,8 @@ public:
 private:
     double spring(Eigen::Index number) const {
         return number < freeCount()
-                   ? springLength *
-                         fitScale(near_.unknowns[std::size_t(freeAt(number))].quantity).mostOff
+                   ? springLength * fitScale(near_.unknowns[std::size_t(freeAt(number))].quantity)
+                                        .widestKnownInterval
                    : cameraSpring;
     }
 

@@ -11,7 +11,7 @@
 namespace dipwright {
 
 // Returns how many of k1 and k2 can be fitted to this number of pairs.
-inline int distortionsTold(std::size_t pairs) {
+inline int fittableDistortions(std::size_t pairs) {
     return int(std::min<std::size_t>(2, pairs / pairsForDistortion));
 }
 

@@ -118,7 +118,7 @@ PartView firstCamera(const std::vector<PlacePair>& pairs, int photos, QSize pict
     return first;
 }
 
-PartFigures figuresOf(const std::vector<PairOff>& off, double diagonal) {
+PartFigures figuresOf(const std::vector<PairDistance>& off, double diagonal) {
     PartFigures figures;
     figures.count = int(off.size());
     if (off.empty()) {
@@ -133,7 +133,7 @@ PartFigures figuresOf(const std::vector<PairOff>& off, double diagonal) {
             figures.worstPair = i;
         }
     }
-    for (const PairOff& one : off) {
+    for (const PairDistance& one : off) {
         figures.deviationPixels += std::pow(one.pixels.norm() - figures.meanPixels, 2);
     }
     figures.deviationPixels =
@@ -150,7 +150,7 @@ PartView fitPartCamera(const std::vector<PlacePair>& pairs, int photos, QSize pi
                        const QString& where, const std::optional<Lens>& lens) {
     PartView first = firstCamera(pairs, photos, picture, where);
     first.lens = lens.value_or(Lens());
-    const MovedCamera camera(first, lens ? 0 : distortionsTold(pairs.size()));
+    const MovedCamera camera(first, lens ? 0 : fittableDistortions(pairs.size()));
     const LeastSquaresFit fit = robustLeastSquares(
         [&](const Eigen::VectorXd& by, Eigen::VectorXd& values) {
             const PartView view = camera.view(by);
@@ -193,7 +193,7 @@ PartView viewOf(const PartView& camera, const std::vector<PlacePair>& pairs, QSi
 
 PartFigures figuresOfPhoto(const PartView& view, const std::vector<PlacePair>& pairs, int photo,
                            QSize picture) {
-    std::vector<PairOff> off;
+    std::vector<PairDistance> off;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         if (pairs[i].photo == photo) {
             off.push_back(view.off[i]);

@@ -29,7 +29,7 @@ struct PartPose {
     Eigen::Vector3d shift; // mm
 };
 
-struct PairOff {
+struct PairDistance {
     Eigen::Vector2d pixels; // seen minus expected
     double millimetres = 0; // across the line of sight, at the place
 };
@@ -49,7 +49,7 @@ struct PartView {
     std::vector<PartPose> photos;
     Measured focalLength; // half diagonals; the same lens for all photos
     Lens lens;
-    std::vector<PairOff> off; // one per pair
+    std::vector<PairDistance> off; // one per pair
     PartFigures figures;
 };
 

@@ -172,7 +172,7 @@ QByteArray placesTable(const std::vector<PrintedPlace>& places) {
 // Returns the enlargement with which the longest line is at most a twentieth of the picture.
 double enlargement(const PartView& view, QSize picture) {
     double longest = 1e-3;
-    for (const PairOff& off : view.off) {
+    for (const PairDistance& off : view.off) {
         longest = std::max(longest, off.pixels.norm());
     }
     const double times = std::max(picture.width(), picture.height()) / 20.0 / longest;

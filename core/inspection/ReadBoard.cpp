@@ -111,7 +111,7 @@ Pattern patternOf(BoardKind kind) {
     Pattern pattern{};
     for (int row = 0; row < mostBoardSquares; ++row) {
         for (int column = 0; column < mostBoardSquares; ++column) {
-            pattern[std::size_t(row)][std::size_t(column)] = hasDot(kind, column, row);
+            pattern[std::size_t(row)][std::size_t(column)] = isDottedSquare(kind, column, row);
         }
     }
     return pattern;

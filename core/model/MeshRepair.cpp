@@ -527,7 +527,7 @@ std::size_t orientTriangles(TexturedMesh& mesh) {
     return toTurn.size();
 }
 
-std::size_t turnInsideOutParts(TexturedMesh& mesh, const std::function<void()>& goOn) {
+std::size_t flipInsideOutParts(TexturedMesh& mesh, const std::function<void()>& goOn) {
     const auto opposite = oppositeEdges(mesh.mesh);
     std::vector<std::int8_t> sense(mesh.mesh.triangles.size(), 0);
     std::vector<Piece> insideOut, open;

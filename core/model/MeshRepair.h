@@ -56,6 +56,6 @@ std::size_t orientTriangles(TexturedMesh& mesh);
 // Rays pass through all parts: that takes seconds for usual bodies, but could take forever for tens
 // of thousands of nested parts. So `goOn` is called before each place and may throw to stop; the
 // mesh is then unchanged.
-std::size_t turnInsideOutParts(TexturedMesh& mesh, const std::function<void()>& goOn);
+std::size_t flipInsideOutParts(TexturedMesh& mesh, const std::function<void()>& goOn);
 
 } // namespace dipwright

@@ -150,7 +150,7 @@ void eachFigure(SheetChange& change, const Use& use) {
 }
 
 template <typename Use>
-void eachFigure(CertaintyEstimate& estimate, const Use& use) {
+void eachFigure(NumericalErrorEstimate& estimate, const Use& use) {
     eachFigure(estimate.doubleSpacing, use);
     eachFigure(estimate.doubleStep, use);
     for (double* figure : {&estimate.offBy.minimum, &estimate.offBy.mean,
@@ -159,21 +159,21 @@ void eachFigure(CertaintyEstimate& estimate, const Use& use) {
     }
 }
 
-void write(QDataStream& out, CertaintyEstimate estimate) {
+void write(QDataStream& out, NumericalErrorEstimate estimate) {
     eachFigure(estimate, [&](double figure) { out << figure; });
-    out << quint32(estimate.pointsOffBy.size());
-    write(out, estimate.pointsOffBy);
+    out << quint32(estimate.pointErrors.size());
+    write(out, estimate.pointErrors);
     const QByteArray failure = estimate.failure.toUtf8();
     out << quint32(failure.size());
     out.writeRawData(failure.constData(), int(failure.size()));
 }
 
-CertaintyEstimate readEstimate(Reader& stored, std::size_t points) {
-    CertaintyEstimate estimate;
+NumericalErrorEstimate readEstimate(Reader& stored, std::size_t points) {
+    NumericalErrorEstimate estimate;
     eachFigure(estimate, [&](double& figure) { figure = stored.value(0.0, mostMillimetres); });
     const auto count = stored.value<quint32>(0, quint32(points));
     stored.require(count == 0 || count == points);
-    estimate.pointsOffBy = stored.floats(count, 0, mostMillimetres, true);
+    estimate.pointErrors = stored.floats(count, 0, mostMillimetres, true);
     estimate.failure = stored.text(longestFailure);
     stored.require(estimate.failure.isEmpty() == (count > 0));
     return estimate;
@@ -205,7 +205,7 @@ CachedDip readCachedDip(const QByteArray& bytes, const solver::FilmGrid& grid, b
     CachedDip dip{readFilm(file, grid, isotropic), nullptr};
     if (file.value<quint8>(0, 1) == 1) {
         dip.certainty =
-            std::make_shared<const CertaintyEstimate>(readEstimate(file, grid.pointCount()));
+            std::make_shared<const NumericalErrorEstimate>(readEstimate(file, grid.pointCount()));
     }
     file.end();
     return dip;

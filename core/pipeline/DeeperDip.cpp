@@ -19,9 +19,9 @@ ProcessSettings deeperProcess(ProcessSettings process, const PosedBody& body) {
 
 } // namespace
 
-std::shared_ptr<const LaidFilm> dippedDeeper(const JobResult& result, std::size_t immersion,
-                                             const SolverRegistry& registry,
-                                             const Progress& progress) {
+std::shared_ptr<const LaidFilm> deeperDip(const JobResult& result, std::size_t immersion,
+                                          const SolverRegistry& registry,
+                                          const Progress& progress) {
     const Project& project = result.project;
     const ImmersionResult& dip = result.immersions[immersion];
     SolverChoice solver = chooseSolver(result.chosenSolver, registry, progress.cancelToken);

@@ -16,7 +16,7 @@ struct JobOptions {
     bool chessboard = false; // the built-in chessboard as film image
     // Estimates the numerical error of each sheet by coarser dips. They take at most as long as the
     // dips and run beside them where cores are free.
-    bool estimatesCertainty = true;
+    bool estimatesNumericalError = true;
     // Varies the assumed laws to tell how much each sheet depends on them: eight more dips for each
     // immersion (LawChanges.h).
     bool variesLaws = false;
@@ -24,7 +24,7 @@ struct JobOptions {
     bool makesCradles = false;
     // Computes how far colours may land from their places within the project's tolerances. Takes
     // dozens of dips (JobTolerances.h).
-    bool tellsTolerances = false;
+    bool computesTolerances = false;
     // Template of the motion files; replaces motionTemplate() (traveller/Motion.h).
     std::optional<MotionTemplate> motion;
     // Called from the working thread with the immersion's number. Has no effect on the result.

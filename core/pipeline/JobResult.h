@@ -27,9 +27,9 @@ struct ImmersionResult {
     QStringList solverNotes; // sentences for the user if a solver took over
     std::shared_ptr<const LaidFilm> laid;
     std::shared_ptr<const Coverage> coverage;
-    std::shared_ptr<const CertaintyEstimate> certainty; // null: not asked for
-    Verdict verdict;                                    // of this dip alone
-    std::vector<LawChange> laws;                        // empty: not asked for
+    std::shared_ptr<const NumericalErrorEstimate> certainty; // null: not asked for
+    Verdict verdict;                                         // of this dip alone
+    std::vector<LawChange> laws;                             // empty: not asked for
     ReadBackError readBack;
     std::shared_ptr<const ReverseTexture> texture;
     Sheet sheet;

@@ -124,7 +124,7 @@ QJsonObject jobTicket(const JobResult& result, const std::vector<QStringList>& f
             {"program", programVersion()},
             {"project", project.name},
             {"date", project.date},
-            {"job", jobOfAll(jobs)},
+            {"job", combinedJobNumber(jobs)},
             {"solver", QJsonObject{{"id", result.solver.id}, {"version", result.solver.version}}},
             {"film", filmTicket(project)},
             {"dwell", dwellTicket(project.profiles.film)},

@@ -43,7 +43,7 @@ std::array<double, zoneCount> bareZones(const JobResult& result, const ZonedBody
 }
 
 // Marked zones should be painted. The rest of the body is judged by Kind::Unreached.
-void objectToBareZones(Objections& found, const JobResult& result, const ZonedBody& zones) {
+void objectToBareZones(ReasonList& found, const JobResult& result, const ZonedBody& zones) {
     const std::array<double, zoneCount> bare = bareZones(result, zones);
     for (const Zone zone : {Zone::A, Zone::B}) {
         found.addShare(Kind::ZoneBare, bare[std::size_t(zone)], result.project.verdict.zoneBare,
@@ -51,11 +51,11 @@ void objectToBareZones(Objections& found, const JobResult& result, const ZonedBo
     }
 }
 
-void objectToHandling(Objections& found, const JobTolerances& tolerances) {
+void objectToHandling(ReasonList& found, const JobTolerances& tolerances) {
     for (const ZoneVerdict& zone : tolerances.zones) {
         if (zone.area > 0 && !zone.holds()) {
             found.add({Kind::ZoneExceeded,
-                       Advice::LookFirst,
+                       Advice::CheckFirst,
                        zone.together,
                        zone.limit,
                        {},
@@ -80,7 +80,7 @@ bool isPlain(const Project& project) {
 }
 
 // Adds reasons that have no limit; the project sets their weight.
-void objectToOrigins(Objections& found, const JobResult& result) {
+void objectToOrigins(ReasonList& found, const JobResult& result) {
     const Project& project = result.project;
     if (result.immersions.front().inputs.texture.isReversed() && isPlain(project)) {
         found.add({Kind::NoPicture, project.verdict.noPicture});
@@ -111,8 +111,8 @@ Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const Zon
                    project.tolerance, project.verdict);
 }
 
-Verdict togetherVerdict(const JobResult& result, const ZonedBody* zones) {
-    Objections found;
+Verdict allDipsVerdict(const JobResult& result, const ZonedBody* zones) {
+    ReasonList found;
     const VerdictSettings& limits = result.project.verdict;
     if (result.immersions.size() > 1) {
         found.addShare(Kind::Unreached, unreached(result), limits.unreached);

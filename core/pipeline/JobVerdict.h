@@ -12,7 +12,7 @@ std::shared_ptr<const ZonedBody> markedZones(const Project& project);
 Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const ZonedBody* zones);
 
 // Judges all dips together, for JobResult::verdict. `zones`: markedZones().
-Verdict togetherVerdict(const JobResult& result, const ZonedBody* zones);
+Verdict allDipsVerdict(const JobResult& result, const ZonedBody* zones);
 
 // A reason and the dip that it is about; without a dip it is about all.
 struct JobReason {

@@ -30,7 +30,7 @@ QString thinPartNote(const Project& project, const TriangleMesh& mesh, const Sur
 
 bool isInsideOut(const TexturedMesh& model) {
     TexturedMesh turned = model;
-    return turnInsideOutParts(turned, [] {}) > 0;
+    return flipInsideOutParts(turned, [] {}) > 0;
 }
 
 QString insideOutNote() {

@@ -70,7 +70,8 @@ bool hasDipped(const ImmersionResult* earlier, const DipInputs& inputs) {
 
 // Whether the numerical error has to be estimated by coarser dips.
 bool isToBeJudged(const Run& run, const ImmersionResult* earlier, const DipInputs& inputs) {
-    return run.options.estimatesCertainty && !(hasDipped(earlier, inputs) && earlier->certainty);
+    return run.options.estimatesNumericalError &&
+           !(hasDipped(earlier, inputs) && earlier->certainty);
 }
 
 // Returns null if nothing has to be dipped and the earlier result has no field.
@@ -185,7 +186,7 @@ ReverseTexture textureOf(const LaidFilm& laid, const SurfaceAppearance& appearan
     if (inputs.isReversed()) {
         ReverseTextureOptions options{pixels, inputs.bleed.value(), inputs.ink, std::move(share),
                                       inputs.white};
-        options.keepsWanted = inputs.isPerInk();
+        options.returnsWanted = inputs.isPerInk();
         options.spots = spotPlates(inputs, progress);
         return reverseTexture(laid, appearance, options, progress);
     }
@@ -215,7 +216,7 @@ void compare(Comparison& comparison, const Run& run, const ImmersionResult& resu
     comparison.dips.run([&, solver, body = result.body, immersion = result.immersion] {
         const auto isCancelled = [&] { return left.isCancelled() || run.user.isCancelled(); };
         // Without this, its own loops might take over the task that waits for it.
-        undisturbed([&] {
+        runIsolated([&] {
             comparison.films =
                 coarserFilms(body, field, immersion, run.project.film, run.project.process,
                              run.registry.module(solver), isCancelled);
@@ -336,8 +337,8 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
     if (comparison.isWanted) {
         comparison.dips.wait();
         run.user.throwIfCancelled();
-        now.certainty = std::make_shared<const CertaintyEstimate>(
-            certaintyEstimate(*now.laid, std::exchange(comparison.films, {})));
+        now.certainty = std::make_shared<const NumericalErrorEstimate>(
+            estimateNumericalError(*now.laid, std::exchange(comparison.films, {})));
     }
     now.verdict = dipVerdict(now, run.project, run.zones.get());
     if (run.options.finished) {
@@ -467,7 +468,7 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
     const double part = dipsDone / double(inputs.size());
     for (std::size_t number = 0; number < inputs.size(); ++number) {
         const double begin = part * double(number);
-        undisturbed([&] {
+        runIsolated([&] {
             immersions[number] =
                 dippedImmersion(run, number, inputs[number], result, solver, comparisons[number],
                                 left, progress.part(begin, begin + part));
@@ -477,7 +478,7 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
         }
     }
     if (isShared) {
-        undisturbed([&] {
+        runIsolated([&] {
             result.share =
                 shareOf(run, *result.painted, immersions, progress.part(dipsDone, sharesDone));
         });
@@ -487,7 +488,7 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
     }
     progress(sharesDone, Text::tr("Reversing the texture"));
     pictures.wait();
-    undisturbed([&] { showTogether(result, run, stage.get(), hasProof, hasCoverage, progress); });
+    runIsolated([&] { showTogether(result, run, stage.get(), hasProof, hasCoverage, progress); });
     sheets.wait();
     result.coverageTotal = coverageTotal(immersions, progress);
 }
@@ -510,9 +511,9 @@ QStringList notesOf(const JobResult& result) {
     for (const ImmersionResult& immersion : result.immersions) {
         notes += immersion.solverNotes;
     }
-    if (result.share && betterLast(*result.share) == std::size_t(0)) {
+    if (result.share && recommendedLastDip(*result.share) == std::size_t(0)) {
         const QLocale locale;
-        const auto& [first, second] = result.share->joinStretch;
+        const auto& [first, second] = result.share->seamStretch;
         notes.append(Text::tr("%1 should be dipped after %2. Along the seam, the film's stretch is "
                               "%3 for %1 and %4 for %2. A placement error of the second film grows "
                               "with its stretch.")
@@ -553,13 +554,13 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     result.field = fieldOf(run, inputs, progress.part(fieldDone / 2, fieldDone));
 
     const Progress job = options.makesCradles ? progress.part(0, cradlesBegin) : progress;
-    const Progress dips = options.tellsTolerances ? job.part(0, tolerancesBegin) : job;
+    const Progress dips = options.computesTolerances ? job.part(0, tolerancesBegin) : job;
     const double allDone = options.variesLaws ? lawsBegin : 1;
     runImmersions(result, run, inputs, solver, dips.part(fieldDone, allDone));
     if (options.variesLaws) {
         varyLaws(result, run, solver, dips.part(allDone, 1));
     }
-    if (options.tellsTolerances) {
+    if (options.computesTolerances) {
         result.tolerances = std::make_shared<const JobTolerances>(
             jobTolerances(result, project.tolerance, registry, job.part(tolerancesBegin, 1)));
     }
@@ -572,7 +573,7 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
         !note.isEmpty()) {
         result.notes += note;
     }
-    result.verdict = togetherVerdict(result, run.zones.get());
+    result.verdict = allDipsVerdict(result, run.zones.get());
     return result;
 }
 

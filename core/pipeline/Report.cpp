@@ -35,7 +35,7 @@ QJsonObject toJson(const SheetChange& change) {
             {"painted_once", change.paintedOnce}};
 }
 
-QJsonObject toJson(const UncertainPlace& place) {
+QJsonObject toJson(const PlaceToCheck& place) {
     return {{"film_mm", QJsonArray{place.rest.x(), place.rest.y()}},
             {"model_mm", QJsonArray{place.place.x(), place.place.y(), place.place.z()}},
             {"area_mm2", place.area},
@@ -97,7 +97,7 @@ QJsonObject inkJson(const ImmersionResult& result) {
 QJsonObject certaintyJson(const ImmersionResult& result) {
     const Verdict& verdict = result.verdict;
     QJsonArray places;
-    for (const UncertainPlace& place : verdict.places) {
+    for (const PlaceToCheck& place : verdict.places) {
         places.append(toJson(place));
     }
     QJsonObject json{{"verdict", adviceKey(verdict.advice)},
@@ -105,7 +105,7 @@ QJsonObject certaintyJson(const ImmersionResult& result) {
                      {"places", places},
                      {"uncertain_area_mm2", verdict.uncertainArea}};
     if (result.certainty && result.certainty->failure.isEmpty()) {
-        const CertaintyEstimate& estimate = *result.certainty;
+        const NumericalErrorEstimate& estimate = *result.certainty;
         json["off_by_mm"] = toJson(estimate.offBy);
         json["double_step"] = toJson(estimate.doubleStep);
         json["double_spacing"] = toJson(estimate.doubleSpacing);
@@ -140,7 +140,7 @@ QJsonArray lawsJson(const std::vector<LawChange>& laws) {
     return json;
 }
 
-QJsonObject toJson(const JoinCost& cost) {
+QJsonObject toJson(const SeamCost& cost) {
     return {{"length_mm", cost.length}, {"cost_mm", cost.cost}};
 }
 
@@ -151,7 +151,7 @@ QJsonObject shareJson(const BodyShare& share) {
             {"area_mm2", place.area},
             {"model_mm", QJsonArray{place.place.x(), place.place.y(), place.place.z()}}});
     }
-    return {{"join_stretch", QJsonArray{share.joinStretch[0], share.joinStretch[1]}},
+    return {{"join_stretch", QJsonArray{share.seamStretch[0], share.seamStretch[1]}},
             {"overlap_mm", share.overlap.middle},
             {"overlap_least_mm", share.overlap.least},
             {"overlap_most_mm", share.overlap.most},

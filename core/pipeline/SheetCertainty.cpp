@@ -106,7 +106,7 @@ QJsonObject toJson(const SheetChange& change) {
 } // namespace
 
 QImage mapOf(const ImmersionCertainty& certainty, LengthUnit unit) {
-    return certaintyMap(*certainty.laid, certainty.moves, certainHalfSpacing, mapEdge, unit);
+    return numericalErrorMap(*certainty.laid, certainty.moves, certainHalfSpacing, mapEdge, unit);
 }
 
 bool isCertain(const ImmersionCertainty& certainty) {

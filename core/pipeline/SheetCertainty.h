@@ -26,7 +26,7 @@ struct ImmersionCertainty {
     QStringList notes;        // sentences for the user if another solver took over
 };
 
-// Draws how far the film moves: certaintyMap() in Results.h.
+// Draws how far the film moves: numericalErrorMap() in Results.h.
 QImage mapOf(const ImmersionCertainty& certainty, LengthUnit unit = LengthUnit::Millimetre);
 
 // Whether both changes keep their limits; false if nothing is painted.

@@ -48,7 +48,7 @@ std::optional<SmallerFilm> smallerFilm(const JobResult& result) {
                                Millimetres(-std::round(middle.y() * film.swellY))});
     }
     needed.array() += 2 * freeRim.value();
-    double least = mostOfTheFilm * film.width.value() * film.height.value();
+    double least = mostAreaShare * film.width.value() * film.height.value();
     for (const QString& format : filmSizeNames()) {
         const QSizeF upright = filmSize(format);
         for (const QSizeF size : {upright, upright.transposed()}) {

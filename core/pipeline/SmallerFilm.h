@@ -9,7 +9,7 @@ namespace dipwright {
 // handling. Assumed, not measured.
 inline constexpr Millimetres freeRim{20};
 // A format is proposed only if its area is at most this share of the present film's.
-inline constexpr double mostOfTheFilm = 0.75;
+inline constexpr double mostAreaShare = 0.75;
 
 // A film format that suffices, and where the bodies then lie.
 struct SmallerFilm {

@@ -64,7 +64,7 @@ void checkImmersion(const Project& project, const Immersion& immersion, const Su
         throw Error(beside(), immersion.name);
     }
     const Eigen::Vector2d offset(immersion.offset[0].value(), immersion.offset[1].value());
-    requireFilmRound(underside.shadow.translated(offset), project.film, immersion);
+    requireFilmBeyondBody(underside.shadow.translated(offset), project.film, immersion);
     const solver::FilmGrid grid = filmUnderBody(project.film, underside, immersion.offset);
     if (const QString wrong = misplacement(project, immersion); !wrong.isEmpty()) {
         warnings.append(Text::tr("%1: %2").arg(immersion.name, wrong));

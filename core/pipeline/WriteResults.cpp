@@ -124,8 +124,8 @@ void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QS
         pieces.push_back({text, [&result, prefix, allowedError, &folder] {
                               const QString name = prefix + QStringLiteral("certainty.png");
                               const QImage map =
-                                  certaintyMap(*result.laid, result.certainty->pointsOffBy,
-                                               allowedError, filmMapEdge);
+                                  numericalErrorMap(*result.laid, result.certainty->pointErrors,
+                                                    allowedError, filmMapEdge);
                               folder.write(name, pngBytes(map, name));
                           }});
     }

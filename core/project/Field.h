@@ -33,10 +33,10 @@ struct Field {
     std::function<void(Owner&, const QJsonValue&)> set;
     // The file omits the default value. Older files without the field therefore stay the same, and
     // so do their job numbers.
-    bool leftOutWhenUsual = false;
+    bool omittedIfDefault = false;
     // The job number omits the default value. Sheets made before the field existed therefore keep
     // their job number.
-    bool uncountedWhenUsual = false;
+    bool notHashedIfDefault = false;
 };
 
 // Sets a value that keeps the field's rule. If `set` throws, the owner does not change.

@@ -34,18 +34,18 @@ void writeFields(const Owner& owner, const std::vector<Field<Owner>>& fields, QJ
     const Owner usual{};
     for (const Field<Owner>& field : fields) {
         const QJsonValue value = field.get(owner);
-        if (!field.leftOutWhenUsual || value != field.get(usual)) {
+        if (!field.omittedIfDefault || value != field.get(usual)) {
             insertAt(json, field.path, value);
         }
     }
 }
 
-// Removes the values that a job number omits (Field::uncountedWhenUsual).
+// Removes the values that a job number omits (Field::notHashedIfDefault).
 template <typename Owner>
 void removeUncounted(QJsonObject& json, const std::vector<Field<Owner>>& fields) {
     const Owner usual{};
     for (const Field<Owner>& field : fields) {
-        if (field.uncountedWhenUsual && valueAt(json, field.path, {}) == field.get(usual)) {
+        if (field.notHashedIfDefault && valueAt(json, field.path, {}) == field.get(usual)) {
             removeAt(json, field.path);
         }
     }

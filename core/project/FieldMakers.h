@@ -86,14 +86,14 @@ Field<Owner> numberOrNone(const char* path, double minimum, double maximum, Acce
 }
 
 template <typename Owner>
-Field<Owner> leftOutWhenUsual(Field<Owner> field) {
-    field.leftOutWhenUsual = true;
+Field<Owner> omittedIfDefault(Field<Owner> field) {
+    field.omittedIfDefault = true;
     return field;
 }
 
 template <typename Owner>
-Field<Owner> uncountedWhenUsual(Field<Owner> field) {
-    field.uncountedWhenUsual = true;
+Field<Owner> notHashedIfDefault(Field<Owner> field) {
+    field.notHashedIfDefault = true;
     return field;
 }
 
@@ -113,8 +113,8 @@ Field<Owner> fieldOf(const QString& prefix, const Field<Part>& field, Access acc
                     throw Error(error.message(), prefix + field.path);
                 }
             },
-            field.leftOutWhenUsual,
-            field.uncountedWhenUsual};
+            field.omittedIfDefault,
+            field.notHashedIfDefault};
 }
 
 // Does the same for an optional value of the owner. `access` returns the optional value; `member`
@@ -138,8 +138,8 @@ Field<Owner> optionalFieldOf(const Field<Part>& field, Value Part::*member, Acce
                     access(owner) = part.*member;
                 }
             },
-            field.leftOutWhenUsual,
-            field.uncountedWhenUsual};
+            field.omittedIfDefault,
+            field.notHashedIfDefault};
 }
 
 // Several numbers of one unit. `access` takes the index of a number.

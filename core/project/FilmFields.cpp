@@ -53,7 +53,7 @@ void addFloating(std::vector<MaterialField<Film>>& fields) {
           .absent = Text::tr("Elastic"),
           .isOfProductionFilm = true}});
     fields.push_back(
-        {uncountedWhenUsual(number<Film>(
+        {notHashedIfDefault(number<Film>(
              "growth_per_s", 0, mostGrowthRate, [](auto& f) -> auto& { return f.growthRate; })),
          {.label = Text::tr("Growth rate"),
           .help = Text::tr("How fast the floating film grows at the start of the dip, per second. "
@@ -61,7 +61,7 @@ void addFloating(std::vector<MaterialField<Film>>& fields) {
           .unit = Unit::ShareRate,
           .isOfProductionFilm = true}});
     fields.push_back(
-        {uncountedWhenUsual(number<Film>(
+        {notHashedIfDefault(number<Film>(
              "growth_limit", 0, mostGrowth, [](auto& f) -> auto& { return f.growthLimit; })),
          {.label = Text::tr("Growth limit"),
           .help = Text::tr("Total growth of the floating film after a long time, relative to its "
@@ -79,7 +79,7 @@ void addFloating(std::vector<MaterialField<Film>>& fields) {
 
 void addLaws(std::vector<MaterialField<Film>>& fields) {
     fields.push_back(
-        {uncountedWhenUsual(number<Film>(
+        {notHashedIfDefault(number<Film>(
              "grip_fade_deg", 0.1, 45, [](auto& f) -> auto& { return f.gripFade; })),
          {.label = Text::tr("Grip fades over"),
           .help = Text::tr("Range of angles before the overhang over which the part loses its grip "
@@ -87,7 +87,7 @@ void addLaws(std::vector<MaterialField<Film>>& fields) {
           .unit = Unit::Angle,
           .isOfProductionFilm = true}});
     fields.push_back(
-        {uncountedWhenUsual(number<Film>(
+        {notHashedIfDefault(number<Film>(
              "gathering_stretch", leastGathering, mostGathering,
              [](auto& f) -> auto& { return f.gatheringStretch; })),
          {.label = Text::tr("Gathers below"),
@@ -131,7 +131,7 @@ std::vector<MaterialField<InkLaw>> inkLawFields() {
                            "inks without measured tones; the preset value is a guess."),
           .parts = {Text::tr("C", "cyan"), Text::tr("M", "magenta"), Text::tr("Y", "yellow")},
           .linked = true}},
-        {leftOutWhenUsual(numbers<InkLaw>(
+        {omittedIfDefault(numbers<InkLaw>(
              "black_white_exponents", inkCount - lightInks, 0, mostInkExponent,
              [](auto& ink, int part) -> auto& {
                  return ink.exponents[std::size_t(lightInks + part)];

@@ -69,7 +69,7 @@ const std::vector<Field<PrinterProfile>>& fieldsOf(const PrinterProfile*) {
             "ink_limit", 0.1, 10, [](auto& p) -> auto& { return p.inkLimit; }),
         number<P>(
             "dpi", 30, 2400, [](auto& p) -> auto& { return p.resolution; }),
-        leftOutWhenUsual(numberOrNone<P>(
+        omittedIfDefault(numberOrNone<P>(
             "total_ink", 1, 4, [](auto& p) -> auto& { return p.totalInk; }))};
     return fields;
 }
@@ -116,7 +116,7 @@ void addMeasurement(std::vector<Field<FilmProfile>>& fields) {
     fields.push_back(numberOrNone<P>(
         "measured.growth_limit", 0, mostGrowth,
         [](auto& p) -> auto& { return p.measured.growthLimit; }));
-    fields.push_back(uncountedWhenUsual(numberOrNone<P>(
+    fields.push_back(notHashedIfDefault(numberOrNone<P>(
         "measured.relaxation_time_s", 0, 1e6,
         [](auto& p) -> auto& { return p.measured.relaxationTime; })));
 }
@@ -133,10 +133,10 @@ void addMaterial(std::vector<Field<FilmProfile>>& fields) {
             QStringLiteral("ink_"), material.field, [](auto& p) -> auto& { return p.ink; }));
     }
     const FilmLimitFields limits = filmLimitFields();
-    fields.push_back(uncountedWhenUsual(optionalFieldOf<P>(
+    fields.push_back(notHashedIfDefault(optionalFieldOf<P>(
         limits.overhang.field, &ProcessSettings::overhang,
         [](auto& p) -> auto& { return p.overhang; })));
-    fields.push_back(uncountedWhenUsual(optionalFieldOf<P>(
+    fields.push_back(notHashedIfDefault(optionalFieldOf<P>(
         limits.tearStretch.field, &ProcessSettings::tearStretch,
         [](auto& p) -> auto& { return p.tearStretch; })));
 }
@@ -156,9 +156,9 @@ const std::vector<Field<FilmProfile>>& fieldsOf(const FilmProfile*) {
                 "soak_time_s", 0, 3600, [](auto& p) -> auto& { return p.soakTime; }),
             number<P>(
                 "activator_time_s", 0, 3600, [](auto& p) -> auto& { return p.activatorTime; }),
-            uncountedWhenUsual(numberOrNone<P>(
+            notHashedIfDefault(numberOrNone<P>(
                 "flash_time_s", 0, 86'400, [](auto& p) -> auto& { return p.flashTime; })),
-            uncountedWhenUsual(numberOrNone<P>(
+            notHashedIfDefault(numberOrNone<P>(
                 "drying_time_s", 0, 604'800, [](auto& p) -> auto& { return p.dryingTime; })),
             text<P>(
                 "lot", 100, [](auto& p) -> auto& { return p.lot; }),

@@ -202,7 +202,7 @@ void ProfileLibrary::remove(ProfileKind kind, const QString& name) const {
 
 Profile importProfile(const QString& path) {
     const QByteArray bytes = readSmallFile(path, mostProfileBytes);
-    requireModestJson(bytes, path);
+    requireJsonWithinLimits(bytes, path);
     QJsonParseError failure;
     const QJsonDocument document = QJsonDocument::fromJson(bytes, &failure);
     if (!document.isObject()) {

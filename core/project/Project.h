@@ -86,7 +86,7 @@ void applyPreset(Project& project, const QString& preset);
 void setByPath(Project& project, const QString& path, const QString& value);
 
 // Returns the values that make up the job number: project.json of version 1 without newer fields
-// that have their default value (Field::uncountedWhenUsual).
+// that have their default value (Field::notHashedIfDefault).
 QJsonObject countedSettings(const Project& project);
 
 // Convert to and from project.json. `fromJson` checks the range of every value and throws Error

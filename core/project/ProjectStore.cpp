@@ -83,7 +83,7 @@ void requireOpenable(const TexturedMesh& model, const ZipWriter& archive,
                      const QByteArray& document, const QByteArray& packed, const QString& path) {
     try {
         requireModestModel(model, path);
-        requireModestJson(document, path);
+        requireJsonWithinLimits(document, path);
         requireWithin(Budget::DocumentBytes, document.size(), path);
         requireWithin(Budget::UnpackedBytes, archive.unpackedBytes(), path, packed.size());
     } catch (const Error& error) {
@@ -135,7 +135,7 @@ QJsonObject readDocument(ZipReader& archive, const QString& path) {
     }
     const QByteArray bytes = archive.read(documentEntry);
     requireWithin(Budget::DocumentBytes, bytes.size(), path);
-    requireModestJson(bytes, path);
+    requireJsonWithinLimits(bytes, path);
     QJsonParseError error;
     const auto document = QJsonDocument::fromJson(bytes, &error);
     if (document.isArray()) {

@@ -94,7 +94,7 @@ void addModelFields(std::vector<Field<Project>>& fields) {
     fields.push_back(number(
         "model.unit_mm", 1e-9, 1e9,
         [](auto& p) -> auto& { return p.modelOrigin.unitMillimetres; }));
-    fields.push_back(leftOutWhenUsual(uncountedWhenUsual(text(
+    fields.push_back(omittedIfDefault(notHashedIfDefault(text(
         "model.remarks", 4000, [](auto& p) -> auto& { return p.modelOrigin.remarks; }))));
     fields.push_back(modelHash());
 }
@@ -103,8 +103,8 @@ void addFilmFields(std::vector<Field<Project>>& fields) {
     fields.push_back(filmPreset());
     fields.push_back(filmSizeField());
     fields.push_back(filmPoints());
-    fields.push_back(uncountedWhenUsual(filmCell()));
-    fields.push_back(uncountedWhenUsual(choice(
+    fields.push_back(notHashedIfDefault(filmCell()));
+    fields.push_back(notHashedIfDefault(choice(
         "film.resolution",
         {QStringLiteral("points"), QStringLiteral("automatic"), QStringLiteral("cell")},
         [](auto& p) -> auto& { return p.film.resolution; })));
@@ -164,7 +164,7 @@ Field<Project> paper() {
 // A field for a plate's name. It refuses the reserved names of other inks.
 template <typename Owner = Project, typename Access>
 Field<Owner> spotName(const char* path, Access access, bool mayBeNone = false) {
-    Field<Owner> field = leftOutWhenUsual(text<Owner>(path, longestSpotName, access));
+    Field<Owner> field = omittedIfDefault(text<Owner>(path, longestSpotName, access));
     field.set = [path, access, mayBeNone](Owner& owner, const QJsonValue& value) {
         const QString name = value.toString().simplified();
         const QStringList taken{QString(),
@@ -185,7 +185,7 @@ Field<Owner> spotName(const char* path, Access access, bool mayBeNone = false) {
 }
 
 Field<Project> baseColour() {
-    Field<Project> field = leftOutWhenUsual(text(
+    Field<Project> field = omittedIfDefault(text(
         "body.base_colour", 7, [](auto& p) -> auto& { return p.baseColour; }));
     field.set = [](Project& project, const QJsonValue& value) {
         static const QRegularExpression colour(QStringLiteral("^(#[0-9a-fA-F]{6})?$"));
@@ -216,24 +216,24 @@ void addSheetFields(std::vector<Field<Project>>& fields) {
         "sheet.ruler", [](auto& p) -> auto& { return p.sheet.ruler; }));
     fields.push_back(flag(
         "sheet.job_line", [](auto& p) -> auto& { return p.sheet.jobLine; }));
-    fields.push_back(leftOutWhenUsual(choice(
+    fields.push_back(omittedIfDefault(choice(
         "sheet.cut_line", {QStringLiteral("none"), QStringLiteral("ink"), QStringLiteral("film")},
         [](auto& p) -> auto& { return p.sheet.cutLine; })));
-    fields.push_back(leftOutWhenUsual(number(
+    fields.push_back(omittedIfDefault(number(
         "sheet.cut_distance_mm", 0, 100, [](auto& p) -> auto& { return p.sheet.cutDistance; })));
-    fields.push_back(leftOutWhenUsual(choice(
+    fields.push_back(omittedIfDefault(choice(
         "sheet.white", {QStringLiteral("none"), QStringLiteral("last"), QStringLiteral("first")},
         [](auto& p) -> auto& { return p.sheet.white; })));
-    fields.push_back(leftOutWhenUsual(number(
+    fields.push_back(omittedIfDefault(number(
         "sheet.white_density", 0.01, 1, [](auto& p) -> auto& { return p.sheet.whiteDensity; })));
-    fields.push_back(leftOutWhenUsual(number(
+    fields.push_back(omittedIfDefault(number(
         "sheet.white_choke_mm", 0, 10, [](auto& p) -> auto& { return p.sheet.whiteChoke; })));
     fields.push_back(spotName(
         "sheet.white_name", [](auto& p) -> auto& { return p.sheet.whiteName; }));
     fields.push_back(baseColour());
     fields.push_back(spotName(
         "sheet.cut_name", [](auto& p) -> auto& { return p.sheet.cutName; }));
-    fields.push_back(leftOutWhenUsual(number(
+    fields.push_back(omittedIfDefault(number(
         "sheet.cut_bleed_mm", 0, 50, [](auto& p) -> auto& { return p.sheet.cutBleed; })));
     fields.push_back(flag(
         "ink.compensate", [](auto& p) -> auto& { return p.ink.compensate; }));
@@ -324,7 +324,7 @@ Field<Project> adviceField(const char* path, Advice VerdictSettings::*member) {
 
 void addVerdictFields(std::vector<Field<Project>>& fields) {
     const auto add = [&](Field<Project> field) {
-        fields.push_back(leftOutWhenUsual(uncountedWhenUsual(std::move(field))));
+        fields.push_back(omittedIfDefault(notHashedIfDefault(std::move(field))));
     };
     const auto share = [&](const char* path, double VerdictSettings::*member) {
         add(number(
@@ -348,7 +348,7 @@ void addVerdictFields(std::vector<Field<Project>>& fields) {
 void addPoseSearchFields(std::vector<Field<Project>>& fields) {
     const auto add = [&](const QString& key, auto make) {
         const QByteArray path = QByteArrayLiteral("pose_search.") + key.toLatin1();
-        fields.push_back(leftOutWhenUsual(make(path.constData())));
+        fields.push_back(omittedIfDefault(make(path.constData())));
     };
     for (const Measure measure : allMeasures()) {
         add(QStringLiteral("weights.") + measureKey(measure), [measure](const char* path) {
@@ -600,9 +600,9 @@ const std::vector<Field<ArtworkLayer>>& artworkLayerFields() {
             "repeat_mm", 0, largestLayer, [](auto& l) -> auto& { return l.repeat; }),
         spotName<ArtworkLayer>(
             "spot", [](auto& l) -> auto& { return l.spot; }, true),
-        leftOutWhenUsual(colour<ArtworkLayer>(
+        omittedIfDefault(colour<ArtworkLayer>(
             "spot_colour", [](auto& l) -> auto& { return l.spotColour; })),
-        leftOutWhenUsual(flag<ArtworkLayer>(
+        omittedIfDefault(flag<ArtworkLayer>(
             "spot_first", [](auto& l) -> auto& { return l.spotFirst; }))};
     return fields;
 }

@@ -45,7 +45,7 @@ QByteArray bytesOf(const Snapshot& snapshot) {
 // Returns an empty object if the entry is not a snapshot; real snapshots are far below the limits.
 QJsonObject jsonOf(const QByteArray& entry) {
     try {
-        requireModestJson(entry, {});
+        requireJsonWithinLimits(entry, {});
         return QJsonDocument::fromJson(entry).object();
     } catch (const Error&) {
         return {};

@@ -476,8 +476,8 @@ QImage wrinklingMap(const LaidFilm& laid, int longEdge) {
     return FilmMap(laid.film().grid, values, wrinklingSubject(values, wrinkling), longEdge).draw();
 }
 
-QImage certaintyMap(const LaidFilm& laid, const std::vector<float>& changes, double limit,
-                    int longEdge, LengthUnit unit) {
+QImage numericalErrorMap(const LaidFilm& laid, const std::vector<float>& changes, double limit,
+                         int longEdge, LengthUnit unit) {
     const ToldDistances told(laid, changes, limit, unit);
     return FilmMap(laid.film().grid, told.values, certaintySubject(told), longEdge).draw();
 }

@@ -169,7 +169,7 @@ private:
     bool isCompensated_;
     QImage white_;
     std::vector<Spot> spots_;
-    FilmSlip slip_;
+    FilmPlacementError slip_;
     float highest_; // the highest wet place, y in the pose frame, mm
 };
 

@@ -31,11 +31,11 @@ QImage wrinklingMap(const LaidFilm& laid, int longEdge);
 // Draws the numerical error on the flat film, like stretchMap(), with marked film hatched.
 // `changes`: of each film point in mm, shown in `unit`; NaN where only one of the dips paints. The
 // scale ends at a few times `limit` (mm); higher values have a colour of their own.
-QImage certaintyMap(const LaidFilm& laid, const std::vector<float>& changes, double limit,
-                    int longEdge, LengthUnit unit = LengthUnit::Millimetre);
+QImage numericalErrorMap(const LaidFilm& laid, const std::vector<float>& changes, double limit,
+                         int longEdge, LengthUnit unit = LengthUnit::Millimetre);
 
-// Draws how far handling may move the image, like certaintyMap(). `spread`: of each film point in
-// mm, shown in `unit`. The scale ends at a few times `limit` (mm).
+// Draws how far handling may move the image, like numericalErrorMap(). `spread`: of each film point
+// in mm, shown in `unit`. The scale ends at a few times `limit` (mm).
 QImage toleranceMap(const LaidFilm& laid, const std::vector<float>& spread, double limit,
                     int longEdge, LengthUnit unit = LengthUnit::Millimetre);
 
@@ -68,12 +68,12 @@ QImage sharePicture(const LaidFilm& laid, const BodyShare& share, std::size_t di
 // A placement error of the floating film, additional swell, and additional depth of the dip. The
 // body then meets other ink, but the film deforms as before, because film is nearly uniform. A
 // greater depth uses the film of a deeper dip.
-struct FilmSlip {
+struct FilmPlacementError {
     std::array<Millimetres, 2> shift{}; // along the film's X and Z
     Degrees turn{0};                    // from X to Z, about the film's centre
     double swell = 1;                   // factor on the film's size
     Millimetres deeper{0};              // negative: less deep
-    bool operator==(const FilmSlip&) const = default;
+    bool operator==(const FilmPlacementError&) const = default;
 };
 
 // A spot colour's plate on a film.
@@ -86,7 +86,7 @@ struct PrintedSpot {
 struct FilmAppearance {
     std::shared_ptr<const LaidFilm> laid;
     QImage image; // of the flat film
-    FilmSlip slip = {};
+    FilmPlacementError slip = {};
     // Planned depth: mm from the body's lowest point up to the water at the end of the dip. A slip
     // that goes deeper needs a film that was dipped at least that deep.
     double depth = std::numeric_limits<double>::infinity();

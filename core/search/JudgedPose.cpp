@@ -4,7 +4,7 @@
 #include "geometry/SurfaceSamples.h"
 #include "search/Objective.h"
 #include "search/PlaceWeights.h"
-#include "share/FadeBand.h"
+#include "share/FadeOverlap.h"
 #include "texture/SurfaceColours.h"
 
 #include <algorithm>

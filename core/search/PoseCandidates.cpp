@@ -121,7 +121,7 @@ Signature signatureOf(const CoveragePreview& preview, const std::vector<float>& 
     return signature;
 }
 
-bool areAlike(const Signature& one, const Signature& other) {
+bool canShareBatch(const Signature& one, const Signature& other) {
     for (std::size_t entry = 0; entry < one.size(); ++entry) {
         if (!(std::abs(one[entry] - other[entry]) <= sameSignature)) {
             return false;
@@ -149,7 +149,7 @@ void findAlike(std::vector<PoseCandidate>& all, const std::vector<Signature>& si
     std::vector<std::size_t> kinds;
     for (std::size_t index = 0; index < all.size(); ++index) {
         const auto like = std::find_if(kinds.begin(), kinds.end(), [&](std::size_t kind) {
-            return areAlike(signatures[kind], signatures[index]);
+            return canShareBatch(signatures[kind], signatures[index]);
         });
         all[index].like = like == kinds.end() ? index : *like;
         if (like == kinds.end()) {

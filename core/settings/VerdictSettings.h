@@ -9,7 +9,7 @@
 namespace dipwright {
 
 // The verdict on a sheet; a later value is worse. NotJudged: nobody asked for its numerical error.
-enum class Advice : std::uint8_t { NotJudged, Print, LookFirst, DoNotPrint };
+enum class Advice : std::uint8_t { NotJudged, Print, CheckFirst, DoNotPrint };
 
 // Above a limit the verdict is "check first", above `spoiltTimes` the limit "do not print". Shares
 // are 0 … 1; 1 disables a limit. The defaults are our own choice: several times the values of
@@ -20,12 +20,12 @@ struct VerdictSettings {
     double unreached = 0.05; // share of the body's surface that neither of two dips paints
     // share of the overlap of two dips that is narrower than their registration error
     double narrow = 0.3;
-    double zoneBare = 0.02;               // share of a marked zone that no dip paints
-    double damaged = 0.05;                // share of the painted area under torn or released film
-    Millimetres edge{5};                  // least distance of the painted film from the film's edge
-    Advice noPicture = Advice::LookFirst; // a model of one plain colour, without artwork
-    Advice changedModel = Advice::Print;  // a model that was repaired or lacks something
-    Advice guessedFilm = Advice::Print;   // a film whose swell was not measured
+    double zoneBare = 0.02; // share of a marked zone that no dip paints
+    double damaged = 0.05;  // share of the painted area under torn or released film
+    Millimetres edge{5};    // least distance of the painted film from the film's edge
+    Advice noPicture = Advice::CheckFirst; // a model of one plain colour, without artwork
+    Advice changedModel = Advice::Print;   // a model that was repaired or lacks something
+    Advice guessedFilm = Advice::Print;    // a film whose swell was not measured
     bool operator==(const VerdictSettings&) const = default;
 };
 inline constexpr double spoiltTimes = 5;

@@ -1,10 +1,10 @@
 #include "share/BodyShare.h"
 
-#include "share/FadeBand.h"
-#include "share/JoinPlaces.h"
+#include "share/FadeOverlap.h"
 #include "share/MinimumCut.h"
+#include "share/SeamPlaces.h"
 #include "share/ShareMarks.h"
-#include "share/SmoothJoin.h"
+#include "share/SmoothSeam.h"
 #include "share/Suitability.h"
 
 #include <QCoreApplication>
@@ -83,8 +83,8 @@ std::vector<std::array<double, 2>> costsOf(const TriangleMesh& mesh, const Suita
 
 std::vector<std::uint8_t> cutBody(const RefinedMesh& body, std::vector<std::array<double, 2>> costs,
                                   std::vector<float> weights, const ShareSettings& settings) {
-    obeyMarks(body.mesh(), settings.marks, costs, weights);
-    std::vector<CutEdge> edges = joinEdges(body, weights);
+    applyShareMarks(body.mesh(), settings.marks, costs, weights);
+    std::vector<CutEdge> edges = seamCutEdges(body, weights);
     for (CutEdge& edge : edges) {
         edge.cost *= joinWeight;
     }
@@ -248,8 +248,8 @@ std::vector<float> equatorField(const TriangleMesh& mesh, const Films& films) {
 
 } // namespace
 
-std::optional<std::size_t> betterLast(const BodyShare& share) {
-    const auto [first, second] = share.joinStretch;
+std::optional<std::size_t> recommendedLastDip(const BodyShare& share) {
+    const auto [first, second] = share.seamStretch;
     return second > leastSwapRatio * first   ? std::optional<std::size_t>(0)
            : first > leastSwapRatio * second ? std::optional<std::size_t>(1)
                                              : std::nullopt;
@@ -264,13 +264,13 @@ BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSe
     const float edge = edgeForTriangles(model.mesh, fineTriangles);
     const auto body = std::make_shared<const RefinedMesh>(model.mesh, edge);
     const TriangleMesh& mesh = body->mesh();
-    const JoinPlaces places = joinPlaces(*body, model, SurfaceQuery(model.mesh));
+    const SeamPlaces places = seamPlaces(*body, model, SurfaceQuery(model.mesh));
     reportProgress(0.3);
     Suitabilities dips;
     for (std::size_t dip = 0; dip < 2; ++dip) {
         dips[dip] = suitability(*body, *films[dip], places.colours, settings.stretchLimit, ink);
     }
-    const FadeBand band(*body, *films[1], places.colours, settings);
+    const FadeOverlap band(*body, *films[1], places.colours, settings);
     const Reaches reaches{reachOf(mesh, dips[0].reached, band.measure()),
                           reachOf(mesh, dips[1].reached, band.measure())};
     reportProgress(0.6);
@@ -287,15 +287,15 @@ BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSe
     share.narrow = band.tooNarrow(share.fade.values, share.painters);
     const std::vector<LinePiece> line = seamPieces(zeroLine(mesh, share.fade.values), dips);
     for (std::size_t dip = 0; dip < 2; ++dip) {
-        share.joinStretch[dip] =
+        share.seamStretch[dip] =
             stretchOf(trianglesOf(line), dips[dip].stretch, settings.stretchLimit);
     }
     share.overlap = overlapAlong(line, mesh, share.fade.values);
-    share.cost = joinCost(line, places.weights);
+    share.cost = seamCost(line, places.weights);
     std::vector<float> equator =
         signedDistance(mesh, equatorField(mesh, films), farthest, band.measure());
     keepInReach(equator, reaches);
-    share.equator = joinCost(seamPieces(zeroLine(mesh, equator), dips), places.weights);
+    share.equator = seamCost(seamPieces(zeroLine(mesh, equator), dips), places.weights);
     for (const LinePiece& piece : line) {
         share.join.push_back(piece.ends);
     }

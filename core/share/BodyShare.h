@@ -37,7 +37,7 @@ struct UnpaintedPlace {
 
 // How visible a line on the body is: the integral along it of the texture's contrast times the
 // visibility of the place. Both range from 0.1 to about 1.
-struct JoinCost {
+struct SeamCost {
     double length = 0; // mm
     double cost = 0;   // mm
 };
@@ -55,11 +55,11 @@ struct BodyShare {
     ShareAreas areas;
     // Stretch of each dip's film along the seam: its third quartile. A displacement of the film on
     // the water is multiplied by it on the body.
-    std::array<double, 2> joinStretch{1, 1};
-    JoinCost cost; // of the seam
+    std::array<double, 2> seamStretch{1, 1};
+    SeamCost cost; // of the seam
     // For comparison: cost of the plane halfway between the two poses, moved so that everything
     // that a dip reaches is painted.
-    JoinCost equator;
+    SeamCost equator;
     std::vector<UnpaintedPlace> unpainted; // largest first
 
     // Returns the share that dip `number` (0 or 1) paints.
@@ -74,6 +74,6 @@ BodyShare shareBody(const TexturedMesh& model,
 
 // Returns which dip (0 or 1) should come last: the one whose film is stretched less along the seam,
 // because only the last film is misregistered. Returns nothing if they hardly differ.
-std::optional<std::size_t> betterLast(const BodyShare& share);
+std::optional<std::size_t> recommendedLastDip(const BodyShare& share);
 
 } // namespace dipwright

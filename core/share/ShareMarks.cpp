@@ -1,7 +1,7 @@
 #include "share/ShareMarks.h"
 
 #include "geometry/SurfaceSpot.h"
-#include "share/JoinPlaces.h"
+#include "share/SeamPlaces.h"
 
 namespace dipwright {
 namespace {
@@ -59,8 +59,8 @@ markOutline(const TriangleMesh& mesh, const SurfaceQuery& query, const ShareMark
     return circle;
 }
 
-void obeyMarks(const TriangleMesh& mesh, const std::vector<ShareMark>& marks,
-               std::vector<std::array<double, 2>>& costs, std::vector<float>& weights) {
+void applyShareMarks(const TriangleMesh& mesh, const std::vector<ShareMark>& marks,
+                     std::vector<std::array<double, 2>>& costs, std::vector<float>& weights) {
     if (marks.empty()) {
         return;
     }

@@ -8,8 +8,8 @@ namespace dipwright {
 
 // Changes the cost of triangles for each dip (`costs`) and the visibility of a seam (`weights`) as
 // `marks` say. Both arrays are per triangle of `mesh`.
-void obeyMarks(const TriangleMesh& mesh, const std::vector<ShareMark>& marks,
-               std::vector<std::array<double, 2>>& costs, std::vector<float>& weights);
+void applyShareMarks(const TriangleMesh& mesh, const std::vector<ShareMark>& marks,
+                     std::vector<std::array<double, 2>>& costs, std::vector<float>& weights);
 
 // Returns the outline of the area that a mark covers, in pieces. `query` must be of `mesh`.
 std::vector<std::array<Eigen::Vector3f, 2>>

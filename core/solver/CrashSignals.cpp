@@ -76,7 +76,7 @@ bool isCrash([[maybe_unused]] int signal) {
 #endif
 }
 
-void tellCrashesTo(int handle) {
+void reportCrashesTo(int handle) {
     crashFile = handle;
     if (handle >= 0) {
         useOwnStack();

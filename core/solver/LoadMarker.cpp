@@ -86,12 +86,12 @@ LoadMarker::LoadMarker(const QString& modulePath) {
                                              .arg(moduleKey(modulePath))
                                              .arg(QCoreApplication::applicationPid()));
     if (file_.open(path) == LockedFile::Outcome::Opened) {
-        tellCrashesTo(file_.device().handle());
+        reportCrashesTo(file_.device().handle());
     }
 }
 
 LoadMarker::~LoadMarker() {
-    tellCrashesTo(-1);
+    reportCrashesTo(-1);
     file_.remove();
 }
 

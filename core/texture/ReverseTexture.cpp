@@ -455,10 +455,10 @@ ReverseTexture reversed(const LaidFilm& laid, const SurfaceAppearance& appearanc
     ReverseTexture result;
     const BodyColours colours(appearance);
     result.image = unprinted(options.pixels, colours.isWide());
-    if (options.keepsWanted) {
+    if (options.returnsWanted) {
         result.wanted = unprinted(options.pixels, colours.isWide());
     }
-    AsidePicture aside(options.pixels, options.white > 0 || options.keepsWanted);
+    AsidePicture aside(options.pixels, options.white > 0 || options.returnsWanted);
     const ReverseMap map(laid, appearance);
     result.seamTriangles = map.seamCount();
     progress(0.1, Text::tr("Reversing the texture"));
@@ -482,7 +482,7 @@ ReverseTexture reversed(const LaidFilm& laid, const SurfaceAppearance& appearanc
     if (options.white > 0) {
         result.white = aside.white(result.image);
     }
-    if (options.keepsWanted) {
+    if (options.returnsWanted) {
         continueColour(result.wanted, bleed);
         blankAs(result.image, result.wanted);
         result.stretch = aside.stretch();
@@ -498,7 +498,7 @@ ReverseTexture reverseTexture(const LaidFilm& laid, const SurfaceAppearance& app
     ReverseTexture result = reversed(laid, appearance, Shown::Colours, options, progress);
     ReverseTextureOptions tints = options;
     tints.white = 0;
-    tints.keepsWanted = false;
+    tints.returnsWanted = false;
     for (const SpotAppearance& spot : options.spots) {
         const SurfaceAppearance plate = spot();
         result.spots.push_back(tintsOf(reversed(laid, plate, Shown::Plate, tints, progress).image));

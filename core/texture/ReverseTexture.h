@@ -25,8 +25,8 @@ struct ReverseTextureOptions {
     double bleed = 2; // mm by which the colour is continued past the painted area
     InkSettings ink;
     std::optional<PaintShare> share = {}; // none: the film gives the full colour everywhere
-    double white = 0;         // tint of the white layer on the body, 0 … 1; 0: no layer
-    bool keepsWanted = false; // whether to return `wanted` and `stretch`
+    double white = 0;           // tint of the white layer on the body, 0 … 1; 0: no layer
+    bool returnsWanted = false; // whether to return `wanted` and `stretch`
     // Each is made only when it is processed, because it is as large as the body's texture.
     std::vector<SpotAppearance> spots = {};
 };

@@ -310,7 +310,7 @@ void paintPage(QPainter& painter, const Traveller& traveller, std::size_t number
 
 } // namespace
 
-QString jobOfAll(const QStringList& jobs) {
+QString combinedJobNumber(const QStringList& jobs) {
     if (jobs.size() == 1) {
         return jobs.front();
     }
@@ -322,7 +322,7 @@ QString travellerJob(const Traveller& traveller) {
     for (const TravellerDip& dip : traveller.dips) {
         jobs << dip.job;
     }
-    return jobOfAll(jobs);
+    return combinedJobNumber(jobs);
 }
 
 QByteArray travellerPdf(const Traveller& traveller) {

@@ -40,7 +40,7 @@ struct Traveller {
 // Returns the job number of several sheets together, twelve hex digits: the sheet's own number for
 // one sheet, else part of a SHA-256 over all numbers. `jobs` holds the sheets' job numbers, at
 // least one.
-QString jobOfAll(const QStringList& jobs);
+QString combinedJobNumber(const QStringList& jobs);
 
 // Returns the job number of all dips together; the QR code holds it.
 QString travellerJob(const Traveller& traveller);

@@ -77,7 +77,7 @@ using Group = std::span<solver::BatchItem>;
 // Returns the end of the alike items that begin at `first`.
 std::size_t endOfAlikeItems(std::span<const solver::BatchItem> items, std::size_t first) {
     std::size_t last = first + 1;
-    while (last < items.size() && cuda::areAlike(items[first].setup, items[last].setup)) {
+    while (last < items.size() && cuda::canShareBatch(items[first].setup, items[last].setup)) {
         ++last;
     }
     return last;

@@ -132,7 +132,7 @@ void judge(const Project& job, const Options& options, const SolverRegistry& reg
     if (!options.against.isEmpty()) {
         JobOptions otherwise;
         otherwise.solver = options.against;
-        otherwise.estimatesCertainty = false;
+        otherwise.estimatesNumericalError = false;
         other = runJob(job, registry, otherwise, nullptr, {});
     }
     const std::vector<ImmersionCertainty> check = sheetCertainty(job, registry, {});

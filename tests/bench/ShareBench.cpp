@@ -63,7 +63,7 @@ void measure(const QString& path, const QString& points, QTextStream& out) {
         setByPath(project, QStringLiteral("film.points"), points);
     }
     JobOptions options;
-    options.estimatesCertainty = false;
+    options.estimatesNumericalError = false;
     const JobResult result = runJob(project, SolverRegistry(), options, nullptr, {});
     if (!result.share) {
         out << path << ": one dip\n";

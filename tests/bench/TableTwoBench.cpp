@@ -57,7 +57,7 @@ std::shared_ptr<const LaidFilm> dipped(const Project& project, const QString& so
     JobOptions options;
     options.solver = solver;
     options.chessboard = true;
-    options.estimatesCertainty = false;
+    options.estimatesNumericalError = false;
     return runJob(project, registry, options, nullptr, {}).immersions[0].laid;
 }
 

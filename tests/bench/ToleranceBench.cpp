@@ -27,7 +27,7 @@ void measure(const QString& path, const bench::Arguments& arguments, QTextStream
     const SolverRegistry registry;
     JobOptions job;
     job.solver = QString::fromStdString(arguments.value("solver"));
-    job.estimatesCertainty = false;
+    job.estimatesNumericalError = false;
     const JobResult result = runJob(project, registry, job, nullptr, {});
     JobTolerances tolerances;
     const bench::Elapsed time =

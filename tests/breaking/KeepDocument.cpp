@@ -62,7 +62,7 @@ void keep(const QString& job, const QString& folder) {
 
 void exportResults(const QString& job, const QString& folder) {
     JobOptions options;
-    options.estimatesCertainty = false;
+    options.estimatesNumericalError = false;
     const Project project = loadProject(job);
     writeResults(project, runJob(project, SolverRegistry(), options, nullptr, {}), folder, {});
 }

@@ -255,7 +255,7 @@ void CudaFilmTest::showsWholeStepsWhileItComputes() {
     QFETCH(QString, preset);
     const Body body = bodyNamed(QStringLiteral("sphere"));
     const solver::DipSetup setup = wholeDip(body, preset);
-    const Ending undisturbed = dipOnGpu(setup);
+    const Ending runIsolated = dipOnGpu(setup);
     const auto shown = registry_.module(QStringLiteral("pbd-cuda")).create();
     const auto readAlong = registry_.module(QStringLiteral("pbd-cuda")).create();
     shown->begin(setup);
@@ -279,7 +279,7 @@ void CudaFilmTest::showsWholeStepsWhileItComputes() {
     QVERIFY(frames > 5);
     Ending end = ending(*shown, setup.film);
     end.progress = progress;
-    QVERIFY(haveSameBits(end, undisturbed));
+    QVERIFY(haveSameBits(end, runIsolated));
 }
 
 // As a job's own film does beside the coarser ones that it is compared with.

@@ -18,10 +18,10 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     file.close();
     std::vector<PrintRecord> records = history.records();
     if (!records.empty()) {
-        const QString fate = fateText(records.front());
+        const QString fate = outcomeText(records.front());
         const bool isKept = history.keep(records.front()).isEmpty();
         const std::vector<PrintRecord> again = history.records();
-        if (!isKept || again.size() != 1 || fateText(again.front()) != fate ||
+        if (!isKept || again.size() != 1 || outcomeText(again.front()) != fate ||
             again.front().job != records.front().job ||
             again.front().copies != records.front().copies) {
             std::abort();

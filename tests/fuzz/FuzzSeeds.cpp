@@ -112,9 +112,9 @@ void writeDips(const QDir& folder) {
     write(folder, QStringLiteral("dips"), cachedDip(dip));
     dip.film.marks.assign(dip.film.grid.pointCount(), 1);
     dip.film.grown.assign(dip.film.grid.pointCount(), 1.1F);
-    CertaintyEstimate estimate;
-    estimate.pointsOffBy.assign(dip.film.grid.pointCount(), 0.1F);
-    dip.certainty = std::make_shared<const CertaintyEstimate>(estimate);
+    NumericalErrorEstimate estimate;
+    estimate.pointErrors.assign(dip.film.grid.pointCount(), 0.1F);
+    dip.certainty = std::make_shared<const NumericalErrorEstimate>(estimate);
     write(folder, QStringLiteral("dips"), cachedDip(dip), 2);
 }
 
@@ -146,7 +146,8 @@ void writeRests(const QDir& folder) {
     record.mediumSize = {210, 297};
     record.reason = QStringLiteral("out of paper");
     int number = 0;
-    for (const PrintFate fate : {PrintFate::Printed, PrintFate::Failed, PrintFate::Unknown}) {
+    for (const PrintOutcome fate :
+         {PrintOutcome::Printed, PrintOutcome::Failed, PrintOutcome::Unknown}) {
         record.fate = fate;
         const QString failure = PrintHistory(prints.path()).keep(record);
         QFile file(prints.filePath(record.id));

@@ -194,7 +194,7 @@ void ParallelTest::undisturbedWorkTakesUpNoTask() {
             }
         });
     }
-    undisturbed([&] {
+    runIsolated([&] {
         isUndisturbed = true;
         parallelFor(0, 10'000, [](int) {});
         isUndisturbed = false;

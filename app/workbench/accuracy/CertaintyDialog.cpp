@@ -74,7 +74,7 @@ QLabel* sentence(const QString& text) {
 }
 
 QWidget* page(const ImmersionCertainty& certainty, LengthUnit unit) {
-    QLabel* verdict = sentence(certaintyVerdict(certainty, unit));
+    QLabel* verdict = sentence(numericalErrorSentence(certainty, unit));
     verdict->setObjectName(QStringLiteral("verdict"));
     auto* picture = new PicturePanel(CertaintyDialog::tr("Numerical error of the sheet"), {});
     const QImage map = mapOf(certainty, unit);
@@ -89,7 +89,7 @@ QWidget* page(const ImmersionCertainty& certainty, LengthUnit unit) {
 
 } // namespace
 
-QString certaintyVerdict(const ImmersionCertainty& certainty, LengthUnit unit) {
+QString numericalErrorSentence(const ImmersionCertainty& certainty, LengthUnit unit) {
     const QString& name = certainty.immersion.name;
     if (certainty.halfSpacing.painted == 0) {
         return CertaintyDialog::tr("%1: the dip paints nothing, so there is nothing to compare.")

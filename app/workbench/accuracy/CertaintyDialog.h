@@ -9,7 +9,7 @@
 namespace dipwright {
 
 // Returns a sentence that says whether the sheet is accurate enough.
-QString certaintyVerdict(const ImmersionCertainty& certainty, LengthUnit unit);
+QString numericalErrorSentence(const ImmersionCertainty& certainty, LengthUnit unit);
 
 class CertaintyDialog : public QDialog {
     Q_OBJECT

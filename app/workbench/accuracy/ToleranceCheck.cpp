@@ -21,7 +21,7 @@ void ToleranceCheck::start(const Document& document) {
         [project = document.project(), earlier = document.result(),
          &registry = registry_](const Progress& progress) {
             JobOptions options;
-            options.estimatesCertainty = false;
+            options.estimatesNumericalError = false;
             ToleranceResult told;
             told.job = std::make_shared<const JobResult>(
                 runJob(project, registry, options, earlier.get(), progress.part(0, dipped)));

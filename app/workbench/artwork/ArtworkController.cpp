@@ -276,7 +276,7 @@ bool ArtworkController::eventFilter(QObject* watched, QEvent* event) {
             files.append(url.toLocalFile());
         }
         if (!dropOnBody(files, dropped->position())) {
-            emit droppedBeside(dropped->mimeData()->urls());
+            emit filesDropped(dropped->mimeData()->urls());
         }
         dropped->acceptProposedAction();
         return true;

@@ -26,7 +26,7 @@ public:
 signals:
     void held(bool isHeld); // a drag begins or ends
     // Files were dropped on the view that are not pictures on the body.
-    void droppedBeside(const QList<QUrl>& files);
+    void filesDropped(const QList<QUrl>& files);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -111,7 +111,7 @@ QWidget* SnapshotsDialog::makeButtons() {
     remove_->setObjectName(QStringLiteral("removeSnapshot"));
     connect(goBack_, &QPushButton::clicked, this, [this] {
         try {
-            goBackTo(document_, std::size_t(list_->currentRow()));
+            restoreSnapshot(document_, std::size_t(list_->currentRow()));
         } catch (const Error& error) {
             verdict_->setText(error.sentence());
         }

@@ -18,7 +18,7 @@ void DeeperFilm::start(const std::shared_ptr<const JobResult>& result) {
     last_ = startJob(
         jobs_, messages_, tr("Simulating a deeper dip"), tr("Deeper dip"),
         [result, &registry = registry_](const Progress& progress) {
-            return dippedDeeper(*result, result->immersions.size() - 1, registry, progress);
+            return deeperDip(*result, result->immersions.size() - 1, registry, progress);
         },
         [this, result](const std::shared_ptr<const LaidFilm>& film) { emit done(result, film); });
 }

@@ -60,7 +60,7 @@ void DipCacheUpdater::find() {
                 emit found();
             }
         },
-        [this](const std::exception_ptr& failure) { tellOnce(sentenceOf(failure)); }));
+        [this](const std::exception_ptr& failure) { reportOnce(sentenceOf(failure)); }));
 }
 
 void DipCacheUpdater::keepSoon() {
@@ -81,13 +81,13 @@ void DipCacheUpdater::keep() {
         try {
             cacheDips(*result, path);
         } catch (const Error& error) {
-            postToThread(*this, [this, sentence = error.sentence()] { tellOnce(sentence); });
+            postToThread(*this, [this, sentence = error.sentence()] { reportOnce(sentence); });
         }
     });
 }
 
 // The user did not ask for the cache, so a failure shows one line, and only once.
-void DipCacheUpdater::tellOnce(const QString& sentence) {
+void DipCacheUpdater::reportOnce(const QString& sentence) {
     if (!std::exchange(told_, true)) {
         messages_.logAndSay(sentence);
     }

@@ -30,7 +30,7 @@ private:
     void find();
     void keepSoon();
     void keep();
-    void tellOnce(const QString& sentence);
+    void reportOnce(const QString& sentence);
 
     DipSession& session_;
     JobRunner& jobs_;

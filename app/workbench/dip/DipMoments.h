@@ -6,7 +6,7 @@
 
 namespace dipwright {
 
-enum class DipEvent { FirstContact, AirCaught, Torn, LetGo };
+enum class DipEvent { FirstContact, AirTrapped, Torn, LetGo };
 
 struct DipMoment {
     DipEvent event;

@@ -50,7 +50,7 @@ public:
         return (path_.isEmpty() && !keptElsewhere_) || recovered_ || !undoStack_.isClean();
     }
     // Marks a document without a file as unmodified until it is edited, such as a copy of a sample.
-    void setKeptElsewhere() { keptElsewhere_ = true; }
+    void markUnmodified() { keptElsewhere_ = true; }
     // Marks a document that was restored after a crash as modified.
     void setRecovered() {
         recovered_ = true;

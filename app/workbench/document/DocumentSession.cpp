@@ -59,7 +59,7 @@ void DocumentSession::take(std::unique_ptr<Document> document) {
     emit documentChanged();
 }
 
-DocumentSession& DocumentSession::vacant() {
+DocumentSession& DocumentSession::emptySession() {
     return document_ ? window_.another() : *this;
 }
 
@@ -106,8 +106,8 @@ void DocumentSession::openCopy(const QString& path) {
         [path](const Progress& progress) { return projectFrom(path, {}, {}, progress); },
         [this](const ReadProject& read) {
             auto document = std::make_unique<Document>(read.project);
-            document->setKeptElsewhere();
-            vacant().take(std::move(document));
+            document->markUnmodified();
+            emptySession().take(std::move(document));
         });
 }
 
@@ -120,10 +120,10 @@ void DocumentSession::importModel(const QString& path, const ImportOptions& opti
                     if (complete) {
                         complete(project);
                     }
-                    DocumentSession& shown = vacant();
+                    DocumentSession& shown = emptySession();
                     shown.take(std::make_unique<Document>(project));
-                    if (const auto length = doubtfulLength(project.model->mesh)) {
-                        emit shown.lengthDoubted(*length);
+                    if (const auto length = implausibleLength(project.model->mesh)) {
+                        emit shown.implausibleLengthFound(*length);
                     }
                 });
 }

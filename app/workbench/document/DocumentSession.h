@@ -53,7 +53,7 @@ public:
 signals:
     void documentChanged(); // the old document is deleted after this signal
     void saved(const QString& path);
-    void lengthDoubted(double millimetres); // the imported body is very long or short
+    void implausibleLengthFound(double millimetres); // the imported body is very long or short
 
 private:
     // On failure, reports to `teller` and calls `failed`.
@@ -61,7 +61,7 @@ private:
     bool lockOrAsk(Document& document);
     void tellSaved(const QString& path);
     void take(std::unique_ptr<Document> document);
-    DocumentSession& vacant();
+    DocumentSession& emptySession();
 
     JobRunner& jobs_;
     Messages& messages_;

@@ -66,7 +66,7 @@ void logImport(const ImportedModel& imported, Messages& messages) {
     messages.notice(imported.report.warnings.join(u'\n'));
 }
 
-std::optional<double> doubtfulLength(const TriangleMesh& mesh) {
+std::optional<double> implausibleLength(const TriangleMesh& mesh) {
     constexpr double smallest = 5, largest = 3000; // mm, usual parts
     const double longest = longestEdgeOf(mesh);
     return longest < smallest || longest > largest ? std::optional(longest) : std::nullopt;

@@ -16,7 +16,7 @@ Project newProject(const ImportedModel& imported, const QString& path,
 void logImport(const ImportedModel& imported, Messages& messages);
 // Returns the length of the body, mm, if it is implausible, else nullopt. Files often do
 // not say their unit.
-std::optional<double> doubtfulLength(const TriangleMesh& mesh);
+std::optional<double> implausibleLength(const TriangleMesh& mesh);
 
 // Reads a model and calls `done` on the UI thread. Asks before it reads files outside the model's
 // folder. `failureTitle` is the title of an error message. `jobs` and `messages` must outlive the

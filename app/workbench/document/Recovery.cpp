@@ -25,7 +25,7 @@ QString besides(const QString& copy, const char* extension) {
 }
 
 // Removes descriptions without a copy. Their program was killed before it wrote the copy.
-void removeRests(const QDir& folder) {
+void removeOrphanDescriptions(const QDir& folder) {
     for (const QString& description : folder.entryList({QStringLiteral("*.json")}, QDir::Files)) {
         const QString copy = besides(folder.filePath(description), ".dipw");
         FileLock lock;
@@ -45,7 +45,7 @@ QString recoveryFolder() {
 std::vector<RecoveredDocument> findRecoveredDocuments(const QString& folder) {
     std::vector<RecoveredDocument> found;
     const QDir directory(folder);
-    removeRests(directory);
+    removeOrphanDescriptions(directory);
     for (const QFileInfo& copy :
          directory.entryInfoList({QStringLiteral("*.dipw")}, QDir::Files, QDir::Time)) {
         FileLock lock;

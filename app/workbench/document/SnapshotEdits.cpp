@@ -52,7 +52,7 @@ void removeSnapshot(Document& document, std::size_t number) {
     keep(document, Text::tr("Remove snapshot “%1”").arg(name), kept);
 }
 
-void goBackTo(Document& document, std::size_t number) {
+void restoreSnapshot(Document& document, std::size_t number) {
     const Snapshot snapshot = snapshots(document.project()).at(number);
     document.edit(Text::tr("Restore snapshot “%1”").arg(snapshot.name), {},
                   [&snapshot](Project& project) { project = atSnapshot(project, snapshot); });

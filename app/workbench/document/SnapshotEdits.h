@@ -15,6 +15,6 @@ QJsonObject snapshotMeasures(const Document& document);
 void takeSnapshot(Document& document, const QString& name);
 void removeSnapshot(Document& document, std::size_t number);
 // Throws Error if the snapshot holds values that a project may not have.
-void goBackTo(Document& document, std::size_t number);
+void restoreSnapshot(Document& document, std::size_t number);
 
 } // namespace dipwright

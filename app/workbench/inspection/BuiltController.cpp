@@ -40,7 +40,7 @@ void BuiltController::showProject() {
         places_ = project.asBuilt.places;
         page_->setErrors(nullptr);
         if (!places_.empty()) {
-            findWhatRepeats(project.asBuilt, int(project.immersions.size()));
+            computeRepeatingError(project.asBuilt, int(project.immersions.size()));
         }
     }
 }
@@ -50,7 +50,7 @@ void BuiltController::setMeasured(std::shared_ptr<const MeasuredPart> measured) 
     page_->setKeepable(measured_ && !measured_->places.empty() && !measured_->followsPrint);
 }
 
-void BuiltController::findWhatRepeats(const AsBuilt& built, int dips) {
+void BuiltController::computeRepeatingError(const AsBuilt& built, int dips) {
     startJob(
         jobs_, messages_, tr("Computing the repeating error"), tr("As built"),
         [built, dips](const Progress&) {

@@ -22,7 +22,7 @@ public:
 
 private:
     void showProject();
-    void findWhatRepeats(const AsBuilt& built, int dips);
+    void computeRepeatingError(const AsBuilt& built, int dips);
     void keep(const QString& acceptedBy);
 
     const DipSession& session_;

@@ -32,7 +32,7 @@ WatchedFilm watched(const FilmOnWater& film, double begin, const Progress& progr
                              one.file)});
         boards[one.file] = boardsPicture(photo.picture, photos.back().film, longestPicture);
     }
-    WatchedFilm result{watchedFilm(std::move(photos), begin, film.rulerError.value()), {}};
+    WatchedFilm result{evaluatedFilmWatch(std::move(photos), begin, film.rulerError.value()), {}};
     for (const WatchedPhoto& photo : result.watch.photos) {
         result.boards.push_back(boards[photo.where]);
     }
@@ -138,12 +138,12 @@ void FilmWatchController::measureTrusted() {
             measuredFilm_ = film;
             measuredBegin_ = begin;
             showProject();
-            tellOthers(film, measured->watch);
+            reportChangedPhotos(film, measured->watch);
         });
 }
 
 // Reports photos whose file has changed since it was added.
-void FilmWatchController::tellOthers(const FilmOnWater& film, const FilmWatch& watch) {
+void FilmWatchController::reportChangedPhotos(const FilmOnWater& film, const FilmWatch& watch) {
     for (const FloatingPhoto& photo : film.photos) {
         const bool isOther = std::any_of(
             watch.photos.begin(), watch.photos.end(), [&](const WatchedPhoto& measured) {

@@ -24,7 +24,7 @@ private:
     void addPhotos(const QStringList& files);
     void measure();
     void measureTrusted();
-    void tellOthers(const FilmOnWater& film, const FilmWatch& watch);
+    void reportChangedPhotos(const FilmOnWater& film, const FilmWatch& watch);
     void askProfile();
     void save(const QString& profile);
     void exportFilm();

@@ -50,7 +50,7 @@ MeasuredPart ofCorners(std::vector<PartPhoto> photos, const Project& project,
                        const Progress& progress) {
     JobOptions options;
     options.chessboard = project.inspection.chessboard;
-    options.estimatesCertainty = false;
+    options.estimatesNumericalError = false;
     const JobResult job = runJob(project, registry, options, earlier, progress.part(0.1, 0.6));
     std::vector<std::shared_ptr<const LaidFilm>> dips;
     for (const ImmersionResult& immersion : job.immersions) {

@@ -141,7 +141,7 @@ void ExportController::print() {
 void ExportController::showCertainty(const std::vector<ImmersionCertainty>& certainty,
                                      bool outdated, LengthUnit unit) {
     for (const ImmersionCertainty& one : certainty) {
-        messages_.log(certaintyVerdict(one, unit));
+        messages_.log(numericalErrorSentence(one, unit));
         for (const QString& note : one.notes) {
             messages_.log(note);
         }

@@ -99,7 +99,7 @@ void MainWindow::addInspection() {}
 #endif
 
 void MainWindow::addPages() {
-    const PageMakings makings{*this, layout_, actions_, documents_, session_, jobs_, messages_};
+    const PageContext makings{*this, layout_, actions_, documents_, session_, jobs_, messages_};
     addSearchPage(makings, workbench_);
     addArtworkPage(makings, scene_, dip_, documentActions_);
 }
@@ -172,11 +172,12 @@ void MainWindow::connectPanels() {
 void MainWindow::connectSession() {
     connect(&documents_, &DocumentSession::documentChanged, this, &MainWindow::showDocument);
     connect(&documents_, &DocumentSession::saved, this, &MainWindow::keepThumbnail);
-    connect(&documents_, &DocumentSession::lengthDoubted, this, [this](double millimetres) {
-        messages_.notice(
-            tr("The part is %1 long. If the file uses another unit, change the size under Model.")
-                .arg(shownLength(millimetres, workbench_.preferences().unit)));
-    });
+    connect(&documents_, &DocumentSession::implausibleLengthFound, this,
+            [this](double millimetres) {
+                messages_.notice(tr("The part is %1 long. If the file uses another unit, change "
+                                    "the size under Model.")
+                                     .arg(shownLength(millimetres, workbench_.preferences().unit)));
+            });
     connect(&jobs_, &JobRunner::busy, this, &MainWindow::updateActions);
     connect(&jobs_, &JobRunner::idle, this, &MainWindow::updateActions);
     for (const auto changed : {&DipSession::started, &DipSession::finished, &DipSession::dropped}) {
@@ -194,7 +195,7 @@ void MainWindow::connectSession() {
     connect(parts_.results, &ResultsPanel::placeChosen, this, [this](const Eigen::Vector2f& rest) {
         parts_.timeline->pause();
         parts_.timeline->setPosition(parts_.timeline->frames());
-        reader_.leadTo(rest);
+        reader_.lookAtFilmPlace(rest);
     });
     connect(parts_.results, &ResultsPanel::fieldChosen, this, [this](const QString& path) {
         if (const std::optional<ProjectNode> node = nodeOfField(path)) {

@@ -31,7 +31,7 @@ void openBy(const QAction& action, QDockWidget* dock) {
 
 } // namespace
 
-void addSearchPage(const PageMakings& makings, const Workbench& workbench) {
+void addSearchPage(const PageContext& makings, const Workbench& workbench) {
     auto* search = new SearchController(makings.session, makings.jobs, workbench.registry(),
                                         makings.messages, &makings.window);
     QObject::connect(search, &SearchController::comparisonAsked, &makings.window,
@@ -47,7 +47,7 @@ void addSearchPage(const PageMakings& makings, const Workbench& workbench) {
                      &SearchController::showDocument);
 }
 
-void addArtworkPage(const PageMakings& makings, DipScene& scene, DipController& dip,
+void addArtworkPage(const PageContext& makings, DipScene& scene, DipController& dip,
                     DocumentController& files) {
     auto* artwork = new ArtworkController(*makings.layout.parts().view, scene, makings.session,
                                           makings.jobs, makings.messages, makings.window);
@@ -56,7 +56,7 @@ void addArtworkPage(const PageMakings& makings, DipScene& scene, DipController& 
     QObject::connect(&makings.documents, &DocumentSession::documentChanged, artwork,
                      &ArtworkController::showDocument);
     QObject::connect(artwork, &ArtworkController::held, &dip, &DipController::setHeld);
-    QObject::connect(artwork, &ArtworkController::droppedBeside, &files,
+    QObject::connect(artwork, &ArtworkController::filesDropped, &files,
                      &DocumentController::takeFiles);
 }
 

@@ -17,7 +17,7 @@ class WindowLayout;
 class Workbench;
 
 // What the pages need to be created. The pages do not keep it.
-struct PageMakings {
+struct PageContext {
     QMainWindow& window;
     WindowLayout& layout;
     const WindowActions& actions;
@@ -28,8 +28,8 @@ struct PageMakings {
 };
 
 // Call these before WindowLayout::restore().
-void addSearchPage(const PageMakings& makings, const Workbench& workbench);
-void addArtworkPage(const PageMakings& makings, DipScene& scene, DipController& dip,
+void addSearchPage(const PageContext& makings, const Workbench& workbench);
+void addArtworkPage(const PageContext& makings, DipScene& scene, DipController& dip,
                     DocumentController& files);
 
 } // namespace dipwright

@@ -27,8 +27,8 @@ double goodness(const RankedPoses& poses, Measure measure) {
 
 } // namespace
 
-std::vector<std::size_t> unbeaten(const std::vector<RankedPoses>& ranking, Measure one,
-                                  Measure other) {
+std::vector<std::size_t> paretoOptimalRanks(const std::vector<RankedPoses>& ranking, Measure one,
+                                            Measure other) {
     std::vector<std::size_t> best;
     for (std::size_t rank = 0; rank < ranking.size(); ++rank) {
         const double x = goodness(ranking[rank], one), y = goodness(ranking[rank], other);
@@ -194,7 +194,7 @@ void MeasurePlot::draw() {
     for (const RankedPoses& poses : ranking_) {
         values.emplace_back(goodness(poses, across), goodness(poses, up));
     }
-    field_->set(std::move(values), unbeaten(ranking_, across, up));
+    field_->set(std::move(values), paretoOptimalRanks(ranking_, across, up));
 }
 
 } // namespace dipwright

@@ -35,7 +35,7 @@ private:
 
 // Ranks of the poses that no other pose beats: none is better in one measure without being worse in
 // the other. In the ranking's order.
-std::vector<std::size_t> unbeaten(const std::vector<RankedPoses>& ranking, Measure one,
-                                  Measure other);
+std::vector<std::size_t> paretoOptimalRanks(const std::vector<RankedPoses>& ranking, Measure one,
+                                            Measure other);
 
 } // namespace dipwright

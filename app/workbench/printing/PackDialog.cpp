@@ -327,7 +327,7 @@ PackDialog::LaidOut PackDialog::laidOut(std::vector<Wanted> projects, const Pack
                 std::find_if(projects.begin(), projects.begin() + std::ptrdiff_t(i),
                              [&](const auto& one) { return one.path == project.path; });
             JobOptions options;
-            options.estimatesCertainty = false;
+            options.estimatesNumericalError = false;
             project.dipped.written = QFileInfo(project.path).lastModified();
             project.dipped.result =
                 same != projects.begin() + std::ptrdiff_t(i)

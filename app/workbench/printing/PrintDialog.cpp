@@ -104,7 +104,7 @@ PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion,
         }
     });
     resize(940, 660);
-    tellVerdict();
+    printVerdict();
     showSheet(shown_);
     findPrinters();
 }
@@ -113,7 +113,7 @@ void PrintDialog::warn(const QString& sentence) {
     notice_->say(notice_->isHidden() ? sentence : sentence + u'\n' + notice_->text());
 }
 
-void PrintDialog::tellVerdict() {
+void PrintDialog::printVerdict() {
     const JobResult& result = *outcome_.result;
     QStringList lines{adviceText(adviceOf(result))};
     for (const JobReason& reason : reasonsOf(result)) {
@@ -416,7 +416,7 @@ void PrintDialog::print() {
                                      : tr("Handed to the queue of %1").arg(printer_->currentText());
             emit printed(end.notKept.isEmpty()
                              ? done
-                             : QStringLiteral("%1. %2").arg(done, notKeptText(end.notKept)));
+                             : QStringLiteral("%1. %2").arg(done, historyErrorText(end.notKept)));
             accept();
         },
         [this](std::exception_ptr failure) {

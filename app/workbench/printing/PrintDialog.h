@@ -35,7 +35,7 @@ signals:
     void printed(const QString& sentence);
 
 private:
-    void tellVerdict();
+    void printVerdict();
     QWidget* makeChoices();
     QWidget* makeExceptions();
     QWidget* makePreview();

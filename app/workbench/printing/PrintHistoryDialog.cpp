@@ -39,7 +39,7 @@ QStringList cells(const PrintRecord& record, LengthUnit unit) {
             record.file.isEmpty() ? record.printer : QFileInfo(record.file).fileName(),
             sizeText(record.mediumSize, unit),
             QLocale().toString(record.copies),
-            fateText(record)};
+            outcomeText(record)};
 }
 
 bool holdsAll(const QString& text, const QStringList& words) {
@@ -50,7 +50,7 @@ bool holdsAll(const QString& text, const QStringList& words) {
 
 // The facts that do not fit into the table, one on each line.
 QString factsText(const PrintRecord& record) {
-    QStringList lines{fateText(record)};
+    QStringList lines{outcomeText(record)};
     const auto add = [&lines](const QString& sentence, const QString& fact) {
         if (!fact.isEmpty()) {
             lines.append(sentence.arg(fact));

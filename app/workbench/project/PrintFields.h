@@ -16,7 +16,7 @@ namespace dipwright {
 // The print after the first `dips` dips, with the second film displaced by `slip`.
 struct ShownPrint {
     std::size_t dips = 2;
-    FilmSlip slip = {};
+    FilmPlacementError slip = {};
     bool operator==(const ShownPrint&) const = default;
 };
 

@@ -7,8 +7,8 @@
 #include "workbench/document/ModelEdits.h"
 #include "workbench/document/ProjectValue.h"
 #include "workbench/jobs/SolverListing.h"
-#include "workbench/project/JoinFields.h"
 #include "workbench/project/PropertySpecs.h"
+#include "workbench/project/SeamFields.h"
 #include "workbench/widgets/Icons.h"
 #include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/ShippedNames.h"
@@ -299,7 +299,7 @@ void PropertyPanel::addMarkFields(QFormLayout& form, const QString& heading, Mar
 }
 
 void PropertyPanel::addJoinFields(QFormLayout& form) {
-    auto* fields = new JoinFields(lengthUnit_);
+    auto* fields = new SeamFields(lengthUnit_);
     addMarkFields<ShareMark>(form, tr("Marks for the seam"), *fields);
     refreshers_.push_back([this, fields] {
         const Project& project = document_->project();

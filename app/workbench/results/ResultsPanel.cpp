@@ -1,7 +1,7 @@
 #include "workbench/results/ResultsPanel.h"
 
 #include "results/Results.h"
-#include "workbench/accuracy/CertaintyPanel.h"
+#include "workbench/accuracy/VerdictPanel.h"
 #include "workbench/results/ReportPanel.h"
 #include "workbench/results/StretchPanel.h"
 #include "workbench/widgets/PicturePanel.h"
@@ -45,7 +45,7 @@ QString sharesLegend(const JobResult& result) {
 } // namespace
 
 ResultsPanel::ResultsPanel(QWidget* parent)
-    : QTabWidget(parent), certainty_(new CertaintyPanel), stretch_(new StretchPanel),
+    : QTabWidget(parent), certainty_(new VerdictPanel), stretch_(new StretchPanel),
       texture_(new PicturePanel(tr("Reverse texture"),
                                 tr("Run the dip to see the image for the film."))),
       proof_(new PicturePanel(tr("Proof"), tr("Run the dip to see the finished part."))),
@@ -79,8 +79,8 @@ ResultsPanel::ResultsPanel(QWidget* parent)
     setTabToolTip(4, tr("The page as it will be printed"));
     setTabToolTip(5, tr("The figures of the last run"));
 
-    connect(certainty_, &CertaintyPanel::placeChosen, this, &ResultsPanel::placeChosen);
-    connect(certainty_, &CertaintyPanel::fieldChosen, this, &ResultsPanel::fieldChosen);
+    connect(certainty_, &VerdictPanel::placeChosen, this, &ResultsPanel::placeChosen);
+    connect(certainty_, &VerdictPanel::fieldChosen, this, &ResultsPanel::fieldChosen);
     connect(stretch_, &StretchPanel::hovered, this, &ResultsPanel::hovered);
     connect(stretch_, &StretchPanel::hoverLeft, this, &ResultsPanel::hoverLeft);
     connect(&texture_->view(), &PictureView::hovered, this, [this](QPointF printed) {

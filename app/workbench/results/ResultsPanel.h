@@ -12,7 +12,7 @@ class QAction;
 
 namespace dipwright {
 
-class CertaintyPanel;
+class VerdictPanel;
 class PicturePanel;
 class ReportPanel;
 class StretchPanel;
@@ -49,7 +49,7 @@ private:
     DipOutcome outcome_;
     std::size_t immersion_ = 0;
     LengthUnit unit_ = LengthUnit::Millimetre;
-    CertaintyPanel* certainty_;
+    VerdictPanel* certainty_;
     StretchPanel* stretch_;
     PicturePanel* texture_;
     PicturePanel* proof_;

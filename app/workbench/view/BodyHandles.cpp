@@ -31,7 +31,7 @@ Immersion turned(const Immersion& immersion, int axis, double degrees) {
     return result;
 }
 
-Immersion laidDown(const Immersion& immersion, const Eigen::Vector3d& outward) {
+Immersion withFaceDown(const Immersion& immersion, const Eigen::Vector3d& outward) {
     const Eigen::Matrix3d rotation = rotationMatrix(immersion.rotation);
     const auto turn =
         Eigen::Quaterniond::FromTwoVectors(rotation * outward, -Eigen::Vector3d::UnitY());

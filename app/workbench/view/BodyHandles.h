@@ -16,7 +16,7 @@ Immersion turned(const Immersion& immersion, int axis, double degrees);
 
 // `immersion` turned so that the face with the normal `outward` (model coordinates) points down.
 // Uses the smallest rotation; the angles are rounded to tenths of a degree.
-Immersion laidDown(const Immersion& immersion, const Eigen::Vector3d& outward);
+Immersion withFaceDown(const Immersion& immersion, const Eigen::Vector3d& outward);
 
 class BodyHandles : public QObject {
     Q_OBJECT

@@ -70,7 +70,7 @@ void BodyMenu::layDown(std::uint32_t triangle) {
     const Eigen::Vector3d outward = triangleNormal(scene_.model()->mesh, triangle).cast<double>();
     if (!outward.isZero()) {
         edit(tr("Lay face down"),
-             [&](Immersion& immersion) { immersion = laidDown(immersion, outward); });
+             [&](Immersion& immersion) { immersion = withFaceDown(immersion, outward); });
     }
 }
 

@@ -18,7 +18,7 @@ struct Text {
 
 QString textOf(DipEvent event) {
     return event == DipEvent::FirstContact ? Text::tr("First contact")
-           : event == DipEvent::AirCaught  ? Text::tr("Air is trapped under the part")
+           : event == DipEvent::AirTrapped ? Text::tr("Air is trapped under the part")
            : event == DipEvent::Torn       ? Text::tr("Film tears")
                                            : Text::tr("Film is released at an overhang");
 }
@@ -27,7 +27,7 @@ QColor colourOf(DipEvent event) {
     switch (event) {
     case DipEvent::FirstContact:
         return QColor(0x2e, 0x8b, 0x57);
-    case DipEvent::AirCaught:
+    case DipEvent::AirTrapped:
         return QColor(0x3a, 0x8f, 0xd0);
     case DipEvent::Torn:
         return markColour(solver::PointMark::Torn);

@@ -110,7 +110,7 @@ constexpr std::size_t setupPoints = 2500;
 
 DipScene::DipScene(DipView& view, QObject* parent) : QObject(parent), view_(view) {
     connect(
-        &printer_, &BodyPrintPreview::printed, this,
+        &printer_, &FinishedPartPreview::printed, this,
         [this](const std::shared_ptr<const TexturedMesh>& model, const BodyAppearance& appearance) {
             if (bodyLook_ == BodyLook::Print && model == project_.model) {
                 showBody(appearance);

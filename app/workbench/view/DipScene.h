@@ -3,7 +3,7 @@
 
 #include "search/CoveragePreview.h"
 #include "workbench/appearance/ArtworkPainter.h"
-#include "workbench/appearance/BodyPrintPreview.h"
+#include "workbench/appearance/FinishedPartPreview.h"
 #include "workbench/appearance/MarkLines.h"
 #include "workbench/appearance/ViewLooks.h"
 #include "workbench/dip/DipJob.h"
@@ -107,7 +107,7 @@ private:
     std::shared_ptr<const TexturedMesh> own_; // the project's model with its painted artwork
     ArtworkPainter artist_;
     std::vector<ViewLine> frame_;
-    BodyPrintPreview printer_;
+    FinishedPartPreview printer_;
     std::shared_ptr<const BodyShare> shared_; // `sharedBody_` was built for it
     std::shared_ptr<const TexturedMesh> sharedBody_;
     std::unique_ptr<ZonedBody> zones_; // for the project's model; null until first shown

@@ -16,7 +16,7 @@ FilmProbe::FilmProbe(const DipSession& session, DipView& view, const DipScene& s
     connect(&view, &DipView::hoverLeft, this, [this] { show({}); });
 }
 
-void FilmProbe::leadTo(const Eigen::Vector2f& rest) {
+void FilmProbe::lookAtFilmPlace(const Eigen::Vector2f& rest) {
     const auto point = session_.reading()->at(rest);
     show(point);
     const auto worldToEnd = scene_.worldToEnd();

@@ -49,9 +49,9 @@ struct UncertainPiece {
 
 class PaintedFilm {
 public:
-    PaintedFilm(const LaidFilm& laid, const std::vector<float>& pointsOffBy, const ZonedBody* zones,
+    PaintedFilm(const LaidFilm& laid, const std::vector<float>& pointErrors, const ZonedBody* zones,
                 const ToleranceSettings& settings)
-        : laid_(laid), offBy_(pointsOffBy), zones_(zones), settings_(settings),
+        : laid_(laid), offBy_(pointErrors), zones_(zones), settings_(settings),
           parts_(laid.film().positions.size()) {
         for (std::size_t triangle = 0; triangle < laid.triangles().size(); ++triangle) {
             if (laid.contact().painted[triangle]) {
@@ -70,10 +70,10 @@ public:
         return errors;
     }
 
-    std::vector<UncertainPlace> places() const {
-        std::map<std::uint32_t, UncertainPlace> byPart; // in the points' order
+    std::vector<PlaceToCheck> places() const {
+        std::map<std::uint32_t, PlaceToCheck> byPart; // in the points' order
         for (const UncertainPiece& piece : uncertain_) {
-            UncertainPlace& place = byPart[parts_.of(piece.corners[0])];
+            PlaceToCheck& place = byPart[parts_.of(piece.corners[0])];
             const bool isFirst = place.area == 0;
             place.area += piece.area;
             place.limit = isFirst ? piece.limit : std::min(place.limit, piece.limit);
@@ -85,7 +85,7 @@ public:
                 }
             }
         }
-        std::vector<UncertainPlace> places;
+        std::vector<PlaceToCheck> places;
         for (const auto& [part, place] : byPart) {
             if (place.area >= leastPlaceArea) {
                 places.push_back(place);
@@ -175,9 +175,9 @@ private:
 
 } // namespace
 
-UncertainPlaces uncertainPlaces(const LaidFilm& laid, const std::vector<float>& pointsOffBy,
+UncertainPlaces uncertainPlaces(const LaidFilm& laid, const std::vector<float>& pointErrors,
                                 const ZonedBody* zones, const ToleranceSettings& settings) {
-    PaintedFilm film(laid, pointsOffBy, zones, settings);
+    PaintedFilm film(laid, pointErrors, zones, settings);
     return {film.zoneErrors(), film.places(), film.uncertainArea()};
 }
 

@@ -21,13 +21,13 @@ struct ZoneError {
 
 struct UncertainPlaces {
     std::vector<ZoneError> zones; // only painted zones, A first
-    std::vector<UncertainPlace> places;
+    std::vector<PlaceToCheck> places;
     double area = 0; // of all places to check, mm²
 };
 
-// `pointsOffBy`: CertaintyEstimate::pointsOffBy; empty if the error is not known. `zones`: null if
-// the whole body is in zone C.
-UncertainPlaces uncertainPlaces(const LaidFilm& laid, const std::vector<float>& pointsOffBy,
+// `pointErrors`: NumericalErrorEstimate::pointErrors; empty if the error is not known. `zones`:
+// null if the whole body is in zone C.
+UncertainPlaces uncertainPlaces(const LaidFilm& laid, const std::vector<float>& pointErrors,
                                 const ZonedBody* zones, const ToleranceSettings& settings);
 
 } // namespace dipwright

@@ -14,11 +14,11 @@ const std::vector<float> nothingKnown;
 
 // Tells whether the steps or the cells cause a zone's numerical error. For cells, it proposes the
 // size that would suffice if the error shrinks in proportion to the cells.
-VerdictReason tooFarOff(const ZoneError& error, const CertaintyEstimate& estimate,
+VerdictReason tooFarOff(const ZoneError& error, const NumericalErrorEstimate& estimate,
                         const solver::FilmGrid& grid) {
     const double allowed = numericalShare * error.limit;
     VerdictReason reason{Kind::OffBy,
-                         error.percentile95 > error.limit ? Advice::DoNotPrint : Advice::LookFirst,
+                         error.percentile95 > error.limit ? Advice::DoNotPrint : Advice::CheckFirst,
                          error.percentile95, allowed};
     const double finer = allowed / error.percentile95;
     if (estimate.doubleStep.distance.percentile95 > estimate.doubleSpacing.distance.percentile95) {
@@ -32,7 +32,7 @@ VerdictReason tooFarOff(const ZoneError& error, const CertaintyEstimate& estimat
 }
 
 // Adds the reasons that follow from the numerical error in a zone.
-void objectToZone(Objections& found, const ZoneError& error, const CertaintyEstimate& estimate,
+void objectToZone(ReasonList& found, const ZoneError& error, const NumericalErrorEstimate& estimate,
                   const solver::FilmGrid& grid, std::optional<Zone> named) {
     if (error.percentile95 > numericalShare * error.limit) {
         VerdictReason reason = tooFarOff(error, estimate, grid);
@@ -42,7 +42,7 @@ void objectToZone(Objections& found, const ZoneError& error, const CertaintyEsti
     if (error.percentile95 <= error.limit && error.far > mostFarOffArea) {
         found.add(
             {Kind::FarOffPlaces,
-             error.far > spoiltTimes * mostFarOffArea ? Advice::DoNotPrint : Advice::LookFirst,
+             error.far > spoiltTimes * mostFarOffArea ? Advice::DoNotPrint : Advice::CheckFirst,
              error.far,
              error.limit,
              {},
@@ -51,7 +51,7 @@ void objectToZone(Objections& found, const ZoneError& error, const CertaintyEsti
     }
 }
 
-void objectToEstimate(Objections& found, const CertaintyEstimate& estimate,
+void objectToEstimate(ReasonList& found, const NumericalErrorEstimate& estimate,
                       const std::vector<ZoneError>& zones, const JudgedDip& dip) {
     const SheetChange spacing = estimate.halfSpacing();
     const SheetChange step = estimate.halfStep();
@@ -65,7 +65,7 @@ void objectToEstimate(Objections& found, const CertaintyEstimate& estimate,
     }
     const double once = std::max(spacing.paintedOnce, step.paintedOnce);
     if (once > certainPaintedOnce) {
-        found.add({Kind::Border, once > spoiltPaintedOnce ? Advice::DoNotPrint : Advice::LookFirst,
+        found.add({Kind::Border, once > spoiltPaintedOnce ? Advice::DoNotPrint : Advice::CheckFirst,
                    once, certainPaintedOnce});
     }
     if (found.isEmpty()) {
@@ -73,12 +73,12 @@ void objectToEstimate(Objections& found, const CertaintyEstimate& estimate,
     }
 }
 
-void objectToNumerics(Objections& found, const JudgedDip& dip,
+void objectToNumerics(ReasonList& found, const JudgedDip& dip,
                       const std::vector<ZoneError>& zones) {
     const solver::EquilibriumAccount& rest = dip.laid.film().equilibrium;
     if (rest.stepsWithout > 0) {
         found.add({Kind::Unbalanced,
-                   Advice::LookFirst,
+                   Advice::CheckFirst,
                    double(rest.stepsWithout),
                    0,
                    {},
@@ -87,7 +87,7 @@ void objectToNumerics(Objections& found, const JudgedDip& dip,
     if (!dip.certainty) {
         found.add({Kind::NotAsked, Advice::NotJudged});
     } else if (!dip.certainty->failure.isEmpty()) {
-        found.add({Kind::NotCompared, Advice::LookFirst, 0, 0, dip.certainty->failure});
+        found.add({Kind::NotCompared, Advice::CheckFirst, 0, 0, dip.certainty->failure});
     } else {
         objectToEstimate(found, *dip.certainty, zones, dip);
     }
@@ -102,7 +102,7 @@ double edgeDistance(const LaidFilm& laid) {
     return std::max(double(least), 0.0);
 }
 
-void objectToPaint(Objections& found, const JudgedDip& dip, const VerdictSettings& limits) {
+void objectToPaint(ReasonList& found, const JudgedDip& dip, const VerdictSettings& limits) {
     const double painted = dip.coverage.paintedArea;
     if (painted <= 0) {
         found.add({Kind::Unpainted, Advice::DoNotPrint});
@@ -118,21 +118,21 @@ void objectToPaint(Objections& found, const JudgedDip& dip, const VerdictSetting
                    limits.damaged);
     const double edge = edgeDistance(dip.laid);
     if (edge < limits.edge.value()) {
-        found.add({Kind::FilmEdge, edgeIsOnBody(dip.laid) ? Advice::DoNotPrint : Advice::LookFirst,
+        found.add({Kind::FilmEdge, edgeIsOnBody(dip.laid) ? Advice::DoNotPrint : Advice::CheckFirst,
                    edge, limits.edge.value()});
     }
 }
 
 } // namespace
 
-void Objections::add(VerdictReason reason) {
+void ReasonList::add(VerdictReason reason) {
     reasons_.push_back(std::move(reason));
 }
 
-void Objections::addShare(Kind kind, double share, double limit, std::optional<Zone> zone) {
+void ReasonList::addShare(Kind kind, double share, double limit, std::optional<Zone> zone) {
     if (share > limit) {
         add({kind,
-             share > spoiltTimes * limit ? Advice::DoNotPrint : Advice::LookFirst,
+             share > spoiltTimes * limit ? Advice::DoNotPrint : Advice::CheckFirst,
              share,
              limit,
              {},
@@ -141,7 +141,7 @@ void Objections::addShare(Kind kind, double share, double limit, std::optional<Z
     }
 }
 
-Verdict Objections::verdict() && {
+Verdict ReasonList::verdict() && {
     std::stable_sort(reasons_.begin(), reasons_.end(),
                      [](const auto& a, const auto& b) { return a.advice > b.advice; });
     Verdict verdict{Advice::Print, std::move(reasons_), {}, 0};
@@ -159,8 +159,8 @@ Advice worst(Advice one, Advice other) {
 Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
                 const VerdictSettings& limits) {
     const UncertainPlaces uncertain = uncertainPlaces(
-        dip.laid, dip.certainty ? dip.certainty->pointsOffBy : nothingKnown, dip.zones, tolerance);
-    Objections found;
+        dip.laid, dip.certainty ? dip.certainty->pointErrors : nothingKnown, dip.zones, tolerance);
+    ReasonList found;
     objectToNumerics(found, dip, uncertain.zones);
     objectToPaint(found, dip, limits);
     Verdict judged = std::move(found).verdict();
@@ -175,7 +175,7 @@ QString adviceKey(Advice advice) {
         return QStringLiteral("not_judged");
     case Advice::Print:
         return QStringLiteral("print");
-    case Advice::LookFirst:
+    case Advice::CheckFirst:
         return QStringLiteral("look_first");
     case Advice::DoNotPrint:
         return QStringLiteral("do_not_print");

@@ -3,7 +3,7 @@
 // print dialog all show this verdict.
 #pragma once
 
-#include "accuracy/certainty/CertaintyEstimate.h"
+#include "accuracy/certainty/NumericalErrorEstimate.h"
 #include "accuracy/tolerance/Zones.h"
 #include "dip/Coverage.h"
 #include "settings/VerdictSettings.h"
@@ -52,7 +52,7 @@ struct VerdictReason {
 
 // A connected part of the painted film to check: its numerical error exceeds the limit of its zone,
 // or a step ended there without equilibrium.
-struct UncertainPlace {
+struct PlaceToCheck {
     Eigen::Vector2f rest;  // its worst point on the flat film, mm
     Eigen::Vector3f place; // that point on the body, model coordinates, mm
     double area = 0;       // mm² of the body
@@ -65,7 +65,7 @@ struct Verdict {
     Advice advice = Advice::NotJudged;
     std::vector<VerdictReason> reasons; // the worst first
     // The largest first; at most mostPlaces, each of at least leastPlaceArea.
-    std::vector<UncertainPlace> places;
+    std::vector<PlaceToCheck> places;
     double uncertainArea = 0; // of all places to check, mm² of the body
 };
 
@@ -87,9 +87,9 @@ inline constexpr double leastPlaceArea = 1; // mm²: smaller places cannot be in
 struct JudgedDip {
     const LaidFilm& laid;
     const Coverage& coverage;
-    const CertaintyEstimate* certainty = nullptr; // null: not asked for
-    double paleArea = 0;                          // mm² of the body with too little ink
-    const ZonedBody* zones = nullptr;             // null: the whole body is in zone C
+    const NumericalErrorEstimate* certainty = nullptr; // null: not asked for
+    double paleArea = 0;                               // mm² of the body with too little ink
+    const ZonedBody* zones = nullptr;                  // null: the whole body is in zone C
 };
 
 // Judges one dip by `tolerance` and `limits`.
@@ -97,7 +97,7 @@ Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
                 const VerdictSettings& limits);
 
 // Collects reasons; the verdict is the worst of them.
-class Objections {
+class ReasonList {
 public:
     void add(VerdictReason reason);
     // Adds a reason if the share exceeds its limit: check first, or do not print above spoiltTimes
@@ -120,7 +120,7 @@ QString adviceText(Advice advice); // "Print it"
 using LengthText = std::function<QString(double)>;
 QString millimetres(double length); // "0.12 mm"
 QString reasonText(const VerdictReason& reason, const LengthText& length);
-QString placeText(const UncertainPlace& place, const LengthText& length, const LengthText& area);
+QString placeText(const PlaceToCheck& place, const LengthText& length, const LengthText& area);
 // The whole verdict in one line: "Top: Print it. 95 % of the sheet is within …".
 QString verdictText(const QString& immersion, const Verdict& verdict);
 // Keys for files: "print", "look_first", "do_not_print" or "not_judged"; and "air" and so on.

@@ -132,7 +132,7 @@ QString adviceText(Advice advice) {
         return Text::tr("Not judged");
     case Advice::Print:
         return Text::tr("Print it");
-    case Advice::LookFirst:
+    case Advice::CheckFirst:
         return Text::tr("Check these places first");
     case Advice::DoNotPrint:
         return Text::tr("Do not print");
@@ -150,7 +150,7 @@ QString reasonText(const VerdictReason& reason, const LengthText& length) {
     return reason.zone ? Text::tr("Zone %1: %2").arg(zoneName(*reason.zone), text) : text;
 }
 
-QString placeText(const UncertainPlace& place, const LengthText& length, const LengthText& area) {
+QString placeText(const PlaceToCheck& place, const LengthText& length, const LengthText& area) {
     return Text::tr("%1: numerical error up to %3; the limit is %2")
         .arg(area(place.area), length(place.limit), length(place.offBy));
 }

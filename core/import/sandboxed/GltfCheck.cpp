@@ -52,7 +52,7 @@ QJsonObject documentOf(const ModelSource& source) {
     const QJsonDocument document =
         QJsonDocument::fromJson(withoutByteOrderMark(jsonOf(source.bytes)), &fault);
     if (fault.error == QJsonParseError::DeepNesting) {
-        requireWithin(Budget::Nesting, mostOf(Budget::Nesting) + 1, source.path);
+        requireWithin(Budget::Nesting, budgetLimit(Budget::Nesting) + 1, source.path);
     }
     return document.object();
 }

@@ -537,7 +537,7 @@ QImage widerWhereNeeded(const Picture& picture, const QByteArray& profile, const
     for (int y = 0; y < texture.height(); ++y) {
         if (touchesEnds(texture.constScanLine(y), texture.width())) {
             convertRow(toWide.get(), picture, y, row, Target::Wide);
-            if (!isHeldBySrgb(row)) {
+            if (!fitsInSrgb(row)) {
                 texture = QImage(); // freed first, as memory is scarce
                 texture = converted(picture, profile, where, Target::Wide);
                 const ColourNote note{false, clippedShare(picture, profile, texture, where)};

@@ -110,7 +110,7 @@ QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned
     // decoded.
     constexpr int mostBytesPerPixel = 8;
     QImageReader::setAllocationLimit(
-        int(mostOf(Budget::Pixels, bytes.size()) * mostBytesPerPixel >> 20));
+        int(budgetLimit(Budget::Pixels, bytes.size()) * mostBytesPerPixel >> 20));
     QBuffer buffer;
     buffer.setData(bytes);
     buffer.open(QIODevice::ReadOnly);

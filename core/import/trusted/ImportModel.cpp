@@ -82,7 +82,7 @@ void checkPositions(const TriangleMesh& mesh, const QString& path) {
 std::function<void()> repairCheckpoint(const QString& path, qint64 fileBytes,
                                        const Progress& progress) {
     constexpr int busyMachine = 2; // factor on the computing time
-    const qint64 patience = busyMachine * mostOf(Budget::Milliseconds, fileBytes);
+    const qint64 patience = busyMachine * budgetLimit(Budget::Milliseconds, fileBytes);
     QElapsedTimer clock;
     clock.start();
     return [=, cancelToken = progress.cancelToken] {
@@ -109,7 +109,7 @@ ModelRepairs repair(TexturedMesh& model, const QString& path,
     checkpoint();
     repairs.mergedTriangles = int(mergeDoubledTriangles(model));
     repairs.turnedTriangles = int(orientTriangles(model));
-    repairs.turnedParts = int(turnInsideOutParts(model, checkpoint));
+    repairs.turnedParts = int(flipInsideOutParts(model, checkpoint));
     return repairs;
 }
 

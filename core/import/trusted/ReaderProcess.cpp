@@ -105,7 +105,7 @@ public:
     }
 
     QByteArray read(qint64 length) {
-        if (length > mostOf(Budget::Memory, files_.bytesRead())) {
+        if (length > budgetLimit(Budget::Memory, files_.bytesRead())) {
             throwInvalidData();
         }
         QByteArray bytes(length, Qt::Uninitialized);
@@ -203,7 +203,7 @@ private:
     }
 
     void requireInTime() {
-        const std::chrono::milliseconds patience(patienceWith(files_.bytesRead()));
+        const std::chrono::milliseconds patience(readerTimeout(files_.bytesRead()));
         if (waited_.look() > patience) {
             throwOutOfTime();
         }
@@ -248,9 +248,9 @@ QString language() {
 
 } // namespace
 
-qint64 patienceWith(qint64 fileBytes) {
+qint64 readerTimeout(qint64 fileBytes) {
     constexpr int busyMachine = 10; // factor on the computing time
-    return busyMachine * mostOf(Budget::Milliseconds, fileBytes);
+    return busyMachine * budgetLimit(Budget::Milliseconds, fileBytes);
 }
 
 UntrustedModel readModelInProcess(const QString& path, bool withTextures, UntrustedFiles& files,

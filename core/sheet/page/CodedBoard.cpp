@@ -4,7 +4,7 @@
 
 namespace dipwright {
 
-bool hasDot(BoardKind kind, int column, int row) {
+bool isDottedSquare(BoardKind kind, int column, int row) {
     // A hash in which every bit of the three numbers affects the lowest bits.
     std::uint32_t bits = std::uint32_t(column) * 73856093U ^ std::uint32_t(row) * 19349663U ^
                          (kind == BoardKind::Film ? 83492791U : 2654435761U);

@@ -2,8 +2,8 @@
 // the board lies.
 //
 // Some squares have a dot of the other colour in their middle. A fixed pattern without repetitions
-// (hasDot) chooses them. A few neighbouring squares occur at one place of the pattern only, and
-// nowhere when turned or mirrored. The two kinds of board share no such group. So a picture may
+// (isDottedSquare) chooses them. A few neighbouring squares occur at one place of the pattern only,
+// and nowhere when turned or mirrored. The two kinds of board share no such group. So a picture may
 // show any part of a board, and a board may have any size.
 #pragma once
 
@@ -29,6 +29,6 @@ constexpr bool isBlackSquare(int column, int row) {
 }
 
 // Tells whether a square has a dot. Three of eight squares have one.
-bool hasDot(BoardKind kind, int column, int row);
+bool isDottedSquare(BoardKind kind, int column, int row);
 
 } // namespace dipwright

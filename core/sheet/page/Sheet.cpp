@@ -36,7 +36,7 @@ QSize sheetPixels(Millimetres width, Millimetres height, DotsPerInch resolution)
     return {int(columns), int(rows)};
 }
 
-QImage onPaper(const QImage& filmImage) {
+QImage onWhitePaper(const QImage& filmImage) {
     const bool wide = isWide(filmImage);
     QImage page(filmImage.size(), wide ? QImage::Format_RGBX64 : QImage::Format_RGB888);
     page.fill(Qt::white);
@@ -48,7 +48,7 @@ QImage onPaper(const QImage& filmImage) {
 }
 
 QImage flattened(const QImage& filmImage) {
-    QImage page = inSrgb(onPaper(filmImage));
+    QImage page = inSrgb(onWhitePaper(filmImage));
     page.setColorSpace(QColorSpace::SRgb);
     return page;
 }
@@ -84,7 +84,7 @@ void paintSheet(QPainter& painter, const Sheet& sheet) {
     painter.setRenderHint(QPainter::LosslessImageRendering);
     painter.drawImage(layout.film, replacesImages(painter) ? QImage(1, 1, QImage::Format_RGB888)
                                                            : flattened(sheet.image));
-    if (takesSpots(painter)) {
+    if (isInkedPage(painter)) {
         const SpotInk cutter{sheet.settings.cutName, {0, 1, 0, 0}}; // magenta if unknown
         strokeCut(painter, cutContour(sheet, layout), hairline, cutter,
                   sheet.settings.cutBleed.value());

@@ -79,7 +79,7 @@ QSize sheetPixels(Millimetres width, Millimetres height, DotsPerInch resolution)
 // the film.
 QSizeF pageSize(const Sheet& sheet);
 // Returns the film image on white, opaque, in its own colours: RGB888 in sRGB, or wide (RGBX64).
-QImage onPaper(const QImage& filmImage);
+QImage onWhitePaper(const QImage& filmImage);
 // Returns the film image on white in sRGB (Format_RGB888). It is shown on screen and sent to
 // printers without an ICC profile.
 QImage flattened(const QImage& filmImage);

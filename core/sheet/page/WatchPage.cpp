@@ -75,7 +75,7 @@ void paintBoard(QPainter& painter, BoardKind kind, const WatchBoard& board) {
             if (black) {
                 painter.fillRect(box, Qt::black);
             }
-            if (hasDot(kind, column, row)) {
+            if (isDottedSquare(kind, column, row)) {
                 painter.setBrush(black ? Qt::white : Qt::black);
                 painter.drawEllipse(box.center(), boardDot / 2 * square, boardDot / 2 * square);
             }

@@ -293,7 +293,7 @@ void setBoxes(QPDFObjectHandle page, QSizeF size, const InkEngine& drawn) {
 
 } // namespace
 
-bool takesSpots(const QPainter& painter) {
+bool isInkedPage(const QPainter& painter) {
     return dynamic_cast<const InkPage*>(painter.device()) != nullptr;
 }
 

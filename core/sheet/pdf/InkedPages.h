@@ -18,7 +18,7 @@ inline const QColor registrationBlack = QColor::fromCmyk(255, 255, 255, 255);
 void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const Plates& plates);
 
 // Tells whether the painter's page is in inks.
-bool takesSpots(const QPainter& painter);
+bool isInkedPage(const QPainter& painter);
 // Draws the cut contour in its own spot ink, printed over the other inks. The page must take spots.
 // If there is a bleed, the contour's bounding box becomes the page's trim box, and that box
 // enlarged by `bleed` mm becomes its bleed box.

@@ -89,7 +89,7 @@ void addInformation(QPDF& pdf, const QString& title) {
 } // namespace
 
 bool replacesImages(const QPainter& painter) {
-    return takesSpots(painter) || drawsImagesLater(painter);
+    return isInkedPage(painter) || drawsImagesLater(painter);
 }
 
 QByteArray pdfDocument(const std::vector<PdfPage>& pages, const PdfSettings& settings) {

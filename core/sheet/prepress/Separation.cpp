@@ -175,7 +175,7 @@ struct PerInk {
     QByteArray wanted, printed; // four bytes per pixel
 
     PerInk(const WantedInk& film, const PrintCorrection& correction, const PlateCompensation& law)
-        : wanted(correction.colour->cmyk(onPaper(film.image))), printed(wanted) {
+        : wanted(correction.colour->cmyk(onWhitePaper(film.image))), printed(wanted) {
         forPixels(printed, film.stretch, [&](qsizetype, uchar* inks, float stretch) {
             for (int ink = 0; ink < 4; ++ink) {
                 inks[ink] = law.printed(ink, inks[ink], stretch);
@@ -204,7 +204,7 @@ Plates separate(const Sheet& original, const PrintCorrection& correction) {
         plates.cmyk = PerInk(*sheet.wanted, correction, law).printed;
         return plates;
     }
-    plates.cmyk = correction.colour->cmyk(onPaper(sheet.image));
+    plates.cmyk = correction.colour->cmyk(onWhitePaper(sheet.image));
     if (correction.totalInk) {
         limitInk(plates.cmyk, *correction.totalInk);
     }

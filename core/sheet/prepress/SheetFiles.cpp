@@ -31,7 +31,7 @@ QSize pagePixels(const Sheet& sheet, const SheetLayout& layout) {
 
 // Returns the film on its page, without marks.
 QImage filmOnPage(const Sheet& sheet, const SheetLayout& layout) {
-    const QImage film = onPaper(sheet.image);
+    const QImage film = onWhitePaper(sheet.image);
     QImage page(pagePixels(sheet, layout), film.format());
     page.fill(Qt::white);
     QPainter painter(&page);

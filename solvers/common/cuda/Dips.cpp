@@ -28,7 +28,7 @@ void Dips::unpack(std::size_t dip, const std::byte* stored, const solver::DipSta
     unpackPoints(dip, stored, dipState, positions, states);
 }
 
-bool areAlike(const solver::DipSetup& a, const solver::DipSetup& b) {
+bool canShareBatch(const solver::DipSetup& a, const solver::DipSetup& b) {
     return a.film == b.film && a.settings == b.settings && a.motion.speed == b.motion.speed &&
            a.field.spacing == b.field.spacing;
 }

@@ -56,6 +56,6 @@ private:
 using Setups = std::span<const solver::DipSetup* const>;
 
 // Returns whether two dips fit into one Dips: film, settings, speed and field spacing are equal.
-bool areAlike(const solver::DipSetup& a, const solver::DipSetup& b);
+bool canShareBatch(const solver::DipSetup& a, const solver::DipSetup& b);
 
 } // namespace dipwright::cuda

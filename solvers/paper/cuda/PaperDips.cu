@@ -82,7 +82,7 @@ PaperModel paperModel(const solver::DipSetup& setup, const PaperTiles& tiles) {
     // a cell's diagonal.
     model.clearanceMargin =
         float(model.contactDistance + 1.01 * std::numbers::sqrt3 * setup.field.spacing);
-    model.surelyFar = float(model.contactDistance + 0.001 * setup.field.spacing);
+    model.noContactDistance = float(model.contactDistance + 0.001 * setup.field.spacing);
     model.iterations = setup.settings.iterations;
     model.passesPerStep = (model.iterations + tiles.reach - 1) / tiles.reach;
     model.tiles = tiles;

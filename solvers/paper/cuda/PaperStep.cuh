@@ -47,8 +47,8 @@ struct PaperModel {
     float share[3][3] = {}; // 1 / total stiffness, by a point's number of neighbours along X and Z
     double stepLength = 0;  // descent of the body in one step, mm
     double contactDistance = 0;
-    float clearanceMargin = 0; // mm: a point farther than this from the body cannot touch it
-    float surelyFar = 0;       // mm: farther than this in single precision, there is no contact
+    float clearanceMargin = 0;   // mm: a point farther than this from the body cannot touch it
+    float noContactDistance = 0; // mm: farther than this in single precision, there is no contact
     int iterations = 0, passesPerStep = 0;
     PaperTiles tiles;
 };
@@ -252,7 +252,7 @@ __device__ inline void predict(const PaperModel& film, const PaperDip& dip, int 
             continue;
         }
         points[r].clearance = numerics::clearance(samples[r]) - motion[r];
-        if (!(samples[r].distance > film.surelyFar)) {
+        if (!(samples[r].distance > film.noContactDistance)) {
             const Anchor anchor = anchorOf(film, dip, column, firstRow + r, descent, points[r].x,
                                            points[r].y, points[r].z);
             if (anchor.holds) {

@@ -20,7 +20,7 @@ void scale(float factor, PlaneVector& v) {
 
 } // namespace
 
-static_assert(numerics::FilmBackend<CpuBackend> && numerics::LeastResidualBackend<CpuBackend>);
+static_assert(numerics::FilmBackend<CpuBackend> && numerics::GmresBackend<CpuBackend>);
 
 CpuBackend::CpuBackend(const solver::DipSetup& setup)
     : HostFilm(setup), film_(model()), multigrid_(setup.film), areas_(setup.film.pointCount()),
@@ -82,7 +82,7 @@ double CpuBackend::startOfStep() {
 void CpuBackend::solveLinear(float drag, numerics::Tangent tangent, double start,
                              double tolerance) {
     const FlushDenormals flush;
-    numerics::leastResiduals(*this, drag, tangent, start, tolerance);
+    numerics::solveGmres(*this, drag, tangent, start, tolerance);
 }
 
 void CpuBackend::startLinear() {

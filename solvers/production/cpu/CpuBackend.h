@@ -81,7 +81,7 @@ private:
     std::vector<float> areas_;  // film area per point, relative to the finest cell
     PlaneVector gradient_, step_, residual_, start_, best_;
     std::vector<PlaneVector> basis_, smoothed_;
-    numerics::LeastResiduals leastResiduals_;
+    numerics::GmresProblem leastResiduals_;
 };
 
 template <typename Crosses>

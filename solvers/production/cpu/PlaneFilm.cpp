@@ -149,12 +149,12 @@ numerics::EdgePair<float> PlaneFilm::edges(int triangle, const PlaneVector& disp
 }
 
 // Returns whether a free triangle of a row of cells may be torn or folded.
-bool PlaneFilm::mayBeLost(int row, const PlaneVector& displacement, float limit) const {
+bool PlaneFilm::mayBeTornOrFolded(int row, const PlaneVector& displacement, float limit) const {
     const std::size_t cells = std::size_t(columns_ - 1), first = std::size_t(row) * cells;
     const StretchRange range =
         stretchRange(cells, unsigned(row), rowOfPoints(displacement, std::size_t(columns_), row),
                      {moving_[0].data() + first, moving_[1].data() + first}, sizesOf(row));
-    return numerics::mayBeLost(range.largestSquares, range.leastArea, limit);
+    return numerics::mayBeTornOrFolded(range.largestSquares, range.leastArea, limit);
 }
 
 void PlaneFilm::setCrossing(std::vector<Crossing> triangles) {

@@ -90,7 +90,7 @@ private:
     std::pair<std::size_t, std::size_t> crossingInRow(int row) const;
     numerics::Matrix2<float> inverseShape(std::size_t cell, bool second) const;
     void setInverseShape(std::size_t cell, bool second, const numerics::Matrix2<float>& shape);
-    bool mayBeLost(int row, const PlaneVector& displacement, float limit) const;
+    bool mayBeTornOrFolded(int row, const PlaneVector& displacement, float limit) const;
     static int numberOf(const Crossing& triangle) {
         return 2 * int(triangle.cell) + triangle.second;
     }
@@ -145,7 +145,7 @@ void PlaneFilm::forStretched(const PlaneVector& displacement, float limit, const
                              const Floating& floating) {
     forCrossing(onLine);
     for (int row = 0; row + 1 < rows_; ++row) {
-        if (mayBeLost(row, displacement, limit)) {
+        if (mayBeTornOrFolded(row, displacement, limit)) {
             forFloating(row, floating);
         }
     }

@@ -12,7 +12,7 @@ namespace dipwright::cuda {
 // A block's small problem of the method of least residuals. It is identical in all blocks of a
 // team.
 struct SmallProblem {
-    numerics::LeastResiduals problem;
+    numerics::GmresProblem problem;
     float factors[numerics::mostBasisVectors + 1]; // scale the stored basis vectors
     double answer;
 };
@@ -166,7 +166,7 @@ public:
     __device__ void prepareLinear(float drag) const { prepareCycle(model_, dip_, drag, team_); }
     __device__ void solveLinear(float drag, numerics::Tangent tangent, double start,
                                 double tolerance) {
-        numerics::leastResiduals(*this, drag, tangent, start, tolerance);
+        numerics::solveGmres(*this, drag, tangent, start, tolerance);
     }
     __device__ double startOfStep() const {
         double longest[1] = {0};
@@ -203,7 +203,7 @@ public:
         team_.barrier();
     }
     __device__ void startBasis(float factor) const {
-        inSmallProblem([&](numerics::LeastResiduals&) { return small_.factors[0] = factor; });
+        inSmallProblem([&](numerics::GmresProblem&) { return small_.factors[0] = factor; });
     }
     __device__ void extendBasis(int count, float drag, numerics::Tangent tangent) const {
         float2* next = dip_.basis[count + 1];
@@ -236,7 +236,7 @@ public:
             squares[0] += double(left.x * left.x + left.y * left.y);
         });
         team_.sum(squares);
-        inSmallProblem([&](numerics::LeastResiduals& problem) {
+        inSmallProblem([&](numerics::GmresProblem& problem) {
             double* column = problem.matrix[count];
 #pragma unroll
             for (int i = 0; i < numerics::mostBasisVectors; ++i) {
@@ -297,7 +297,7 @@ private:
     numerics::StepState<float> state_;
 };
 
-static_assert(numerics::FilmBackend<CudaBackend> && numerics::LeastResidualBackend<CudaBackend>);
+static_assert(numerics::FilmBackend<CudaBackend> && numerics::GmresBackend<CudaBackend>);
 
 // Runs at most `maximumSteps` steps of each dip, with `blocksPerDip` blocks per dip.
 __global__ void __launch_bounds__(Team::threads, 1)

@@ -67,7 +67,7 @@ DIPWRIGHT_TEAM inline void newtonStep(Film& film, typename Film::Real drag, doub
 
 // The result of a search for equilibrium: the remaining forces on the free points relative to the
 // elastic forces in the film (0 if these are zero), and whether they reach the required residual.
-struct FoundEquilibrium {
+struct EquilibriumResult {
     double left = 0;
     bool isReached = true;
 };
@@ -77,8 +77,8 @@ struct FoundEquilibrium {
 // the smallest forces that were found after a step. `farthest`: mm, the largest displacement of a
 // point from rest, or the longest cell if that is larger.
 template <FilmEquilibrium Film>
-DIPWRIGHT_TEAM inline FoundEquilibrium findEquilibrium(Film& film, typename Film::Real drag,
-                                                       double farthest) {
+DIPWRIGHT_TEAM inline EquilibriumResult findEquilibrium(Film& film, typename Film::Real drag,
+                                                        double farthest) {
     constexpr NewtonLimits limits = Film::newtonLimits();
     const double floor =
         limits.flatForce * std::fmax(1.0, farthest) * std::sqrt(double(pointCount(film.model())));
@@ -116,7 +116,7 @@ DIPWRIGHT_TEAM inline FoundEquilibrium findEquilibrium(Film& film, typename Film
 namespace detail {
 
 // Adds column `k` (k + 2 numbers) to the least-squares problem. Returns the new residual.
-DIPWRIGHT_HOST_DEVICE inline double takeColumn(LeastResiduals& problem, int k) {
+DIPWRIGHT_HOST_DEVICE inline double takeColumn(GmresProblem& problem, int k) {
     double* column = problem.matrix[k];
     for (int i = 0; i < k; ++i) {
         const double upper = problem.cosine[i] * column[i] + problem.sine[i] * column[i + 1];
@@ -134,7 +134,7 @@ DIPWRIGHT_HOST_DEVICE inline double takeColumn(LeastResiduals& problem, int k) {
 
 // Computes the weights of the first `count` basis vectors with the smallest residual. Returns that
 // residual.
-DIPWRIGHT_HOST_DEVICE inline double solveTriangular(LeastResiduals& problem, int count) {
+DIPWRIGHT_HOST_DEVICE inline double solveTriangular(GmresProblem& problem, int count) {
     for (int i = count - 1; i >= 0; --i) {
         double sum = problem.right[i];
         for (int j = i + 1; j < count; ++j) {
@@ -151,28 +151,28 @@ DIPWRIGHT_HOST_DEVICE inline double solveTriangular(LeastResiduals& problem, int
 // iterations allow. Preconditioning from the right (Saad, Iterative Methods for Sparse Linear
 // Systems, algorithm 9.5) means that its residual is the true one. `start`: the residual of a zero
 // step.
-template <LeastResidualBackend Film>
-DIPWRIGHT_TEAM inline void leastResiduals(Film& film, typename Film::Real drag, Tangent tangent,
-                                          double start, double tolerance) {
+template <GmresBackend Film>
+DIPWRIGHT_TEAM inline void solveGmres(Film& film, typename Film::Real drag, Tangent tangent,
+                                      double start, double tolerance) {
     using Real = typename Film::Real;
     film.startLinear();
     double left = start;
     for (int restart = 0; restart <= mostRestarts && left > tolerance; ++restart) {
-        film.inSmallProblem([&](LeastResiduals& problem) { return problem.right[0] = left; });
+        film.inSmallProblem([&](GmresProblem& problem) { return problem.right[0] = left; });
         film.startBasis(Real(1 / left));
         int count = 0;
         while (count < mostBasisVectors && left > tolerance) {
             film.extendBasis(count, drag, tangent);
             ++film.state().equilibrium.linearIterations;
             left = film.inSmallProblem(
-                [&](LeastResiduals& problem) { return detail::takeColumn(problem, count); });
+                [&](GmresProblem& problem) { return detail::takeColumn(problem, count); });
             ++count;
             if (!std::isfinite(left)) {
                 return;
             }
         }
         film.inSmallProblem(
-            [&](LeastResiduals& problem) { return detail::solveTriangular(problem, count); });
+            [&](GmresProblem& problem) { return detail::solveTriangular(problem, count); });
         film.addToStep(count);
         if (left > tolerance && restart < mostRestarts) {
             left = film.linearResidual(drag, tangent);

@@ -30,7 +30,7 @@ struct LineState {
 // The small least-squares problem of GMRES. It contains the Hessenberg matrix, made upper
 // triangular by Givens rotations, and the right side, whose last number is the residual. The
 // weights belong to the basis vectors.
-struct LeastResiduals {
+struct GmresProblem {
     double matrix[mostBasisVectors][mostBasisVectors + 1] = {}; // by columns
     double cosine[mostBasisVectors] = {}, sine[mostBasisVectors] = {};
     double right[mostBasisVectors + 1] = {};
@@ -50,7 +50,7 @@ struct TriangleQuestion {
     bool operator()(const TriangleCorners& corners) const;
 };
 struct SmallWork {
-    double operator()(LeastResiduals& problem) const;
+    double operator()(GmresProblem& problem) const;
 };
 template <typename Real>
 struct CrossingWork {
@@ -162,7 +162,7 @@ concept FilmBackend = FilmStorage<Film> && FilmTeam<Film> && FilmEquilibrium<Fil
 // Defines what the method of least residuals requires of a device: basis vectors, and each of them
 // smoothed, that is multiplied by M⁻¹, a multigrid cycle (GalerkinCycle.h).
 template <typename Film, typename Real = typename Film::Real>
-concept LeastResidualBackend = requires(Film& film, Real value, int count, double* column) {
+concept GmresBackend = requires(Film& film, Real value, int count, double* column) {
     // Lets one thread call work(problem) → double on the small problem, for all threads that share
     // it.
     { film.inSmallProblem(detail::SmallWork{}) } -> std::same_as<double>;

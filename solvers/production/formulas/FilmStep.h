@@ -70,7 +70,7 @@ DIPWRIGHT_TEAM inline double nextIncrement(Film& film) {
     return std::fmin(increment, approachIncrement(travel, nearestClearance(film, increment)));
 }
 
-DIPWRIGHT_TEAM inline void enter(const FoundEquilibrium& found,
+DIPWRIGHT_TEAM inline void enter(const EquilibriumResult& found,
                                  solver::EquilibriumAccount& account) {
     if (!found.isReached) {
         ++account.stepsWithout;
@@ -156,10 +156,10 @@ DIPWRIGHT_TEAM inline void setAnchors(Film& film) {
     });
 }
 
-// Holds the corners of film that is stretched too far. If the film did not converge (`isRestless`),
-// also holds the corners of folded film. Returns whether this thread found any.
+// Holds the corners of film that is stretched too far. If the film did not converge
+// (`didNotConverge`), also holds the corners of folded film. Returns whether this thread found any.
 template <FilmBackend Film>
-DIPWRIGHT_TEAM inline bool holdLost(Film& film, bool isRestless) {
+DIPWRIGHT_TEAM inline bool holdTornOrFolded(Film& film, bool didNotConverge) {
     using Real = typename Film::Real;
     const FilmModel<Real>& model = film.model();
     bool any = false;
@@ -179,7 +179,7 @@ DIPWRIGHT_TEAM inline bool holdLost(Film& film, bool isRestless) {
         const TriangleStretch<Real> stretch = triangleStretch(edges, size.x, size.z);
         if (isTorn(stretch, Real(model.tearStretch))) {
             hold(triangle, solver::PointMark::Torn);
-        } else if (isRestless && (isTurned || isFolded(stretch))) {
+        } else if (didNotConverge && (isTurned || isFolded(stretch))) {
             hold(triangle, solver::PointMark::Unbalanced);
         }
     };
@@ -237,14 +237,14 @@ DIPWRIGHT_TEAM inline double farthestFromRest(Film& film) {
 // the search continues. Film that is compressed at its own free edge, or caught between two parts
 // of the body, may have no equilibrium in the water plane; real film leaves the plane.
 template <FilmBackend Film>
-DIPWRIGHT_TEAM inline FoundEquilibrium settle(Film& film, typename Film::Real drag) {
+DIPWRIGHT_TEAM inline EquilibriumResult settle(Film& film, typename Film::Real drag) {
     // The rounding error of a triangle's gradient grows with its edge. At first contact it may be
     // the only force. Without this limit, nearly all points would then be held.
     const double farthest = std::fmax(farthestFromRest(film), film.model().longestEdge);
-    FoundEquilibrium found = findEquilibrium(film, drag, farthest);
+    EquilibriumResult found = findEquilibrium(film, drag, farthest);
     for (int holds = 0; holds < mostHolds && !found.isReached; ++holds) {
         film.force(drag);
-        if (!film.anyOf(holdLost(film, true))) {
+        if (!film.anyOf(holdTornOrFolded(film, true))) {
             forUnbalanced(film, [&](int point) { film.hold(point); });
             film.barrier();
         }
@@ -269,7 +269,7 @@ DIPWRIGHT_TEAM inline void relax(Film& film, typename Film::Real keep) {
         const auto relaxed = relaxedCrossingShape(
             anchor, gradientOf(unfoldedEdges(film.edges(triangle), crossing), shape), shape, keep);
         const auto size = triangleSize(model, triangle);
-        if (isSoundShape(relaxed, size.x, size.z)) {
+        if (isShapeWithinLimits(relaxed, size.x, size.z)) {
             film.setShape(triangle, relaxed);
         }
     };
@@ -288,7 +288,7 @@ DIPWRIGHT_TEAM inline void relax(Film& film, typename Film::Real keep) {
 // film is laid, the middle of the step counts, which is the average time of laying. Before that,
 // the end of the step counts.
 template <FilmBackend Film>
-DIPWRIGHT_TEAM inline double grownIn(Film& film, double increment) {
+DIPWRIGHT_TEAM inline double restLengthIn(Film& film, double increment) {
     const FilmModel<typename Film::Real>& model = film.model();
     const double share = film.state().anyAdhered ? 0.5 : 1;
     const double seconds = (film.state().descent + share * increment) / film.body().motion.speed;
@@ -434,7 +434,7 @@ DIPWRIGHT_TEAM inline void step(Film& film) {
     const double increment = std::fmin(detail::nextIncrement(film), motion.travel - dip.descent);
     const double end = dip.descent + increment;
     detail::predict(film, increment);
-    const double grown = detail::grownIn(film, increment);
+    const double grown = detail::restLengthIn(film, increment);
     const double drift = grown - dip.grown;
     if (grown > dip.grown) {
         detail::growTo(film, grown);
@@ -449,7 +449,7 @@ DIPWRIGHT_TEAM inline void step(Film& film) {
         detail::moveAnchors(film);
         const Real drag = Real(pointDrag(model.spacingX, model.spacingZ, increment));
         detail::enter(detail::settle(film, drag), dip.equilibrium);
-        hasLost = detail::holdLost(film, false);
+        hasLost = detail::holdTornOrFolded(film, false);
         detail::relax(film, Real(keptStress(increment, motion.speed, model.relaxationTime)));
     }
     if (drift > 0) {

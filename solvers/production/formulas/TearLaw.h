@@ -43,7 +43,7 @@ DIPWRIGHT_HOST_DEVICE inline bool isFolded(const TriangleStretch<Real>& stretch)
 // stretch nor, as λ1 λ2 ≤ (λ1² + λ2²)/2, the area can exceed the limit. Change it together with
 // isTorn() and isFolded().
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline bool mayBeLost(Real squares, Real leastArea, Real limit) {
+DIPWRIGHT_HOST_DEVICE inline bool mayBeTornOrFolded(Real squares, Real leastArea, Real limit) {
     return squares > limit * limit || squares > Real(2) * limit || leastArea < Real(0);
 }
 
@@ -54,8 +54,8 @@ DIPWRIGHT_HOST_DEVICE inline bool mayBeLost(Real squares, Real leastArea, Real l
 inline constexpr double mostCrept = 16;
 
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline bool isSoundShape(const Matrix2<Real>& inverseShape, Real spacingX,
-                                               Real spacingZ) {
+DIPWRIGHT_HOST_DEVICE inline bool isShapeWithinLimits(const Matrix2<Real>& inverseShape,
+                                                      Real spacingX, Real spacingZ) {
     // F⁻¹ of the rest shape relative to the undeformed one. Its larger singular value is at most
     // the root of the sum of squares. The smaller one is the determinant divided by the larger one.
     const Matrix2<Real> F{inverseShape.a * spacingX, inverseShape.b * spacingX,

@@ -174,10 +174,11 @@ void PrintCommandTest::calibrate_measuredRulers_makePrintsTrue() {
                               "--profile", "Mine"} +
                   coarse);
     QVERIFY2(outcome.exitCode == 0, outcome.err);
-    const double onPaper = rulerLength(cups_->received("pigment").last()) * 1.004;
-    QVERIFY2(std::abs(onPaper - 100) < 0.05,
-             qPrintable(
-                 QStringLiteral("ruler of the sheet: %1 mm, expected 100 ± 0.05 mm").arg(onPaper)));
+    const double onWhitePaper = rulerLength(cups_->received("pigment").last()) * 1.004;
+    QVERIFY2(
+        std::abs(onWhitePaper - 100) < 0.05,
+        qPrintable(
+            QStringLiteral("ruler of the sheet: %1 mm, expected 100 ± 0.05 mm").arg(onWhitePaper)));
 }
 
 void PrintCommandTest::print_toFile_writesSheet() {

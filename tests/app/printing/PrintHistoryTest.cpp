@@ -94,7 +94,7 @@ private slots:
         QCOMPARE(top.source.projectFile, QStringLiteral("/jobs/turtle.dipw"));
         QCOMPARE(top.source.film, QStringLiteral("Blue film, lot 7"));
         QVERIFY(top.when >= before && top.when <= QDateTime::currentDateTime());
-        QCOMPARE(top.fate, PrintFate::Printed);
+        QCOMPARE(top.fate, PrintOutcome::Printed);
     }
 
     void printHistory_failedJob_keepsReason() {
@@ -103,39 +103,40 @@ private slots:
                                  Error);
         const std::vector<PrintRecord> records = history().records();
         QCOMPARE(records.size(), std::size_t(1)); // the second was never sent
-        QCOMPARE(records[0].fate, PrintFate::Failed);
-        QVERIFY2(fateText(records[0]).contains(QStringLiteral("out of paper")),
-                 qPrintable(fateText(records[0])));
+        QCOMPARE(records[0].fate, PrintOutcome::Failed);
+        QVERIFY2(outcomeText(records[0]).contains(QStringLiteral("out of paper")),
+                 qPrintable(outcomeText(records[0])));
     }
 
     // The printer stops, or the print system stops answering. The sheet may be on paper anyway.
     void printHistory_printerStoppedOrGone_isNotFailed() {
         printer_.end = {JobState::Stopped, QStringLiteral("cover open")};
         QVERIFY_EXCEPTION_THROWN(print({QStringLiteral("Top")}, history()), Error);
-        QCOMPARE(history().records()[0].fate, PrintFate::Stopped);
-        QVERIFY(fateText(history().records()[0]).contains(QStringLiteral("cover open")));
+        QCOMPARE(history().records()[0].fate, PrintOutcome::Stopped);
+        QVERIFY(outcomeText(history().records()[0]).contains(QStringLiteral("cover open")));
         printer_.isGone = true;
         QVERIFY_EXCEPTION_THROWN(print({QStringLiteral("Below")}, history()), Error);
-        QCOMPARE(history().records()[0].fate, PrintFate::Unknown);
-        QVERIFY(fateText(history().records()[0]).contains(QStringLiteral("no answer")));
+        QCOMPARE(history().records()[0].fate, PrintOutcome::Unknown);
+        QVERIFY(outcomeText(history().records()[0]).contains(QStringLiteral("no answer")));
     }
 
     void printHistory_printingNotConfirmed_isHandedOver() {
         printer_.tellsPrinted = false;
         QCOMPARE(print({QStringLiteral("Top")}, history()).state, JobState::HandedOver);
-        QCOMPARE(history().records()[0].fate, PrintFate::HandedOver);
+        QCOMPARE(history().records()[0].fate, PrintOutcome::HandedOver);
     }
 
     void printHistory_cancelledJob_isCancelled() {
         printer_.end = {JobState::Held, {}};
         Progress progress;
         progress.report = [&](double, const QString&) {
-            QCOMPARE(history().records()[0].fate, PrintFate::Sent); // recorded before the job ends
+            QCOMPARE(history().records()[0].fate,
+                     PrintOutcome::Sent); // recorded before the job ends
             progress.cancelToken.cancel();
         };
         QVERIFY_EXCEPTION_THROWN(print({QStringLiteral("Top")}, history(), progress), Cancelled);
         QCOMPARE(history().records().size(), std::size_t(1));
-        QCOMPARE(history().records()[0].fate, PrintFate::Cancelled);
+        QCOMPARE(history().records()[0].fate, PrintOutcome::Cancelled);
     }
 
     void printHistory_sheetWrittenToFile_isRecorded() {
@@ -147,7 +148,7 @@ private slots:
         QCOMPARE(records.size(), std::size_t(1));
         QCOMPARE(records[0].file, path);
         QCOMPARE(records[0].mediumSize, QSizeF(120, 160));
-        QCOMPARE(records[0].fate, PrintFate::WrittenToFile);
+        QCOMPARE(records[0].fate, PrintOutcome::WrittenToFile);
     }
 
     // A job printed with different profiles makes different sheets, so each has its own number.
@@ -186,7 +187,7 @@ private slots:
         QCOMPARE(history().records()[0].job, QStringLiteral("3fa9c2d1"));
     }
 
-    // Without an ICC profile, because only then the lettering of the PDF is text.
+    // Written in RGB, because only there the lettering of the PDF is text.
     void writePrintFile_jobNumber_isOnSheet() {
         PrintFileRequest file;
         file.profile = PrinterProfile();

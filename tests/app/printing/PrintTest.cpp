@@ -533,7 +533,7 @@ void PrintTest::followJob_printerNotThere_cancelsJob() {
         followJob(*system_, job, progress, std::chrono::milliseconds(500));
         QFAIL("followJob() returned without a printer, expected NotPrinted");
     } catch (const NotPrinted& end) {
-        QCOMPARE(end.fate(), PrintFate::Stopped);
+        QCOMPARE(end.fate(), PrintOutcome::Stopped);
         QVERIFY2(end.sentence().contains("does not answer") &&
                      end.sentence().contains("the job was cancelled"),
                  qPrintable(end.sentence()));
@@ -557,7 +557,7 @@ void PrintTest::followJob_printingNotConfirmed_isNotPrinted() {
         print(chessSheet("Top"), to("dropping"));
         QFAIL("print() returned without a printer, expected NotPrinted");
     } catch (const NotPrinted& end) {
-        QCOMPARE(end.fate(), PrintFate::Unknown);
+        QCOMPARE(end.fate(), PrintOutcome::Unknown);
         QVERIFY2(end.sentence().contains("does not answer"), qPrintable(end.sentence()));
     }
 }

@@ -84,12 +84,12 @@ private slots:
             return ::mmap(nullptr, std::size_t(bytes), PROT_READ | PROT_WRITE,
                           MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) != MAP_FAILED;
         };
-        const qint64 most = mostOf(Budget::Memory);
+        const qint64 most = budgetLimit(Budget::Memory);
         QVERIFY(isTrue([&] { return take(most / 2); }));
         QVERIFY(isFalse([&] { return take(most); }));
         constexpr qint64 fileBytes = 100 << 20;
         QVERIFY(isTrue([&] {
-            allowFor(fileBytes);
+            raiseLimits(fileBytes);
             return take(most);
         }));
     }

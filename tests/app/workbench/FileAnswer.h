@@ -1,4 +1,4 @@
-// Answers the question for a file or a folder, as somebody who types its name.
+// Answers a dialog for a file or folder, like a user who types its name.
 #pragma once
 
 #include <QApplication>
@@ -9,7 +9,7 @@
 
 namespace dipwright {
 
-// When it is asked.
+// Answers with `path` as soon as the dialog is open. Returns at once.
 inline void answerWithFile(const QString& path) {
     auto* timer = new QTimer(qApp);
     QObject::connect(timer, &QTimer::timeout, qApp, [timer, path] {

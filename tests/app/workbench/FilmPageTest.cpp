@@ -1,4 +1,4 @@
-// The page on which a film on the water is measured by photos, used as a user would.
+// Uses the page that measures a floating film by photos, like a user.
 #include "workbench/inspection/FilmPage.h"
 #include "InspectionWindow.h"
 #include "Patience.h"
@@ -46,7 +46,7 @@ private slots:
         drop(files_);
         QTRY_COMPARE_WITH_TIMEOUT(film().photos.size(), files_.size(), patience());
         QCOMPARE(film().photos[0].sha256.size(), 64);
-        drop(files_.mid(0, 1)); // there already
+        drop(files_.mid(0, 1)); // already on the page
         waitForJobs();
         QCOMPARE(film().photos.size(), std::size_t(files_.size()));
         QCOMPARE(table()->rowCount(), int(files_.size()));
@@ -77,7 +77,7 @@ private slots:
         driver.trigger("undo");
         QCOMPARE(film().cardRulers[0], Millimetres(100));
         QCOMPARE(driver.find<NumberBox>("cardAcross")->value(), 100.0);
-        // Nothing is told of the lens and the water until somebody does.
+        // Lens and water stay unset until the user enters them.
         QVERIFY(!film().lensK1 && !film().focalAs35 && !film().waterTemperature);
         driver.find<NumberBox>("focalLength")->setValue(35);
         QCOMPARE(film().focalAs35, std::optional(Millimetres(35)));
@@ -120,13 +120,14 @@ private slots:
         WindowDriver& driver = window_->driver();
         const QString without = words();
         driver.find<NumberBox>("rulerError")->setValue(0.1);
-        QVERIFY(!driver.find<QPushButton>("saveFilmProfile")->isEnabled()); // no longer that film
+        QVERIFY(!driver.find<QPushButton>("saveFilmProfile")
+                     ->isEnabled()); // the measured film is outdated
         driver.find<QPushButton>("measureFilm")->click();
         QTRY_VERIFY_WITH_TIMEOUT(driver.find<QPushButton>("saveFilmProfile")->isEnabled(),
                                  patience());
         QVERIFY(words() != without);
         QVERIFY(words().contains(QStringLiteral("0.0016"))); // √2 · 0.1 % of 1.12
-        QCOMPARE(words().section(u'\n', 1, 1), without.section(u'\n', 1, 1)); // growth is as it was
+        QCOMPARE(words().section(u'\n', 1, 1), without.section(u'\n', 1, 1)); // growth is unchanged
     }
 
     void filmPage_saveProfile_storesMeasuredFilm() {
@@ -161,7 +162,7 @@ private slots:
         QCOMPARE(film().photos.size(), std::size_t(files_.size()));
     }
 
-    // And a project from elsewhere has its photos read only when its user allows it.
+    // Photos of a project from elsewhere are read only if the user allows it.
     void filmPage_savedProject_keepsPhotos() {
         const QString copy = home_.filePath(QStringLiteral("copy.dipw"));
         saveProject(window_->project(), copy);

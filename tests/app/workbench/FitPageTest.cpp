@@ -1,4 +1,4 @@
-// The page on which film and dip are fitted to photos of a dipped part, used as a user would.
+// Uses the page that fits film and dip to photos of a dipped part, like a user.
 #include "workbench/inspection/FitPage.h"
 #include "InspectionWindow.h"
 #include "Patience.h"
@@ -54,7 +54,7 @@ private slots:
         InspectionWindow::drop(*window_->page<PartPage>(), photos);
         QTRY_COMPARE_WITH_TIMEOUT(window_->project().inspection.photos.size(), std::size_t(3),
                                   patience());
-        // Places of the body itself, as a hand finds them.
+        // Places of the body's surface with an error, as a user clicks them.
         const FitPairs pairs = part.pairs(cameras, 0, 16, 0.7, 1);
         window_->window().document()->edit(QStringLiteral("pairs"), {}, [&](Project& project) {
             for (const PlacePair& pair : pairs.body) {
@@ -97,7 +97,11 @@ private slots:
                                                : QStringLiteral("∞"));
             const double found = number(quantities.item(row, 2)->text());
             QVERIFY2(std::abs(found - truth[at]) < allowed[at],
-                     qPrintable(quantities.item(row, 0)->text()));
+                     qPrintable(QStringLiteral("%1 is %2, expected %3 ± %4")
+                                    .arg(quantities.item(row, 0)->text())
+                                    .arg(found)
+                                    .arg(truth[at])
+                                    .arg(allowed[at])));
             const QStringList interval =
                 quantities.item(row, 3)->text().split(QStringLiteral(" to "));
             QCOMPARE(interval.size(), 2);
@@ -128,10 +132,10 @@ private slots:
         QVERIFY(std::abs(used.immersions[0].rotation[1].value() - hidden.turn) < 0.3);
         QVERIFY(used.profiles.film && used.profiles.film->measured.relaxationTime);
         QCOMPARE(used.profiles.film->measured.photos.split(u' ').size(), 3);
-        // What was found stays to be read and saved; it is in use.
+        // The fit is in use. It can still be read and saved.
         QCOMPARE(table("fitQuantities").rowCount(), 6);
         QVERIFY(!button("useFit")->isEnabled() && button("saveFit")->isEnabled());
-        QVERIFY(!button("fitFilm")->isEnabled()); // the corners were held against another film
+        QVERIFY(!button("fitFilm")->isEnabled()); // the corners were found with the old film
         window_->driver().trigger("undo");
         QCOMPARE(window_->project(), before);
         QVERIFY(button("useFit")->isEnabled() && button("fitFilm")->isEnabled());

@@ -1,5 +1,5 @@
-// The small habits of a document application: layouts with names, keys that clash, a report to hand
-// on, a notice when another solver took over, pictures exported as they are shown.
+// Tests everyday functions of the window: named layouts, shortcut conflicts, the report to copy,
+// notices, accuracy dialogs, zones, history, snapshots, guide and new projects.
 #include "Patience.h"
 #include "PluginFolder.h"
 #include "TestFolders.h"
@@ -48,7 +48,7 @@ namespace {
 const QString model = sampleFolder("/models/turtle.obj");
 const QString texture = sampleFolder("/models/turtle.png");
 
-// A GPU solver that every run prefers and that fails as soon as it steps.
+// Adds a GPU solver that every run prefers and that fails at its first step.
 void addFailingGpu(const PluginFolder& folder) {
     const QString name = QStringLiteral("advance");
     folder.add(name, badModuleFolder("/") + PluginFolder::moduleName(name));
@@ -147,7 +147,8 @@ private slots:
         QVERIFY(!driver.action("certainty")->isEnabled());
         QVERIFY(WindowDriver(*window_).create(model, texture, 90, [](Project& project) {
             makeCoarse(project);
-            project.film.resolution = FilmResolution::Automatic; // a coarse film is not certain
+            project.film.resolution =
+                FilmResolution::Automatic; // a coarse film is not accurate enough
         }));
         driver.trigger("certainty");
         QVERIFY(!driver.action("certainty")->isEnabled());
@@ -196,7 +197,7 @@ private slots:
         QVERIFY(!dialog->findChild<PictureView*>()->isEmpty());
         dialog->close();
 
-        // In the report and on the body, as long as it is true.
+        // The report and the body show the zones until the result is stale.
         const auto* report = driver.find<QTextBrowser>("report");
         QVERIFY(report->toPlainText().contains(QStringLiteral("Zone C")));
         driver.trigger("zones");
@@ -226,7 +227,7 @@ private slots:
         auto* brush = driver.find<QComboBox>("zoneBrush");
         brush->setCurrentIndex(brush->findData(int(Zone::A)));
         driver.find<QDoubleSpinBox>("zoneBrushRadius")->setValue(12);
-        QVERIFY(driver.action("zones")->isChecked()); // who marks them sees them
+        QVERIFY(driver.action("zones")->isChecked()); // marking shows the zones
         const QImage before = window_->view().picture();
         const Eigen::Vector3f middle = boundingBox(document.project().model->mesh).center();
         const QPointF place = window_->view().positionOf(middle + Eigen::Vector3f(0, 10, 0));
@@ -252,7 +253,9 @@ private slots:
         window_->view().picture();
         WindowDriver::drag(window_->view(), {0.45, 0.5}, {0.55, 0.5});
         const std::vector<ZoneMark>& marks = document.project().tolerance.marks;
-        QVERIFY2(marks.size() > 3 && marks.size() < 15, QByteArray::number(marks.size()));
+        QVERIFY2(marks.size() > 3 && marks.size() < 15,
+                 qPrintable(
+                     QStringLiteral("the drag set %1 marks, expected 4 to 14").arg(marks.size())));
         driver.trigger("undo");
         QVERIFY(marks.empty());
     }
@@ -293,12 +296,12 @@ private slots:
         PrintRecord record;
         record.job = QStringLiteral("0123456789ab");
         record.source = printSource(window_->document()->project(), path);
-        record.fate = PrintFate::Printed;
+        record.fate = PrintOutcome::Printed;
         QVERIFY(PrintHistory().keep(record).isEmpty());
-        QTest::qWait(5); // so that the other one is the newer
+        QTest::qWait(5); // so that the second record is newer
         PrintRecord other;
         other.job = QStringLiteral("ba9876543210");
-        other.fate = PrintFate::Failed;
+        other.fate = PrintOutcome::Failed;
         other.reason = QStringLiteral("no such ink");
         QVERIFY(PrintHistory().keep(other).isEmpty());
         window_ = std::make_unique<MainWindow>(*workbench_);
@@ -311,7 +314,7 @@ private slots:
         const auto* facts = dialog->findChild<QLabel*>(QStringLiteral("facts"));
         QVERIFY2(facts->text().contains(other.reason), qPrintable(facts->text()));
         auto* open = dialog->findChild<QPushButton*>(QStringLiteral("openProject"));
-        QVERIFY(!open->isEnabled()); // it was never saved
+        QVERIFY(!open->isEnabled()); // the newer sheet's project was never saved
         auto* search = dialog->findChild<QLineEdit*>(QStringLiteral("search"));
         search->setText(QStringLiteral("01234567"));
         QVERIFY(table->isRowHidden(0) && !table->isRowHidden(1));
@@ -335,7 +338,7 @@ private slots:
         QTRY_VERIFY(map->isEmpty());
         QVERIFY(!driver.action("print")->isEnabled());
         QVERIFY(!driver.action("play")->isEnabled());
-        QTest::mouseMove(map, map->rect().center()); // there is nothing to be read off
+        QTest::mouseMove(map, map->rect().center()); // there are no values
         QTest::qWait(50);
         QVERIFY(driver.find<QLabel>("reading")->text().isEmpty());
     }
@@ -350,11 +353,12 @@ private slots:
             tree->select({part, 0});
             QTest::qWait(20); // layouts
             const QSize least = window_->minimumSizeHint();
-            QVERIFY2(least.width() <= 1024 && least.height() <= 700,
-                     qPrintable(QStringLiteral("page %1: %2 × %3")
-                                    .arg(int(part))
-                                    .arg(least.width())
-                                    .arg(least.height())));
+            QVERIFY2(
+                least.width() <= 1024 && least.height() <= 700,
+                qPrintable(QStringLiteral("page %1 needs %2 × %3 px, expected at most 1024 × 700")
+                               .arg(int(part))
+                               .arg(least.width())
+                               .arg(least.height())));
         }
     }
 
@@ -393,7 +397,7 @@ private slots:
         QCOMPARE(document.undoStack().count(), steps + 1);
         document.undoStack().undo();
         QVERIFY(document.project().immersions == before);
-        // Stopped at once, it is over and can be begun again.
+        // A search stopped at once ends, and a new one can start.
         start->click();
         driver.find<QPushButton>("stopSearch")->click();
         QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), patience());
@@ -432,7 +436,7 @@ private slots:
         QVERIFY2(all.contains(QStringLiteral("1.25")) && all.contains(QStringLiteral("7 mm")),
                  qPrintable(all));
         QVERIFY2(all.contains(QStringLiteral("layer 1|–|Walnut, 50 × 50 mm")), qPrintable(all));
-        // It is in the file, and what is opened has it.
+        // The snapshot is saved in the file.
         const QString path = folder_.filePath(QStringLiteral("snapshots.dipw"));
         saveProject(document.project(), path);
         QCOMPARE(snapshots(loadProject(path)).size(), std::size_t(1));
@@ -505,7 +509,7 @@ private slots:
         for (qsizetype place = 1; place < places; ++place) {
             emit search->returnPressed();
         }
-        QCOMPARE(text->textCursor().selectionStart(), second); // round to the first
+        QCOMPARE(text->textCursor().selectionStart(), second); // wraps round to the first
         search->setText(QStringLiteral("no such word"));
         QCOMPARE(shown(), 0);
         search->clear();
@@ -536,7 +540,7 @@ private slots:
         emit view.rotationDragged(0, 30);
         QCOMPARE(view.picture(), turning);
         emit view.rotationFinished();
-        QVERIFY(view.picture() != turning); // its own look again, in the same pose
+        QVERIFY(view.picture() != turning); // own appearance again, in the same pose
         QCOMPARE(window_->document()->project().immersions[0].rotation[0].value(), 30.0);
     }
 

@@ -1,4 +1,4 @@
-// The page on which a dipped part is held against its photos, used as a user would.
+// Uses the pages that compare a dipped part with its photos, like a user.
 #include "InspectionWindow.h"
 #include "PartPhoto.h"
 #include "Patience.h"
@@ -84,7 +84,7 @@ private slots:
                                     part().pairs[0].place[1].value(),
                                     part().pairs[0].place[2].value());
         QVERIFY(std::abs(place.norm() - 35) < 0.5); // on the ball
-        // Dragged elsewhere, as one step.
+        // A drag of the place is one undo step.
         const auto before = part().pairs[0].pixel;
         driver.drag(*view, {0.5, 0.5}, {0.6, 0.55});
         QVERIFY(part().pairs[0].pixel[0] > before[0] + 20);
@@ -148,20 +148,20 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(built().parts.size(), std::size_t(1), patience());
         QCOMPARE(built().parts[0].acceptedBy, QStringLiteral("Ada"));
         QCOMPARE(built().parts[0].photos, part().photos[0].sha256);
-        QVERIFY(built().parts[0].residual < 0.5); // the photo is of the job itself
+        QVERIFY(built().parts[0].residual < 0.5); // the photo shows the computed result
         QCOMPARE(driver.find<QTableWidget>("builtParts")->rowCount(), 1);
         QTRY_VERIFY_WITH_TIMEOUT(
             driver.find<QLabel>("builtWords")->text().contains(QStringLiteral("repeat")),
             patience());
         PicturePanel* picture = window_->page<BuiltPage>()->findChild<PicturePanel*>();
         QVERIFY(!picture->view().isEmpty());
-        QVERIFY(!built().corrects); // seen, not used
+        QVERIFY(!built().corrects); // shown, but not used
         driver.find<NumberBox>("correctionStrength")->setValue(50);
         QCOMPARE(built().strength, 0.5);
         driver.trigger("undo");
         QCOMPARE(built().strength, 1.0);
         QCOMPARE(driver.find<NumberBox>("correctionStrength")->value(), 100.0);
-        // The same photos twice would count as two parts that agree.
+        // The same photos must not count as a second part.
         QTRY_VERIFY_WITH_TIMEOUT(keep->isEnabled(), patience());
         keep->click();
         QTRY_VERIFY_WITH_TIMEOUT(window_->window().findChild<QMessageBox*>(), patience());
@@ -169,7 +169,7 @@ private slots:
         QCOMPARE(built().parts.size(), std::size_t(1));
     }
 
-    // With such a coarse film the fit does not converge, and the page says so in place of a result.
+    // The film is too coarse for the fit to converge. The page says so instead of a result.
     void fitPage_fitDoesNotConverge_saysWhy() {
         WindowDriver& driver = window_->driver();
         auto* fit = driver.find<QPushButton>("fitFilm");

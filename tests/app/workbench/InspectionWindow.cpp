@@ -13,7 +13,7 @@ namespace dipwright {
 
 namespace {
 
-// Before there is any text.
+// Sets the language before any text is made. Returns `folder`.
 QString inLanguage(const QString& folder) {
     if (const QString code = qEnvironmentVariable("DIPWRIGHT_PICTURES_LANGUAGE"); !code.isEmpty()) {
         installLanguage(*qApp, code);

@@ -1,4 +1,4 @@
-// A main window with the inspection's pages in front, for the tests of these.
+// A main window with the inspection's pages in front, for their tests.
 #pragma once
 
 #include "WindowDriver.h"
@@ -10,11 +10,11 @@ namespace dipwright {
 
 class InspectionWindow {
 public:
-    // 1280 by 800; what it keeps is in `folder`. In the language of DIPWRIGHT_PICTURES_LANGUAGE,
-    // for whom wants to look at it.
+    // Opens a window of 1280 × 800 px that keeps its files in `folder`. Its language is that of
+    // DIPWRIGHT_PICTURES_LANGUAGE, for screenshots.
     explicit InspectionWindow(const QString& folder);
 
-    bool open(const Project& project); // in a file in the folder
+    bool open(const Project& project); // saves it in the folder and opens the file
     const Project& project() const { return window_.document()->project(); }
     MainWindow& window() { return window_; }
     WindowDriver& driver() { return driver_; }
@@ -26,11 +26,11 @@ public:
     Page* page() const {
         return window_.findChild<Page*>();
     }
-    void show(QWidget* page); // one of the inspection's
+    void show(QWidget* page); // a page of the inspection
 
     static void drop(QWidget& page, const QStringList& files);
-    // Light and dark, small and large, each after `show` has been called with the number of the
-    // picture: `name`-THEME-WIDTH-NUMBER.png in the folder of DIPWRIGHT_PICTURES, if it is set.
+    // Takes screenshots in both themes and two sizes, if DIPWRIGHT_PICTURES names a folder. Calls
+    // `show` with the number of the picture before each. Files: `name`-THEME-WIDTH-NUMBER.png.
     void photograph(const QString& name, int pictures, const std::function<void(int)>& show);
 
 private:

@@ -1,4 +1,4 @@
-// Jobs and recordings without a window.
+// Tests jobs and recordings of dips without a window.
 #include "Patience.h"
 #include "base/Error.h"
 #include "workbench/dip/DipRecording.h"
@@ -50,7 +50,7 @@ private:
     std::function<void(const Progress&)> work_;
 };
 
-const char* const hanging = "--hanging"; // this program again, with a job that never ends
+const char* const hanging = "--hanging"; // runs this program with a job that never ends
 
 void endWhileHanging() {
     ProbeJob::Log log;
@@ -168,14 +168,15 @@ private slots:
         QVERIFY(log.finalized == nullptr);
     }
 
-    // Nothing but the process can be ended where a solver hangs; and it is, so that a window that
-    // is closed does not stay for ever.
+    // A hanging solver cannot be stopped, so the runner ends the process. Otherwise a closed window
+    // would stay for ever.
     void jobRunner_jobHangs_endsProcess() {
         QProcess program;
         program.start(QCoreApplication::applicationFilePath(), {QLatin1String(hanging)});
         QVERIFY(program.waitForFinished(patience()));
         QCOMPARE(program.exitStatus(), QProcess::NormalExit);
-        QVERIFY2(program.readAllStandardError().isEmpty(), "it ended in another way");
+        QVERIFY2(program.readAllStandardError().isEmpty(),
+                 "the program printed an error, expected a silent end");
         QCOMPARE(program.exitCode(), EXIT_FAILURE);
     }
 

@@ -1,4 +1,4 @@
-// The dialog for several jobs on one film as a user works it.
+// Uses the dialog that packs several jobs on one film, like a user.
 #include "workbench/printing/PackDialog.h"
 #include "FileAnswer.h"
 #include "PaperMeasure.h"
@@ -29,7 +29,7 @@ class PackDialogTest : public QObject {
     QTemporaryDir folder_;
     SolverRegistry registry_;
 
-    // The sample ball, small and coarse.
+    // Saves the sample ball, small and coarse, under a name. Returns its path.
     QString ball(const QString& name) {
         Project project = loadProject(sampleFolder("/sphere.dipw"));
         project.name = name;
@@ -61,7 +61,7 @@ private slots:
         auto* preview = dialog.findChild<PicturePanel*>();
         QVERIFY(!layOut->isEnabled() && !write->isEnabled());
         dialog.add({ball(QStringLiteral("One"))});
-        // The second is dropped from a file manager.
+        // The second project is dropped from a file manager.
         QMimeData data;
         data.setUrls({QUrl::fromLocalFile(ball(QStringLiteral("Two")))});
         QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
@@ -81,7 +81,7 @@ private slots:
         QVERIFY(films->currentText().contains(QStringLiteral("2")));
         const QImage two = preview->grab().toImage();
 
-        // More copies are laid out at once: what was dipped is kept.
+        // More copies are laid out at once, because the dips are cached.
         qobject_cast<QSpinBox*>(table->cellWidget(0, 1))->setValue(3);
         QTRY_VERIFY_WITH_TIMEOUT(write->isEnabled(), patience());
         QVERIFY(films->itemText(0).contains(QStringLiteral("4")));

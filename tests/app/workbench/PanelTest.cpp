@@ -1,8 +1,8 @@
-// The panels by themselves: fields, heat scale, isolines and the picture view.
+// Tests the panels without a window: fields, heat scale, isolines, timeline and picture view.
 #include "Contrast.h"
 #include "geometry/Shapes.h"
 #include "project/Schema.h"
-#include "workbench/accuracy/CertaintyPanel.h"
+#include "workbench/accuracy/VerdictPanel.h"
 #include "workbench/document/ProjectValue.h"
 #include "workbench/project/FilmFacts.h"
 #include "workbench/project/PropertyField.h"
@@ -61,21 +61,22 @@ private slots:
         QSet<QString> shown;
         for (const PropertySpec& spec : allSpecs()) {
             QVERIFY2(!spec.label.isEmpty() && !spec.help.isEmpty(), qPrintable(spec.path));
-            valueRule(spec.path); // throws for a path that is none
+            valueRule(spec.path); // throws for an unknown path
             shown.insert(spec.path);
         }
         const QSet<QString> elsewhere{
             QStringLiteral("model.source"),           QStringLiteral("model.texture_source"),
             QStringLiteral("model.unit_mm"),          QStringLiteral("model.sha256"),
             QStringLiteral("model.remarks"),         // shown with the model's facts
-            QStringLiteral("process.solver"),        // a list of its own
-            QStringLiteral("inspection.chessboard"), // a page of its own
+            QStringLiteral("process.solver"),        // in its own list
+            QStringLiteral("inspection.chessboard"), // on its own page
             QStringLiteral("inspection.keep_camera"),
         };
         for (const auto& field : projectFields()) {
             QVERIFY2(shown.contains(field.path) || elsewhere.contains(field.path) ||
-                         field.path.startsWith(QLatin1String("pose_search.")) ||   // its own page
-                         field.path.startsWith(QLatin1String("inspection.film.")), // as this
+                         field.path.startsWith(QLatin1String("pose_search.")) || // on its own page
+                         field.path.startsWith(
+                             QLatin1String("inspection.film.")), // also on its own page
                      qPrintable(field.path));
         }
     }
@@ -94,7 +95,7 @@ private slots:
         QCOMPARE(edited.count(), 1);
         const QJsonArray told = edited[0][0].toJsonValue().toArray();
         QCOMPARE(told.at(0).toDouble(), 279.4);
-        QCOMPARE(told.at(1).toDouble(), 297.0); // not rounded by being shown in inches
+        QCOMPARE(told.at(1).toDouble(), 297.0); // not rounded by the display in inches
     }
 
     void propertyField_colour_opensColourDialog() {
@@ -137,7 +138,7 @@ private slots:
         field->show(QJsonArray{1.03, 1.06});
         link->click(); // the first number holds for both
         QCOMPARE(edited.takeFirst()[0].toJsonValue(), QJsonValue(QJsonArray{1.03, 1.03}));
-        field->show(QJsonArray{1.1, 1.2}); // measured, say
+        field->show(QJsonArray{1.1, 1.2}); // as if measured
         QVERIFY(!link->isChecked());
     }
 
@@ -191,9 +192,9 @@ private slots:
         row(german, " mm", "1.234,5", 1234.5);
         row(english, " mm", "1.234,5", 1234.5);
         row(german, " mm", "1 234,5", 1234.5);
-        row(english, " mm", "1.2345", 1.2345); // no digit is cut off
+        row(english, " mm", "1.2345", 1.2345); // keeps all digits
         row(english, " mm", "0,125", 0.125);
-        row(english, " ×", "4,321", 4.321); // its other meaning is beyond the limits
+        row(english, " ×", "4,321", 4.321); // 4321 is beyond the limits
     }
     void numberBox_typedUnit_isConverted() {
         QFETCH(QLocale, locale);
@@ -210,7 +211,10 @@ private slots:
         QTest::keyClicks(&box, typed);
         QTest::keyClick(&box, Qt::Key_Return);
         QVERIFY(refused.isEmpty());
-        QVERIFY2(std::abs(box.value() - value) < 1e-9, QByteArray::number(box.value(), 'g', 12));
+        QVERIFY2(std::abs(box.value() - value) < 1e-9,
+                 qPrintable(QStringLiteral("the box reads %1, expected %2")
+                                .arg(box.value(), 0, 'g', 12)
+                                .arg(value, 0, 'g', 12)));
     }
 
     void numberBox_invalidText_isRefused_data() {
@@ -249,7 +253,7 @@ private slots:
         const QString sentence = refused[0][0].toString();
         QVERIFY2(sentence.contains(says), qPrintable(sentence));
         QCOMPARE(box.value(), 12.0);
-        QCOMPARE(box.text(), QStringLiteral("12 mm")); // what holds is what is shown
+        QCOMPARE(box.text(), QStringLiteral("12 mm")); // the box shows the value in use
     }
 
     void shownAreaAndPlace_inches_areConverted() {
@@ -268,7 +272,9 @@ private slots:
         timeline.setFrames(100);
         auto* slider = timeline.findChild<QSlider*>();
         QTest::mouseClick(slider, Qt::LeftButton, {}, {slider->width() / 4, slider->height() / 2});
-        QVERIFY2(std::abs(timeline.position() - 25) <= 4, QByteArray::number(timeline.position()));
+        QVERIFY2(std::abs(timeline.position() - 25) <= 4,
+                 qPrintable(QStringLiteral("the handle is at frame %1, expected 25 ± 4")
+                                .arg(timeline.position())));
     }
 
     void timeline_marks_standAtHandlePositions() {
@@ -286,9 +292,11 @@ private slots:
         for (int x = 0; x < after.width(); ++x) {
             found += after.pixelColor(x, after.height() - 2) == colour ? x : 0;
         }
-        QVERIFY2(found > 0, "no mark"); // three pixels wide
+        QVERIFY2(found > 0, "no mark is drawn"); // it is three pixels wide
         QTest::mouseClick(slider, Qt::LeftButton, {}, {found / 3, slider->height() / 2});
-        QVERIFY2(std::abs(timeline.position() - 40) <= 1, QByteArray::number(timeline.position()));
+        QVERIFY2(std::abs(timeline.position() - 40) <= 1,
+                 qPrintable(QStringLiteral("the handle is at frame %1, expected 40 ± 1")
+                                .arg(timeline.position())));
         QCOMPARE(slider->accessibleDescription(), QStringLiteral("Film tears"));
         timeline.setFrames(100);
         timeline.setPosition(0);
@@ -342,11 +350,14 @@ private slots:
                 {QPalette::ToolTipText, QPalette::ToolTipBase}};
             for (const auto& [text, ground] : pairs) {
                 const double ratio = contrast(palette.color(text), palette.color(ground));
-                QVERIFY2(ratio >= 4.5, qPrintable(QStringLiteral("%1 on %2, dark %3: %4")
-                                                      .arg(text)
-                                                      .arg(ground)
-                                                      .arg(dark)
-                                                      .arg(ratio)));
+                QVERIFY2(
+                    ratio >= 4.5,
+                    qPrintable(QStringLiteral("role %1 on role %2, dark %3: the contrast is %4, "
+                                              "expected at least 4.5")
+                                   .arg(text)
+                                   .arg(ground)
+                                   .arg(dark)
+                                   .arg(ratio)));
             }
         }
     }
@@ -380,7 +391,7 @@ private slots:
         QVERIFY(!lines.isEmpty());
         for (const QLineF& line : lines) {
             QVERIFY(std::abs(line.x1() - line.x2()) < 1e-9);
-            QVERIFY(std::abs(std::remainder(line.x1(), 25)) < 1e-9); // a value of 2.5 is at 25 mm
+            QVERIFY(std::abs(std::remainder(line.x1(), 25)) < 1e-9); // the value 2.5 is at 25 mm
         }
     }
 
@@ -436,7 +447,7 @@ private slots:
         coverage->paintedArea = 1000;
         auto result = std::make_shared<JobResult>();
         result->immersions.resize(1);
-        CertaintyPanel panel;
+        VerdictPanel panel;
         const auto text = [&](const MarkedArea& marked) {
             coverage->marked = marked;
             result->immersions[0].coverage = std::make_shared<const Coverage>(*coverage);
@@ -459,15 +470,15 @@ private slots:
         auto result = std::make_shared<JobResult>();
         result->immersions.resize(1);
         result->immersions[0].coverage = coverage;
-        result->immersions[0].verdict.advice = Advice::LookFirst;
+        result->immersions[0].verdict.advice = Advice::CheckFirst;
         result->immersions[0].verdict.reasons.resize(12);
         result->immersions[0].verdict.places.resize(5);
-        CertaintyPanel panel;
+        VerdictPanel panel;
         panel.resize(320, 1400);
         panel.show();
         panel.setOutcome({result, {}, {}}, 0, LengthUnit::Millimetre);
         const auto* text = panel.findChild<QTextBrowser*>(QStringLiteral("verdict"));
-        QTRY_COMPARE(text->verticalScrollBar()->maximum(), 0); // there is room for all of them
+        QTRY_COMPARE(text->verticalScrollBar()->maximum(), 0); // all words fit
         QCOMPARE(text->horizontalScrollBar()->maximum(), 0);
         panel.resize(320, 240);
         QTRY_VERIFY(text->verticalScrollBar()->maximum() > 0);

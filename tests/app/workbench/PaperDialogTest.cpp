@@ -1,4 +1,4 @@
-// The dialogs between the program and the printer: profiles and calibration.
+// Tests the dialogs for profiles, printing and calibration.
 #include "Patience.h"
 #include "project/Profiles.h"
 #include "workbench/printing/CalibrationDialog.h"
@@ -77,7 +77,7 @@ private slots:
         dialog.choose(ProfileKind::Printer, "Mine");
         dialog.findChildren<QDoubleSpinBox*>("scale").at(0)->setValue(1.004);
         dialog.findChildren<QDoubleSpinBox*>("margins_mm").at(1)->setValue(4.5);
-        QCOMPARE(printer(library_, "Mine").scaleX, 1.0); // while it is still typed in
+        QCOMPARE(printer(library_, "Mine").scaleX, 1.0); // not saved yet
         dialog.reject();
         QCOMPARE(printer(library_, "Mine").scaleX, 1.004);
         QCOMPARE(printer(library_, "Mine").margins[1].value(), 4.5);
@@ -89,7 +89,7 @@ private slots:
         auto* name = dialog.findChild<QLineEdit*>("name");
         name->clear();
         QTest::keyClicks(name, "Ours");
-        dialog.choose(ProfileKind::Film, "Ideal film, A4"); // turns to something else
+        dialog.choose(ProfileKind::Film, "Ideal film, A4"); // leaves the profile
         QVERIFY(library_.contains(ProfileKind::Printer, "Ours"));
         QVERIFY(!library_.contains(ProfileKind::Printer, "Mine"));
         PrinterProfile back = printer(library_, "Ours");
@@ -138,7 +138,7 @@ private slots:
         result->immersions.resize(1);
         result->immersions[0].sheet = sheet;
         PrintDialog dialog({result, {}, {sheetPreview(sheet)}}, 0, {});
-        const auto shape = [&] { // of the page that is shown
+        const auto shape = [&] { // width over height of the shown page
             const QImage& page = dialog.findChild<PictureView*>()->picture();
             return double(page.width()) / page.height();
         };
@@ -155,7 +155,7 @@ private slots:
         QVERIFY(orientation->isEnabled());
         orientation->setCurrentText("Landscape");
         QVERIFY(std::abs(shape() - 420.0 / 297) < 0.01);
-        // Without a printer there is a word on what to do, and nothing to press.
+        // Without a printer, the dialog says what to do, and Print is disabled.
         const auto told = [&] {
             for (const QLabel* label : dialog.findChildren<QLabel*>()) {
                 if (label->text().contains("No printer is set up")) {
@@ -177,7 +177,7 @@ private slots:
         QCOMPARE(lengths.at(0)->value(), 170.0);
         QCOMPARE(lengths.at(1)->value(), 220.0);
         QPushButton* take = button(dialog, "Save scale to profile");
-        lengths.at(0)->setValue(250); // a printer that was told to scale
+        lengths.at(0)->setValue(250); // far off: the printer scales to the page
         QVERIFY(!take->isEnabled());
         lengths.at(0)->setValue(170 * 1.004);
         lengths.at(1)->setValue(220 * 0.997);
@@ -186,7 +186,7 @@ private slots:
         QCOMPARE(told.count(), 1);
         QVERIFY(std::abs(printer(library_, "Mine").scaleX - 1.004) < 1e-9);
         QVERIFY(std::abs(printer(library_, "Mine").scaleY - 0.997) < 1e-9);
-        // The second page is the next step; what is left on it comes on top.
+        // Next comes the second page. Its remaining error multiplies the scale.
         QVERIFY(dialog.page().verifies());
         QCOMPARE(dialog.page().scaleX, printer(library_, "Mine").scaleX);
         lengths.at(0)->setValue(170.17);

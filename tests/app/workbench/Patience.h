@@ -1,12 +1,12 @@
-// How long a test waits for what is to happen in it.
+// Tells how long a test waits for an event.
 #pragma once
 
 #include <QtGlobal>
 
 namespace dipwright {
 
-// In milliseconds: half of what a test case may take in all, which is more with a sanitizer.
-// Nothing is asserted about time.
+// Returns the longest wait in ms: half of a test case's time limit, which is longer with
+// sanitizers. No test asserts a time.
 inline int patience() {
     const int limit = qEnvironmentVariableIntValue("QTEST_FUNCTION_TIMEOUT");
     return limit > 0 ? limit / 2 : 120'000;

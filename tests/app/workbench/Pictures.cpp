@@ -1,4 +1,4 @@
-// Makes pictures of the program's windows, for the guide, the README and for looking at the layout.
+// Takes screenshots of the program's windows, for the guide, the README and checks of the layout.
 #include "WindowDriver.h"
 #include "artwork/EditArtwork.h"
 #include "base/Error.h"
@@ -89,7 +89,7 @@ void photographTabs(WindowDriver& driver, MainWindow& window, const Photographer
     results->setCurrentIndex(0);
 }
 
-// What there is of two dips that share the body out only.
+// Takes the pictures that exist only if two dips share the body.
 void photographShares(WindowDriver& driver, MainWindow& window, const Photographer& camera) {
     driver.trigger("filmShares");
     camera.take(window, QStringLiteral("film-shares"));
@@ -102,7 +102,7 @@ void photographShares(WindowDriver& driver, MainWindow& window, const Photograph
     driver.find<ProjectTree>("projectTree")->select({ProjectPart::Share, 0});
     driver.trigger("coverage");
     driver.find<QComboBox>("joinBrush")->setCurrentIndex(3);
-    window.view().picture(); // as the user sees it
+    window.view().picture(); // draws the view first
     driver.drag(window.view(), {0.5, 0.5}, {0.56, 0.5});
     camera.take(window, QStringLiteral("marks"));
     driver.trigger("undo");
@@ -114,13 +114,13 @@ void photographShares(WindowDriver& driver, MainWindow& window, const Photograph
     driver.find<QDoubleSpinBox>("slipX")->setValue(3);
     camera.take(window, QStringLiteral("slipped"));
     driver.find<QDoubleSpinBox>("slipX")->setValue(0);
-    driver.find<QDoubleSpinBox>("slipDepth")->setValue(8); // of dips with a depth
+    driver.find<QDoubleSpinBox>("slipDepth")->setValue(8); // has an effect only with a depth
     camera.take(window, QStringLiteral("deeper"));
     driver.trigger("bodyPrint");
     driver.find<QTabWidget>("results")->setCurrentIndex(0);
 }
 
-// Cut open, and the film see-through.
+// Takes the body cut open, and through a translucent film.
 void photographInside(const WindowDriver& driver, MainWindow& window, const Photographer& camera,
                       const QString& name) {
     driver.trigger("section");
@@ -157,7 +157,7 @@ void photographResults(WindowDriver& driver, MainWindow& window, const Photograp
     driver.trigger("filmLines");
 }
 
-// Menus as they drop down.
+// Takes the open menus.
 void photographMenus(MainWindow& window, const Photographer& camera) {
     int number = 0;
     for (const QAction* entry : window.menuBar()->actions()) {
@@ -168,7 +168,7 @@ void photographMenus(MainWindow& window, const Photographer& camera) {
     }
 }
 
-// A question that waits for its answer: photographed, then closed.
+// Takes a question that waits for its answer, then closes it.
 void photographQuestion(const char* name, const QString& picture, const Photographer& camera,
                         const std::function<void()>& ask) {
     QTimer timer;
@@ -209,7 +209,7 @@ void photographCertainty(WindowDriver& driver, const Photographer& camera) {
     }
 }
 
-// What is told, and the zones on the body with one marked.
+// Takes the tolerances, and the body with one marked zone.
 void photographTolerances(WindowDriver& driver, MainWindow& window, const Photographer& camera) {
     driver.find<ProjectTree>("projectTree")->select({ProjectPart::Tolerance, 0});
     window.document()->edit({}, {}, [](Project& project) {
@@ -234,18 +234,18 @@ void photographTolerances(WindowDriver& driver, MainWindow& window, const Photog
     driver.trigger("undo");
 }
 
-// The page of the artwork, with each of its layers chosen, before the dip and on the film.
+// Takes the artwork page with each layer chosen.
 void photographArtwork(const WindowDriver& driver, MainWindow& window, const Photographer& camera) {
     driver.trigger("artwork");
     auto* list = driver.find<QListWidget>("artworkLayers");
     for (int row = 0; row < list->count(); ++row) {
         list->setCurrentRow(row);
-        QTest::qWait(1500); // it is painted
+        QTest::qWait(1500); // until the layer is painted
         camera.take(window, QStringLiteral("artwork-%1").arg(row));
     }
 }
 
-// While poses are searched, and what was found.
+// Takes a running pose search and its result.
 void photographSearch(const WindowDriver& driver, MainWindow& window, const Photographer& camera) {
     driver.trigger("findPoses");
     auto* start = driver.find<QPushButton>("startSearch");
@@ -270,7 +270,8 @@ void photographHistory(MainWindow& window, Workbench& workbench, const Photograp
             immersion.sheet, printSource(window.document()->project(), window.document()->path()),
             {}, pageSize(immersion.sheet));
         record.printer = QStringLiteral("pigment");
-        for (const PrintFate fate : {PrintFate::Printed, PrintFate::Cancelled, PrintFate::Failed}) {
+        for (const PrintOutcome fate :
+             {PrintOutcome::Printed, PrintOutcome::Cancelled, PrintOutcome::Failed}) {
             record.id.clear();
             record.fate = fate;
             record.reason = QStringLiteral("The printer stopped in the middle of the job: media "
@@ -280,7 +281,7 @@ void photographHistory(MainWindow& window, Workbench& workbench, const Photograp
     }
     PrintHistoryDialog dialog(history, workbench.preferences().unit);
     dialog.show();
-    QTest::qWait(500); // it reads
+    QTest::qWait(500); // until the history is read
     camera.take(dialog, QStringLiteral("print-history"));
 }
 
@@ -325,7 +326,7 @@ void photographSnapshots(MainWindow& window, Workbench& workbench, const Photogr
     }
 }
 
-// Copies of the project on one film.
+// Takes the packing dialog with copies of the project on one film.
 void photographPacking(const MainWindow& window, const Workbench& workbench,
                        const Photographer& camera) {
     PackDialog dialog(workbench.registry());
@@ -358,10 +359,10 @@ void photographDialogs(MainWindow& window, Workbench& workbench, const Photograp
     photographPacking(window, workbench, camera);
     PrintDialog print(window.session().outcome(), 0, window.document()->path());
     print.show();
-    QTest::qWait(1500); // it looks for printers
+    QTest::qWait(1500); // until printers are found
     camera.take(print, QStringLiteral("print"));
     auto* proof = print.findChild<QComboBox*>(QStringLiteral("proof"));
-    if (proof->isEnabled()) { // the project's printer has an ICC profile
+    if (proof->isEnabled()) { // only with an ICC profile
         proof->setCurrentIndex(2);
         QTest::qWait(1500);
         camera.take(print, QStringLiteral("print-proof"));
@@ -391,7 +392,7 @@ void photographDialogs(MainWindow& window, Workbench& workbench, const Photograp
     window.findChild<QWidget*>(QStringLiteral("tour"))->close();
 }
 
-// The report with a smaller film, the body's menu, the queue, and the guide at a place of it.
+// Takes the report with a smaller film, the body's menu, the queue, and the guide at one place.
 void photographPlanning(WindowDriver& driver, MainWindow& window, Workbench& workbench,
                         const Photographer& camera) {
     photographSnapshots(window, workbench, camera);
@@ -400,7 +401,7 @@ void photographPlanning(WindowDriver& driver, MainWindow& window, Workbench& wor
     window.findChild<Timeline*>()->setPosition(0);
     camera.take(window, QStringLiteral("handles"));
     DipView& view = window.view();
-    view.picture(); // of the body where it is asked for
+    view.picture(); // the body must be drawn to be clicked
     QTest::mouseClick(&view, Qt::RightButton, {}, view.positionOf({0, 10, 0}).toPoint());
     auto* menu = view.findChild<QMenu*>(QStringLiteral("bodyMenu"));
     camera.take(*menu, QStringLiteral("body-menu"));
@@ -431,7 +432,7 @@ void photographPlanning(WindowDriver& driver, MainWindow& window, Workbench& wor
     camera.take(*window.findChild<GuideWindow*>(), QStringLiteral("guide-place"));
 }
 
-// The body over the film, for the start page.
+// Saves a thumbnail of the body over the film, for the start page.
 void photographSample(WindowDriver& driver, MainWindow& window, const QString& file) {
     driver.trigger("rings");
     driver.trigger("water");

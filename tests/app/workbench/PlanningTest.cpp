@@ -1,5 +1,6 @@
-// What planners expect of a window: results that are there when a project is opened again, a queue,
-// a smaller film proposed, the body handled by menu and keys, help where one is.
+// Tests how users plan jobs in the window: results kept with a project, the queue, a proposed
+// smaller film, turning and moving the body by menu, arrows and keys, and help for the focused
+// place.
 #include "Patience.h"
 #include "TestFolders.h"
 #include "WindowDriver.h"
@@ -72,9 +73,9 @@ private slots:
         QVERIFY(window_->document()->isFresh());
         QVERIFY(!window_->document()->isModified());
         QCOMPARE(firstSheet(), sheet);
-        QVERIFY(window_->session().reading()); // by which maps and the view are read
+        QVERIFY(window_->session().reading()); // maps and view can be read
         QVERIFY(driver.action("print")->isEnabled());
-        // Before and after the dip, and no way between to be played.
+        // Only the start and the end of the dip are kept, so nothing can be played.
         QCOMPARE(window_->findChild<Timeline*>()->frames(), 1);
         QVERIFY(!driver.action("play")->isEnabled());
     }
@@ -115,7 +116,7 @@ private slots:
         QTest::qWait(300);
         QVERIFY(!window_->document()->result());
         QVERIFY(driver.run());
-        openWindow(); // which has written it anew
+        openWindow(); // the old window rewrites the .dips file
         QVERIFY(WindowDriver(*window_).open(path));
         QTRY_VERIFY_WITH_TIMEOUT(window_->document()->result(), patience());
     }
@@ -135,9 +136,11 @@ private slots:
         emit report->anchorClicked(QUrl(QStringLiteral("smaller-film")));
         QCOMPARE(document.project().film.preset, QStringLiteral("A5"));
         QVERIFY(driver.run());
-        const double now = document.result()->coverageTotal; // its cells lie otherwise
+        const double now = document.result()->coverageTotal; // with other cells
         QVERIFY2(std::abs(now - coverage) < 0.05,
-                 qPrintable(QStringLiteral("%1, %2").arg(coverage).arg(now)));
+                 qPrintable(QStringLiteral("coverage was %1, is %2 with A5, expected within 0.05")
+                                .arg(coverage)
+                                .arg(now)));
         QVERIFY(!report->toPlainText().contains(QStringLiteral("Use this film")));
         document.undoStack().undo();
         QCOMPARE(document.project().film.preset, QStringLiteral("A4"));
@@ -174,14 +177,15 @@ private slots:
         for (const Eigen::Vector3d& face : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0),
                                             Eigen::Vector3d(0, -1, 0), Eigen::Vector3d(1, 2, -3)}) {
             const Eigen::Vector3d normal = face.normalized();
-            QVERIFY((inWorld(laidDown(immersion, normal), normal) - down).norm() < 0.01);
+            QVERIFY((inWorld(withFaceDown(immersion, normal), normal) - down).norm() < 0.01);
         }
-        // One that lies down already stays.
+        // A face that already points down stays.
         const Eigen::Vector3d lowest = rotationMatrix(immersion.rotation).transpose() * down;
-        QVERIFY(laidDown(immersion, lowest) == immersion);
+        QVERIFY(withFaceDown(immersion, lowest) == immersion);
     }
 
-    // 1024 × 700, and 1440 lines at scale 2, which are 720; windows beside it, too.
+    // 1024 × 700 is a small screen; a screen of 1440 lines at scale 2 has 720. Tests the queue,
+    // too.
     void window_allPagesShown_fits1024By700() {
         WindowDriver driver(*window_);
         QVERIFY(driver.create(model, texture, 90, makeCoarse));
@@ -195,8 +199,11 @@ private slots:
         QTest::qWait(100); // layouts
         QCOMPARE(window_->size(), QSize(1024, 700));
         const QSize least = QueueDialog(workbench_->queue()).minimumSizeHint();
-        QVERIFY2(least.width() <= 1024 && least.height() <= 660,
-                 qPrintable(QStringLiteral("%1 × %2").arg(least.width()).arg(least.height())));
+        QVERIFY2(
+            least.width() <= 1024 && least.height() <= 660,
+            qPrintable(QStringLiteral("the queue needs %1 × %2 px, expected at most 1024 × 660")
+                           .arg(least.width())
+                           .arg(least.height())));
     }
 
     void moveArrows_drag_changeOffsetAndDepth() {
@@ -229,10 +236,16 @@ private slots:
         const auto near = [](double value, double wanted) { return std::abs(value - wanted) < 2; };
         const auto& offset = document.project().immersions[0].offset;
         dragAlong(0, 12);
-        QVERIFY2(near(offset[0].value(), 12), qPrintable(QString::number(offset[0].value())));
+        QVERIFY2(
+            near(offset[0].value(), 12),
+            qPrintable(
+                QStringLiteral("x offset is %1 mm, expected 12 ± 2 mm").arg(offset[0].value())));
         QVERIFY(driver.find<QLabel>("reading")->text().contains(QLatin1Char('X')));
         dragAlong(2, -8);
-        QVERIFY2(near(offset[1].value(), -8), qPrintable(QString::number(offset[1].value())));
+        QVERIFY2(
+            near(offset[1].value(), -8),
+            qPrintable(
+                QStringLiteral("z offset is %1 mm, expected -8 ± 2 mm").arg(offset[1].value())));
         dragAlong(1, -6); // deeper
         QVERIFY(near(document.project().process.depth->value(), 26));
         QCOMPARE(document.undoStack().count(), steps + 3);
@@ -251,7 +264,7 @@ private slots:
         weight->setValue(2.5);
         weight->setValue(2.75);
         emit weight->editingFinished();
-        QCOMPARE(document->undoStack().count(), 1); // typed in one go
+        QCOMPARE(document->undoStack().count(), 1); // merged into one step
         isLimited->setChecked(true);
         const PoseAims wanted = document->project().poseAims;
         QCOMPARE(wanted.weights[Measure::Coverage], 2.75);
@@ -293,7 +306,7 @@ private slots:
         QVERIFY2(text(3).contains(QLatin1String("better")) ||
                      text(3).contains(QLatin1String("worse")),
                  qPrintable(text(3)));
-        // One camera is turned, and the other goes along.
+        // Turning one camera turns the other, too.
         const auto places = [&](std::size_t side) {
             compared->view(side).picture();
             return compared->view(side).positionOf({40, 0, 20});
@@ -345,12 +358,12 @@ private slots:
         const auto wordsAt = [](const QWidget* widget) { return guidePlaceOf(widget).words; };
         QCOMPARE(wordsAt(driver.find<QWidget>("tellTolerances")),
                  QStringLiteral("Dip ▸ Tolerances"));
-        QCOMPARE(guidePlaceOf(driver.find<QWidget>("report")).chapter, 7); // the verdict's
+        QCOMPARE(guidePlaceOf(driver.find<QWidget>("report")).chapter, 7); // chapter of the verdict
         driver.find<ResultsPanel>("results")->setCurrentIndex(5);
         QCOMPARE(wordsAt(driver.find<QWidget>("report")), QStringLiteral("Report"));
         QCOMPARE(wordsAt(driver.find<QWidget>("startSearch")), QStringLiteral("Dip ▸ Find poses"));
         QCOMPARE(guidePlaceOf(nullptr).chapter, 0);
-        // In the window by its action …
+        // In the window, the action opens the guide …
         window_->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(window_.get()));
         window_->view().setFocus();
@@ -359,11 +372,11 @@ private slots:
         QVERIFY(guide && guide->isVisible());
         QCOMPARE(guide->findChild<QTextBrowser*>()->textCursor().selectedText(),
                  QStringLiteral("Middle"));
-        // … and in a dialog by its key.
+        // … and in a dialog, the key F1.
         driver.trigger("printHistory");
         auto* history = driver.find<QDialog>("printHistory");
         QVERIFY(history);
-        window_->setEnabled(false); // as under a modal dialog; it has the keys without a desktop
+        window_->setEnabled(false); // like under a modal dialog
         QKeyEvent press(QEvent::KeyPress, Qt::Key_F1, Qt::NoModifier);
         QApplication::sendEvent(history->findChild<QLineEdit*>(), &press);
         window_->setEnabled(true);
@@ -453,7 +466,7 @@ private:
         window_ = std::make_unique<MainWindow>(*workbench_);
         window_->show();
     }
-    // A coarse project in a file, open in the window.
+    // Makes a coarse project in the window and saves it. Returns its path.
     QString savedProject(const char* name) {
         if (window_->document()) {
             openWindow();
@@ -469,7 +482,7 @@ private:
     }
     const QMenu& bodyMenu() {
         DipView& view = window_->view();
-        view.picture(); // of the body where it is asked for
+        view.picture(); // the body must be drawn to be clicked
         const QPoint onBody = view.positionOf({0, 10, 0}).toPoint();
         QTest::mouseClick(&view, Qt::RightButton, {}, onBody);
         return *view.findChild<QMenu*>(QStringLiteral("bodyMenu"));

@@ -1,4 +1,4 @@
-// The page of the pose search, with results made up.
+// Tests the page of the pose search with made-up results.
 #include "workbench/poses/MeasurePlot.h"
 #include "workbench/poses/OrientationMap.h"
 #include "workbench/poses/PoseTable.h"
@@ -100,7 +100,7 @@ private slots:
         const auto states = asked[0][0].value<std::array<ComparedState, 2>>();
         QCOMPARE(states[0].title, QStringLiteral("Rank 1"));
         QCOMPARE(states[1].title, QStringLiteral("Rank 3"));
-        bool isTold = false; // the third paints less
+        bool isTold = false; // rank 3 paints less
         for (std::size_t row = 0; row < states[0].figures.size(); ++row) {
             if (states[0].figures[row].name == measureName(Measure::Coverage)) {
                 isTold = differenceText(states[0].figures[row], states[1].figures[row])
@@ -128,13 +128,13 @@ private slots:
         QVERIFY(picked.isEmpty());
         const QImage picture = map.grab().toImage();
         QVERIFY(picture.pixelColor(100, 100).lightness() >
-                picture.pixelColor(165, 100).lightness()); // better is lighter
+                picture.pixelColor(165, 100).lightness()); // better directions are lighter
     }
 
     void unbeaten_twoMeasures_dropsWorsePose() {
         const std::vector<RankedPoses> ranking = result().ranking;
-        // The third paints less with more stretch than both others.
-        QCOMPARE(unbeaten(ranking, Measure::Coverage, Measure::Stretch),
+        // The third pose paints less, with more stretch, than both others.
+        QCOMPARE(paretoOptimalRanks(ranking, Measure::Coverage, Measure::Stretch),
                  (std::vector<std::size_t>{0, 1}));
     }
 

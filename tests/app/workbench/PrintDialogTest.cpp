@@ -1,4 +1,4 @@
-// The print dialog as a user works it: what arrives at a real (software) printer is measured.
+// Uses the print dialog like a user and measures what arrives at a software printer.
 #include "workbench/printing/PrintDialog.h"
 #include "Patience.h"
 
@@ -68,7 +68,7 @@ private slots:
         const std::vector<PrintRecord> kept = PrintHistory().records();
         QCOMPARE(kept.size(), std::size_t(2));
         QCOMPARE(kept[0].immersion, QStringLiteral("Below"));
-        QCOMPARE(kept[0].fate, PrintFate::Printed);
+        QCOMPARE(kept[0].fate, PrintOutcome::Printed);
         QCOMPARE(QFileInfo(kept[0].source.projectFile).fileName(), QStringLiteral("turtle.dipw"));
         const QStringList files = cups_.received("pigment");
         QCOMPARE(files.size(), 2);
@@ -80,7 +80,10 @@ private slots:
                 const std::vector<double> sizes = squares(file, across);
                 QVERIFY(sizes.size() >= 8);
                 for (const double size : sizes) {
-                    QVERIFY2(std::abs(size - 17) <= 0.02, qPrintable(QString::number(size)));
+                    QVERIFY2(
+                        std::abs(size - 17) <= 0.02,
+                        qPrintable(
+                            QStringLiteral("a square is %1 mm, expected 17 ± 0.02 mm").arg(size)));
                 }
             }
         }

@@ -1,6 +1,6 @@
-// What the window asks before it loses somebody's work or reads what a stranger's model names,
-// answered by clicks, and that it shows such names as they are. DIPWRIGHT_PICTURES=FOLDER keeps the
-// screen at each question.
+// Answers the window's questions by clicks: before it overwrites somebody's work, and before it
+// reads files outside a model's folder. Also checks that names from files are shown as plain text.
+// DIPWRIGHT_PICTURES=FOLDER saves the screen at each question.
 #include "Patience.h"
 #include "TestFolders.h"
 #include "WindowDriver.h"
@@ -32,14 +32,14 @@ const QString sample = sampleFolder("/tetrahedron.dipw");
 void keepScreen(const QString& name) {
     const QString folder = qEnvironmentVariable("DIPWRIGHT_PICTURES");
     if (!folder.isEmpty()) {
-        QTest::qWait(500); // until it is drawn
+        QTest::qWait(500); // until the question is drawn
         QDir().mkpath(folder);
         QGuiApplication::primaryScreen()->grabWindow(0).save(folder + QLatin1Char('/') + name +
                                                              QStringLiteral(".png"));
     }
 }
 
-// Without the mark of the key that presses it.
+// Returns the button's text without its mnemonic.
 QString shownText(const QAbstractButton& button) {
     return button.text().remove(QLatin1Char('&'));
 }
@@ -49,7 +49,7 @@ bool write(const QString& path, const QByteArray& text) {
     return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
 }
 
-// A name that a label which guesses would take for a picture on the disk.
+// A name that a label with Qt::AutoText would show as a picture from the disk.
 const QString misleading = QStringLiteral("<img src='private.png'>");
 
 QList<const QLabel*> labelsWith(const QString& text, const QWidgetList& widgets) {
@@ -63,13 +63,13 @@ QList<const QLabel*> labelsWith(const QString& text, const QWidgetList& widgets)
     return found;
 }
 
-// Whether it is shown by exactly one label, which takes it for what it is.
+// Returns whether exactly one label shows the text, and shows it as plain text.
 bool isShownAsText(const QString& text) {
     const auto labels = labelsWith(text, QApplication::allWidgets());
     return labels.size() == 1 && labels.first()->textFormat() == Qt::PlainText;
 }
 
-// The cursor stays there.
+// Asks the widget for its tool tip, like a resting cursor.
 void restOn(QWidget& widget, const QPoint& place) {
     QHelpEvent rest(QEvent::ToolTip, place, widget.mapToGlobal(place));
     QApplication::sendEvent(&widget, &rest);
@@ -97,15 +97,15 @@ private slots:
 
 private:
     QString path(const QString& name) const { return folder_->filePath(name); }
-    // Clicks on a button of the question of that name as soon as it is shown. What it said is kept.
+    // Clicks on a button of the named question as soon as it is shown. Keeps its text in said_.
     void answer(const QString& name, const QString& button);
     void clickOn(const QMessageBox& question, const QString& button);
     bool isAnswered() const {
         return QTest::qWaitFor([&] { return !asking_; }, patience());
     }
-    // Opens the project, changes it, and has another program change and write it.
+    // Opens and changes the project, then changes the file like another program.
     bool meetAnotherWriter();
-    // A model with a picture beside its folder.
+    // Writes a model that names a picture outside its folder. Returns its path.
     QString modelThatReachesOut() const;
 
     std::unique_ptr<QTemporaryDir> folder_;
@@ -114,7 +114,7 @@ private:
     QString job_;
     bool asking_ = false;
     QString said_;
-    Qt::TextFormat format_ = Qt::AutoText; // in which it was said
+    Qt::TextFormat format_ = Qt::AutoText; // text format of said_
 };
 
 void QuestionsTest::init() {
@@ -160,7 +160,7 @@ void QuestionsTest::clickOn(const QMessageBox& question, const QString& button) 
             return;
         }
     }
-    QFAIL(qPrintable(button));
+    QFAIL(qPrintable(QStringLiteral("the question has no button “%1”").arg(button)));
 }
 
 void QuestionsTest::lockQuestion_cancelOrOpenAnyway_isFollowed() {
@@ -217,8 +217,8 @@ void QuestionsTest::changedQuestion_saveAs_keepsBothFiles() {
             dialog ? dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit")) : nullptr;
         if (name && name->text() != mine) {
             name->selectAll();
-            QTest::keyClicks(name, mine); // which undoes what is selected in the list
-        } else if (name) {                // until it has looked at the folder
+            QTest::keyClicks(name, mine); // this clears the selection in the list
+        } else if (name) {                // when the dialog shows the folder
             dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save)->click();
         }
     });
@@ -295,7 +295,7 @@ void QuestionsTest::toolTips_htmlInName_isShownAsText() {
 }
 
 void QuestionsTest::screenReader_htmlInName_isReadAsText() {
-    QLabel label(misleading); // which is not shown yet
+    QLabel label(misleading); // not shown yet
     QCOMPARE(QAccessible::queryAccessibleInterface(&label)->text(QAccessible::Name), misleading);
 }
 

@@ -1,5 +1,5 @@
-// What ties a document to its jobs, without a window: opening and restoring, models that are
-// exchanged, what runs again by itself, and what the user is told.
+// Tests the session that connects a document with its jobs, without a window: opening and
+// restoring, replacing models, live runs, and messages to the user.
 #include "BoxProject.h"
 #include "Patience.h"
 #include "base/Error.h"
@@ -23,7 +23,7 @@ using namespace dipwright;
 
 namespace {
 
-// The session of one window, with a user whose answers are set before.
+// The session of one window, with the user's answers set in advance.
 struct SessionHost {
     explicit SessionHost(const QString& recovery)
         : session(jobs, messages, recovery,
@@ -48,11 +48,11 @@ struct SessionHost {
     int timesAsked = 0;
     QString openElsewhere; // a file that another window has open
     bool gaveUp = false;
-    std::unique_ptr<SessionHost> other; // the new window, once there is one
+    std::unique_ptr<SessionHost> other; // the new window, if one was opened
     DocumentSession session;
 };
 
-// A tetrahedron of the given size in a file of its own.
+// Writes a tetrahedron with edges of `size` along the axes. Returns its path.
 QString writeModel(const QTemporaryDir& folder, double size) {
     const QString path = folder.filePath(QStringLiteral("model.obj"));
     QByteArray text = "v 0 0 0\nv S 0 0\nv 0 S 0\nv 0 0 S\n"
@@ -136,7 +136,7 @@ private slots:
         QVERIFY(host.waitUntilIdle());
         Document& copy = *host.session.document();
         QVERIFY(copy.path().isEmpty());
-        QVERIFY(!copy.isModified()); // nothing is lost with it yet
+        QVERIFY(!copy.isModified()); // closing it loses nothing yet
         setWidth(copy, 123);
         QVERIFY(copy.isModified());
         copy.undoStack().undo();
@@ -160,7 +160,7 @@ private slots:
         QSignalSpy told(&host.messages, &Messages::failed);
         host.session.openProject(broken);
         QVERIFY(host.other && host.other->waitUntilIdle());
-        QCOMPARE(told.count(), 1); // where it was asked for
+        QCOMPARE(told.count(), 1); // in the window where the user opened it
         QVERIFY(host.other->gaveUp);
     }
 
@@ -223,7 +223,7 @@ private slots:
         QDir().mkpath(recovery());
         const QString copy = recovery() + QStringLiteral("/left.dipw");
         saveProject(boxProject(), copy);
-        SessionHost host(copy + QStringLiteral("/full")); // where nothing can be written
+        SessionHost host(copy + QStringLiteral("/full")); // not writable
         QSignalSpy noticed(&host.messages, &Messages::noticed);
         host.session.restore(findRecoveredDocuments(recovery()).front());
         QVERIFY(host.waitUntilIdle());
@@ -279,7 +279,7 @@ private slots:
     void importModel_implausibleSize_isReported() {
         QFETCH(double, size);
         SessionHost host(recovery());
-        QSignalSpy doubted(&host.session, &DocumentSession::lengthDoubted);
+        QSignalSpy doubted(&host.session, &DocumentSession::implausibleLengthFound);
         host.session.importModel(writeModel(*folder_, size), {},
                                  [](Project& project) { project.film.width = Millimetres(150); });
         QVERIFY(host.waitUntilIdle());
@@ -350,7 +350,7 @@ private slots:
         QVERIFY(host.session.document());
     }
 
-    // A stranger's project may name a private file, which would travel on inside it.
+    // A stranger's project may name a private file, which would be saved inside the project.
     void reloadModel_projectOfStranger_asksFirst() {
         SessionHost host(recovery());
         Project project = boxProject();
@@ -376,7 +376,7 @@ private slots:
         QVERIFY(document.project().model != before);
         reloadModel(document, host.jobs, host.messages);
         QVERIFY(host.waitUntilIdle());
-        QCOMPARE(asked.size(), 1); // once is enough
+        QCOMPARE(asked.size(), 1); // not asked again
     }
 
     void liveRun_changesAfterResult_runOnce() {
@@ -385,14 +385,14 @@ private slots:
         live.setDocument(&document);
         live.setWanted(true);
         QSignalSpy asked(&live, &LiveRun::runAsked);
-        setWidth(document, 200); // nothing has been run yet
+        setWidth(document, 200); // no result yet, so nothing runs
         document.setResult(resultOf(document.project()));
         setWidth(document, 190);
         setWidth(document, 180);
         QVERIFY(asked.wait(patience()));
-        QCOMPARE(asked.count(), 1); // for both
+        QCOMPARE(asked.count(), 1); // one run for both changes
         document.undoStack().undo();
-        document.undoStack().undo(); // fresh again, but one is under way
+        document.undoStack().undo(); // fresh again, but a run is pending
         live.stop();
         live.setWanted(false);
         setWidth(document, 170);
@@ -410,7 +410,7 @@ private slots:
         live.cancel();
         takeSnapshot(document, QStringLiteral("Before lunch"));
         live.setHeld(true);
-        live.setHeld(false); // looked at, and not turned
+        live.setHeld(false); // held, but not turned
         QVERIFY(!asked.wait(800));
         setWidth(document, 180);
         QVERIFY(asked.wait(patience()));

@@ -1,4 +1,4 @@
-// The translations are complete, keep their places for values, and stand for the texts of today.
+// Checks that the translations are complete, keep their placeholders and match the current texts.
 #include "TestFolders.h"
 #include <QDir>
 #include <QDirIterator>
@@ -15,7 +15,7 @@ const QString sources = sourceFolder();
 
 struct Message {
     QString context, source;
-    QStringList translations; // one a plural form
+    QStringList translations; // one per plural form
     bool finished = true;
 };
 
@@ -46,7 +46,7 @@ QList<Message> readMessages(const QString& path) {
     return messages;
 }
 
-// The contexts and texts that are translated, written together.
+// Returns all translated texts, each with its context in front.
 const QSet<QString>& listed() {
     static const QSet<QString> found = [] {
         QSet<QString> all;
@@ -73,7 +73,7 @@ QStringList filesIn(const QString& folder, const QStringList& patterns) {
     return files;
 }
 
-// What the string literals of C++ that stand one after another say.
+// Returns the text of adjacent C++ string literals.
 QString joined(const QString& literals) {
     static const QRegularExpression literal(QStringLiteral("\"((?:[^\"\\\\]|\\\\.)*)\""));
     QString text;
@@ -120,7 +120,7 @@ private slots:
         }
     }
 
-    // A Tauchgang is a diver's; a part has a Tauchvorgang.
+    // In German, a diver makes a Tauchgang, and a part has a Tauchvorgang.
     void translations_germanForDip_isTauchvorgang() {
         for (const char* file : {"/translations/dipwright_de.ts", "/resources/guide/guide.de.md"}) {
             const QString text = textOf(sources + QLatin1String(file));
@@ -137,8 +137,9 @@ private slots:
         QCOMPARE(chaptersOf(QStringLiteral("guide.pt_BR.md")), chapters);
     }
 
-    // Reads the sources anew: a text that was changed needs its translation again. Of a text whose
-    // context it does not find out, lupdate lists it in another, where the program never looks.
+    // lupdate reads the sources again, so that a changed text fails until it is translated again.
+    // If lupdate cannot tell a text's context, it lists the text in a context that the program
+    // never uses.
     void translations_textsFoundByLupdate_areListed() {
         const QTemporaryDir folder;
         const QString fresh = folder.filePath(QStringLiteral("fresh.ts"));
@@ -157,7 +158,7 @@ private slots:
         }
     }
 
-    // What the program asks for, read without lupdate: in files that name their context, each text.
+    // Reads the texts without lupdate, from all files that declare their context.
     void translations_textsOfDeclaredContext_areListed() {
         static const QRegularExpression contextOf(
             QStringLiteral(R"(Q_DECLARE_TR_FUNCTIONS\(([\w:]+)\))"));

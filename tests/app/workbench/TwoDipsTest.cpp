@@ -1,5 +1,5 @@
-// The job of two dips through the real window: a second pose, run, the join moved and moved back,
-// the cradles written, and both sheets printed on a real CUPS.
+// Makes a job with two dips in the real window: adds a second dip, runs, moves the seam and undoes
+// that, writes the cradles, and prints both sheets with a real CUPS.
 #include "FileAnswer.h"
 #include "PaperMeasure.h"
 #include "Patience.h"
@@ -24,10 +24,10 @@ namespace {
 const QString model = sampleFolder("/models/turtle.obj");
 const QString texture = sampleFolder("/models/turtle.png");
 
-// The second immersion is the window's to add.
+// The window adds the second dip.
 void makeCoarseDip(Project& project) {
     makeCoarse(project);
-    project.share.registrationError = Millimetres(0.1); // leaves the join some room
+    project.share.registrationError = Millimetres(0.1); // keeps the overlap narrow
 }
 
 int count(const QImage& picture, const QColor& colour) {
@@ -91,7 +91,7 @@ private slots:
         shares->trigger();
         const QImage shared = results->grab().toImage();
         QVERIFY(count(shared, painterColour(Painter::First)) >
-                count(plain, painterColour(Painter::First)) + 50); // its key, at least
+                count(plain, painterColour(Painter::First)) + 50); // at least the legend
         shares->trigger();
         QTRY_COMPARE(results->grab().toImage(), plain);
     }
@@ -102,14 +102,16 @@ private slots:
         auto* brush = driver().find<QComboBox>("joinBrush");
         brush->setCurrentIndex(brush->findData(int(ShareMarkKind::Second)));
         driver().trigger("coverage");
-        driver().trigger("right"); // where both dips reach
+        driver().trigger("right"); // shows where both dips reach
         window_->view().picture();
         WindowDriver::drag(window_->view(), {0.35, 0.5}, {0.65, 0.5});
         QVERIFY(!project().share.marks.empty());
         QVERIFY(driver().run());
         QVERIFY2(
             result().share->areas.second > second_ + 5,
-            qPrintable(QStringLiteral("%1 %2").arg(result().share->areas.second).arg(second_)));
+            qPrintable(QStringLiteral("dip 2 paints %1 mm², expected over 5 mm² more than %2 mm²")
+                           .arg(result().share->areas.second)
+                           .arg(second_)));
         QVERIFY(result().immersions[0].sheet.image != sheets_[0]);
         driver().trigger("undo");
         QVERIFY(project().share.marks.empty());
@@ -157,7 +159,7 @@ private:
     QTemporaryDir folder_;
     std::unique_ptr<Workbench> workbench_;
     std::unique_ptr<MainWindow> window_;
-    double second_ = 0; // mm² that the second dip paints
+    double second_ = 0; // mm² painted by dip 2 alone
     std::array<QImage, 2> sheets_;
 };
 

@@ -1,4 +1,4 @@
-// The 3D view with a real OpenGL context: what is drawn, the camera, rays and rings.
+// Tests the 3D view with a real OpenGL context: drawing, camera, rays, rings and arrows.
 #include "WindowDriver.h"
 #include "geometry/Shapes.h"
 #include "workbench/appearance/ViewTheme.h"
@@ -30,7 +30,7 @@ bool isReddish(QRgb pixel) {
     return qRed(pixel) > 2 * qGreen(pixel) && qRed(pixel) > 60;
 }
 
-// Without the upper right corner, where the cube of directions has a red ball for X.
+// Counts reddish pixels, without the right quarter, where the direction cube has a red ball for X.
 int countReddish(const QImage& picture) {
     int count = 0;
     for (int y = 0; y < picture.height(); ++y) {
@@ -70,7 +70,8 @@ private slots:
 
     void view_body_isDrawn() {
         const int red = countReddish(view_->picture());
-        QVERIFY2(red > 500, qPrintable(QString::number(red)));
+        QVERIFY2(red > 500,
+                 qPrintable(QStringLiteral("%1 red pixels, expected more than 500").arg(red)));
         view_->setBodyVisible(false);
         QCOMPARE(countReddish(view_->picture()), 0);
     }
@@ -112,10 +113,13 @@ private slots:
         view_->setFilm(shape, positions);
         view_->setFilmColours(std::vector<QRgb>(4, qRgb(230, 0, 0)));
         const int whole = countReddish(view_->picture());
-        positions[11] = 140; // the last point is drawn out by 100 mm
+        positions[11] = 140; // stretches the film at its last point by 100 mm
         view_->setFilmPositions(positions);
         const int torn = countReddish(view_->picture());
-        QVERIFY2(torn > 0.4 * whole && torn < 0.6 * whole, qPrintable(QString::number(torn)));
+        QVERIFY2(torn > 0.4 * whole && torn < 0.6 * whole,
+                 qPrintable(QStringLiteral("%1 of %2 red pixels are left, expected 40 to 60 %")
+                                .arg(torn)
+                                .arg(whole)));
         positions[11] = 40;
         view_->setFilmPositions(positions);
         QCOMPARE(countReddish(view_->picture()), whole);
@@ -128,22 +132,26 @@ private slots:
         plane.axis = 1;
         plane.place = 30;
         plane.extent = BoundingBox(Eigen::Vector3f(-30, -60, -30), Eigen::Vector3f(30, 60, 30));
-        view_->setSection(plane); // its lower half is left
+        view_->setSection(plane); // the lower half is left
         const int half = countReddish(view_->picture());
-        QVERIFY2(half > 0.35 * whole && half < 0.65 * whole, qPrintable(QString::number(half)));
-        view_->look(ViewDirection::Top); // onto what is cut, which is filled in
+        QVERIFY2(half > 0.35 * whole && half < 0.65 * whole,
+                 qPrintable(QStringLiteral("%1 of %2 red pixels are left, expected 35 to 65 %")
+                                .arg(half)
+                                .arg(whole)));
+        view_->look(ViewDirection::Top); // the cut surface is filled
         const QImage filled = view_->picture();
         QVERIFY(!isReddish(filled.pixel(view_->positionOf({0, 30, 0}).toPoint())));
         plane.after = true;
         view_->setSection(plane);
         QVERIFY(countReddish(view_->picture()) > 500);
-        // A ray begins where something is drawn: under the plane that hides what is over it.
+        // A ray begins at the section plane, because everything above it is hidden.
         plane.after = false;
         view_->setSection(plane);
         view_->picture();
         const ViewRay ray = view_->rayAt(view_->positionOf({0, 0, 0}));
         QVERIFY2(std::abs(ray.origin.y() - 30) < 0.01f,
-                 qPrintable(QString::number(double(ray.origin.y()))));
+                 qPrintable(QStringLiteral("the ray begins at y = %1 mm, expected 30 ± 0.01 mm")
+                                .arg(double(ray.origin.y()))));
         view_->setSection({});
         view_->look(ViewDirection::Front);
         QCOMPARE(countReddish(view_->picture()), whole);
@@ -163,7 +171,10 @@ private slots:
         QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, to.toPoint());
         QVERIFY(!dragged.empty());
         const double place = dragged.back().front().toDouble();
-        QVERIFY2(std::abs(place - 15) < 2, qPrintable(QString::number(place)));
+        QVERIFY2(
+            std::abs(place - 15) < 2,
+            qPrintable(QStringLiteral("the section was dragged to x = %1 mm, expected 15 ± 2 mm")
+                           .arg(place)));
     }
 
     void view_filmOpacity_showsBodyBelow() {
@@ -200,7 +211,7 @@ private slots:
         drag({240, 300}, {300, 280});
         const QPointF after = view_->positionOf({50, 0, 0});
         QVERIFY(QLineF(before, after).length() > 5);
-        // Upright: a vertical line is shown vertical.
+        // Upright means that a vertical line is shown vertical.
         const QPointF low = view_->positionOf({0, 0, 0}), high = view_->positionOf({0, 60, 0});
         QVERIFY(std::abs(low.x() - high.x()) < 1.5);
         QVERIFY(high.y() < low.y());
@@ -217,11 +228,11 @@ private slots:
         QVERIFY(showsTheTank());
         view_->resize(260, 520);
         QVERIFY(showsTheTank());
-        QTest::keyClick(view_.get(), Qt::Key_Plus); // from now on it is the user's
+        QTest::keyClick(view_.get(), Qt::Key_Plus); // from now on, the user controls the camera
         view_->picture();
         const double near =
             QLineF(view_->positionOf({0, 0, 0}), view_->positionOf({50, 0, 0})).length();
-        view_->resize(520, 520); // as high as before: nothing comes nearer or goes away
+        view_->resize(520, 520); // the same height, so the zoom stays
         view_->picture();
         const double then =
             QLineF(view_->positionOf({0, 0, 0}), view_->positionOf({50, 0, 0})).length();
@@ -254,7 +265,7 @@ private slots:
         const QImage unmarked = view_->grab().toImage();
         show(std::uint8_t(solver::PointMark::Torn));
         QVERIFY(countReddish(view_->picture()) > 500);
-        // The legend has a line more.
+        // The legend has one more line.
         const QRect corner(0, 200, 130, 160);
         QVERIFY(countReddish(view_->grab().toImage().copy(corner)) >
                 countReddish(unmarked.copy(corner)) + 100);
@@ -316,14 +327,16 @@ private slots:
             (about(70, Vector3d::UnitZ()) * about(-25, Vector3d::UnitY()) *
              about(40, Vector3d::UnitX()))
                 .toRotationMatrix();
-        QVERIFY((poseTransform(body, immersion).linear() - wanted).norm() < 0.01); // tenths
+        QVERIFY((poseTransform(body, immersion).linear() - wanted).norm() <
+                0.01); // angles are in tenths
     }
 
     void turned_secondTurn_keepsAnglesNear() {
         const Immersion immersion = turned(Immersion{}, 2, -30);
         QCOMPARE(immersion.rotation, (std::array{Degrees(0), Degrees(0), Degrees(-30)}));
         QCOMPARE(turned(immersion, 2, -170).rotation[2].value(), -200);
-        QCOMPARE(turned(turned(immersion, 2, -170), 2, -170).rotation[2].value(), -10); // in range
+        QCOMPARE(turned(turned(immersion, 2, -170), 2, -170).rotation[2].value(),
+                 -10); // within the range
     }
 
     void rotationRing_drag_turnsBody() {
@@ -332,7 +345,7 @@ private slots:
         view_->picture();
         QSignalSpy dragged(view_.get(), &DipView::rotationDragged);
         QSignalSpy finished(view_.get(), &DipView::rotationFinished);
-        // A quarter along the ring round Y, which is seen as a circle from above.
+        // A quarter turn along the ring round Y, which looks like a circle from above.
         const float diagonal = 60 * std::sqrt(0.5f);
         const QPointF from = view_->positionOf({diagonal, 30, diagonal});
         const QPointF to = view_->positionOf({diagonal, 30, -diagonal});
@@ -357,7 +370,7 @@ private slots:
         QVERIFY(std::abs(moved.last()[1].toDouble() - 12) < 1);
         drag(from, to, Qt::ShiftModifier);
         QCOMPARE(moved.last()[1].toDouble(), 2 * arrowStep);
-        // The one along Y points at the eye and is not taken hold of.
+        // The arrow along Y points at the camera and cannot be dragged.
         moved.clear();
         drag(view_->positionOf({0, 65, 0}).toPoint(), to);
         QVERIFY(moved.isEmpty());

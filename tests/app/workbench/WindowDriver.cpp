@@ -19,7 +19,7 @@ WindowApplication::WindowApplication(int& argc, char** argv) {
     QApplication::setApplicationName(QStringLiteral("dipwright"));
     QApplication::setOrganizationName(QStringLiteral("Dipwright"));
     Preferences preferences = loadPreferences();
-    preferences.keepsResults = false; // nothing stays beside the samples
+    preferences.keepsResults = false; // leaves no files beside the samples
     savePreferences(preferences);
 }
 
@@ -77,7 +77,7 @@ void WindowDriver::drag(QWidget& widget, QPointF from, QPointF to) {
     };
     QTest::mousePress(&widget, Qt::LeftButton, {}, at(0));
     for (int step = 1; step <= steps; ++step) {
-        // QTest::mouseMove knows no pressed buttons.
+        // QTest::mouseMove cannot move with a pressed button.
         const QPointF place = at(double(step) / steps);
         QMouseEvent move(QEvent::MouseMove, place, widget.mapToGlobal(place), Qt::NoButton,
                          Qt::LeftButton, {});

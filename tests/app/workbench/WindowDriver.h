@@ -13,8 +13,8 @@
 
 namespace dipwright {
 
-// The application of a program that drives windows: its settings, caches and recovery copies are in
-// a folder of its own, which goes with it. Results are kept only where a test wants it.
+// The application of a program that drives windows. Its settings, caches and recovery copies are in
+// its own temporary folder. It does not keep results with projects, unless a test changes that.
 class WindowApplication {
 public:
     WindowApplication(int& argc, char** argv);
@@ -25,7 +25,7 @@ private:
     std::unique_ptr<QApplication> application_;
 };
 
-// What the program of such a test does.
+// Runs all cases of `Test` in a WindowApplication. Returns the exit code.
 template <typename Test>
 int runWindowTest(int argc, char** argv) {
     const WindowApplication application(argc, argv);
@@ -33,22 +33,21 @@ int runWindowTest(int argc, char** argv) {
     return QTest::qExec(&test, argc, argv);
 }
 
-// A film and sheets so coarse that a job is quick.
+// Makes film, field and sheets so coarse that a job is quick.
 void makeCoarse(Project& project);
 
 class WindowDriver {
 public:
     explicit WindowDriver(MainWindow& window) : window_(window) {}
 
-    // Each waits until it is done and tells whether it was.
+    // Each waits for the end and returns whether it succeeded.
     bool open(const QString& path);
     bool create(const QString& model, const QString& texture, double longestEdge,
                 const std::function<void(Project&)>& complete);
     bool run();
 
-    void drop(const QString& path) const; // a file on the window
-    // The left button pressed at a place of the widget, in shares of its size, and let go of at
-    // another.
+    void drop(const QString& path) const; // drops a file on the window
+    // Drags with the left button between two places of the widget, in shares (0 to 1) of its size.
     static void drag(QWidget& widget, QPointF from, QPointF to);
 
     QAction* action(const char* name) const;

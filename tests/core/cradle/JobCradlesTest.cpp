@@ -41,7 +41,7 @@ Project twoDipsOf(const QString& model) {
 JobResult resultOf(const Project& project) {
     static const SolverRegistry registry{QStringList{pluginFolder()}};
     JobOptions options;
-    options.estimatesCertainty = false;
+    options.estimatesNumericalError = false;
     return runJob(project, registry, options, nullptr, {});
 }
 

@@ -57,7 +57,7 @@ void tell(const FilmFit& fit) {
     }
 }
 
-FitWish wanted() {
+FitRequest wanted() {
     return {{FitQuantity::ShiftX, FitQuantity::ShiftZ, FitQuantity::Turn, FitQuantity::SwellX,
              FitQuantity::SwellY, FitQuantity::Relaxation},
             false,
@@ -213,7 +213,7 @@ private slots:
     }
 
 private:
-    FilmFit fit(const FitPairs& pairs, const FitWish& wish = {}) const {
+    FilmFit fit(const FitPairs& pairs, const FitRequest& wish = {}) const {
         return fitFilm(part_->project(), part_->field(), pairs, wish, solverModule(), {});
     }
 

@@ -168,7 +168,7 @@ void FilmWatchTest::codedBoard_everyPart_isUnique() {
                         if (way & 4) {
                             std::swap(x, y);
                         }
-                        bits = bits << 1 | unsigned(hasDot(kind, column + x, row + y));
+                        bits = bits << 1 | unsigned(isDottedSquare(kind, column + x, row + y));
                     }
                     parts.push_back(bits);
                 }
@@ -345,7 +345,7 @@ void FilmWatchTest::fitFlatFilm_unevenFilm_showsWhere() {
     }
     QVERIFY(std::abs(farthest->column - 3) <= 1 && std::abs(farthest->row - 3) <= 1);
     QVERIFY(farthest->off.norm() > 0.4);
-    QVERIFY(film.unevenMillimetres > 0.2);
+    QVERIFY(film.unevennessMillimetres > 0.2);
 }
 
 namespace {
@@ -364,7 +364,7 @@ FilmWatch watched(const std::vector<double>& times, double begin, double rate, d
         photos.push_back({QStringLiteral("photo.jpg"), QStringLiteral("ab12"), seconds,
                           scene.camera.size, fitted(scene, noise, random)});
     }
-    return watchedFilm(std::move(photos), begin);
+    return evaluatedFilmWatch(std::move(photos), begin);
 }
 
 const std::vector<double> twoMinutes{20, 35, 50, 70, 90, 110, 140, 180};

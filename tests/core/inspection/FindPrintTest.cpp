@@ -202,7 +202,7 @@ private slots:
             expected += off * std::hypot(place.model.x(), place.model.z());
         }
         double mean = 0;
-        for (const PairOff& one : print.view.off) {
+        for (const PairDistance& one : print.view.off) {
             mean += one.millimetres;
         }
         qInfo("R %.3f ± %.3f px; mean across the line of sight %.3f mm of %.3f",
@@ -316,7 +316,7 @@ private slots:
         project.artwork.layers = {layer};
         const SolverRegistry registry(QStringList{pluginFolder()});
         JobOptions options;
-        options.estimatesCertainty = false;
+        options.estimatesNumericalError = false;
         const JobResult job = runJob(project, registry, options, nullptr, {});
         const auto corners = printedCorners(project, {job.immersions[0].laid}, PartPrint::Texture);
         QCOMPARE(int(corners.size()), (across - 1) * (down - 1));
@@ -345,7 +345,7 @@ void FindPrintTest::findPrint_dippedChessboard_isFoundOnTheBody() {
     const SolverRegistry registry(QStringList{pluginFolder()});
     JobOptions options;
     options.chessboard = true;
-    options.estimatesCertainty = false;
+    options.estimatesNumericalError = false;
     const JobResult meant = runJob(project, registry, options, nullptr, {});
     const JobResult made = runJob(inTank, registry, options, nullptr, {});
     const QSizeF sheet(180, 180);

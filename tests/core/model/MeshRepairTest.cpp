@@ -75,7 +75,7 @@ TriangleMesh tornApart(const TriangleMesh& mesh, float noise) {
 
 std::size_t turnedParts(const std::vector<TriangleMesh>& parts) {
     TexturedMesh model = textured(parts);
-    return turnInsideOutParts(model, [] {});
+    return flipInsideOutParts(model, [] {});
 }
 
 // Nested cavities inside nested bodies.
@@ -182,7 +182,7 @@ private slots:
     void turnInsideOutParts_nestedCavities_stayAndReportProgress() {
         TexturedMesh model = textured(nested());
         int asked = 0;
-        QCOMPARE(turnInsideOutParts(model, [&] { ++asked; }), std::size_t(0));
+        QCOMPARE(flipInsideOutParts(model, [&] { ++asked; }), std::size_t(0));
         QCOMPARE(asked, half * 12);
         QCOMPARE(model.mesh.triangles, textured(nested()).mesh.triangles);
     }
@@ -198,7 +198,7 @@ private slots:
                 throw Cancelled();
             }
         };
-        QVERIFY_EXCEPTION_THROWN(turnInsideOutParts(model, goOn), Cancelled);
+        QVERIFY_EXCEPTION_THROWN(flipInsideOutParts(model, goOn), Cancelled);
         QCOMPARE(asked, 100);
         QCOMPARE(model.mesh.triangles, before);
     }

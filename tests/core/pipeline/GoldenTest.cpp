@@ -67,7 +67,7 @@ void GoldenTest::runJob_goldenProject_givesTheRecordedFigures() {
     Project project = loadProject(path);
     project.process.solver = QStringLiteral("pbd-cpu");
     JobOptions options;
-    options.estimatesCertainty = false;
+    options.estimatesNumericalError = false;
     const JobResult result = runJob(project, SolverRegistry(), options, nullptr, {});
     const QJsonObject told = report(project, result);
     compare(QStringLiteral("coverage_total"), told["coverage_total"].toDouble(),

@@ -53,7 +53,7 @@ double filmTo(const ImmersionResult& dip, double x, bool right) {
 
 JobResult run(const Project& project, const SolverRegistry& registry) {
     JobOptions options;
-    options.estimatesCertainty = false;
+    options.estimatesNumericalError = false;
     return runJob(project, registry, options, nullptr, {});
 }
 

@@ -114,7 +114,7 @@ private slots:
 private:
     ImmersionResult run(const Project& project) {
         JobOptions options;
-        options.estimatesCertainty = false;
+        options.estimatesNumericalError = false;
         options.variesLaws = true;
         return runJob(project, registry_, options, nullptr, {}).immersions.front();
     }

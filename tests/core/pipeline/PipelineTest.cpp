@@ -120,7 +120,7 @@ private slots:
         job.process.depth = Millimetres(10);
         const JobResult reckoned = runJob(job, *registry_, {}, nullptr, {});
         const ImmersionResult& dip = reckoned.immersions.front();
-        const auto deeper = dippedDeeper(reckoned, 0, *registry_, {});
+        const auto deeper = deeperDip(reckoned, 0, *registry_, {});
         QVERIFY(coverage(*deeper).share > dip.coverage->share + 0.1);
         const double cell = job.film.width.value() / (job.film.columns - 1);
         const RefinedMesh fine(job.model->mesh, 1);

@@ -98,7 +98,7 @@ private slots:
         QVERIFY(!result.verdict.places.empty() && result.verdict.uncertainArea > 0);
         const TriangleMesh& mesh = result.body->mesh;
         const BoundingBox box = boundingBox(thumb().model->mesh);
-        for (const UncertainPlace& place : result.verdict.places) {
+        for (const PlaceToCheck& place : result.verdict.places) {
             QVERIFY(box.exteriorDistance(place.place) < 1); // on the model, in its own frame
             QVERIFY(place.area > 0 && place.area < surfaceArea(mesh));
         }
@@ -123,7 +123,7 @@ private slots:
     void verdict_plainColour_checkFirst() {
         Project project = ball(33);
         const JobResult plain = unjudged(project);
-        QCOMPARE(adviceOf(plain), Advice::LookFirst);
+        QCOMPARE(adviceOf(plain), Advice::CheckFirst);
         QVERIFY(has(plain, VerdictReason::Kind::NoPicture));
         QVERIFY(has(plain, VerdictReason::Kind::GuessedFilm));
         QVERIFY(!has(plain, VerdictReason::Kind::ChangedModel));
@@ -146,7 +146,7 @@ private slots:
     void verdict_bareMarkedZone_doNotPrint() {
         Project project = ball(33);
         project.verdict.noPicture = Advice::Print;
-        QVERIFY(adviceOf(unjudged(project)) < Advice::LookFirst);
+        QVERIFY(adviceOf(unjudged(project)) < Advice::CheckFirst);
         ZoneMark top;
         top.zone = Zone::B;
         top.place = {Millimetres(0), Millimetres(25), Millimetres(0)};
@@ -174,7 +174,7 @@ private:
     // Runs the job without coarser dips, which these verdicts do not need.
     JobResult unjudged(const Project& project) {
         JobOptions options;
-        options.estimatesCertainty = false;
+        options.estimatesNumericalError = false;
         return runJob(project, registry_, options, nullptr, {});
     }
     static bool has(const JobResult& result, VerdictReason::Kind kind) {

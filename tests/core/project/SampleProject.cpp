@@ -45,7 +45,7 @@ Project sampleProject() {
                        0.07,
                        Millimetres(2.5),
                        Advice::DoNotPrint,
-                       Advice::LookFirst,
+                       Advice::CheckFirst,
                        Advice::DoNotPrint};
     project.film.preset = QStringLiteral("custom");
     project.film.width = Millimetres(150);

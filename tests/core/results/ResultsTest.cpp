@@ -321,9 +321,9 @@ public:
 
 void ResultsTest::certaintyMap_longTranslation_staysOnTheMap() {
     const std::vector<float> changes(dip_.film.positions.size(), 0.1f);
-    const QImage known = certaintyMap(*dip_.laid, changes, 0.3, 1000);
+    const QImage known = numericalErrorMap(*dip_.laid, changes, 0.3, 1000);
     const LongWords german;
-    const QImage map = certaintyMap(*dip_.laid, changes, 0.3, 1000);
+    const QImage map = numericalErrorMap(*dip_.laid, changes, 0.3, 1000);
     QVERIFY(map != known);
     for (int y = 0; y < map.height(); ++y) {
         QCOMPARE(map.pixel(map.width() - 1, y), map.pixel(0, 0));
@@ -335,8 +335,8 @@ void ResultsTest::certaintyMap_inches_differsFromMillimetres() {
     for (std::size_t point = 0; point < changes.size(); ++point) {
         changes[point] = 0.5f * float(point) / float(changes.size());
     }
-    const QImage millimetres = certaintyMap(*dip_.laid, changes, 0.3, 1000);
-    const QImage inches = certaintyMap(*dip_.laid, changes, 0.3, 1000, LengthUnit::Inch);
+    const QImage millimetres = numericalErrorMap(*dip_.laid, changes, 0.3, 1000);
+    const QImage inches = numericalErrorMap(*dip_.laid, changes, 0.3, 1000, LengthUnit::Inch);
     keep(inches, "certainty-inches.png");
     QCOMPARE(inches.size(), millimetres.size());
     QVERIFY(inches != millimetres);
@@ -395,13 +395,13 @@ void ResultsTest::certaintyMap_outliers_keepTheColourScale() {
     for (std::size_t point = 0; point < dip_.film.positions.size(); ++point) {
         changes.push_back(restPosition(dip_.film.grid, point).x() < 0 ? 0.1f : 0.5f);
     }
-    const QImage near = certaintyMap(*dip_.laid, changes, 0.3, 1000);
+    const QImage near = numericalErrorMap(*dip_.laid, changes, 0.3, 1000);
     const std::size_t middle = 56 * 81 + 40;
     const int columns = dip_.film.grid.columns;
     for (int row = -15; row <= 15; ++row) {
         std::fill_n(changes.begin() + std::ptrdiff_t(middle) + row * columns - 5, 11, 150.f);
     }
-    const QImage far = certaintyMap(*dip_.laid, changes, 0.3, 1000);
+    const QImage far = numericalErrorMap(*dip_.laid, changes, 0.3, 1000);
     keep(far, "certainty-far.png");
     QCOMPARE(far.size(), near.size());
     const int width = int(780 * 140 / 196.0);
@@ -416,10 +416,10 @@ void ResultsTest::certaintyMap_outliers_keepTheColourScale() {
 
 void ResultsTest::certaintyMap_markedFilm_isHatched() {
     const std::vector<float> changes(dip_.film.positions.size(), 0.01f);
-    const QImage plain = certaintyMap(*dip_.laid, changes, 0.3, 1000);
+    const QImage plain = numericalErrorMap(*dip_.laid, changes, 0.3, 1000);
     for (const solver::PointMark mark : filmMarks) {
         const auto marked = dip_.marked(mark, true);
-        const QImage map = certaintyMap(*marked, changes, 0.3, 1000);
+        const QImage map = numericalErrorMap(*marked, changes, 0.3, 1000);
         keep(map, QStringLiteral("marked-%1.png").arg(int(mark)));
         QVERIFY(map.height() > plain.height()); // a line of its legend
         // The film's part of the picture, in FilmMap's units of a hundredth.
@@ -575,7 +575,7 @@ void ResultsTest::printedColours_shiftedFilm_matchClosedForm() {
     painter.fillRect(700, 0, 700, 1960, Qt::green);
     painter.end();
     const RefinedMesh fine(dip_.model.mesh, 0.5f);
-    FilmSlip slip;
+    FilmPlacementError slip;
     slip.shift = {Millimetres(3), Millimetres(-2)};
     slip.turn = Degrees(10);
     slip.swell = 1.05;
@@ -609,7 +609,7 @@ void ResultsTest::printedColours_shallowerDip_leavesTheUpperPartBare() {
     QImage red(140, 196, QImage::Format_RGBA8888);
     red.fill(Qt::red);
     const RefinedMesh fine(dip_.model.mesh, 1);
-    FilmSlip slip;
+    FilmPlacementError slip;
     slip.deeper = Millimetres(-12);
     const double depth = 32;
     const std::vector<QRgb> colours =
@@ -711,7 +711,7 @@ void ResultsTest::printedColours_shiftedOverlap_matchClosedForm() {
         return image;
     };
     const RefinedMesh fine(dip_.model.mesh, 1);
-    FilmSlip slip;
+    FilmPlacementError slip;
     slip.shift[0] = Millimetres(shift);
     const std::vector<QRgb> colours = printedColours(
         fine, {{dip_.laid, fading(false)}, {dip_.laid, fading(true), slip}}, {.compensate = false});

@@ -4,7 +4,7 @@
 #include "base/Units.h"
 #include "dip/Coverage.h"
 #include "geometry/Shapes.h"
-#include "share/FadeBand.h"
+#include "share/FadeOverlap.h"
 #include "share/ShareMarks.h"
 #include "texture/Ink.h"
 #include "texture/LinearLight.h"
@@ -405,15 +405,15 @@ void BodyShareTest::betterLast_lessStretchedFilm_isLast() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
     BodyShare share = shared(model, oppositeFilms(model));
     // At the equator viscous film is stretched by 1/cos(45°) along the meridian.
-    for (const double stretch : share.joinStretch) {
+    for (const double stretch : share.seamStretch) {
         QVERIFY2(std::abs(stretch - std::sqrt(2)) < 0.05,
                  qPrintable(QStringLiteral("stretch %1, expected √2").arg(stretch)));
     }
-    QVERIFY(!betterLast(share));
-    share.joinStretch = {1.2, 1.5};
-    QCOMPARE(betterLast(share), std::optional<std::size_t>(0));
-    share.joinStretch = {1.5, 1.2};
-    QCOMPARE(betterLast(share), std::optional<std::size_t>(1));
+    QVERIFY(!recommendedLastDip(share));
+    share.seamStretch = {1.2, 1.5};
+    QCOMPARE(recommendedLastDip(share), std::optional<std::size_t>(0));
+    share.seamStretch = {1.5, 1.2};
+    QCOMPARE(recommendedLastDip(share), std::optional<std::size_t>(1));
 }
 
 void BodyShareTest::markOutline_roundMark_isACircle() {

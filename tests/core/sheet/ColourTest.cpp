@@ -232,11 +232,11 @@ void ColourTest::writeSheetTiff_cmykProfile_isSeparated() {
 void ColourTest::writeSheetTiff_cmykMarks_areBlackInkOnly() {
     Sheet unpainted = smallSheet();
     unpainted.image.fill(Qt::transparent);
-    const Tiff onPaper = tiffOf(unpainted, {.colour = &inks_});
+    const Tiff onWhitePaper = tiffOf(unpainted, {.colour = &inks_});
     Sheet covered = smallSheet();
     covered.image.fill(QColor(200, 60, 60)); // the marks are on paint, with a white rim
     const Tiff onPaint = tiffOf(covered, {.colour = &inks_});
-    for (const Tiff* tiff : {&onPaper, &onPaint}) {
+    for (const Tiff* tiff : {&onWhitePaper, &onPaint}) {
         int black = 0;
         int bare = 0;
         for (int y = 0; y < int(tiff->height); ++y) {

@@ -97,9 +97,10 @@ void SheetScaleTest::writeSheetPdf_printerScale_rulerMeasures100mm() {
         found = ticks(strip, true, row);
     }
     QCOMPARE(found.size(), std::size_t(101));
-    const double onPaper = (found.back() - found.front()) * stretchX;
-    QVERIFY2(std::abs(onPaper - 100) < 0.05,
-             qPrintable(QStringLiteral("the ruler measures %1 mm, expected 100 mm").arg(onPaper)));
+    const double onWhitePaper = (found.back() - found.front()) * stretchX;
+    QVERIFY2(
+        std::abs(onWhitePaper - 100) < 0.05,
+        qPrintable(QStringLiteral("the ruler measures %1 mm, expected 100 mm").arg(onWhitePaper)));
 }
 
 void SheetScaleTest::verificationPage_printerScale_measuresItsLength() {
@@ -117,10 +118,10 @@ void SheetScaleTest::verificationPage_printerScale_measuresItsLength() {
         found = ticks(strip, false, column);
     }
     QCOMPARE(found.size(), expected);
-    const double onPaper = (found.back() - found.front()) * stretchY;
-    QVERIFY2(std::abs(onPaper - calibrationLengths(page).y.value()) < 0.05,
+    const double onWhitePaper = (found.back() - found.front()) * stretchY;
+    QVERIFY2(std::abs(onWhitePaper - calibrationLengths(page).y.value()) < 0.05,
              qPrintable(QStringLiteral("the scale measures %1 mm, expected %2 mm")
-                            .arg(onPaper)
+                            .arg(onWhitePaper)
                             .arg(calibrationLengths(page).y.value())));
 }
 

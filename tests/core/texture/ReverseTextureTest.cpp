@@ -285,7 +285,7 @@ void ReverseTextureTest::colourBeyondSrgbStaysAsItIs() {
     green.setColorSpace(QColorSpace::AdobeRgb);
     green.fill(QColor(20, 230, 20));
     green.convertToColorSpace(wideSpace());
-    QVERIFY(!isHeldBySrgb(green));
+    QVERIFY(!fitsInSrgb(green));
     const QImage printed =
         reversed(test::boxWithPicture(boxSize, green), film, uncompensated()).image;
     const auto* meant = reinterpret_cast<const quint16*>(green.constScanLine(0));
@@ -394,10 +394,10 @@ void ReverseTextureTest::whatIsWantedIsKeptWhereItIsAskedFor() {
     options.pixels = a4Pixels;
     const ReverseTexture plain = reversed(model, film, options);
     QVERIFY(plain.wanted.isNull() && plain.stretch.isNull());
-    options.keepsWanted = true;
+    options.returnsWanted = true;
     const ReverseTexture kept = reversed(model, film, options);
     QCOMPARE(kept.image, plain.image);
-    options.ink.compensate = options.keepsWanted = false;
+    options.ink.compensate = options.returnsWanted = false;
     QCOMPARE(kept.wanted, reversed(model, film, options).image);
     QCOMPARE(kept.stretch.size(), kept.image.size());
     int printed = 0;

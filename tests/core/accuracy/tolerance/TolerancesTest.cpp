@@ -60,7 +60,7 @@ const SolverRegistry& registry() {
 
 JobResult resultOf(const Project& project) {
     JobOptions options;
-    options.estimatesCertainty = false;
+    options.estimatesNumericalError = false;
     return runJob(project, registry(), options, nullptr, {});
 }
 

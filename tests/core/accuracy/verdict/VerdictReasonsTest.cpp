@@ -25,21 +25,21 @@ std::shared_ptr<const LaidFilm> filmWith(const solver::EquilibriumAccount& accou
 }
 
 // The estimate for a film with which all coarser dips agree.
-CertaintyEstimate agreement(const LaidFilm& laid) {
+NumericalErrorEstimate agreement(const LaidFilm& laid) {
     const auto same = test::laid(laid.body().mesh, laid.film());
-    return certaintyEstimate(laid, {same, same, {}});
+    return estimateNumericalError(laid, {same, same, {}});
 }
 
 // The estimate for a film that twice the cell moves by `change` mm everywhere.
-CertaintyEstimate movedBy(const LaidFilm& laid, double change) {
-    CertaintyEstimate estimate = agreement(laid);
+NumericalErrorEstimate movedBy(const LaidFilm& laid, double change) {
+    NumericalErrorEstimate estimate = agreement(laid);
     estimate.doubleSpacing.distance.percentile95 = change;
     estimate.offBy.percentile95 = change;
-    std::fill(estimate.pointsOffBy.begin(), estimate.pointsOffBy.end(), float(change));
+    std::fill(estimate.pointErrors.begin(), estimate.pointErrors.end(), float(change));
     return estimate;
 }
 
-Verdict judged(const LaidFilm& laid, const CertaintyEstimate* estimate,
+Verdict judged(const LaidFilm& laid, const NumericalErrorEstimate* estimate,
                const ZonedBody* zones = nullptr, const ToleranceSettings& tolerance = {}) {
     return verdict({laid, coverage(laid), estimate, 0, zones}, tolerance, {});
 }
@@ -47,7 +47,7 @@ Verdict judged(const LaidFilm& laid, const CertaintyEstimate* estimate,
 // The verdict's text for a film of 1 mm cells that twice the cell moves by `change` mm.
 QString toldOf(double change, bool isGraded) {
     const auto laid = filmWith({}, isGraded);
-    const CertaintyEstimate estimate = movedBy(*laid, change);
+    const NumericalErrorEstimate estimate = movedBy(*laid, change);
     return verdictText(QStringLiteral("Top"), judged(*laid, &estimate));
 }
 
@@ -59,7 +59,7 @@ qsizetype mentions(const Verdict& verdict) {
 template <typename Change>
 Verdict changedBy(Change change, double paleArea = 0) {
     const auto laid = filmWith({});
-    const CertaintyEstimate estimate = agreement(*laid);
+    const NumericalErrorEstimate estimate = agreement(*laid);
     Coverage painted = coverage(*laid);
     change(painted, surfaceArea(laid->body().mesh));
     return verdict({*laid, painted, &estimate, paleArea}, {}, {});
@@ -73,9 +73,9 @@ class VerdictReasonsTest : public QObject {
 private slots:
     void verdict_stepsWithoutEquilibrium_givesOneReason() {
         const auto laid = filmWith({3, 0.25, 900});
-        const CertaintyEstimate estimate = agreement(*laid);
+        const NumericalErrorEstimate estimate = agreement(*laid);
         const Verdict found = judged(*laid, &estimate);
-        QCOMPARE(found.advice, Advice::LookFirst);
+        QCOMPARE(found.advice, Advice::CheckFirst);
         QCOMPARE(mentions(found), qsizetype(1));
     }
 
@@ -102,10 +102,10 @@ private slots:
         tolerance.marks = {bottom};
         ZonedBody zones(model);
         zones.setMarks(tolerance.marks);
-        const CertaintyEstimate estimate = movedBy(*laid, 0.2); // A allows 0.1 mm
+        const NumericalErrorEstimate estimate = movedBy(*laid, 0.2); // A allows 0.1 mm
         QCOMPARE(judged(*laid, &estimate).advice, Advice::Print);
         const Verdict marked = judged(*laid, &estimate, &zones, tolerance);
-        QCOMPARE(marked.advice, Advice::LookFirst);
+        QCOMPARE(marked.advice, Advice::CheckFirst);
         QCOMPARE(marked.reasons.front().zone, std::optional(Zone::A));
         QVERIFY(!marked.places.empty());
         QCOMPARE(marked.places.front().limit, 0.1);
@@ -115,7 +115,7 @@ private slots:
 
     void verdict_stepErrorAboveLimit_givesReasonStep() {
         const auto laid = filmWith({}, true);
-        CertaintyEstimate estimate = movedBy(*laid, 0.75);
+        NumericalErrorEstimate estimate = movedBy(*laid, 0.75);
         estimate.doubleStep.distance.percentile95 = 0.8;
         QCOMPARE(judged(*laid, &estimate).reasons.front().kind, VerdictReason::Kind::Step);
     }
@@ -124,7 +124,7 @@ private slots:
         QTest::addColumn<double>("share");
         QTest::addColumn<int>("advice");
         QTest::newRow("within") << 0.9 << int(Advice::Print);
-        QTest::newRow("above") << 1.1 << int(Advice::LookFirst);
+        QTest::newRow("above") << 1.1 << int(Advice::CheckFirst);
         QTest::newRow("far above") << 5.5 << int(Advice::DoNotPrint);
     }
     void verdict_shareAboveLimit_checkFirstThenDoNotPrint() {
@@ -160,14 +160,14 @@ private slots:
     // The film is 60 mm wide and the box 40 mm, which leaves 10 mm on each side.
     void verdict_paintNearFilmEdge_checkFirst() {
         const auto laid = filmWith({});
-        const CertaintyEstimate estimate = agreement(*laid);
+        const NumericalErrorEstimate estimate = agreement(*laid);
         const JudgedDip dip{*laid, coverage(*laid), &estimate};
         VerdictSettings limits;
         limits.edge = Millimetres(9);
         QCOMPARE(verdict(dip, {}, limits).advice, Advice::Print);
         limits.edge = Millimetres(12);
         const Verdict near = verdict(dip, {}, limits);
-        QCOMPARE(near.advice, Advice::LookFirst);
+        QCOMPARE(near.advice, Advice::CheckFirst);
         QVERIFY(std::abs(near.reasons.front().value - 10) < 1.01); // within a cell
     }
 
@@ -175,14 +175,14 @@ private slots:
     void verdict_withoutEstimate_isNotJudged() {
         QCOMPARE(judged(*filmWith({}), nullptr).advice, Advice::NotJudged);
         const Verdict unbalanced = judged(*filmWith({3, 0.25, 900}), nullptr);
-        QCOMPARE(unbalanced.advice, Advice::LookFirst);
+        QCOMPARE(unbalanced.advice, Advice::CheckFirst);
         QCOMPARE(unbalanced.reasons.back().kind, VerdictReason::Kind::NotAsked);
         QCOMPARE(mentions(unbalanced), qsizetype(1));
     }
 
     void verdict_allDipsAgree_printWithOneReason() {
         const auto laid = filmWith({});
-        const CertaintyEstimate estimate = agreement(*laid);
+        const NumericalErrorEstimate estimate = agreement(*laid);
         const Verdict found = judged(*laid, &estimate);
         QCOMPARE(found.advice, Advice::Print);
         QCOMPARE(found.reasons.size(), std::size_t(1));

@@ -151,12 +151,12 @@ struct Matrix {
 
     std::vector<Vector> entries, basis, smoothed;
     Vector forces, step, residual;
-    LeastResiduals problem;
+    GmresProblem problem;
 
 private:
     StepState<double> state_;
 };
-static_assert(LeastResidualBackend<Matrix>);
+static_assert(GmresBackend<Matrix>);
 
 } // namespace
 
@@ -264,14 +264,14 @@ void EquilibriumTest::farFromRestLessIsAskedFor() {
 void EquilibriumTest::tellsHowTheSearchEnded() {
     Spring rests = spring(
         4, [](double x) { return x - 3; }, [](double) { return 1.0; });
-    const FoundEquilibrium found = findEquilibrium(rests, 0, 0);
+    const EquilibriumResult found = findEquilibrium(rests, 0, 0);
     QVERIFY(found.isReached);
     QVERIFY(found.left <= 1e-6);
     QCOMPARE(rests.linearSolves, 1);
     Spring none = spring(
         0, [](double x) { return std::hypot(x, 0.5); },
         [](double x) { return x / std::hypot(x, 0.5); });
-    const FoundEquilibrium missed = findEquilibrium(none, 0, 0);
+    const EquilibriumResult missed = findEquilibrium(none, 0, 0);
     QVERIFY(!missed.isReached);
     QVERIFY(std::abs(missed.left - 0.5) < 1e-6); // the elastic forces are 1
 }
@@ -279,8 +279,8 @@ void EquilibriumTest::tellsHowTheSearchEnded() {
 void EquilibriumTest::leastResidualsSolveUnsymmetricSystems() {
     for (const double tolerance : {1e-2, 1e-6, 1e-10}) {
         Matrix film(10, 4);
-        leastResiduals(film, 0.3, Tangent::True, std::sqrt(Matrix::dot(film.forces, film.forces)),
-                       tolerance);
+        solveGmres(film, 0.3, Tangent::True, std::sqrt(Matrix::dot(film.forces, film.forces)),
+                   tolerance);
         QVERIFY(film.left(0.3) <= tolerance * 1.001);
     }
 }
@@ -288,13 +288,13 @@ void EquilibriumTest::leastResidualsSolveUnsymmetricSystems() {
 // More equations than basis vectors are kept.
 void EquilibriumTest::leastResidualsStartAnew() {
     Matrix film(40, 12);
-    leastResiduals(film, 0, Tangent::True, std::sqrt(Matrix::dot(film.forces, film.forces)), 1e-9);
+    solveGmres(film, 0, Tangent::True, std::sqrt(Matrix::dot(film.forces, film.forces)), 1e-9);
     QVERIFY(film.state().equilibrium.linearIterations > mostBasisVectors);
     QVERIFY(film.left(0) <= 1.001e-9);
     // It stops where it is told to, restarted or not.
     Matrix never(40, 0.5);
     const double start = std::sqrt(Matrix::dot(never.forces, never.forces));
-    leastResiduals(never, 0, Tangent::True, start, 0);
+    solveGmres(never, 0, Tangent::True, start, 0);
     QCOMPARE(never.state().equilibrium.linearIterations,
              std::int64_t(mostBasisVectors * (mostRestarts + 1)));
     QVERIFY(never.left(0) <= start);
@@ -303,7 +303,7 @@ void EquilibriumTest::leastResidualsStartAnew() {
 // With as many vectors as equations nothing is left.
 void EquilibriumTest::leastResidualsAreExactForSmallSystems() {
     Matrix film(5, 0.5);
-    leastResiduals(film, 0, Tangent::True, std::sqrt(Matrix::dot(film.forces, film.forces)), 1e-9);
+    solveGmres(film, 0, Tangent::True, std::sqrt(Matrix::dot(film.forces, film.forces)), 1e-9);
     QCOMPARE(film.state().equilibrium.linearIterations, std::int64_t(5));
     QVERIFY(film.left(0) < 1e-9);
 }

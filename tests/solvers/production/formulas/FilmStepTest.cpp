@@ -195,14 +195,14 @@ void FilmStepTest::foldedFilmAtRestIsLeftToRecover() {
     Springs film;
     film.place(12, 0, 1.2);
     QVERIFY(detail::settle(film, 0).isReached);
-    QVERIFY(!detail::holdLost(film, false));
+    QVERIFY(!detail::holdTornOrFolded(film, false));
     QCOMPARE(film.heldPoints(), 0);
 }
 
 void FilmStepTest::tornFilmIsMarked() {
     Springs film;
     film.place(9, 9, 0); // drawn out
-    QVERIFY(detail::holdLost(film, false));
+    QVERIFY(detail::holdTornOrFolded(film, false));
     QVERIFY(!film.moves(9) && film.isMarked(9, PointMark::Torn));
     QVERIFY(film.moves(0) && !film.isMarked(0, PointMark::Torn));
 }
@@ -214,7 +214,7 @@ void FilmStepTest::givesUpInTheEnd() {
     for (int point = 0; point <= mostHolds; ++point) {
         film.springs[std::size_t(point)] = restless(std::pow(0.05, point));
     }
-    const FoundEquilibrium found = detail::settle(film, 0);
+    const EquilibriumResult found = detail::settle(film, 0);
     QCOMPARE(film.heldPoints(), mostHolds);
     QCOMPARE(film.timesSetFree, mostHolds);
     QVERIFY(film.moves(mostHolds));

@@ -1,4 +1,4 @@
-#include "accuracy/certainty/CertaintyEstimate.h"
+#include "accuracy/certainty/NumericalErrorEstimate.h"
 
 #include "base/Error.h"
 #include "parallel/ParallelFor.h"
@@ -103,16 +103,16 @@ CoarserFilms coarserFilms(const std::shared_ptr<const PosedBody>& body, const Di
     return coarser;
 }
 
-SheetChange CertaintyEstimate::halfSpacing() const {
+SheetChange NumericalErrorEstimate::halfSpacing() const {
     return scaled(doubleSpacing, halfSpacingShare);
 }
 
-SheetChange CertaintyEstimate::halfStep() const {
+SheetChange NumericalErrorEstimate::halfStep() const {
     return scaled(doubleStep, halfStepShare);
 }
 
-CertaintyEstimate certaintyEstimate(const LaidFilm& own, const CoarserFilms& coarser) {
-    CertaintyEstimate estimate;
+NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const CoarserFilms& coarser) {
+    NumericalErrorEstimate estimate;
     estimate.failure = coarser.failure;
     if (!coarser.failure.isEmpty()) {
         return estimate;
@@ -125,10 +125,10 @@ CertaintyEstimate certaintyEstimate(const LaidFilm& own, const CoarserFilms& coa
     estimate.offBy = sheetChange(largest(spacing, step)).distance;
 
     const std::vector<SurfacePoint>& points = own.contact().surface;
-    estimate.pointsOffBy = largest(sheetMoves(own, *coarser.doubleSpacing, points),
+    estimate.pointErrors = largest(sheetMoves(own, *coarser.doubleSpacing, points),
                                    sheetMoves(own, *coarser.doubleStep, points));
     for (std::size_t point = 0; point < points.size(); ++point) {
-        float& offBy = estimate.pointsOffBy[point];
+        float& offBy = estimate.pointErrors[point];
         if (offBy < 0) {
             offBy = points[point].isValid() ? std::numeric_limits<float>::quiet_NaN() : 0;
         }
@@ -136,13 +136,13 @@ CertaintyEstimate certaintyEstimate(const LaidFilm& own, const CoarserFilms& coa
     return estimate;
 }
 
-std::vector<float> offByAt(const CertaintyEstimate& estimate, const LaidFilm& own,
-                           const std::vector<SurfacePoint>& places) {
+std::vector<float> numericalErrorAt(const NumericalErrorEstimate& estimate, const LaidFilm& own,
+                                    const std::vector<SurfacePoint>& places) {
     std::vector<float> offBy(places.size(), 0);
-    parallelFor(std::size_t(0), estimate.pointsOffBy.empty() ? 0 : places.size(), [&](auto i) {
+    parallelFor(std::size_t(0), estimate.pointErrors.empty() ? 0 : places.size(), [&](auto i) {
         if (const std::optional<FilmPlace> place = own.place(places[i])) {
             for (const std::uint32_t corner : own.triangles()[place->triangle]) {
-                offBy[i] = std::fmax(offBy[i], estimate.pointsOffBy[corner]); // fmax ignores NaN
+                offBy[i] = std::fmax(offBy[i], estimate.pointErrors[corner]); // fmax ignores NaN
             }
         }
     });

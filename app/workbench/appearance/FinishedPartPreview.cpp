@@ -1,4 +1,4 @@
-#include "workbench/appearance/BodyPrintPreview.h"
+#include "workbench/appearance/FinishedPartPreview.h"
 
 namespace dipwright {
 namespace {
@@ -7,23 +7,23 @@ constexpr double paperTriangles = 150'000; // approximate
 
 } // namespace
 
-BodyPrintPreview::BodyPrintPreview(QObject* parent) : QObject(parent) {}
+FinishedPartPreview::FinishedPartPreview(QObject* parent) : QObject(parent) {}
 
-BodyPrintPreview::Paper
-BodyPrintPreview::paperOf(const std::shared_ptr<const TexturedMesh>& model) {
+FinishedPartPreview::Paper
+FinishedPartPreview::meshedModel(const std::shared_ptr<const TexturedMesh>& model) {
     const auto mesh = std::make_shared<const RefinedMesh>(
         model->mesh, edgeForTriangles(model->mesh, paperTriangles));
     return {model, mesh, plainBody(*mesh)};
 }
 
-void BodyPrintPreview::print(const std::shared_ptr<const TexturedMesh>& model,
-                             std::vector<FilmAppearance> films, const InkSettings& ink,
-                             const Ground& ground) {
+void FinishedPartPreview::print(const std::shared_ptr<const TexturedMesh>& model,
+                                std::vector<FilmAppearance> films, const InkSettings& ink,
+                                const Ground& ground) {
     jobs_.cancelAll();
     jobs_.start(std::make_unique<ValueJob<Print>>(
         tr("Computing the finished part"),
         [paper = paper_, model, films = std::move(films), ink, ground](const Progress&) {
-            Print print{paper.model == model ? paper : paperOf(model), {}};
+            Print print{paper.model == model ? paper : meshedModel(model), {}};
             print.colours = printedColours(*print.paper.mesh, films, ink, ground);
             return print;
         },

@@ -7,11 +7,11 @@ class QCheckBox;
 
 namespace dipwright {
 
-class JoinFields : public MarkFields {
+class SeamFields : public MarkFields {
     Q_OBJECT
 
 public:
-    explicit JoinFields(LengthUnit unit, QWidget* parent = nullptr);
+    explicit SeamFields(LengthUnit unit, QWidget* parent = nullptr);
 
     MarkBrush brush() const override;
     void setDips(const QString& first, const QString& second); // their names

@@ -1,4 +1,4 @@
-#include "workbench/accuracy/CertaintyPanel.h"
+#include "workbench/accuracy/VerdictPanel.h"
 
 #include "pipeline/JobVerdict.h"
 #include "results/Results.h"
@@ -19,7 +19,7 @@ namespace dipwright {
 namespace {
 
 struct Text {
-    Q_DECLARE_TR_FUNCTIONS(CertaintyPanel)
+    Q_DECLARE_TR_FUNCTIONS(VerdictPanel)
 };
 
 constexpr double mapPixelsPerMillimetre = 5; // sets the map's size on the screen
@@ -33,7 +33,7 @@ QString colourOf(Advice advice) {
     switch (advice) {
     case Advice::Print:
         return QStringLiteral("#2e8b57");
-    case Advice::LookFirst:
+    case Advice::CheckFirst:
         return QStringLiteral("#d08700");
     case Advice::DoNotPrint:
         return QStringLiteral("#c83c3c");
@@ -50,7 +50,7 @@ QString paragraph(QString text) {
     return QStringLiteral("<p style='margin:4px 0'>%1</p>").arg(text.toHtmlEscaped());
 }
 
-QString placeHtml(const UncertainPlace& place, std::size_t number, LengthUnit unit) {
+QString placeHtml(const PlaceToCheck& place, std::size_t number, LengthUnit unit) {
     const QString words = placeText(
         place, [unit](double length) { return shownLength(length, unit); },
         [unit](double area) { return shownArea(area, unit); });
@@ -102,7 +102,7 @@ QString html(const JobResult& result, const ImmersionResult& dip, LengthUnit uni
 
 } // namespace
 
-CertaintyPanel::CertaintyPanel(QWidget* parent)
+VerdictPanel::VerdictPanel(QWidget* parent)
     : QWidget(parent), text_(new QTextBrowser),
       map_(new PicturePanel(tr("Numerical error of the sheet"),
                             tr("Run the dip to see the numerical error of the sheet."))) {
@@ -111,14 +111,14 @@ CertaintyPanel::CertaintyPanel(QWidget* parent)
     text_->setAccessibleName(tr("Verdict"));
     text_->setOpenLinks(false);
     text_->hide();
-    connect(text_, &QTextBrowser::anchorClicked, this, &CertaintyPanel::choosePlace);
+    connect(text_, &QTextBrowser::anchorClicked, this, &VerdictPanel::choosePlace);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->addWidget(text_);
     layout->addWidget(map_, 1);
 }
 
-void CertaintyPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion, LengthUnit unit) {
+void VerdictPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion, LengthUnit unit) {
     const bool isThere = outcome.result && immersion < outcome.result->immersions.size();
     text_->setVisible(isThere);
     map_->clear();
@@ -129,23 +129,23 @@ void CertaintyPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion
     places_ = result.verdict.places;
     text_->setHtml(html(*outcome.result, result, unit));
     fitText();
-    const CertaintyEstimate* estimate = result.certainty.get();
+    const NumericalErrorEstimate* estimate = result.certainty.get();
     if (estimate && estimate->failure.isEmpty()) {
-        const QImage map =
-            certaintyMap(*result.laid, estimate->pointsOffBy,
-                         allowedError(Zone::C, outcome.result->project.tolerance), mapEdge, unit);
+        const QImage map = numericalErrorMap(
+            *result.laid, estimate->pointErrors,
+            allowedError(Zone::C, outcome.result->project.tolerance), mapEdge, unit);
         map_->setPicture(map, QSizeF(map.size()) / mapPixelsPerMillimetre);
     }
 }
 
-void CertaintyPanel::resizeEvent(QResizeEvent* event) {
+void VerdictPanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     fitText();
 }
 
 // Makes the text field as tall as its text. Measures a copy, because a scroll bar changes the line
 // breaks of the original.
-void CertaintyPanel::fitText() {
+void VerdictPanel::fitText() {
     const QMargins around = layout()->contentsMargins();
     const std::unique_ptr<QTextDocument> measured(text_->document()->clone());
     measured->setTextWidth(width() - around.left() - around.right());
@@ -156,7 +156,7 @@ void CertaintyPanel::fitText() {
     text_->setFixedHeight(std::min(words, most));
 }
 
-void CertaintyPanel::choosePlace(const QUrl& link) {
+void VerdictPanel::choosePlace(const QUrl& link) {
     const QString target = link.toString();
     if (target.startsWith(fieldScheme)) {
         emit fieldChosen(target.mid(fieldScheme.size()));

@@ -1,7 +1,7 @@
-#include "share/FadeBand.h"
+#include "share/FadeOverlap.h"
 
 #include "parallel/ParallelFor.h"
-#include "share/SmoothJoin.h"
+#include "share/SmoothSeam.h"
 
 #include <Eigen/SVD>
 #include <algorithm>
@@ -107,8 +107,8 @@ double neededOverlap(const LinearColour& colour, double error, double least) {
     return std::max(least, error / share);
 }
 
-FadeBand::FadeBand(const RefinedMesh& body, const LaidFilm& second,
-                   const std::vector<LinearColour>& colours, const ShareSettings& settings)
+FadeOverlap::FadeOverlap(const RefinedMesh& body, const LaidFilm& second,
+                         const std::vector<LinearColour>& colours, const ShareSettings& settings)
     : body_(body), narrowest_(float(std::max(settings.overlap.value(), leastBand))),
       flat_(colours.size()), needed_(colours.size()), measure_(colours.size()) {
     parallelFor(std::size_t(0), flat_.size(), [&](std::size_t triangle) {
@@ -124,8 +124,8 @@ FadeBand::FadeBand(const RefinedMesh& body, const LaidFilm& second,
     });
 }
 
-double FadeBand::tooNarrow(const std::vector<float>& fade,
-                           const std::vector<Painter>& painters) const {
+double FadeOverlap::tooNarrow(const std::vector<float>& fade,
+                              const std::vector<Painter>& painters) const {
     double both = 0, narrow = 0;
     for (std::size_t triangle = 0; triangle < painters.size(); ++triangle) {
         if (painters[triangle] != Painter::Both) {

@@ -14,11 +14,11 @@ namespace dipwright {
 
 class PicturePanel;
 
-class CertaintyPanel : public QWidget {
+class VerdictPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit CertaintyPanel(QWidget* parent = nullptr);
+    explicit VerdictPanel(QWidget* parent = nullptr);
 
     // Shows the result of dip number `immersion`. Shows nothing if it has none.
     void setOutcome(const DipOutcome& outcome, std::size_t immersion, LengthUnit unit);
@@ -34,7 +34,7 @@ private:
     void choosePlace(const QUrl& link);
     void fitText();
 
-    std::vector<UncertainPlace> places_;
+    std::vector<PlaceToCheck> places_;
     QTextBrowser* text_;
     PicturePanel* map_;
 };

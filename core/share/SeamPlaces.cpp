@@ -1,4 +1,4 @@
-#include "share/JoinPlaces.h"
+#include "share/SeamPlaces.h"
 
 #include "parallel/ParallelFor.h"
 #include "texture/SurfaceColours.h"
@@ -99,13 +99,13 @@ std::vector<float> openness(const TriangleMesh& mesh, const SurfaceQuery& query)
 
 } // namespace
 
-JoinPlaces joinPlaces(const RefinedMesh& body, const TexturedMesh& model,
+SeamPlaces seamPlaces(const RefinedMesh& body, const TexturedMesh& model,
                       const SurfaceQuery& query) {
     const TriangleMesh& mesh = body.mesh();
     const std::vector<LinearColour> sampled = surfaceColours(model, samplePlaces(body));
     const std::vector<float> contrast = contrasts(sampled, oppositeEdges(mesh));
     const std::vector<float> open = openness(mesh, query);
-    JoinPlaces places;
+    SeamPlaces places;
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
         const auto& [a, b, c] = mesh.triangles[triangle];
         const LinearColour* sample = &sampled[4 * triangle];
@@ -117,7 +117,7 @@ JoinPlaces joinPlaces(const RefinedMesh& body, const TexturedMesh& model,
     return places;
 }
 
-std::vector<CutEdge> joinEdges(const RefinedMesh& body, const std::vector<float>& weights) {
+std::vector<CutEdge> seamCutEdges(const RefinedMesh& body, const std::vector<float>& weights) {
     const TriangleMesh& mesh = body.mesh();
     const std::vector<std::uint32_t> opposite = oppositeEdges(mesh);
     const float crease = std::cos(creaseAngle * std::numbers::pi_v<float> / 180);
@@ -160,8 +160,8 @@ std::vector<LinePiece> zeroLine(const TriangleMesh& mesh, const std::vector<floa
     return line;
 }
 
-JoinCost joinCost(const std::vector<LinePiece>& line, const std::vector<float>& weights) {
-    JoinCost sum;
+SeamCost seamCost(const std::vector<LinePiece>& line, const std::vector<float>& weights) {
+    SeamCost sum;
     for (const LinePiece& piece : line) {
         const double length = double((piece.ends[1] - piece.ends[0]).norm());
         sum.length += length;

@@ -32,14 +32,14 @@ inline constexpr double halfSpacingShare = 0.5;
 inline constexpr double halfStepShare = 1;
 
 // The estimated numerical error of one sheet.
-struct CertaintyEstimate {
+struct NumericalErrorEstimate {
     SheetChange doubleSpacing, doubleStep; // as measured
     // Numerical error in mm: the larger of both changes. For an error of first order it is the
     // distance to the sheet of an infinitely fine film. Sampled at points spread evenly over the
     // body, where all three dips paint.
     Distribution offBy;
     // Numerical error of each film point on the body; NaN where not all dips paint, 0 off the body.
-    std::vector<float> pointsOffBy;
+    std::vector<float> pointErrors;
     QString failure; // why nothing could be compared; all else is then empty
 
     // The changes expected from cells and steps half as long.
@@ -48,11 +48,11 @@ struct CertaintyEstimate {
 };
 
 // Estimates the numerical error of the film `own`. All cores, deterministic.
-CertaintyEstimate certaintyEstimate(const LaidFilm& own, const CoarserFilms& coarser);
+NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const CoarserFilms& coarser);
 
 // Returns the numerical error at each of `places` on the body, in mm. 0 where `own` does not paint
 // or nothing is known. All cores.
-std::vector<float> offByAt(const CertaintyEstimate& estimate, const LaidFilm& own,
-                           const std::vector<SurfacePoint>& places);
+std::vector<float> numericalErrorAt(const NumericalErrorEstimate& estimate, const LaidFilm& own,
+                                    const std::vector<SurfacePoint>& places);
 
 } // namespace dipwright

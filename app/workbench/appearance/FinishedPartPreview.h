@@ -8,11 +8,11 @@
 
 namespace dipwright {
 
-class BodyPrintPreview : public QObject {
+class FinishedPartPreview : public QObject {
     Q_OBJECT
 
 public:
-    explicit BodyPrintPreview(QObject* parent = nullptr);
+    explicit FinishedPartPreview(QObject* parent = nullptr);
 
     // Computes what `films` paint of `model` on `ground`. Emits printed() when it is done.
     void print(const std::shared_ptr<const TexturedMesh>& model, std::vector<FilmAppearance> films,
@@ -33,7 +33,7 @@ private:
         Paper paper;
         std::vector<QRgb> colours;
     };
-    static Paper paperOf(const std::shared_ptr<const TexturedMesh>& model);
+    static Paper meshedModel(const std::shared_ptr<const TexturedMesh>& model);
 
     Paper paper_; // from the last request
     JobRunner jobs_;

@@ -16,12 +16,12 @@ double neededOverlap(const LinearColour& colour, double error, double least);
 
 // The overlap width at each place of a body. A displacement on the water is equally large on the
 // flat film, so the width is measured there.
-class FadeBand {
+class FadeOverlap {
 public:
     // `colours` are the colours that the fine triangles are to show. `body` must outlive this
     // object. Uses all cores.
-    FadeBand(const RefinedMesh& body, const LaidFilm& second,
-             const std::vector<LinearColour>& colours, const ShareSettings& settings);
+    FadeOverlap(const RefinedMesh& body, const LaidFilm& second,
+                const std::vector<LinearColour>& colours, const ShareSettings& settings);
 
     // Returns the fine triangles as they lie on the flat second film; on the body where that film
     // does not reach. The unit is the overlap width that is needed there.

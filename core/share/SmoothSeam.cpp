@@ -1,4 +1,4 @@
-#include "share/SmoothJoin.h"
+#include "share/SmoothSeam.h"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>

@@ -10,19 +10,19 @@
 
 namespace dipwright {
 
-struct JoinPlaces {
+struct SeamPlaces {
     std::vector<LinearColour> colours; // per fine triangle: mean colour that it is to show
     // Per fine triangle: visibility of a mm of seam there (contrast × visibility of the place).
     std::vector<float> weights;
 };
 
 // `model` has the coarse mesh of `body`; `query` must be of that mesh. Uses all cores.
-JoinPlaces joinPlaces(const RefinedMesh& body, const TexturedMesh& model,
+SeamPlaces seamPlaces(const RefinedMesh& body, const TexturedMesh& model,
                       const SurfaceQuery& query);
 
 // Returns the edges between fine triangles with the cost of a seam along each, mm. The cost is the
 // length times the weight there; it is lower along a crease.
-std::vector<CutEdge> joinEdges(const RefinedMesh& body, const std::vector<float>& weights);
+std::vector<CutEdge> seamCutEdges(const RefinedMesh& body, const std::vector<float>& weights);
 
 // zeroLine() returns the line where `field` is 0, one piece per triangle that it crosses. `field`
 // is per position.
@@ -32,6 +32,6 @@ struct LinePiece {
 };
 std::vector<LinePiece> zeroLine(const TriangleMesh& mesh, const std::vector<float>& field);
 
-JoinCost joinCost(const std::vector<LinePiece>& line, const std::vector<float>& weights);
+SeamCost seamCost(const std::vector<LinePiece>& line, const std::vector<float>& weights);
 
 } // namespace dipwright

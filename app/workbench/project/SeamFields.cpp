@@ -1,4 +1,4 @@
-#include "workbench/project/JoinFields.h"
+#include "workbench/project/SeamFields.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -6,7 +6,7 @@
 
 namespace dipwright {
 
-JoinFields::JoinFields(LengthUnit unit, QWidget* parent)
+SeamFields::SeamFields(LengthUnit unit, QWidget* parent)
     : MarkFields(QStringLiteral("joinBrush"), unit, parent),
       face_(new QCheckBox(tr("Whole face"))) {
     kind().addItem({}, int(ShareMarkKind::First));
@@ -24,7 +24,7 @@ JoinFields::JoinFields(LengthUnit unit, QWidget* parent)
     });
 }
 
-MarkBrush JoinFields::brush() const {
+MarkBrush SeamFields::brush() const {
     const int marks = kind().currentData().toInt();
     if (marks == noKind) {
         return {};
@@ -32,7 +32,7 @@ MarkBrush JoinFields::brush() const {
     return ShareMark{ShareMarkKind(marks), {}, face_->isChecked() ? Millimetres(0) : radius()};
 }
 
-void JoinFields::setDips(const QString& first, const QString& second) {
+void SeamFields::setDips(const QString& first, const QString& second) {
     const auto name = [&](ShareMarkKind mark, const QString& dip) {
         kind().setItemText(kind().findData(int(mark)), tr("Assigns the place to %1").arg(dip));
     };
