@@ -4380,7 +4380,7 @@
     </message>
 </context>
 <context>
-    <name>dipwright::CertaintyCheck</name>
+    <name>dipwright::NumericalErrorCheck</name>
     <message>
         <source>Checking the certainty</source>
         <translation>Verlässlichkeit wird geprüft</translation>
@@ -4391,7 +4391,7 @@
     </message>
 </context>
 <context>
-    <name>dipwright::CertaintyDialog</name>
+    <name>dipwright::NumericalErrorDialog</name>
     <message>
         <source>How far the sheet moves</source>
         <translation>Wie weit sich der Bogen verschiebt</translation>

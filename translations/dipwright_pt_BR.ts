@@ -4380,7 +4380,7 @@
     </message>
 </context>
 <context>
-    <name>dipwright::CertaintyCheck</name>
+    <name>dipwright::NumericalErrorCheck</name>
     <message>
         <source>Checking the certainty</source>
         <translation>Verificando a confiabilidade</translation>
@@ -4391,7 +4391,7 @@
     </message>
 </context>
 <context>
-    <name>dipwright::CertaintyDialog</name>
+    <name>dipwright::NumericalErrorDialog</name>
     <message>
         <source>How far the sheet moves</source>
         <translation>Quanto a folha se desloca</translation>

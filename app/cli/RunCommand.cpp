@@ -23,7 +23,7 @@ namespace {
 const QString outOption = QStringLiteral("out");
 const QString solverOption = QStringLiteral("solver");
 const QString dpiOption = QStringLiteral("dpi");
-const QString certaintyOption = QStringLiteral("no-certainty");
+const QString numericalErrorOption = QStringLiteral("no-certainty");
 const QString cradleOption = QStringLiteral("cradle");
 const QString motionOption = QStringLiteral("motion-template");
 const QString languageOption = QStringLiteral("language");
@@ -268,9 +268,9 @@ public:
         syntax.addOption(
             {dpiOption, QStringLiteral("The sheet's resolution."), QStringLiteral("N")});
         declareFilmImage(syntax);
-        syntax.addOption(
-            {certaintyOption, QStringLiteral("Skips the dips of coarser films that estimate the "
-                                             "numerical error of the sheets.")});
+        syntax.addOption({numericalErrorOption,
+                          QStringLiteral("Skips the dips of coarser films that estimate the "
+                                         "numerical error of the sheets.")});
         syntax.addOption(
             {lawsOption, QStringLiteral("Simulates eight more dips per sheet, to show how much the "
                                         "sheet depends on film laws that are not measured.")});
@@ -343,7 +343,7 @@ private:
     static JobOptions jobOptions(const QCommandLineParser& parser) {
         JobOptions options;
         options.solver = parser.value(solverOption);
-        options.estimatesNumericalError = !parser.isSet(certaintyOption);
+        options.estimatesNumericalError = !parser.isSet(numericalErrorOption);
         options.variesLaws = parser.isSet(lawsOption);
         options.computesTolerances = parser.isSet(tolerancesOption);
         if (parser.isSet(languageOption)) {

@@ -2,7 +2,7 @@
 
 #include "base/Png.h"
 #include "disk/AtomicFile.h"
-#include "pipeline/SheetCertainty.h"
+#include "pipeline/SheetNumericalError.h"
 #include "pipeline/ValidateJob.h"
 #include "pipeline/WriteResults.h"
 #include "validation/PhysicsValidation.h"
@@ -79,17 +79,17 @@ void printChange(const QString& immersion, const QString& finer, const SheetChan
                     padded(100 * change.paintedOnce, 5, 1));
 }
 
-void printCertainty(const std::vector<ImmersionCertainty>& certainty, QTextStream& out) {
+void printNumericalError(const std::vector<DipNumericalError>& numericalError, QTextStream& out) {
     out << "How far the sheet moves in mm, and the share of the part painted in both computations "
            "or in only one\n"
            "dip               computed with     mean     95 %      max      both      one\n";
-    for (const ImmersionCertainty& one : certainty) {
+    for (const DipNumericalError& one : numericalError) {
         printChange(one.immersion.name, QStringLiteral("half the step"), one.halfStep, out);
         printChange(one.immersion.name, QStringLiteral("half the cell"), one.halfSpacing, out);
     }
-    for (const ImmersionCertainty& one : certainty) {
+    for (const DipNumericalError& one : numericalError) {
         printWarnings(one.notes, out);
-        if (!isCertain(one)) {
+        if (!isAccurateEnough(one)) {
             out << "warning: " << one.immersion.name
                 << ": the numerical error of this sheet is too large; give the film smaller cells "
                    "or more points, turn the part, or dip it twice\n";
@@ -106,15 +106,15 @@ void validateTheSheet(const QCommandLineParser& parser, Console& console) {
         checkMapFolder(parser.value(mapsOption)); // fails now instead of after the work
     }
     const SolverRegistry registry;
-    const std::vector<ImmersionCertainty> certainty =
-        sheetCertainty(project, registry, console.progress());
+    const std::vector<DipNumericalError> numericalError =
+        sheetNumericalError(project, registry, console.progress());
     if (parser.isSet(mapsOption)) {
-        writeCertaintyMaps(certainty, parser.value(mapsOption));
+        writeNumericalErrorMaps(numericalError, parser.value(mapsOption));
     }
     if (parser.isSet(jsonOption)) {
-        console.out() << QJsonDocument(certaintyJson(certainty)).toJson();
+        console.out() << QJsonDocument(numericalErrorJson(numericalError)).toJson();
     } else {
-        printCertainty(certainty, console.out());
+        printNumericalError(numericalError, console.out());
     }
 }
 

@@ -192,9 +192,9 @@ QByteArray cachedDip(const CachedDip& dip) {
     QDataStream out(&bytes, QIODevice::WriteOnly);
     out.setVersion(QDataStream::Qt_6_0);
     write(out, dip.film);
-    out << quint8(dip.certainty != nullptr);
-    if (dip.certainty) {
-        write(out, *dip.certainty);
+    out << quint8(dip.numericalError != nullptr);
+    if (dip.numericalError) {
+        write(out, *dip.numericalError);
     }
     return bytes;
 }
@@ -204,7 +204,7 @@ CachedDip readCachedDip(const QByteArray& bytes, const solver::FilmGrid& grid, b
     Reader file(bytes, where);
     CachedDip dip{readFilm(file, grid, isotropic), nullptr};
     if (file.value<quint8>(0, 1) == 1) {
-        dip.certainty =
+        dip.numericalError =
             std::make_shared<const NumericalErrorEstimate>(readEstimate(file, grid.pointCount()));
     }
     file.end();

@@ -1,7 +1,7 @@
 // Encodes and decodes one dip for the project's dip cache. Private to this folder.
 #pragma once
 
-#include "accuracy/certainty/NumericalErrorEstimate.h"
+#include "accuracy/numericalError/NumericalErrorEstimate.h"
 #include "base/Error.h"
 #include "film/DippedFilm.h"
 
@@ -14,7 +14,7 @@ namespace dipwright {
 // A dip as the cache holds it.
 struct CachedDip {
     DippedFilm film;
-    std::shared_ptr<const NumericalErrorEstimate> certainty; // null: not estimated
+    std::shared_ptr<const NumericalErrorEstimate> numericalError; // null: not estimated
 };
 
 // Encodes a dip.

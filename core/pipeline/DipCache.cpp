@@ -97,7 +97,7 @@ void restore(ImmersionResult& dip, const Project& project, const QByteArray& byt
             kept.film.states.end()) {
         throw damagedDips(where);
     }
-    dip.certainty = kept.certainty;
+    dip.numericalError = kept.numericalError;
     dip.laid = layFilm(dip.body, std::move(kept.film), project.process);
 }
 
@@ -162,7 +162,7 @@ void cacheDips(const JobResult& result, const QString& project, qint64 most) {
             continue;
         }
         const QString key = keys.of(dip.immersion, dip.solver);
-        QByteArray bytes = cachedDip({dip.laid->film(), dip.certainty});
+        QByteArray bytes = cachedDip({dip.laid->film(), dip.numericalError});
         const auto known = std::find_if(dips.begin(), dips.end(),
                                         [&](const auto& other) { return other.first == key; });
         isNew = isNew || known == dips.end() || known->second != bytes;

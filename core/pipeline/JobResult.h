@@ -1,7 +1,7 @@
 // The result of a run of the main job.
 #pragma once
 
-#include "accuracy/certainty/LawChange.h"
+#include "accuracy/numericalError/LawChange.h"
 #include "accuracy/tolerance/Zones.h"
 #include "accuracy/verdict/Verdict.h"
 #include "cradle/Cradle.h"
@@ -27,9 +27,9 @@ struct ImmersionResult {
     QStringList solverNotes; // sentences for the user if a solver took over
     std::shared_ptr<const LaidFilm> laid;
     std::shared_ptr<const Coverage> coverage;
-    std::shared_ptr<const NumericalErrorEstimate> certainty; // null: not asked for
-    Verdict verdict;                                         // of this dip alone
-    std::vector<LawChange> laws;                             // empty: not asked for
+    std::shared_ptr<const NumericalErrorEstimate> numericalError; // null: not asked for
+    Verdict verdict;                                              // of this dip alone
+    std::vector<LawChange> laws;                                  // empty: not asked for
     ReadBackError readBack;
     std::shared_ptr<const ReverseTexture> texture;
     Sheet sheet;

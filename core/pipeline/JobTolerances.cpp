@@ -43,8 +43,9 @@ JobTolerances jobTolerances(const JobResult& result, const ToleranceSettings& se
     const std::vector<SurfacePoint> places = tolerancePlaces(*project.model);
     std::vector<std::vector<float>> errors;
     for (const ImmersionResult& dip : result.immersions) {
-        errors.push_back(dip.certainty ? numericalErrorAt(*dip.certainty, *dip.laid, places)
-                                       : std::vector<float>());
+        errors.push_back(dip.numericalError
+                             ? numericalErrorAt(*dip.numericalError, *dip.laid, places)
+                             : std::vector<float>());
     }
     tolerances.zones = zoneVerdicts(project.model, dips, errors, settings);
     return tolerances;

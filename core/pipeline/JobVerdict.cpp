@@ -106,7 +106,7 @@ std::shared_ptr<const ZonedBody> markedZones(const Project& project) {
 }
 
 Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const ZonedBody* zones) {
-    return verdict({*dip.laid, *dip.coverage, dip.certainty.get(),
+    return verdict({*dip.laid, *dip.coverage, dip.numericalError.get(),
                     dip.inkShortfall.value_or(dip.texture->shortfallArea), zones},
                    project.tolerance, project.verdict);
 }

@@ -2,7 +2,7 @@
 // immersion.
 #pragma once
 
-#include "accuracy/certainty/LawChange.h"
+#include "accuracy/numericalError/LawChange.h"
 
 namespace dipwright {
 

@@ -71,7 +71,7 @@ bool hasDipped(const ImmersionResult* earlier, const DipInputs& inputs) {
 // Whether the numerical error has to be estimated by coarser dips.
 bool isToBeJudged(const Run& run, const ImmersionResult* earlier, const DipInputs& inputs) {
     return run.options.estimatesNumericalError &&
-           !(hasDipped(earlier, inputs) && earlier->certainty);
+           !(hasDipped(earlier, inputs) && earlier->numericalError);
 }
 
 // Returns null if nothing has to be dipped and the earlier result has no field.
@@ -337,7 +337,7 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
     if (comparison.isWanted) {
         comparison.dips.wait();
         run.user.throwIfCancelled();
-        now.certainty = std::make_shared<const NumericalErrorEstimate>(
+        now.numericalError = std::make_shared<const NumericalErrorEstimate>(
             estimateNumericalError(*now.laid, std::exchange(comparison.films, {})));
     }
     now.verdict = dipVerdict(now, run.project, run.zones.get());

@@ -94,7 +94,7 @@ QJsonObject inkJson(const ImmersionResult& result) {
     return json;
 }
 
-QJsonObject certaintyJson(const ImmersionResult& result) {
+QJsonObject numericalErrorJson(const ImmersionResult& result) {
     const Verdict& verdict = result.verdict;
     QJsonArray places;
     for (const PlaceToCheck& place : verdict.places) {
@@ -103,9 +103,9 @@ QJsonObject certaintyJson(const ImmersionResult& result) {
     QJsonObject json{{"verdict", adviceKey(verdict.advice)},
                      {"reasons", sentencesOf(verdict)},
                      {"places", places},
-                     {"uncertain_area_mm2", verdict.uncertainArea}};
-    if (result.certainty && result.certainty->failure.isEmpty()) {
-        const NumericalErrorEstimate& estimate = *result.certainty;
+                     {"uncertain_area_mm2", verdict.areaToCheck}};
+    if (result.numericalError && result.numericalError->failure.isEmpty()) {
+        const NumericalErrorEstimate& estimate = *result.numericalError;
         json["off_by_mm"] = toJson(estimate.offBy);
         json["double_step"] = toJson(estimate.doubleStep);
         json["double_spacing"] = toJson(estimate.doubleSpacing);
@@ -205,7 +205,7 @@ QJsonObject immersionJson(const ImmersionResult& result) {
         {"texture", QJsonObject{{"contact", qint64(contact.contactCount)},
                                 {"filled", qint64(contact.filledCount)},
                                 {"seam_triangles", qint64(result.texture->seamTriangles)}}},
-        {"certainty", certaintyJson(result)},
+        {"certainty", numericalErrorJson(result)},
         {"marked", markedJson(*result.coverage)},
         {"marked_area_mm2", result.coverage->marked.any}, // as in earlier versions
         {"read_back_mm", toJson(result.readBack)},

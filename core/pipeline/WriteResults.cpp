@@ -120,12 +120,12 @@ void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QS
                           folder.write(name,
                                        pngBytes(wrinklingMap(*result.laid, filmMapEdge), name));
                       }});
-    if (result.certainty && result.certainty->failure.isEmpty()) {
+    if (result.numericalError && result.numericalError->failure.isEmpty()) {
         pieces.push_back({text, [&result, prefix, allowedError, &folder] {
                               const QString name = prefix + QStringLiteral("certainty.png");
-                              const QImage map =
-                                  numericalErrorMap(*result.laid, result.certainty->pointErrors,
-                                                    allowedError, filmMapEdge);
+                              const QImage map = numericalErrorMap(
+                                  *result.laid, result.numericalError->pointErrors, allowedError,
+                                  filmMapEdge);
                               folder.write(name, pngBytes(map, name));
                           }});
     }

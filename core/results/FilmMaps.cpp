@@ -439,7 +439,7 @@ private:
     }
 };
 
-MapSubject certaintySubject(const ToldDistances& told) {
+MapSubject numericalErrorSubject(const ToldDistances& told) {
     return {Text::tr("Numerical error of the sheet"),
             Text::tr("How far the image may be off because of cell and step; ink side up"),
             Text::tr("error\n%1").arg(unitSign(told.unit)),
@@ -479,7 +479,7 @@ QImage wrinklingMap(const LaidFilm& laid, int longEdge) {
 QImage numericalErrorMap(const LaidFilm& laid, const std::vector<float>& changes, double limit,
                          int longEdge, LengthUnit unit) {
     const ToldDistances told(laid, changes, limit, unit);
-    return FilmMap(laid.film().grid, told.values, certaintySubject(told), longEdge).draw();
+    return FilmMap(laid.film().grid, told.values, numericalErrorSubject(told), longEdge).draw();
 }
 
 QImage toleranceMap(const LaidFilm& laid, const std::vector<float>& spread, double limit,

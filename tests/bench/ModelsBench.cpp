@@ -12,7 +12,7 @@
 #include "base/Error.h"
 #include "pipeline/JobSearch.h"
 #include "pipeline/Pipeline.h"
-#include "pipeline/SheetCertainty.h"
+#include "pipeline/SheetNumericalError.h"
 #include "project/ProjectStore.h"
 #include "texture/ReverseTexture.h"
 
@@ -90,8 +90,8 @@ double differingPixels(const QImage& one, const QImage& other) {
     return printed > 0 ? double(differing) / double(printed) : 0;
 }
 
-bool isRight(const ImmersionResult& said, const ImmersionCertainty& check) {
-    const double offBy = said.certainty->offBy.percentile95;
+bool isRight(const ImmersionResult& said, const DipNumericalError& check) {
+    const double offBy = said.numericalError->offBy.percentile95;
     return said.verdict.advice != Advice::Print ||
            (check.halfStep.distance.percentile95 <= offBy &&
             check.halfSpacing.distance.percentile95 <= offBy);
@@ -99,7 +99,7 @@ bool isRight(const ImmersionResult& said, const ImmersionCertainty& check) {
 
 double firstSeconds = 0; // dip time of the first line
 
-void print(const Project& job, const ImmersionResult& said, const ImmersionCertainty& check,
+void print(const Project& job, const ImmersionResult& said, const DipNumericalError& check,
            const ImmersionResult* other) {
     const DippedFilm& film = said.laid->film();
     firstSeconds = firstSeconds > 0 ? firstSeconds : film.wallSeconds;
@@ -113,7 +113,7 @@ void print(const Project& job, const ImmersionResult& said, const ImmersionCerta
         100 * said.coverage->marked.any / std::max(said.coverage->paintedArea, 1e-9),
         check.halfStep.distance.percentile95, check.unmarkedHalfStep.distance.percentile95,
         check.halfSpacing.distance.percentile95, check.unmarkedHalfSpacing.distance.percentile95,
-        qPrintable(adviceKey(said.verdict.advice)), said.certainty->offBy.percentile95,
+        qPrintable(adviceKey(said.verdict.advice)), said.numericalError->offBy.percentile95,
         isRight(said, check) ? "right" : "WRONG");
     if (other) {
         std::printf(" %lld, %.2f %% |", static_cast<long long>(other->laid->film().steps),
@@ -135,7 +135,7 @@ void judge(const Project& job, const Options& options, const SolverRegistry& reg
         otherwise.estimatesNumericalError = false;
         other = runJob(job, registry, otherwise, nullptr, {});
     }
-    const std::vector<ImmersionCertainty> check = sheetCertainty(job, registry, {});
+    const std::vector<DipNumericalError> check = sheetNumericalError(job, registry, {});
     for (std::size_t number = 0; number < check.size(); ++number) {
         print(job, said.immersions[number], check[number],
               other ? &other->immersions[number] : nullptr);

@@ -1,5 +1,4 @@
-// The films on the GPU against those on the CPU and against the reference solvers. Skipped where
-// there is no GPU.
+// The films on the GPU, compared with the CPU and the reference solvers. Skipped without a GPU.
 
 #include "TestFolders.h"
 #include "dip/Dip.h"
@@ -68,7 +67,7 @@ bool haveSameBits(const Ending& a, const Ending& b) {
            a.progress.steps == b.progress.steps;
 }
 
-// What the paper's reference says at the end.
+// The end of a dip by the paper's reference solver.
 Ending plainPaperDip(const solver::DipSetup& setup) {
     reference::PlainPaperFilm plain(setup);
     plain.dip();
@@ -84,7 +83,8 @@ Ending plainPaperDip(const solver::DipSetup& setup) {
     return end;
 }
 
-// mm between a point and the surface that it touches, at the end of the dip.
+// The distance between a point and the surface at the end of the dip, less the contact distance, in
+// mm.
 double clearanceOf(const Ending& end, std::size_t point, const solver::DipSetup& setup) {
     const auto frame = numerics::bodyFrame<double>(setup.motion, setup.motion.travel);
     const auto field = numerics::fieldGrid<double>(setup.field);
@@ -92,7 +92,7 @@ double clearanceOf(const Ending& end, std::size_t point, const solver::DipSetup&
            setup.settings.contactDistance;
 }
 
-// `isHeld`: at its left side.
+// The setup with growing film. `isHeld`: its left side is pinned.
 solver::DipSetup growing(solver::DipSetup setup, double rate, bool isHeld) {
     setup.settings.growthRate = rate;
     setup.settings.growthLimit = rate > 0 ? 0.2 : 0;
@@ -102,7 +102,8 @@ solver::DipSetup growing(solver::DipSetup setup, double rate, bool isHeld) {
     return setup;
 }
 
-// Positions within 0.02 mm, and the same points adhered but for those within 0.01 mm of touching.
+// Requires positions within 0.02 mm, and the same points adhered except those within 0.01 mm of
+// touching.
 void requireAgreement(const Ending& gpu, const Ending& other, const solver::DipSetup& setup) {
     double farthest = 0, farthestDiffering = 0;
     int differing = 0, adhered = 0;
@@ -115,14 +116,15 @@ void requireAgreement(const Ending& gpu, const Ending& other, const solver::DipS
                                           clearanceOf(other, point, setup)});
         }
     }
-    qInfo("%d points adhered, %d in one only, farthest apart %g mm", adhered, differing, farthest);
+    qInfo("%d points adhered, %d in one film only; largest distance %g mm", adhered, differing,
+          farthest);
     QVERIFY(adhered > 100);
     QVERIFY(farthest <= 0.02);
     QVERIFY(farthestDiffering <= 0.01);
 }
 
-// NVIDIA GPUs on this computer by its driver's own word, not by the plugin's: a plugin that does
-// not see them must not pass for a computer that has none.
+// The number of NVIDIA GPUs according to the driver. The plugin is not asked, because a plugin that
+// does not see them must not pass for a computer without any.
 int gpusByDriver() {
 #ifdef Q_OS_WIN
     QLibrary driver(QStringLiteral("nvcuda"));
@@ -144,19 +146,23 @@ class CudaFilmTest : public QObject {
 
 private slots:
     void initTestCase();
-    void followsTheCpu_data();
-    void followsTheCpu();
-    void followsTheReference_data() { followsTheCpu_data(); }
-    void followsTheReference();
-    void givesTheSameBitsTwice_data();
-    void givesTheSameBitsTwice();
-    void showsWholeStepsWhileItComputes_data() { givesTheSameBitsTwice_data(); }
-    void showsWholeStepsWhileItComputes();
-    void goesOnWhileASmallerFilmIsDipped_data() { givesTheSameBitsTwice_data(); }
-    void goesOnWhileASmallerFilmIsDipped();
-    void batchGivesWhatSingleDipsGive_data() { givesTheSameBitsTwice_data(); }
-    void batchGivesWhatSingleDipsGive();
-    void batchStopsWhenCancelled();
+    void cudaFilm_dip_agreesWithTheCpu_data();
+    void cudaFilm_dip_agreesWithTheCpu();
+    void cudaFilm_dip_agreesWithTheReference_data() { cudaFilm_dip_agreesWithTheCpu_data(); }
+    void cudaFilm_dip_agreesWithTheReference();
+    void cudaFilm_twice_givesTheSameBits_data();
+    void cudaFilm_twice_givesTheSameBits();
+    void cudaFilm_peek_showsWholeStepsAndChangesNothing_data() {
+        cudaFilm_twice_givesTheSameBits_data();
+    }
+    void cudaFilm_peek_showsWholeStepsAndChangesNothing();
+    void cudaFilm_smallerFilmDippedMeanwhile_changesNothing_data() {
+        cudaFilm_twice_givesTheSameBits_data();
+    }
+    void cudaFilm_smallerFilmDippedMeanwhile_changesNothing();
+    void cudaBatch_equalsSingleDips_data() { cudaFilm_twice_givesTheSameBits_data(); }
+    void cudaBatch_equalsSingleDips();
+    void cudaBatch_cancelled_stops();
 
 private:
     Ending dipOnGpu(const solver::DipSetup& setup) const {
@@ -183,11 +189,11 @@ void CudaFilmTest::initTestCase() {
     qInfo("%s", qPrintable(info->device));
 }
 
-void CudaFilmTest::followsTheCpu_data() {
+void CudaFilmTest::cudaFilm_dip_agreesWithTheCpu_data() {
     QTest::addColumn<QString>("body");
     QTest::addColumn<QString>("preset");
     QTest::addColumn<double>("growth"); // 1/s
-    QTest::addColumn<bool>("held");     // at its left side
+    QTest::addColumn<bool>("held");     // left side pinned
     for (const QString& preset : {paper, production}) {
         for (const char* body : {"sphere", "cone", "turtle"}) {
             QTest::addRow("%s, %s", body, qPrintable(preset))
@@ -199,7 +205,7 @@ void CudaFilmTest::followsTheCpu_data() {
         << "sphere" << production << 0.02 << true;
 }
 
-void CudaFilmTest::followsTheCpu() {
+void CudaFilmTest::cudaFilm_dip_agreesWithTheCpu() {
     QFETCH(QString, body);
     QFETCH(QString, preset);
     QFETCH(double, growth);
@@ -210,7 +216,7 @@ void CudaFilmTest::followsTheCpu() {
     requireAgreement(dipOnGpu(setup), dip(*onCpu, setup), setup);
 }
 
-void CudaFilmTest::followsTheReference() {
+void CudaFilmTest::cudaFilm_dip_agreesWithTheReference() {
     QFETCH(QString, body);
     QFETCH(QString, preset);
     QFETCH(double, growth);
@@ -223,21 +229,21 @@ void CudaFilmTest::followsTheReference() {
     requireAgreement(dipOnGpu(setup), exact, setup);
 }
 
-void CudaFilmTest::givesTheSameBitsTwice_data() {
+void CudaFilmTest::cudaFilm_twice_givesTheSameBits_data() {
     QTest::addColumn<QString>("preset");
     for (const QString& preset : {paper, production}) {
         QTest::addRow("%s", qPrintable(preset)) << preset;
     }
 }
 
-void CudaFilmTest::givesTheSameBitsTwice() {
+void CudaFilmTest::cudaFilm_twice_givesTheSameBits() {
     QFETCH(QString, preset);
     const Body body = bodyNamed(QStringLiteral("turtle"));
     const solver::DipSetup setup = wholeDip(body, preset);
     const Ending first = dipOnGpu(setup);
     QVERIFY(haveSameBits(first, dipOnGpu(setup)));
 
-    // Nor does it matter how many steps are asked for at once.
+    // The number of steps for each call does not matter either.
     const auto film = registry_.module(QStringLiteral("pbd-cuda")).create();
     film->begin(setup);
     solver::DipState progress;
@@ -249,9 +255,9 @@ void CudaFilmTest::givesTheSameBitsTwice() {
     QVERIFY(haveSameBits(first, inSmallSteps));
 }
 
-// What is shown of a running dip is the film as it was after some steps, bit for bit, and showing
-// it changes nothing.
-void CudaFilmTest::showsWholeStepsWhileItComputes() {
+// A frame of a running dip is the film after a whole number of steps, bit for bit. Showing it
+// changes nothing.
+void CudaFilmTest::cudaFilm_peek_showsWholeStepsAndChangesNothing() {
     QFETCH(QString, preset);
     const Body body = bodyNamed(QStringLiteral("sphere"));
     const solver::DipSetup setup = wholeDip(body, preset);
@@ -282,8 +288,8 @@ void CudaFilmTest::showsWholeStepsWhileItComputes() {
     QVERIFY(haveSameBits(end, runIsolated));
 }
 
-// As a job's own film does beside the coarser ones that it is compared with.
-void CudaFilmTest::goesOnWhileASmallerFilmIsDipped() {
+// A job's film runs beside the coarser films for the numerical error.
+void CudaFilmTest::cudaFilm_smallerFilmDippedMeanwhile_changesNothing() {
     QFETCH(QString, preset);
     const Body body = bodyNamed(QStringLiteral("sphere"));
     const solver::DipSetup setup = wholeDip(body, preset);
@@ -301,7 +307,7 @@ void CudaFilmTest::goesOnWhileASmallerFilmIsDipped() {
     QVERIFY(haveSameBits(end, dipOnGpu(setup)));
 }
 
-void CudaFilmTest::batchGivesWhatSingleDipsGive() {
+void CudaFilmTest::cudaBatch_equalsSingleDips() {
     QFETCH(QString, preset);
     const Body body = bodyNamed(QStringLiteral("sphere"));
     std::vector<solver::BatchItem> items;
@@ -321,7 +327,7 @@ void CudaFilmTest::batchGivesWhatSingleDipsGive() {
     }
 }
 
-void CudaFilmTest::batchStopsWhenCancelled() {
+void CudaFilmTest::cudaBatch_cancelled_stops() {
     const Body body = bodyNamed(QStringLiteral("sphere"));
     std::vector<solver::BatchItem> items(2);
     items[0].setup = items[1].setup = wholeDip(body, paper);

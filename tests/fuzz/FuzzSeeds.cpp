@@ -114,7 +114,7 @@ void writeDips(const QDir& folder) {
     dip.film.grown.assign(dip.film.grid.pointCount(), 1.1F);
     NumericalErrorEstimate estimate;
     estimate.pointErrors.assign(dip.film.grid.pointCount(), 0.1F);
-    dip.certainty = std::make_shared<const NumericalErrorEstimate>(estimate);
+    dip.numericalError = std::make_shared<const NumericalErrorEstimate>(estimate);
     write(folder, QStringLiteral("dips"), cachedDip(dip), 2);
 }
 

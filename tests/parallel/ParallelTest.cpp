@@ -18,24 +18,24 @@ using namespace dipwright;
 class ParallelTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void everyIndexIsVisitedOnce();
-    void piecesAreAllOfTheRange();
-    void emptyLoopsDoNothing();
-    void loopsMayStandInLoops();
-    void anExceptionReachesTheCaller();
-    void sortedAsByOneThread_data();
-    void sortedAsByOneThread();
-    void tasksMayBeginTasksAndLoops();
-    void aTaskThatThrowsDoesNotBreakOffTheOthers();
-    void tasksThatNobodyWaitsForEndAll();
-    void whatTheyThrewGoesWithThem();
-    void undisturbedWorkTakesUpNoTask();
-    void aLimitHoldsWhileItLives();
-    void aTeamDoesItsWorkBeforeItReturns();
-    void aTeamHandsOnWhatItsWorkThrows();
+    void parallelFor_visitsEveryIndexOnce();
+    void parallelForPieces_coverTheRange();
+    void parallelFor_emptyRange_doesNothing();
+    void parallelFor_nested_computesAll();
+    void parallelFor_exception_reachesTheCaller();
+    void parallelSort_equalsStdSort_data();
+    void parallelSort_equalsStdSort();
+    void tasks_beginTasksAndLoops_allRun();
+    void tasks_oneThrows_othersFinish();
+    void tasks_destroyedWithoutWait_finish();
+    void tasks_destroyedAfterException_deletesIt();
+    void undisturbed_loop_runsNoOtherTask();
+    void threadLimit_holdsWhileItLives();
+    void threadTeam_run_finishesBeforeItReturns();
+    void threadTeam_exception_reachesTheCaller();
 };
 
-void ParallelTest::everyIndexIsVisitedOnce() {
+void ParallelTest::parallelFor_visitsEveryIndexOnce() {
     std::vector<int> visits(10'000, 0);
     parallelFor(3, 10'000, [&](int index) { ++visits[std::size_t(index)]; });
     parallelForEvenly(std::size_t(3), visits.size(), [&](std::size_t index) { ++visits[index]; });
@@ -43,7 +43,7 @@ void ParallelTest::everyIndexIsVisitedOnce() {
     QCOMPARE(std::count(visits.begin(), visits.end(), 2), 9'997);
 }
 
-void ParallelTest::piecesAreAllOfTheRange() {
+void ParallelTest::parallelForPieces_coverTheRange() {
     std::vector<int> visits(10'000, 0);
     parallelForPieces(0, 10'000, 64, [&](int first, int last) {
         for (int index = first; index < last; ++index) {
@@ -53,7 +53,7 @@ void ParallelTest::piecesAreAllOfTheRange() {
     QCOMPARE(std::count(visits.begin(), visits.end(), 1), 10'000);
 }
 
-void ParallelTest::emptyLoopsDoNothing() {
+void ParallelTest::parallelFor_emptyRange_doesNothing() {
     std::atomic<int> calls = 0;
     const auto count = [&](int) { ++calls; };
     parallelFor(0, 0, count);
@@ -62,7 +62,7 @@ void ParallelTest::emptyLoopsDoNothing() {
     QCOMPARE(int(calls), 0);
 }
 
-void ParallelTest::loopsMayStandInLoops() {
+void ParallelTest::parallelFor_nested_computesAll() {
     std::vector<int> sums(100, 0);
     parallelFor(0, 100, [&](int outer) {
         std::vector<int> squares(1000);
@@ -74,27 +74,27 @@ void ParallelTest::loopsMayStandInLoops() {
     }
 }
 
-void ParallelTest::anExceptionReachesTheCaller() {
+void ParallelTest::parallelFor_exception_reachesTheCaller() {
     try {
         parallelFor(0, 1000, [](int index) {
             if (index % 10 == 7) {
                 throw std::runtime_error("index " + std::to_string(index));
             }
         });
-        QFAIL("nothing was thrown");
+        QFAIL("no exception was thrown");
     } catch (const std::runtime_error& error) {
         QVERIFY(QByteArray(error.what()).endsWith('7'));
     }
 }
 
-void ParallelTest::sortedAsByOneThread_data() {
+void ParallelTest::parallelSort_equalsStdSort_data() {
     QTest::addColumn<int>("size");
     for (const int size : {0, 1, 8191, 8192, 8193, 100'000}) {
         QTest::addRow("%d", size) << size;
     }
 }
 
-void ParallelTest::sortedAsByOneThread() {
+void ParallelTest::parallelSort_equalsStdSort() {
     QFETCH(int, size);
     std::mt19937 random(1);
     std::vector<unsigned> numbers(static_cast<std::size_t>(size));
@@ -105,7 +105,7 @@ void ParallelTest::sortedAsByOneThread() {
     QVERIFY(numbers == expected);
 }
 
-void ParallelTest::tasksMayBeginTasksAndLoops() {
+void ParallelTest::tasks_beginTasksAndLoops_allRun() {
     std::vector<int> sums(20, 0);
     Tasks tasks;
     for (std::size_t number = 0; number < sums.size(); ++number) {
@@ -119,13 +119,13 @@ void ParallelTest::tasksMayBeginTasksAndLoops() {
     }
     tasks.wait();
     QCOMPARE(std::count(sums.begin(), sums.end(), 1000), 20);
-    tasks.wait(); // for nothing
+    tasks.wait(); // without tasks
     tasks.run([&] { sums[0] = 1; });
     tasks.wait();
     QCOMPARE(sums[0], 1);
 }
 
-void ParallelTest::aTaskThatThrowsDoesNotBreakOffTheOthers() {
+void ParallelTest::tasks_oneThrows_othersFinish() {
     Tasks tasks;
     std::atomic<int> begun = 0, ended = 0;
     for (int task = 0; task < 50; ++task) {
@@ -141,10 +141,10 @@ void ParallelTest::aTaskThatThrowsDoesNotBreakOffTheOthers() {
     }
     QVERIFY_EXCEPTION_THROWN(tasks.wait(), std::runtime_error);
     QCOMPARE(int(ended), int(begun));
-    tasks.wait(); // it is thrown once
+    tasks.wait(); // the exception is thrown only once
 }
 
-void ParallelTest::tasksThatNobodyWaitsForEndAll() {
+void ParallelTest::tasks_destroyedWithoutWait_finish() {
     std::atomic<int> begun = 0, ended = 0;
     {
         Tasks tasks;
@@ -159,8 +159,8 @@ void ParallelTest::tasksThatNobodyWaitsForEndAll() {
     QCOMPARE(int(ended), int(begun));
 }
 
-// Each thrown on whatever thread, and deleted on this one.
-void ParallelTest::whatTheyThrewGoesWithThem() {
+// Exceptions are thrown on any thread and deleted on this one.
+void ParallelTest::tasks_destroyedAfterException_deletesIt() {
     static std::atomic<int> made = 0, gone = 0;
     struct Failure {
         Failure() { ++made; }
@@ -182,7 +182,7 @@ void ParallelTest::whatTheyThrewGoesWithThem() {
     QCOMPARE(int(gone), int(made));
 }
 
-void ParallelTest::undisturbedWorkTakesUpNoTask() {
+void ParallelTest::undisturbed_loop_runsNoOtherTask() {
     const auto here = std::this_thread::get_id();
     bool isUndisturbed = false;
     std::atomic<int> disturbances = 0;
@@ -203,7 +203,7 @@ void ParallelTest::undisturbedWorkTakesUpNoTask() {
     QCOMPARE(int(disturbances), 0);
 }
 
-void ParallelTest::aLimitHoldsWhileItLives() {
+void ParallelTest::threadLimit_holdsWhileItLives() {
     const auto mostAtOnce = [] {
         std::atomic<int> now = 0, most = 0;
         parallelFor(0, 1000, [&](int) {
@@ -223,7 +223,7 @@ void ParallelTest::aLimitHoldsWhileItLives() {
     QVERIFY(mostAtOnce() <= coreCount());
 }
 
-void ParallelTest::aTeamDoesItsWorkBeforeItReturns() {
+void ParallelTest::threadTeam_run_finishesBeforeItReturns() {
     ThreadTeam team(2);
     std::vector<int> squares(1000);
     int threads = 0;
@@ -235,7 +235,7 @@ void ParallelTest::aTeamDoesItsWorkBeforeItReturns() {
     QCOMPARE(squares.back(), 998'001);
 }
 
-void ParallelTest::aTeamHandsOnWhatItsWorkThrows() {
+void ParallelTest::threadTeam_exception_reachesTheCaller() {
     ThreadTeam team(1);
     QVERIFY_EXCEPTION_THROWN(team.run([] { throw std::runtime_error("work"); }),
                              std::runtime_error);

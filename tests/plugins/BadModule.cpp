@@ -1,4 +1,4 @@
-// Modules that misbehave, one for each way, chosen by DIPWRIGHT_BAD_<WAY>.
+// Solver modules that misbehave. Each defect is chosen by DIPWRIGHT_BAD_<WAY>.
 
 #include <dipwright/FilmSolver.h>
 
@@ -17,16 +17,16 @@ namespace {
 
 using namespace dipwright;
 
-// As a bad pointer does; a sanitizer would take it for its own finding.
+// Crashes as a bad pointer does, but without a sanitizer's report.
 [[maybe_unused]] void crash() {
     std::signal(SIGSEGV, SIG_DFL);
     std::raise(SIGSEGV);
 }
 
 #if defined(DIPWRIGHT_BAD_ADVANCE_GIANT)
-// Says, wherever its process answers, that an answer of an exabyte comes, and begins to send it.
+// Announces an answer of an exabyte on every stream of its process and begins to send it.
 void announceGiant() {
-    constexpr int firstOfItsOwn = 3, last = 15; // the streams come before
+    constexpr int firstOfItsOwn = 3, last = 15; // the standard streams come before
     const std::vector<std::uint64_t> words(8192, std::uint64_t(1) << 60);
     for (int stream = firstOfItsOwn; stream <= last; ++stream) {
         [[maybe_unused]] const auto written =
@@ -45,18 +45,18 @@ void startAnother() {
         ::sleep(3600);
         ::_exit(0);
     }
-    ::close(file); // the lock is the other's alone
+    ::close(file); // only the child holds the lock
 }
 #endif
 
 #if defined(DIPWRIGHT_BAD_LONG)
-// Two lines and more than anybody reads, an escape among it.
+// Several lines, an escape character and millions of letters.
 std::string longText() {
     return "It said\nfar\r\n  too \x1b much: " + std::string(5'000'000, 'x');
 }
 #endif
 
-// A film that fails where it is told to.
+// A film with the chosen defect.
 class Film : public solver::FilmSolver {
 public:
     void begin(const solver::DipSetup&) override {
@@ -186,13 +186,13 @@ public:
 #if defined(DIPWRIGHT_BAD_BATCH_STEPS)
         end.steps = std::numeric_limits<std::int64_t>::max();
 #else
-        end.equilibrium.stepsWithout = 2; // of one
+        end.equilibrium.stepsWithout = 2; // of one step
 #endif
         for (solver::BatchItem& item : items) {
             item.finish(end, [](auto, auto, auto){});
         }
 #endif
-        return true; // and leaves the films empty
+        return true; // leaves the films empty
     }
     std::optional<solver::Ceiling> measuredCeiling() const override {
 #if defined(DIPWRIGHT_BAD_CEILING_CRASH)
@@ -209,7 +209,7 @@ public:
 
 #if defined(DIPWRIGHT_BAD_LOAD)
 namespace {
-// Runs as soon as the module is loaded: nobody may get that far.
+// Runs when the module is loaded, which must not happen.
 [[maybe_unused]] const int harm = (std::abort(), 0);
 } // namespace
 #endif
@@ -225,7 +225,7 @@ DIPWRIGHT_BAD_NAME([[maybe_unused]] int hostInterfaceVersion) {
 #elif defined(DIPWRIGHT_BAD_ENTRY_UNKNOWN)
     throw 42;
 #elif defined(DIPWRIGHT_BAD_OLD)
-    if (hostInterfaceVersion != 2) { // as a module does that was built for version 2
+    if (hostInterfaceVersion != 2) { // like a module built for version 2
         return nullptr;
     }
 #elif defined(DIPWRIGHT_BAD_ABORT)
@@ -233,7 +233,7 @@ DIPWRIGHT_BAD_NAME([[maybe_unused]] int hostInterfaceVersion) {
 #elif defined(DIPWRIGHT_BAD_HANG)
     std::this_thread::sleep_for(std::chrono::hours(1));
 #elif defined(DIPWRIGHT_BAD_KILLED)
-    std::raise(SIGKILL); // as the system does for want of memory
+    std::raise(SIGKILL); // as the system does when memory is short
 #endif
     static const Module module;
     return &module;

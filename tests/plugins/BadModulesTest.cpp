@@ -1,4 +1,4 @@
-// Modules that misbehave are listed with their reason, and never bring the program down.
+// Misbehaving solver modules are listed with their reason and never crash the program.
 
 #include "PluginFolder.h"
 #include "TestFolders.h"
@@ -29,7 +29,7 @@ QString builtModule(const QString& name) {
     return badModuleFolder("/") + PluginFolder::moduleName(name);
 }
 
-// What the program load_solvers says of a folder, in a life of its own.
+// The output of the program load_solvers for a folder, in a separate process.
 struct Listing {
     bool crashed = false;
     QString output;
@@ -60,7 +60,7 @@ void linkAll(const PluginFolder& from, const PluginFolder& to) {
     }
 }
 
-// Whether some process holds the lock on the file; a dead one holds none.
+// Whether a running process holds the lock on the file.
 bool isLocked(const QString& path) {
 #ifdef Q_OS_UNIX
     const int file = ::open(QFile::encodeName(path).constData(), O_RDWR | O_CLOEXEC);
@@ -72,7 +72,7 @@ bool isLocked(const QString& path) {
 #endif
 }
 
-// A dip of a box with the module `name`; what went wrong, as the user reads it.
+// Dips a box with the module `name` and returns the error as the user reads it.
 QString failureOfDip(const QString& name, const Progress& progress = {}) {
     const PluginFolder folder;
     folder.add(name, builtModule(name));
@@ -96,35 +96,35 @@ class BadModulesTest : public QObject {
 
 private slots:
     void initTestCase();
-    void aGoodModuleIsAvailable();
-    void badModulesAreListedWithTheirReason_data();
-    void badModulesAreListedWithTheirReason();
-    void reasonsAreInTheUsersLanguage_data();
-    void reasonsAreInTheUsersLanguage();
-    void aModuleOfAnotherInterfaceIsNotEvenLoaded_data();
-    void aModuleOfAnotherInterfaceIsNotEvenLoaded();
-    void automaticChoiceLeavesThemOut();
-    void automaticChoiceLoadsNoneBelowIt();
-    void aHangWhileLoadingCanBeLeft();
-    void failuresInADipReachTheUser_data();
-    void failuresInADipReachTheUser();
-    void aHangCanBeLeft();
-    void failuresInABatchReachTheUser_data();
-    void failuresInABatchReachTheUser();
-    void wordsOfAModuleAreCutToALine();
-    void aCeilingThatCannotBeIsNone();
-    void whatAModuleStartsEndsWithIt_data();
-    void whatAModuleStartsEndsWithIt();
-    void whatAModuleStartsEndsWithAProgramThatIsKilled();
-    void aModuleThatCrashesTwiceIsLeftOut_data();
-    void aModuleThatCrashesTwiceIsLeftOut();
-    void aShippedModuleThatHungIsContained();
-    void aShippedModuleThatCrashedTwiceIsLeftOut();
-    void aShippedModuleMayLieWhereOthersWrite();
-    void aModuleThatOthersCanWriteIsNotLoaded();
-    void linksThatOthersCanTurnAreNotFollowed();
-    void aLinkOfTheUsersOwnIsFollowed();
-    void beingKilledWhileLoadingIsNotTheModulesFault();
+    void solverRegistry_goodModule_isAvailable();
+    void solverRegistry_badModule_isListedWithItsReason_data();
+    void solverRegistry_badModule_isListedWithItsReason();
+    void solverRegistry_reason_isTranslated_data();
+    void solverRegistry_reason_isTranslated();
+    void solverRegistry_otherInterfaceVersion_isNotLoaded_data();
+    void solverRegistry_otherInterfaceVersion_isNotLoaded();
+    void solverRegistry_auto_skipsBadModules();
+    void solverRegistry_auto_doesNotLoadLowerPriorities();
+    void solverRegistry_hangWhileLoading_canBeCancelled();
+    void simulateDip_badModule_reportsTheFailure_data();
+    void simulateDip_badModule_reportsTheFailure();
+    void simulateDip_hangingModule_canBeCancelled();
+    void runBatch_badModule_reportsTheFailure_data();
+    void runBatch_badModule_reportsTheFailure();
+    void solverInfo_longText_isCutToOneLine();
+    void measuredCeiling_impossibleValue_isNone();
+    void containedModule_childProcess_endsWithIt_data();
+    void containedModule_childProcess_endsWithIt();
+    void containedModule_programKilled_childProcessEnds();
+    void containedModule_crashedTwice_isLeftOut_data();
+    void containedModule_crashedTwice_isLeftOut();
+    void shippedModule_hungOnce_isContained();
+    void shippedModule_crashedTwice_isLeftOut();
+    void shippedModule_folderWritableByOthers_isLoaded();
+    void userModule_writableByOthers_isNotLoaded();
+    void userModule_linkWritableByOthers_isNotFollowed();
+    void userModule_usersOwnLink_isFollowed();
+    void loadingModule_killed_doesNotCountAsCrash();
 };
 
 void BadModulesTest::initTestCase() {
@@ -132,7 +132,7 @@ void BadModulesTest::initTestCase() {
     qputenv("DIPWRIGHT_SOLVER_SECONDS", "1");
 }
 
-void BadModulesTest::aGoodModuleIsAvailable() {
+void BadModulesTest::solverRegistry_goodModule_isAvailable() {
     const PluginFolder folder;
     folder.add(QStringLiteral("good"), builtModule(QStringLiteral("good")));
     const SolverRegistry registry({folder.path()});
@@ -144,7 +144,7 @@ void BadModulesTest::aGoodModuleIsAvailable() {
     QCOMPARE(&registry.module(QStringLiteral("good")), &registry.module(QStringLiteral("auto")));
 }
 
-void BadModulesTest::badModulesAreListedWithTheirReason_data() {
+void BadModulesTest::solverRegistry_badModule_isListedWithItsReason_data() {
     QTest::addColumn<QString>("reasonPart");
     QTest::newRow("entry") << "not today";
     QTest::newRow("entry-unknown") << "unknown exception";
@@ -156,7 +156,7 @@ void BadModulesTest::badModulesAreListedWithTheirReason_data() {
     QTest::newRow("question") << "do not ask";
 }
 
-void BadModulesTest::badModulesAreListedWithTheirReason() {
+void BadModulesTest::solverRegistry_badModule_isListedWithItsReason() {
     QFETCH(QString, reasonPart);
     const QString id = QString::fromLatin1(QTest::currentDataTag());
     const PluginFolder folder;
@@ -169,13 +169,13 @@ void BadModulesTest::badModulesAreListedWithTheirReason() {
     QVERIFY(solvers.front().reason.size() <= 500);
     try {
         registry.module(id);
-        QFAIL("a bad module was given out");
+        QFAIL("a bad module was returned, expected an error");
     } catch (const Error& error) {
         QVERIFY2(error.message().contains(reasonPart), qPrintable(error.message()));
     }
 }
 
-void BadModulesTest::reasonsAreInTheUsersLanguage_data() {
+void BadModulesTest::solverRegistry_reason_isTranslated_data() {
     QTest::addColumn<QString>("reasonPart");
     QTest::newRow("entry") << "+Its module failed at start: not today";
     QTest::newRow("entry-unknown") << "+Its module failed at start with an unknown";
@@ -184,8 +184,8 @@ void BadModulesTest::reasonsAreInTheUsersLanguage_data() {
     QTest::newRow("load") << "+it crashed";
 }
 
-// Though most of them come up in a process that does not know it.
-void BadModulesTest::reasonsAreInTheUsersLanguage() {
+// Most reasons arise in a process without translations.
+void BadModulesTest::solverRegistry_reason_isTranslated() {
     class Marking : public QTranslator {
     public:
         bool isEmpty() const override { return false; }
@@ -204,13 +204,13 @@ void BadModulesTest::reasonsAreInTheUsersLanguage() {
     QVERIFY2(reason.contains(reasonPart), qPrintable(reason));
 }
 
-void BadModulesTest::aModuleOfAnotherInterfaceIsNotEvenLoaded_data() {
+void BadModulesTest::solverRegistry_otherInterfaceVersion_isNotLoaded_data() {
     QTest::addColumn<int>("version");
     QTest::newRow("older") << 2;
     QTest::newRow("newer") << solver::interfaceVersion + 1;
 }
 
-void BadModulesTest::aModuleOfAnotherInterfaceIsNotEvenLoaded() {
+void BadModulesTest::solverRegistry_otherInterfaceVersion_isNotLoaded() {
     QFETCH(int, version);
     const PluginFolder folder;
     folder.add(QStringLiteral("load"), builtModule(QStringLiteral("load"))); // aborts when loaded
@@ -226,7 +226,7 @@ void BadModulesTest::aModuleOfAnotherInterfaceIsNotEvenLoaded() {
                  .arg(version));
 }
 
-void BadModulesTest::automaticChoiceLeavesThemOut() {
+void BadModulesTest::solverRegistry_auto_skipsBadModules() {
     const PluginFolder folder;
     for (const char* name : {"good", "entry", "device"}) {
         folder.add(QString::fromLatin1(name), builtModule(QString::fromLatin1(name)));
@@ -238,8 +238,8 @@ void BadModulesTest::automaticChoiceLeavesThemOut() {
              QStringLiteral("good"));
 }
 
-// What hangs when it is loaded holds nobody up who has a better one.
-void BadModulesTest::automaticChoiceLoadsNoneBelowIt() {
+// A module that hangs while loading does not delay the use of a better one.
+void BadModulesTest::solverRegistry_auto_doesNotLoadLowerPriorities() {
     qputenv("DIPWRIGHT_SOLVER_SECONDS", "600");
     const PluginFolder folder;
     folder.add(QStringLiteral("good"), builtModule(QStringLiteral("good")));
@@ -252,7 +252,7 @@ void BadModulesTest::automaticChoiceLoadsNoneBelowIt() {
     qputenv("DIPWRIGHT_SOLVER_SECONDS", "1");
 }
 
-void BadModulesTest::aHangWhileLoadingCanBeLeft() {
+void BadModulesTest::solverRegistry_hangWhileLoading_canBeCancelled() {
     qputenv("DIPWRIGHT_SOLVER_SECONDS", "600");
     const PluginFolder folder;
     folder.add(QStringLiteral("hang"), builtModule(QStringLiteral("hang")));
@@ -265,13 +265,13 @@ void BadModulesTest::aHangWhileLoadingCanBeLeft() {
     QVERIFY_EXCEPTION_THROWN(registry.module(QStringLiteral("hang"), cancelToken), Cancelled);
     user.join();
     qputenv("DIPWRIGHT_SOLVER_SECONDS", "1");
-    // That was the user, and says nothing of the module.
+    // The user cancelled, which does not count against the module.
     const std::optional<SolverInfo> next = registry.found(QStringLiteral("hang"));
     QVERIFY2(next->reason.contains(QLatin1String("did not respond for 1 s")),
              qPrintable(next->reason));
 }
 
-void BadModulesTest::failuresInADipReachTheUser_data() {
+void BadModulesTest::simulateDip_badModule_reportsTheFailure_data() {
     QTest::addColumn<QString>("reasonPart");
     QTest::newRow("create") << "out of memory";
     QTest::newRow("begin") << "out of film";
@@ -300,15 +300,15 @@ void BadModulesTest::failuresInADipReachTheUser_data() {
     QTest::newRow("read-marks") << "an invalid mark";
 }
 
-void BadModulesTest::failuresInADipReachTheUser() {
+void BadModulesTest::simulateDip_badModule_reportsTheFailure() {
     QFETCH(QString, reasonPart);
     const QString failure = failureOfDip(QString::fromLatin1(QTest::currentDataTag()));
     QVERIFY(!failure.isEmpty());
     QVERIFY2(failure.contains(reasonPart), qPrintable(failure));
-    QVERIFY(failure.size() <= 600); // of which 500 may be the module's
+    QVERIFY(failure.size() <= 600); // of which up to 500 are the module's text
 }
 
-void BadModulesTest::aHangCanBeLeft() {
+void BadModulesTest::simulateDip_hangingModule_canBeCancelled() {
     qputenv("DIPWRIGHT_SOLVER_SECONDS", "600");
     Progress progress;
     std::thread user([cancel = progress.cancelToken]() mutable {
@@ -320,7 +320,7 @@ void BadModulesTest::aHangCanBeLeft() {
     qputenv("DIPWRIGHT_SOLVER_SECONDS", "1");
 }
 
-void BadModulesTest::failuresInABatchReachTheUser_data() {
+void BadModulesTest::runBatch_badModule_reportsTheFailure_data() {
     QTest::addColumn<QString>("reasonPart");
     QTest::newRow("good") << "no result for some films of a batch";
     QTest::newRow("batch-unknown") << "unknown exception";
@@ -331,7 +331,7 @@ void BadModulesTest::failuresInABatchReachTheUser_data() {
     QTest::newRow("batch-equilibrium") << "impossible convergence values";
 }
 
-void BadModulesTest::failuresInABatchReachTheUser() {
+void BadModulesTest::runBatch_badModule_reportsTheFailure() {
     QFETCH(QString, reasonPart);
     const QString name = QString::fromLatin1(QTest::currentDataTag());
     const PluginFolder folder;
@@ -343,13 +343,13 @@ void BadModulesTest::failuresInABatchReachTheUser() {
     }
     try {
         registry.module(name).runBatch(items, nullptr, nullptr);
-        QFAIL("a bad batch was accepted");
+        QFAIL("a bad batch was accepted, expected an error");
     } catch (const std::exception& failure) {
         QVERIFY2(QString::fromUtf8(failure.what()).contains(reasonPart), failure.what());
     }
 }
 
-void BadModulesTest::wordsOfAModuleAreCutToALine() {
+void BadModulesTest::solverInfo_longText_isCutToOneLine() {
     const PluginFolder folder;
     folder.add(QStringLiteral("long"), builtModule(QStringLiteral("long")));
     QJsonObject description = PluginFolder::description(QStringLiteral("long"));
@@ -366,7 +366,7 @@ void BadModulesTest::wordsOfAModuleAreCutToALine() {
     }
 }
 
-void BadModulesTest::aCeilingThatCannotBeIsNone() {
+void BadModulesTest::measuredCeiling_impossibleValue_isNone() {
     const PluginFolder folder;
     for (const char* name : {"good", "ceiling-endless", "ceiling-crash"}) {
         folder.add(QString::fromLatin1(name), builtModule(QString::fromLatin1(name)));
@@ -378,26 +378,26 @@ void BadModulesTest::aCeilingThatCannotBeIsNone() {
                              std::runtime_error);
 }
 
-void BadModulesTest::whatAModuleStartsEndsWithIt_data() {
+void BadModulesTest::containedModule_childProcess_endsWithIt_data() {
     QTest::addColumn<QString>("name");
     QTest::newRow("at the end of the dip") << "fork";
     QTest::newRow("when its process ends itself") << "fork-exit";
     QTest::newRow("when it is stopped") << "fork-hang";
 }
 
-void BadModulesTest::whatAModuleStartsEndsWithIt() {
+void BadModulesTest::containedModule_childProcess_endsWithIt() {
 #ifdef Q_OS_UNIX
     QFETCH(QString, name);
     const QTemporaryDir place;
     const QString lock = place.filePath(QStringLiteral("lock"));
     qputenv("DIPWRIGHT_BAD_LOCK", QFile::encodeName(lock));
     failureOfDip(name);
-    QVERIFY(QFile::exists(lock)); // it got as far as that
+    QVERIFY(QFile::exists(lock)); // the child process was started
     QTRY_VERIFY(!isLocked(lock));
 #endif
 }
 
-void BadModulesTest::whatAModuleStartsEndsWithAProgramThatIsKilled() {
+void BadModulesTest::containedModule_programKilled_childProcessEnds() {
 #ifdef Q_OS_UNIX
     const PluginFolder folder;
     folder.add(QStringLiteral("fork-hang"), builtModule(QStringLiteral("fork-hang")));
@@ -416,7 +416,7 @@ void BadModulesTest::whatAModuleStartsEndsWithAProgramThatIsKilled() {
 #endif
 }
 
-void BadModulesTest::aModuleThatCrashesTwiceIsLeftOut_data() {
+void BadModulesTest::containedModule_crashedTwice_isLeftOut_data() {
     QTest::addColumn<QString>("name");
     QTest::addColumn<QString>("reasonPart");
     QTest::newRow("when it is loaded") << "load"
@@ -427,7 +427,7 @@ void BadModulesTest::aModuleThatCrashesTwiceIsLeftOut_data() {
                               << "it did not respond";
 }
 
-void BadModulesTest::aModuleThatCrashesTwiceIsLeftOut() {
+void BadModulesTest::containedModule_crashedTwice_isLeftOut() {
     QFETCH(QString, name);
     QFETCH(QString, reasonPart);
     const PluginFolder folder;
@@ -441,15 +441,16 @@ void BadModulesTest::aModuleThatCrashesTwiceIsLeftOut() {
                                                    : QStringLiteral("It has crashed twice")),
                  qPrintable(listing.output));
     }
-    QVERIFY(listedByProgram(folder, {}, true).output.contains(reasonPart)); // asked to try again
+    QVERIFY(listedByProgram(folder, {}, true)
+                .output.contains(reasonPart)); // the user asks to try again
     // A module that was replaced gets a new chance.
     folder.add(QStringLiteral("crashing"), builtModule(QStringLiteral("good")));
     QVERIFY(listedByProgram(folder).output.contains(QLatin1String("crashing available")));
 }
 
-// What hangs in the program itself can only be left with it, and once: the next program runs the
-// module in a process of its own, which it can end.
-void BadModulesTest::aShippedModuleThatHungIsContained() {
+// A module that hangs in the program itself can only be left by ending the program. The next
+// program runs it in a separate process, which it can end.
+void BadModulesTest::shippedModule_hungOnce_isContained() {
     const PluginFolder folder;
     folder.add(QStringLiteral("hanging"), builtModule(QStringLiteral("advance-hang")));
     QProcess program;
@@ -467,14 +468,14 @@ void BadModulesTest::aShippedModuleThatHungIsContained() {
              qPrintable(next.output));
 }
 
-// Modules that come with the program are loaded into it.
-void BadModulesTest::aShippedModuleThatCrashedTwiceIsLeftOut() {
+// Modules that come with the program are loaded into its process.
+void BadModulesTest::shippedModule_crashedTwice_isLeftOut() {
     const PluginFolder folder;
     const QStringList shipped{QStringLiteral("shipped")};
     folder.add(QStringLiteral("crashing"), builtModule(QStringLiteral("abort")));
     folder.add(QStringLiteral("good"), builtModule(QStringLiteral("good")));
     QVERIFY(listedByProgram(folder, shipped).crashed);
-    // It may have been something else: tried again, in a process of its own.
+    // The crash may have had another cause, so the module is tried again in a separate process.
     QVERIFY(listedByProgram(folder, shipped).output.contains(QLatin1String("crashing it crashed")));
     for (int start = 0; start < 2; ++start) {
         const Listing next = listedByProgram(folder, shipped);
@@ -485,9 +486,9 @@ void BadModulesTest::aShippedModuleThatCrashedTwiceIsLeftOut() {
     }
 }
 
-// As where root has unpacked an archive, which keeps the ids of whoever packed it: a module that
-// has crashed once is contained there, and not refused for its place.
-void BadModulesTest::aShippedModuleMayLieWhereOthersWrite() {
+// When root unpacks an archive, the files keep the ids of their packer. A shipped module that has
+// crashed once is contained there, not refused for its folder.
+void BadModulesTest::shippedModule_folderWritableByOthers_isLoaded() {
     const PluginFolder folder;
     const QStringList shipped{QStringLiteral("shipped")};
     folder.add(QStringLiteral("crashing"), builtModule(QStringLiteral("abort")));
@@ -497,7 +498,7 @@ void BadModulesTest::aShippedModuleMayLieWhereOthersWrite() {
     QVERIFY2(next.output.contains(QLatin1String("crashing it crashed")), qPrintable(next.output));
 }
 
-void BadModulesTest::beingKilledWhileLoadingIsNotTheModulesFault() {
+void BadModulesTest::loadingModule_killed_doesNotCountAsCrash() {
     const PluginFolder folder;
     const QStringList shipped{QStringLiteral("shipped")};
     folder.add(QStringLiteral("killed"), builtModule(QStringLiteral("killed")));
@@ -507,7 +508,7 @@ void BadModulesTest::beingKilledWhileLoadingIsNotTheModulesFault() {
     }
 }
 
-void BadModulesTest::aModuleThatOthersCanWriteIsNotLoaded() {
+void BadModulesTest::userModule_writableByOthers_isNotLoaded() {
     const PluginFolder folder;
     folder.add(QStringLiteral("good"), builtModule(QStringLiteral("good")));
     QVERIFY(listedByProgram(folder).output.contains(QLatin1String("good available")));
@@ -517,8 +518,8 @@ void BadModulesTest::aModuleThatOthersCanWriteIsNotLoaded() {
              qPrintable(listing.output));
 }
 
-// Where they lead to is safe, but for others to say.
-void BadModulesTest::linksThatOthersCanTurnAreNotFollowed() {
+// The links' target is safe, but other users can change the links.
+void BadModulesTest::userModule_linkWritableByOthers_isNotFollowed() {
 #ifdef Q_OS_UNIX
     const PluginFolder safe, open;
     safe.add(QStringLiteral("good"), builtModule(QStringLiteral("good")));
@@ -530,8 +531,8 @@ void BadModulesTest::linksThatOthersCanTurnAreNotFollowed() {
 #endif
 }
 
-// As a packager may lay it out; it is the file behind the link that is loaded.
-void BadModulesTest::aLinkOfTheUsersOwnIsFollowed() {
+// Packagers may use links. The file behind the link is loaded.
+void BadModulesTest::userModule_usersOwnLink_isFollowed() {
 #ifdef Q_OS_UNIX
     const PluginFolder place, folder;
     place.add(QStringLiteral("good"), builtModule(QStringLiteral("good")));

@@ -1,6 +1,6 @@
-// Lists the solvers of one folder, a line each: a program of its own, so that it may go down. With
-// the second word "shipped", the folder's modules are loaded into it as those that come with the
-// program; with a third word, each available one makes a step.
+// Lists the solvers of one folder, one line for each, in a separate process that may crash. With
+// the second argument "shipped", the modules are loaded as those that come with the program. With a
+// third argument, each available solver makes one step.
 
 #include "solver/SolverRegistry.h"
 

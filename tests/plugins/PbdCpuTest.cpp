@@ -14,7 +14,7 @@ namespace {
 
 const QString id = QStringLiteral("pbd-cpu");
 
-// One dip on each kind of film, small.
+// Two small dips on each kind of film.
 std::vector<solver::DipSetup> dips(const SampledBody& body) {
     std::vector<solver::DipSetup> setups;
     for (const double offset : {0.0, 20.0}) {
@@ -36,18 +36,18 @@ class PbdCpuTest : public QObject {
 
 private slots:
     void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
-    void isFoundAndTellsItsDevice();
-    void settingsChooseTheFilm();
-    void batchGivesWhatSingleDipsGive();
-    void aProcessOfItsOwnGivesTheSame();
-    void batchStopsWhenCancelled();
-    void unbegunFilmRefuses();
+    void pbdCpu_isFoundWithItsDevice();
+    void pbdCpu_settings_chooseTheFilm();
+    void pbdCpuBatch_equalsSingleDips();
+    void pbdCpu_separateProcess_givesTheSameBits();
+    void pbdCpuBatch_cancelled_stops();
+    void pbdCpu_filmNotBegun_throws();
 
 private:
     SolverRegistry registry_;
 };
 
-void PbdCpuTest::isFoundAndTellsItsDevice() {
+void PbdCpuTest::pbdCpu_isFoundWithItsDevice() {
     const SolverInfo info = registry_.info(id);
     QVERIFY(info.available);
     QVERIFY(!info.version.isEmpty());
@@ -55,7 +55,7 @@ void PbdCpuTest::isFoundAndTellsItsDevice() {
     qInfo("%s", qPrintable(info.device));
 }
 
-void PbdCpuTest::settingsChooseTheFilm() {
+void PbdCpuTest::pbdCpu_settings_chooseTheFilm() {
     const SampledBody body = sphere(35, 64);
     solver::DipSetup setup = paperDip(body, -35, 31, 43, 12);
     const auto film = registry_.module(id).create();
@@ -67,7 +67,7 @@ void PbdCpuTest::settingsChooseTheFilm() {
     }();
     setup.settings.lattice = solver::Lattice::Structural;
     setup.settings.support = solver::Support::None;
-    const Ending paper = dip(*film, setup);            // the same object, begun anew
+    const Ending paper = dip(*film, setup);            // the same object, begun again
     QCOMPARE(paper.progress.steps, std::int64_t(144)); // 12 mm at 5 mm/s and 60 Hz
     QVERIFY(onWater.progress.finished);
     const auto sunk = [](const Ending& end) {
@@ -82,7 +82,7 @@ void PbdCpuTest::settingsChooseTheFilm() {
     QVERIFY(sunk(paper));
 }
 
-void PbdCpuTest::batchGivesWhatSingleDipsGive() {
+void PbdCpuTest::pbdCpuBatch_equalsSingleDips() {
     const SampledBody body = sphere(35, 64);
     const solver::SolverModule& module = registry_.module(id);
     std::vector<solver::BatchItem> items;
@@ -99,8 +99,8 @@ void PbdCpuTest::batchGivesWhatSingleDipsGive() {
     }
 }
 
-// As a plugin that does not come with the program has one.
-void PbdCpuTest::aProcessOfItsOwnGivesTheSame() {
+// Plugins that do not come with the program run in a separate process.
+void PbdCpuTest::pbdCpu_separateProcess_givesTheSameBits() {
     const SampledBody body = sphere(35, 64);
     const PluginFolder folder;
     folder.add(id, registry_.info(id).modulePath);
@@ -124,7 +124,7 @@ void PbdCpuTest::aProcessOfItsOwnGivesTheSame() {
     }
 }
 
-void PbdCpuTest::batchStopsWhenCancelled() {
+void PbdCpuTest::pbdCpuBatch_cancelled_stops() {
     const SampledBody body = sphere(35, 64);
     std::vector<solver::BatchItem> items;
     for (const solver::DipSetup& setup : dips(body)) {
@@ -133,10 +133,10 @@ void PbdCpuTest::batchStopsWhenCancelled() {
     int questions = 0;
     const auto cancelledAfterSome = [](void* context) { return ++*static_cast<int*>(context) > 5; };
     QVERIFY(!registry_.module(id).runBatch(items, cancelledAfterSome, &questions));
-    QCOMPARE(questions, 6); // a yes is not asked for again
+    QCOMPARE(questions, 6); // not asked again after yes
 }
 
-void PbdCpuTest::unbegunFilmRefuses() {
+void PbdCpuTest::pbdCpu_filmNotBegun_throws() {
     const auto film = registry_.module(id).create();
     QVERIFY_THROWS_EXCEPTION(std::exception, film->advance(1));
     std::vector<float> positions(6);

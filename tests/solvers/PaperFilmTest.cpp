@@ -32,7 +32,7 @@ std::size_t pointIndex(const solver::FilmGrid& grid, int column, int row) {
     return std::size_t(row) * std::size_t(grid.columns) + std::size_t(column);
 }
 
-// The largest final over rest length of all horizontal and vertical constraints.
+// The largest stretch of all horizontal and vertical constraints.
 double largestStretch(const Ending& end, const solver::FilmGrid& grid) {
     double largest = 0;
     for (int row = 0; row < grid.rows; ++row) {
@@ -63,26 +63,26 @@ class PaperFilmTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void nothingMovesBeforeContact();
-    void followsThePaperStepByStep_data();
-    void followsThePaperStepByStep();
-    void adheredPointsLieOnTheSurface();
-    void adheredPointsMoveExactlyWithTheBody();
-    void pinnedPointsStay();
-    void waterHoldsFreePointsInThePlane();
-    void sameBitsForAnyNumberOfThreadsAndInEveryRun_data();
-    void sameBitsForAnyNumberOfThreadsAndInEveryRun();
-    void scalarAndVectorAgree_data();
-    void scalarAndVectorAgree();
-    void gaussSeidelConvergesBetter();
-    void selfContactKeepsPointsApart();
-    void refusesWhatMakesNoDip();
+    void paperFilm_beforeContact_doesNotMove();
+    void paperFilm_dip_agreesWithThePlainSolver_data();
+    void paperFilm_dip_agreesWithThePlainSolver();
+    void paperFilm_adheredPoints_areOnTheSurface();
+    void paperFilm_adheredPoints_moveExactlyWithTheBody();
+    void paperFilm_pinnedPoints_stay();
+    void paperFilm_onWater_keepsFreePointsInThePlane();
+    void paperFilm_anyNumberOfThreads_giveTheSameBits_data();
+    void paperFilm_anyNumberOfThreads_giveTheSameBits();
+    void paperFilm_scalarAndVector_giveTheSameBits_data();
+    void paperFilm_scalarAndVector_giveTheSameBits();
+    void paperFilm_gaussSeidel_convergesBetterThanJacobi();
+    void paperFilm_selfContact_keepsPointsApart();
+    void paperFilm_invalidSetup_isRefused();
 
 private:
     static void addKindsOfFilm(bool all);
 };
 
-void PaperFilmTest::nothingMovesBeforeContact() {
+void PaperFilmTest::paperFilm_beforeContact_doesNotMove() {
     const SampledBody body = sphere(35, 64);
     const auto setup = paperDip(body, -35, 40, 57, 4, 5);
     const Ending end = dipped(setup);
@@ -98,14 +98,14 @@ void PaperFilmTest::nothingMovesBeforeContact() {
     }
 }
 
-void PaperFilmTest::followsThePaperStepByStep_data() {
+void PaperFilmTest::paperFilm_dip_agreesWithThePlainSolver_data() {
     QTest::addColumn<solver::Lattice>("lattice");
     QTest::addColumn<double>("travel");
     QTest::newRow("the paper's lattice") << solver::Lattice::Structural << 25.0;
     QTest::newRow("with diagonals") << solver::Lattice::Isotropic << 12.0;
 }
 
-void PaperFilmTest::followsThePaperStepByStep() {
+void PaperFilmTest::paperFilm_dip_agreesWithThePlainSolver() {
     QFETCH(solver::Lattice, lattice);
     QFETCH(double, travel);
     const SampledBody body = sphere(35, 96);
@@ -123,7 +123,7 @@ void PaperFilmTest::followsThePaperStepByStep() {
     QVERIFY(farthest < 0.02);
 }
 
-void PaperFilmTest::adheredPointsLieOnTheSurface() {
+void PaperFilmTest::paperFilm_adheredPoints_areOnTheSurface() {
     const SampledBody body = sphere(35, 96);
     auto setup = paperDip(body, -35, 61, 87, 30);
     setup.motion.rotation = {0.36, 0.48, -0.8, -0.8, 0.6, 0, 0.48, 0.64, 0.6};
@@ -135,13 +135,14 @@ void PaperFilmTest::adheredPointsLieOnTheSurface() {
         for (std::size_t point = 0; point < end.states.size(); ++point) {
             if (end.isAdhered(point)) {
                 const double off = length(end.position(point) - centre) - 35 - contactDistance;
-                QVERIFY2(std::abs(off) < 0.1 * body.view.spacing, qPrintable(QString::number(off)));
+                QVERIFY2(std::abs(off) < 0.1 * body.view.spacing,
+                         qPrintable(QStringLiteral("%1 mm from the surface").arg(off)));
             }
         }
     }
 }
 
-void PaperFilmTest::adheredPointsMoveExactlyWithTheBody() {
+void PaperFilmTest::paperFilm_adheredPoints_moveExactlyWithTheBody() {
     const SampledBody body = sphere(35, 64);
     const auto setup = paperDip(body, -35, 40, 57, 40);
     const auto film = cpu::makePaperFilm();
@@ -163,7 +164,7 @@ void PaperFilmTest::adheredPointsMoveExactlyWithTheBody() {
     }
 }
 
-void PaperFilmTest::pinnedPointsStay() {
+void PaperFilmTest::paperFilm_pinnedPoints_stay() {
     const SampledBody body = sphere(35, 64);
     auto setup = paperDip(body, -35, 40, 57, 30);
     setup.pinned.assign(setup.film.pointCount(), 0);
@@ -178,7 +179,7 @@ void PaperFilmTest::pinnedPointsStay() {
     QVERIFY(end.position(56 * 40 + 20).z < 148.4); // the free side is drawn in
 }
 
-void PaperFilmTest::waterHoldsFreePointsInThePlane() {
+void PaperFilmTest::paperFilm_onWater_keepsFreePointsInThePlane() {
     const SampledBody body = sphere(35, 64);
     auto setup = paperDip(body, -35, 40, 57, 30);
     setup.settings.support = solver::Support::Water;
@@ -188,7 +189,7 @@ void PaperFilmTest::waterHoldsFreePointsInThePlane() {
     }
 }
 
-// Each kind of sweep and of film, or of those that differ the most.
+// Adds rows for all kinds of sweep and film, or only for those that differ most.
 void PaperFilmTest::addKindsOfFilm(bool all) {
     QTest::addColumn<solver::Relaxation>("relaxation");
     QTest::addColumn<solver::Lattice>("lattice");
@@ -207,7 +208,7 @@ void PaperFilmTest::addKindsOfFilm(bool all) {
     }
 }
 
-void PaperFilmTest::sameBitsForAnyNumberOfThreadsAndInEveryRun() {
+void PaperFilmTest::paperFilm_anyNumberOfThreads_giveTheSameBits() {
     QFETCH(solver::Relaxation, relaxation);
     QFETCH(solver::Lattice, lattice);
     QFETCH(int, iterations);
@@ -227,15 +228,15 @@ void PaperFilmTest::sameBitsForAnyNumberOfThreadsAndInEveryRun() {
     }
 }
 
-void PaperFilmTest::sameBitsForAnyNumberOfThreadsAndInEveryRun_data() {
+void PaperFilmTest::paperFilm_anyNumberOfThreads_giveTheSameBits_data() {
     addKindsOfFilm(isWholeRun());
 }
 
-void PaperFilmTest::scalarAndVectorAgree_data() {
+void PaperFilmTest::paperFilm_scalarAndVector_giveTheSameBits_data() {
     addKindsOfFilm(true);
 }
 
-void PaperFilmTest::scalarAndVectorAgree() {
+void PaperFilmTest::paperFilm_scalarAndVector_giveTheSameBits() {
     QFETCH(solver::Relaxation, relaxation);
     QFETCH(solver::Lattice, lattice);
     QFETCH(int, iterations);
@@ -249,7 +250,7 @@ void PaperFilmTest::scalarAndVectorAgree() {
     QVERIFY(haveSameBits(dipped(setup, cpu::Arithmetic::Scalar), dipped(setup)));
 }
 
-void PaperFilmTest::gaussSeidelConvergesBetter() {
+void PaperFilmTest::paperFilm_gaussSeidel_convergesBetterThanJacobi() {
     const SampledBody body = sphere(35, 96);
     auto setup = paperDip(body, -35, 120, 170, 35);
     const double jacobi = largestStretch(dipped(setup), setup.film);
@@ -260,7 +261,7 @@ void PaperFilmTest::gaussSeidelConvergesBetter() {
     QVERIFY(gaussSeidel - 1 < 0.7 * (jacobi - 1));
 }
 
-void PaperFilmTest::selfContactKeepsPointsApart() {
+void PaperFilmTest::paperFilm_selfContact_keepsPointsApart() {
     // The film closes behind a small sphere that goes deep.
     const SampledBody body = sphere(20, 48);
     auto setup = paperDip(body, -20, 42, 59, 120);
@@ -291,7 +292,7 @@ void PaperFilmTest::selfContactKeepsPointsApart() {
     QVERIFY(with > 0.7 * kept);
 }
 
-void PaperFilmTest::refusesWhatMakesNoDip() {
+void PaperFilmTest::paperFilm_invalidSetup_isRefused() {
     const SampledBody body = sphere(35, 16);
     const auto refused = [&](auto change) {
         auto setup = paperDip(body, -35, 10, 14, 1);
@@ -314,7 +315,7 @@ void PaperFilmTest::refusesWhatMakesNoDip() {
     QVERIFY(refused([](auto& setup) { setup.settings.timeStep = -1; }));
     QVERIFY(refused([](auto& setup) { setup.settings.iterations = 0; }));
     QVERIFY(refused([](auto& setup) { setup.pinned.resize(3); }));
-    QVERIFY(refused([](auto& setup) { // lines of its own
+    QVERIFY(refused([](auto& setup) { // a graded film
         solver::FilmGrid& film = setup.film;
         for (int column = 0; column < film.columns; ++column) {
             film.columnPlaces.push_back(film.width * (double(column) / (film.columns - 1) - 0.5));

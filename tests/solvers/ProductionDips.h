@@ -1,4 +1,4 @@
-// Whole dips of the production film, for its tests.
+// Runs whole dips of the production film for tests.
 #pragma once
 
 #include "dip/Dip.h"
@@ -11,7 +11,7 @@
 
 namespace dipwright::test {
 
-// How a dip ended.
+// The end of a dip. Positions in mm in the world frame.
 struct Ending {
     solver::DipSetup setup;
     std::vector<float> positions;
@@ -31,7 +31,7 @@ struct Ending {
 Ending dip(solver::FilmSolver& film, const solver::DipSetup& setup);
 Ending dipOnCpu(const solver::DipSetup& setup);
 
-// A body in its pose, or a mesh as one.
+// A posed body and its distance field.
 struct Body {
     PosedBody posed;
     std::shared_ptr<const DistanceField> own;
@@ -40,11 +40,11 @@ struct Body {
 
 Body bodyOf(const TriangleMesh& mesh);
 
-// A film of `columns` points a side over 150 mm, to a depth in mm.
+// A dip through a square film of 150 mm with `columns` points along each side. `depth` in mm.
 solver::DipSetup squareDip(const Body& body, int columns, double depth);
 
-// 95th percentile and largest distance between two films at points that both have on the body.
-// `every`: one point of the coarse film stands for that many steps of the fine one's grid.
+// The 95th percentile and the maximum of the distance between two films, in mm, at points that
+// adhere in both. `every`: cells of the fine film for one cell of the coarse film.
 std::pair<double, double> difference(const Ending& coarse, const Ending& fine, int every);
 
 } // namespace dipwright::test

@@ -1,5 +1,5 @@
-// The production film on the CPU: against itself on finer grids, with shorter steps and with other
-// numbers of threads, and at its edges, tips and overhangs.
+// The production film on the CPU: finer grids, shorter steps, other numbers of threads, and
+// behaviour at edges, tips and overhangs.
 
 #include "ProductionDips.h"
 #include "geometry/Shapes.h"
@@ -15,7 +15,7 @@ using namespace dipwright::test;
 
 namespace {
 
-// Two balls of 15 mm radius, 2 mm of gap between them seen from above, the second 18 mm higher.
+// Two balls of 15 mm radius with a gap of 2 mm seen from above. The second is 18 mm higher.
 TriangleMesh twoBalls() {
     TriangleMesh both = sphereMesh(15, 96, 192);
     const TriangleMesh one = both;
@@ -29,8 +29,8 @@ TriangleMesh twoBalls() {
     return both;
 }
 
-// A film of 240 × 80 mm that grows before the body touches it, held at sides of 80 mm: the left, or
-// both. And how long it is then, left to itself.
+// A film of 240 × 80 mm that grows before the body touches it. Its left side of 80 mm is pinned, or
+// both.
 solver::DipSetup growingStrip(const Body& body, double relaxationTime, bool isHeldRightToo) {
     solver::DipSetup setup = squareDip(body, 71, 20);
     setup.film = {.columns = 121, .rows = 41, .width = 240, .depth = 80};
@@ -56,22 +56,22 @@ class ProductionFilmTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void finerGridAndShorterStepChangeLittle();
-    void aThinLegHangsOnTheStepNoMore();
-    void aPartThatTouchesLaterIsMetWhenItTouches();
-    void sameBitsForAnyNumberOfThreads();
-    void filmThatDoesNotGrowIsTheSameToTheBit();
-    void nothingMovesBeforeContact();
-    void growsAboutItsMiddleBeforeContact();
-    void filmHeldAtOneSideGrowsAwayFromIt();
-    void filmHeldAtTwoSidesGrowsAcross();
-    void pinnedEdgesHold();
-    void aSmallFirstContactDoesNotSpinTheFilm();
-    void doesNotHoldPastTheOverhang();
-    void laysEverLessPastTheEquator();
+    void productionFilm_finerGridOrShorterStep_changeLittle();
+    void productionFilm_thinLeg_dependsLittleOnTheStep();
+    void productionFilm_secondContact_dependsLittleOnTheStep();
+    void productionFilm_anyNumberOfThreads_giveTheSameBits();
+    void productionFilm_withoutGrowth_givesTheSameBits();
+    void productionFilm_beforeContact_doesNotMove();
+    void productionFilm_growingBeforeContact_growsAboutItsMiddle();
+    void productionFilm_growingPinnedAtOneSide_growsAwayFromIt();
+    void productionFilm_growingPinnedAtTwoSides_growsAcross();
+    void productionFilm_pinnedEdge_holds();
+    void productionFilm_smallFirstContact_doesNotTurnTheFilm();
+    void productionFilm_pastOverhang_releasesFilm();
+    void productionFilm_pastEquator_matchesClosedForm();
 };
 
-void ProductionFilmTest::finerGridAndShorterStepChangeLittle() {
+void ProductionFilmTest::productionFilm_finerGridOrShorterStep_changeLittle() {
     const Body body = bodyOf(sphereMesh(35, 256, 512));
     const solver::DipSetup setup = squareDip(body, 86, 30);
     const Ending plain = dipOnCpu(setup);
@@ -80,7 +80,7 @@ void ProductionFilmTest::finerGridAndShorterStepChangeLittle() {
     shorter.settings.contactTravel /= 2;
     const double step = difference(plain, dipOnCpu(shorter), 1).first;
     qInfo("half the spacing: %g mm, half the step: %g mm (95 %%)", spacing, step);
-    // The film is at rest at the end of every step, and none of it is held for that.
+    // Every step ends in equilibrium, without film that did not converge.
     QCOMPARE(plain.equilibrium.stepsWithout, std::int64_t(0));
     QVERIFY(plain.equilibrium.linearIterations > 0);
     QCOMPARE(plain.marked(solver::PointMark::Unbalanced), std::size_t(0));
@@ -88,8 +88,8 @@ void ProductionFilmTest::finerGridAndShorterStepChangeLittle() {
     QVERIFY(step < 0.05);
 }
 
-void ProductionFilmTest::aThinLegHangsOnTheStepNoMore() {
-    // Three and a half film cells in radius: film is drawn down it and gathers round it.
+void ProductionFilmTest::productionFilm_thinLeg_dependsLittleOnTheStep() {
+    // A leg with a radius of 3.5 film cells: film is drawn down along it and gathers round it.
     const Body body = bodyOf(ellipsoidMesh({6, 14, 6}, 120, 96));
     const solver::DipSetup setup = squareDip(body, 86, 13);
     solver::DipSetup shorter = setup;
@@ -99,8 +99,8 @@ void ProductionFilmTest::aThinLegHangsOnTheStepNoMore() {
     QVERIFY(percentile95 < 0.05);
 }
 
-void ProductionFilmTest::aPartThatTouchesLaterIsMetWhenItTouches() {
-    // The second ball meets film that the first has drawn in, and let go of before the end.
+void ProductionFilmTest::productionFilm_secondContact_dependsLittleOnTheStep() {
+    // The second ball touches film that the first has drawn in and released before the end.
     const Body body = bodyOf(twoBalls());
     const solver::DipSetup setup = squareDip(body, 86, 36);
     solver::DipSetup shorter = setup;
@@ -113,7 +113,7 @@ void ProductionFilmTest::aPartThatTouchesLaterIsMetWhenItTouches() {
     QVERIFY(spacing < 0.15);
 }
 
-void ProductionFilmTest::sameBitsForAnyNumberOfThreads() {
+void ProductionFilmTest::productionFilm_anyNumberOfThreads_giveTheSameBits() {
     const Body body = bodyOf(sphereMesh(35, 64, 128));
     solver::DipSetup setup = squareDip(body, 141, 20);
     setup.settings.threads = 1;
@@ -128,7 +128,7 @@ void ProductionFilmTest::sameBitsForAnyNumberOfThreads() {
     }
 }
 
-void ProductionFilmTest::filmThatDoesNotGrowIsTheSameToTheBit() {
+void ProductionFilmTest::productionFilm_withoutGrowth_givesTheSameBits() {
     const Body body = bodyOf(sphereMesh(35, 64, 128));
     solver::DipSetup setup = squareDip(body, 71, 20);
     const Ending plain = dipOnCpu(setup);
@@ -141,8 +141,8 @@ void ProductionFilmTest::filmThatDoesNotGrowIsTheSameToTheBit() {
     }
 }
 
-// Left to itself it is 1 + limit·(1 − exp(−rate·t/limit)) times as long at the end.
-void ProductionFilmTest::growsAboutItsMiddleBeforeContact() {
+// Free film is 1 + limit·(1 − exp(−rate·t/limit)) times as long at the end.
+void ProductionFilmTest::productionFilm_growingBeforeContact_growsAboutItsMiddle() {
     const Body body = bodyOf(sphereMesh(35, 64, 128));
     for (const double relaxationTime : {0.0, 2.0, std::numeric_limits<double>::infinity()}) {
         solver::DipSetup setup = squareDip(body, 71, 20);
@@ -163,9 +163,9 @@ void ProductionFilmTest::growsAboutItsMiddleBeforeContact() {
     }
 }
 
-// Far from the side that holds it, film is as long and as wide as if it were free; it has gone away
-// from there.
-void ProductionFilmTest::filmHeldAtOneSideGrowsAwayFromIt() {
+// Far from its pinned side, film is as long and wide as free film. It has moved away from that
+// side.
+void ProductionFilmTest::productionFilm_growingPinnedAtOneSide_growsAwayFromIt() {
     const Body body = bodyOf(sphereMesh(15, 64, 128));
     for (const double relaxationTime : {0.0, 2.0, std::numeric_limits<double>::infinity()}) {
         const solver::DipSetup setup = growingStrip(body, relaxationTime, false);
@@ -182,10 +182,10 @@ void ProductionFilmTest::filmHeldAtOneSideGrowsAwayFromIt() {
     }
 }
 
-// Between both it is pushed together along and grows the more across: nothing pulls at it there, so
-// that, g times as long if it were free, elastic film is (4g − λx)/3 times as wide, and viscous
-// film (g⁴/λx)^(1/3) times (docs/film-model.md, "Closed forms": the lying cylinder, where λx is 1).
-void ProductionFilmTest::filmHeldAtTwoSidesGrowsAcross() {
+// Between two pinned sides, film is compressed along x and grows more across, without stress there.
+// If free film were g times as long, elastic film is (4g − λx)/3 times as wide and viscous film
+// (g⁴/λx)^(1/3) times (docs/film-model.md, "Closed forms": the lying cylinder, where λx is 1).
+void ProductionFilmTest::productionFilm_growingPinnedAtTwoSides_growsAcross() {
     const Body body = bodyOf(sphereMesh(15, 64, 128));
     for (const double relaxationTime : {0.0, std::numeric_limits<double>::infinity()}) {
         const solver::DipSetup setup = growingStrip(body, relaxationTime, true);
@@ -204,10 +204,10 @@ void ProductionFilmTest::filmHeldAtTwoSidesGrowsAcross() {
     }
 }
 
-void ProductionFilmTest::nothingMovesBeforeContact() {
+void ProductionFilmTest::productionFilm_beforeContact_doesNotMove() {
     const Body body = bodyOf(sphereMesh(35, 64, 128));
     solver::DipSetup setup = squareDip(body, 61, 10);
-    setup.motion.travel = 0.4; // the body's lowest point stands 0.5 mm over the water
+    setup.motion.travel = 0.4; // the body's lowest point starts 0.5 mm above the water
     const Ending ending = dipOnCpu(setup);
     for (std::size_t point = 0; point < ending.states.size(); ++point) {
         QVERIFY(ending.states[point] == solver::PointState::Free);
@@ -218,7 +218,7 @@ void ProductionFilmTest::nothingMovesBeforeContact() {
     QCOMPARE(ending.equilibrium.linearIterations, std::int64_t(0));
 }
 
-void ProductionFilmTest::pinnedEdgesHold() {
+void ProductionFilmTest::productionFilm_pinnedEdge_holds() {
     const Body body = bodyOf(sphereMesh(35, 64, 128));
     solver::DipSetup setup = squareDip(body, 61, 30);
     setup.pinned.assign(setup.film.pointCount(), 0);
@@ -234,9 +234,9 @@ void ProductionFilmTest::pinnedEdgesHold() {
     QVERIFY(rightMoved > 0.5);
 }
 
-void ProductionFilmTest::aSmallFirstContactDoesNotSpinTheFilm() {
-    // A horn of three cells, askew to the grid but with a plane of symmetry: what turns the film
-    // about it is not the horn.
+void ProductionFilmTest::productionFilm_smallFirstContact_doesNotTurnTheFilm() {
+    // A horn three cells wide, askew to the grid but with a plane of symmetry. So the horn itself
+    // does not turn the film.
     Immersion askew;
     askew.rotation = {Degrees(12), Degrees(25), Degrees(0)};
     askew.offset = {Millimetres(0.7), Millimetres(-0.4)};
@@ -250,7 +250,7 @@ void ProductionFilmTest::aSmallFirstContactDoesNotSpinTheFilm() {
     ProcessSettings process;
     process.depth = Millimetres(5);
     const Ending end = dipOnCpu(dipSetup(posed, field, askew, film, process));
-    double turn = 0; // of the corners about the middle, degrees
+    double turn = 0; // degrees, mean turn of the corners about the middle
     for (const std::size_t corner : {0, 80, 80 * 81, 81 * 81 - 1}) {
         const Eigen::Vector2d rest = restPosition(end.setup.film, corner).cast<double>();
         const Eigen::Vector2d now(end.at(corner).x(), end.at(corner).z());
@@ -260,7 +260,7 @@ void ProductionFilmTest::aSmallFirstContactDoesNotSpinTheFilm() {
     QVERIFY(std::abs(turn) < 0.5);
 }
 
-void ProductionFilmTest::doesNotHoldPastTheOverhang() {
+void ProductionFilmTest::productionFilm_pastOverhang_releasesFilm() {
     const Body body = bodyOf(sphereMesh(35, 64, 128));
     const Ending ending = dipOnCpu(squareDip(body, 91, 72));  // all of it under water
     const double highest = 35 + 35 * std::sin(20 * pi / 180); // over the lowest point
@@ -272,16 +272,16 @@ void ProductionFilmTest::doesNotHoldPastTheOverhang() {
         }
     }
     QVERIFY(adhered > 500);
-    // What lay on the water round the line there is marked, and it is not much of the film.
+    // The film released at the overhang is marked, and it is a small part of the film.
     const std::size_t letGo = ending.marked(solver::PointMark::LetGo);
     QVERIFY(letGo > 20 && letGo < ending.marks.size() / 10);
 }
 
-// Past the equator the body holds on to film less and less (Adhesion.h). A sphere of 35 mm in a
-// film held at a ring of 90 mm; the closed form is that of docs/film-model.md, "Closed forms", with
-// the rate at which film is laid:
+// Past the equator the body's grip on film fades (Adhesion.h). A sphere of 35 mm in a film pinned
+// at a ring of 90 mm. The closed form is that of docs/film-model.md, "Closed forms", with the rate
+// at which film is laid:
 //   dR/ds = (g + (1 − g) da/ds)/λr, and da/ds = −u, u the y of the body's normal.
-void ProductionFilmTest::laysEverLessPastTheEquator() {
+void ProductionFilmTest::productionFilm_pastEquator_matchesClosedForm() {
     constexpr double rho = 35, ring = 90;
     const Body body = bodyOf(sphereMesh(rho, 180, 360));
     FilmSettings film;
@@ -311,7 +311,7 @@ void ProductionFilmTest::laysEverLessPastTheEquator() {
         const double R = radius.back();
         radius.push_back(R + step * slope(theta + step / 2, R + step / 2 * slope(theta, R)));
     }
-    // There it ends: no film is laid at the overhang any more.
+    // No film is laid at the overhang.
     QVERIFY(std::abs(slope(pi / 2 + overhang, radius.back())) < 0.01 * rho);
 
     double worst = 0, farthest = 0;
@@ -329,9 +329,9 @@ void ProductionFilmTest::laysEverLessPastTheEquator() {
     }
     qInfo("past the equator: %.3f mm at most; film to %.1f°", worst,
           (farthest - pi / 2) * 180 / pi);
-    QVERIFY(worst < 0.3);                              // of 47 mm
-    QVERIFY(farthest < pi / 2 + overhang + 0.3 / rho); // it keeps to the overhang
-    QVERIFY(farthest > pi / 2 + 0.6 * overhang);       // and comes near it
+    QVERIFY(worst < 0.3);                              // mm, of 47 mm
+    QVERIFY(farthest < pi / 2 + overhang + 0.3 / rho); // does not exceed the overhang
+    QVERIFY(farthest > pi / 2 + 0.6 * overhang);       // comes near the overhang
 }
 
 QTEST_GUILESS_MAIN(ProductionFilmTest)

@@ -1,4 +1,4 @@
-// The production film on the CPU against the reference solver.
+// The production film on the CPU, compared with the reference solver.
 #include "ProductionDips.h"
 #include "TestFolders.h"
 #include "WholeSample.h"
@@ -29,11 +29,11 @@ class ProductionReferenceTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void followsTheReference_data();
-    void followsTheReference();
+    void productionFilm_dip_agreesWithTheReference_data();
+    void productionFilm_dip_agreesWithTheReference();
 };
 
-void ProductionReferenceTest::followsTheReference_data() {
+void ProductionReferenceTest::productionFilm_dip_agreesWithTheReference_data() {
     QTest::addColumn<int>("which");
     QTest::addColumn<double>("growth"); // 1/s
     QTest::addColumn<bool>("held");
@@ -46,7 +46,7 @@ void ProductionReferenceTest::followsTheReference_data() {
     }
 }
 
-void ProductionReferenceTest::followsTheReference() {
+void ProductionReferenceTest::productionFilm_dip_agreesWithTheReference() {
     QFETCH(int, which);
     QFETCH(double, growth);
     QFETCH(bool, held);
@@ -66,10 +66,10 @@ void ProductionReferenceTest::followsTheReference() {
         differing += fast.states[point] != exact.states[point];
     }
     const auto [percentile95, largest] = difference(fast, exact, 1);
-    qInfo("95 %% within %g mm, all within %g mm, %d points adhered in one only", percentile95,
+    qInfo("95 %% within %g mm, all within %g mm; %d points adhered in one film only", percentile95,
           largest, differing);
     QVERIFY(largest <= 0.02);
-    QVERIFY(differing <= 2); // points within a hair of touching when the dip ends
+    QVERIFY(differing <= 2); // points that nearly touch when the dip ends
 }
 
 QTEST_GUILESS_MAIN(ProductionReferenceTest)

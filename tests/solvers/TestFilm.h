@@ -1,4 +1,4 @@
-// Small dips for the tests of the films: bodies by their exact distance, sampled like a real field.
+// Makes small dips for tests of films. Bodies are exact distances, sampled like a real field.
 #pragma once
 
 #include "common/FieldSampling.h"
@@ -11,13 +11,13 @@
 
 namespace dipwright::test {
 
-// A body with its samples; the view points into it.
+// A body's samples. `view` points into `distance`.
 struct SampledBody {
     std::vector<float> distance;
     solver::FieldView view;
 };
 
-// Samples distance(x, y, z) on a cube of `samples` a side round the origin, `edge` mm long.
+// Samples distance(x, y, z) on a cube about the origin with `samples` along each side of `edge` mm.
 template <typename Distance>
 SampledBody sampledBody(double edge, int samples, const Distance& distance) {
     SampledBody body;
@@ -53,7 +53,8 @@ inline SampledBody box(double halfX, double halfY, double halfZ, int samples) {
     });
 }
 
-// The paper's film under a body whose lowest point starts `gap` mm over the water.
+// A dip of the paper's film under a body whose lowest point starts `gap` mm above the water.
+// `lowest`: its y in the body's frame, mm.
 inline solver::DipSetup paperDip(const SampledBody& body, double lowest, int columns, int rows,
                                  double travel, double gap = 0.5) {
     solver::DipSetup setup;
@@ -66,7 +67,7 @@ inline solver::DipSetup paperDip(const SampledBody& body, double lowest, int col
     return setup;
 }
 
-// Where a dip ends.
+// The end of a dip.
 struct Ending {
     std::vector<float> positions;
     std::vector<solver::PointState> states;

@@ -129,7 +129,7 @@ void VerdictPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion, 
     places_ = result.verdict.places;
     text_->setHtml(html(*outcome.result, result, unit));
     fitText();
-    const NumericalErrorEstimate* estimate = result.certainty.get();
+    const NumericalErrorEstimate* estimate = result.numericalError.get();
     if (estimate && estimate->failure.isEmpty()) {
         const QImage map = numericalErrorMap(
             *result.laid, estimate->pointErrors,

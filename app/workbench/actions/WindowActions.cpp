@@ -146,7 +146,7 @@ std::vector<WindowActions::Entry> WindowActions::dipEntries() {
         {&A::findPoses, "findPoses", "optimise", tr("&Find poses…"),
          tr("Search for the best rotation and position of the part, for one dip or two"),
          key("Ctrl+F")},
-        {&A::certainty, "certainty", "", tr("Check numerical &error…"),
+        {&A::numericalError, "certainty", "", tr("Check numerical &error…"),
          tr("Compute the sheets with finer steps and cells, and show how far they move and where")},
         {&A::tolerances, "tolerances", "tolerance", tr("&Tolerances…"),
          tr("Compute how far handling may move the image, and which zones keep their limits")},
@@ -316,7 +316,7 @@ void WindowActions::enable(const WindowState& state) {
     removeImmersion->setEnabled(immersions > 1);
     swapImmersions->setEnabled(immersions > 1);
     run->setEnabled(any && !state.isDipping);
-    certainty->setEnabled(any && !state.isBusy);
+    numericalError->setEnabled(any && !state.isBusy);
     tolerances->setEnabled(any && !state.isBusy);
     cancel->setEnabled(state.isBusy);
     for (QAction* action : {print, exportResults, exportPdf, exportPng, exportCradles, coverage,

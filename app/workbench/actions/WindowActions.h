@@ -33,7 +33,7 @@ public:
         *profiles, *close, *quit;
     QAction *undo, *redo, *addImmersion, *removeImmersion, *swapImmersions, *reloadModel,
         *replaceModel, *replaceTexture, *artwork, *preferences;
-    QAction *run, *cancel, *live, *certainty, *tolerances, *findPoses, *play;
+    QAction *run, *cancel, *live, *numericalError, *tolerances, *findPoses, *play;
     QAction *fit, *oblique, *front, *right, *top, *back, *left, *bottom, *resetLayout, *saveLayout,
         *parallel;
     QAction *rings, *water, *body, *coverage, *bodyPrint, *zones, *filmOnBody, *section,

@@ -30,7 +30,7 @@ QJsonObject snapshotMeasures(const Document& document) {
     for (const ImmersionResult& immersion : result.immersions) {
         const Distribution stretches = distribution(immersion.laid->painted().constraints);
         stretch = std::max(stretch, stretches.percentile95);
-        uncertain += immersion.verdict.uncertainArea;
+        uncertain += immersion.verdict.areaToCheck;
     }
     return {{QStringLiteral("painted"), result.coverageTotal},
             {QStringLiteral("stretch"), stretch},

@@ -29,7 +29,7 @@ enum Chapter {
 // Keys are widget names, with the number of the shown tab or of the project's page. The words must
 // occur in the guide of each language.
 QMap<QString, GuidePlace> placesByName() {
-    const GuidePlace certainty{Results, Text::tr("Dip ▸ Check numerical error")};
+    const GuidePlace numericalError{Results, Text::tr("Dip ▸ Check numerical error")};
     const GuidePlace tolerances{Results, Text::tr("Dip ▸ Tolerances")};
     const GuidePlace newProject{FirstSheet, Text::tr("File ▸ New project")};
     return {
@@ -56,7 +56,7 @@ QMap<QString, GuidePlace> placesByName() {
         {QStringLiteral("results/3"), {Results, Text::tr("Proof")}},
         {QStringLiteral("results/4"), {Results, Text::tr("Sheet")}},
         {QStringLiteral("results/5"), {Results, Text::tr("Report")}},
-        {QStringLiteral("certaintyDialog"), certainty},
+        {QStringLiteral("certaintyDialog"), numericalError},
         {QStringLiteral("toleranceDialog"), tolerances},
         {QStringLiteral("printDialog"), {Printing, Text::tr("File ▸ Print")}},
         {QStringLiteral("printHistory"), {Printing, Text::tr("File ▸ Print history")}},

@@ -14,9 +14,9 @@
 namespace dipwright {
 
 DipController::DipController(const WindowActions& actions, DipSession& session,
-                             CertaintyCheck& check, JobRunner& jobs, const SolverRegistry& registry,
-                             const DipPlayback& playback, Messages& messages, ResultsPanel& results,
-                             QLabel& staleBanner)
+                             NumericalErrorCheck& check, JobRunner& jobs,
+                             const SolverRegistry& registry, const DipPlayback& playback,
+                             Messages& messages, ResultsPanel& results, QLabel& staleBanner)
     : actions_(actions), session_(session), check_(check), playback_(playback), messages_(messages),
       results_(results), staleBanner_(staleBanner), keeper_(session, jobs, registry, messages) {
     connect(&session, &DipSession::started, this, [this] {
@@ -40,7 +40,7 @@ DipController::DipController(const WindowActions& actions, DipSession& session,
     connect(actions.run, &QAction::triggered, this, [this] { run(false); });
     connect(actions.cancel, &QAction::triggered, this, &DipController::cancel);
     connect(actions.live, &QAction::toggled, &live_, &LiveRun::setWanted);
-    connect(actions.certainty, &QAction::triggered, this, &DipController::checkCertainty);
+    connect(actions.numericalError, &QAction::triggered, this, &DipController::checkNumericalError);
     connect(&results.report(), &ReportPanel::smallerFilmTaken, this,
             &DipController::takeSmallerFilm);
 }
@@ -76,7 +76,7 @@ void DipController::cancel() {
     emit cancelled();
 }
 
-void DipController::checkCertainty() {
+void DipController::checkNumericalError() {
     check_.start(*session_.document());
 }
 

@@ -2,7 +2,7 @@
 // results that no longer match the project.
 #pragma once
 
-#include "workbench/accuracy/CertaintyCheck.h"
+#include "workbench/accuracy/NumericalErrorCheck.h"
 #include "workbench/dip/DipCacheUpdater.h"
 #include "workbench/dip/DipSession.h"
 #include "workbench/dip/LiveRun.h"
@@ -21,7 +21,7 @@ class DipController : public QObject {
     Q_OBJECT
 
 public:
-    DipController(const WindowActions& actions, DipSession& session, CertaintyCheck& check,
+    DipController(const WindowActions& actions, DipSession& session, NumericalErrorCheck& check,
                   JobRunner& jobs, const SolverRegistry& registry, const DipPlayback& playback,
                   Messages& messages, ResultsPanel& results, QLabel& staleBanner);
 
@@ -37,7 +37,7 @@ signals:
 private:
     void run(bool live);
     void cancel();
-    void checkCertainty();
+    void checkNumericalError();
     void takeSmallerFilm();
     void takeResult();
     void showResults();
@@ -45,7 +45,7 @@ private:
 
     const WindowActions& actions_;
     DipSession& session_;
-    CertaintyCheck& check_;
+    NumericalErrorCheck& check_;
     const DipPlayback& playback_;
     Messages& messages_;
     ResultsPanel& results_;

@@ -5,7 +5,7 @@
 #include "pipeline/WriteResults.h"
 #include "results/Results.h"
 #include "sheet/prepress/SheetFiles.h"
-#include "workbench/accuracy/CertaintyDialog.h"
+#include "workbench/accuracy/NumericalErrorDialog.h"
 #include "workbench/actions/WindowActions.h"
 #include "workbench/dip/FilmTable.h"
 #include "workbench/jobs/StartJob.h"
@@ -138,22 +138,23 @@ void ExportController::print() {
     dialog->open();
 }
 
-void ExportController::showCertainty(const std::vector<ImmersionCertainty>& certainty,
-                                     bool outdated, LengthUnit unit) {
-    for (const ImmersionCertainty& one : certainty) {
+void ExportController::showNumericalError(const std::vector<DipNumericalError>& numericalError,
+                                          bool outdated, LengthUnit unit) {
+    for (const DipNumericalError& one : numericalError) {
         messages_.log(numericalErrorSentence(one, unit));
         for (const QString& note : one.notes) {
             messages_.log(note);
         }
     }
-    auto* dialog = new CertaintyDialog(certainty, outdated, unit, &window_);
+    auto* dialog = new NumericalErrorDialog(numericalError, outdated, unit, &window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &CertaintyDialog::saveAsked, this, [this, certainty](const QString& folder) {
-        writeFiles(jobs_, messages_, tr("Save maps"), tr("Wrote the maps to %1"), folder,
-                   [certainty](const QString& target, const Progress&) {
-                       writeCertaintyMaps(certainty, target);
-                   });
-    });
+    connect(dialog, &NumericalErrorDialog::saveAsked, this,
+            [this, numericalError](const QString& folder) {
+                writeFiles(jobs_, messages_, tr("Save maps"), tr("Wrote the maps to %1"), folder,
+                           [numericalError](const QString& target, const Progress&) {
+                               writeNumericalErrorMaps(numericalError, target);
+                           });
+            });
     dialog->show(); // modeless: the user goes on working
 }
 

@@ -1,7 +1,7 @@
 // Exports results, sheets, stretch maps and numerical error to files, and prints sheets.
 #pragma once
 
-#include "pipeline/SheetCertainty.h"
+#include "pipeline/SheetNumericalError.h"
 #include "workbench/dip/DipSession.h"
 #include "workbench/document/Preferences.h"
 #include "workbench/jobs/Messages.h"
@@ -22,8 +22,8 @@ public:
                      const DipSession& session, JobRunner& jobs, Messages& messages,
                      QWidget& window);
 
-    void showCertainty(const std::vector<ImmersionCertainty>& certainty, bool outdated,
-                       LengthUnit unit);
+    void showNumericalError(const std::vector<DipNumericalError>& numericalError, bool outdated,
+                            LengthUnit unit);
 
 private:
     using Write = std::function<void(const QString& path)>;

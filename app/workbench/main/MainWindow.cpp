@@ -210,9 +210,11 @@ void MainWindow::connectSession() {
     connect(&handles_, &BodyHandles::told, status_, &StatusLine::setReading);
     connect(&dip_, &DipController::cancelled, this,
             [this] { status_->setJob(tr("Cancelling …")); });
-    connect(&check_, &CertaintyCheck::done, this, [this](const auto& certainty, bool outdated) {
-        exports_.showCertainty(certainty, outdated, workbench_.preferences().unit);
-    });
+    connect(&check_, &NumericalErrorCheck::done, this,
+            [this](const auto& numericalError, bool outdated) {
+                exports_.showNumericalError(numericalError, outdated,
+                                            workbench_.preferences().unit);
+            });
     connect(&workbench_, &Workbench::preferencesChanged, this, &MainWindow::applyPreferences);
 }
 

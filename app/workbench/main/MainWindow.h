@@ -68,7 +68,7 @@ private:
     JobRunner jobs_;
     DocumentSession documents_;
     DipSession session_;
-    CertaintyCheck check_;
+    NumericalErrorCheck check_;
     ToleranceCheck toleranceCheck_;
     DeeperFilm deeperFilm_;
 

@@ -45,7 +45,7 @@ QString sharesLegend(const JobResult& result) {
 } // namespace
 
 ResultsPanel::ResultsPanel(QWidget* parent)
-    : QTabWidget(parent), certainty_(new VerdictPanel), stretch_(new StretchPanel),
+    : QTabWidget(parent), numericalError_(new VerdictPanel), stretch_(new StretchPanel),
       texture_(new PicturePanel(tr("Reverse texture"),
                                 tr("Run the dip to see the image for the film."))),
       proof_(new PicturePanel(tr("Proof"), tr("Run the dip to see the finished part."))),
@@ -66,7 +66,7 @@ ResultsPanel::ResultsPanel(QWidget* parent)
     connect(proofShares_, &QAction::toggled, this, &ResultsPanel::showProof);
     connect(proofWithoutWhite_, &QAction::toggled, this, &ResultsPanel::showProof);
     connect(sheetShares_, &QAction::toggled, this, &ResultsPanel::showSheet);
-    addTab(certainty_, tr("Verdict"));
+    addTab(numericalError_, tr("Verdict"));
     addTab(stretch_, tr("Stretch"));
     addTab(texture_, tr("Texture"));
     addTab(proof_, tr("Proof"));
@@ -79,8 +79,8 @@ ResultsPanel::ResultsPanel(QWidget* parent)
     setTabToolTip(4, tr("The page as it will be printed"));
     setTabToolTip(5, tr("The figures of the last run"));
 
-    connect(certainty_, &VerdictPanel::placeChosen, this, &ResultsPanel::placeChosen);
-    connect(certainty_, &VerdictPanel::fieldChosen, this, &ResultsPanel::fieldChosen);
+    connect(numericalError_, &VerdictPanel::placeChosen, this, &ResultsPanel::placeChosen);
+    connect(numericalError_, &VerdictPanel::fieldChosen, this, &ResultsPanel::fieldChosen);
     connect(stretch_, &StretchPanel::hovered, this, &ResultsPanel::hovered);
     connect(stretch_, &StretchPanel::hoverLeft, this, &ResultsPanel::hoverLeft);
     connect(&texture_->view(), &PictureView::hovered, this, [this](QPointF printed) {
@@ -105,7 +105,7 @@ void ResultsPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion) 
     outcome_ = outcome;
     immersion_ = immersion;
     report_->setResult(outcome.result, unit_);
-    certainty_->setOutcome(outcome, immersion, unit_);
+    numericalError_->setOutcome(outcome, immersion, unit_);
     if (immersion >= outcome.readings.size()) {
         stretch_->setReading(nullptr);
         for (PicturePanel* panel : {texture_, proof_, sheet_}) {
@@ -161,7 +161,7 @@ void ResultsPanel::showSheet() {
 void ResultsPanel::setLengthUnit(LengthUnit unit) {
     unit_ = unit;
     report_->setResult(outcome_.result, unit);
-    certainty_->setOutcome(outcome_, immersion_, unit);
+    numericalError_->setOutcome(outcome_, immersion_, unit);
 }
 
 void ResultsPanel::setFreshness(const Freshness& freshness) {

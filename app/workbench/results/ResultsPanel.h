@@ -49,7 +49,7 @@ private:
     DipOutcome outcome_;
     std::size_t immersion_ = 0;
     LengthUnit unit_ = LengthUnit::Millimetre;
-    VerdictPanel* certainty_;
+    VerdictPanel* numericalError_;
     StretchPanel* stretch_;
     PicturePanel* texture_;
     PicturePanel* proof_;

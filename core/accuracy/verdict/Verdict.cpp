@@ -1,6 +1,6 @@
 #include "accuracy/verdict/Verdict.h"
 
-#include "accuracy/verdict/UncertainPlaces.h"
+#include "accuracy/verdict/PlacesToCheck.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,9 +64,9 @@ void objectToEstimate(ReasonList& found, const NumericalErrorEstimate& estimate,
                      dip.zones ? std::optional(zone.zone) : std::nullopt);
     }
     const double once = std::max(spacing.paintedOnce, step.paintedOnce);
-    if (once > certainPaintedOnce) {
+    if (once > mostPaintedOnce) {
         found.add({Kind::Border, once > spoiltPaintedOnce ? Advice::DoNotPrint : Advice::CheckFirst,
-                   once, certainPaintedOnce});
+                   once, mostPaintedOnce});
     }
     if (found.isEmpty()) {
         found.add({Kind::Certain, Advice::Print, estimate.offBy.percentile95});
@@ -84,12 +84,12 @@ void objectToNumerics(ReasonList& found, const JudgedDip& dip,
                    {},
                    rest.worstForceLeft});
     }
-    if (!dip.certainty) {
+    if (!dip.numericalError) {
         found.add({Kind::NotAsked, Advice::NotJudged});
-    } else if (!dip.certainty->failure.isEmpty()) {
-        found.add({Kind::NotCompared, Advice::CheckFirst, 0, 0, dip.certainty->failure});
+    } else if (!dip.numericalError->failure.isEmpty()) {
+        found.add({Kind::NotCompared, Advice::CheckFirst, 0, 0, dip.numericalError->failure});
     } else {
-        objectToEstimate(found, *dip.certainty, zones, dip);
+        objectToEstimate(found, *dip.numericalError, zones, dip);
     }
 }
 
@@ -158,14 +158,15 @@ Advice worst(Advice one, Advice other) {
 
 Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
                 const VerdictSettings& limits) {
-    const UncertainPlaces uncertain = uncertainPlaces(
-        dip.laid, dip.certainty ? dip.certainty->pointErrors : nothingKnown, dip.zones, tolerance);
+    const PlacesToCheck uncertain =
+        placesToCheck(dip.laid, dip.numericalError ? dip.numericalError->pointErrors : nothingKnown,
+                      dip.zones, tolerance);
     ReasonList found;
     objectToNumerics(found, dip, uncertain.zones);
     objectToPaint(found, dip, limits);
     Verdict judged = std::move(found).verdict();
     judged.places = uncertain.places;
-    judged.uncertainArea = uncertain.area;
+    judged.areaToCheck = uncertain.area;
     return judged;
 }
 

@@ -3,7 +3,7 @@
 // print dialog all show this verdict.
 #pragma once
 
-#include "accuracy/certainty/NumericalErrorEstimate.h"
+#include "accuracy/numericalError/NumericalErrorEstimate.h"
 #include "accuracy/tolerance/Zones.h"
 #include "dip/Coverage.h"
 #include "settings/VerdictSettings.h"
@@ -66,7 +66,7 @@ struct Verdict {
     std::vector<VerdictReason> reasons; // the worst first
     // The largest first; at most mostPlaces, each of at least leastPlaceArea.
     std::vector<PlaceToCheck> places;
-    double uncertainArea = 0; // of all places to check, mm² of the body
+    double areaToCheck = 0; // of all places to check, mm² of the body
 };
 
 // The share of a zone's limit that the numerical error may use; handling has the rest. 95 % of the
@@ -87,9 +87,9 @@ inline constexpr double leastPlaceArea = 1; // mm²: smaller places cannot be in
 struct JudgedDip {
     const LaidFilm& laid;
     const Coverage& coverage;
-    const NumericalErrorEstimate* certainty = nullptr; // null: not asked for
-    double paleArea = 0;                               // mm² of the body with too little ink
-    const ZonedBody* zones = nullptr;                  // null: the whole body is in zone C
+    const NumericalErrorEstimate* numericalError = nullptr; // null: not asked for
+    double paleArea = 0;                                    // mm² of the body with too little ink
+    const ZonedBody* zones = nullptr;                       // null: the whole body is in zone C
 };
 
 // Judges one dip by `tolerance` and `limits`.

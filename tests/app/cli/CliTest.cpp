@@ -189,9 +189,10 @@ private slots:
                                {"contact", "filled", "seam_triangles"}));
             QVERIFY(hasNumbers(immersion["read_back_mm"].toObject(), {"mean", "p95", "max"}));
             QCOMPARE(immersion["registration_mm"], immersion["read_back_mm"]); // its earlier name
-            const QJsonObject certainty = immersion["certainty"].toObject();
-            QVERIFY(hasNumbers(certainty["off_by_mm"].toObject(), {"min", "mean", "p95", "max"}));
-            QVERIFY(!certainty["reasons"].toArray().isEmpty());
+            const QJsonObject numericalError = immersion["certainty"].toObject();
+            QVERIFY(
+                hasNumbers(numericalError["off_by_mm"].toObject(), {"min", "mean", "p95", "max"}));
+            QVERIFY(!numericalError["reasons"].toArray().isEmpty());
             const QJsonObject marked = immersion["marked"].toObject();
             QVERIFY(hasNumbers(marked,
                                {"area_mm2", "share", "torn_mm2", "unbalanced_mm2", "let_go_mm2"}));

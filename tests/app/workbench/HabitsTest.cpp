@@ -8,7 +8,7 @@
 #include "printing/PrintHistory.h"
 #include "project/ProjectStore.h"
 #include "project/Snapshots.h"
-#include "workbench/accuracy/CertaintyDialog.h"
+#include "workbench/accuracy/NumericalErrorDialog.h"
 #include "workbench/help/GuideWindow.h"
 #include "workbench/preferences/PreferencesDialog.h"
 #include "workbench/project/NewProjectDialog.h"
@@ -162,7 +162,7 @@ private slots:
         QVERIFY2(figures->item(1, 2)->text().endsWith(QStringLiteral(" mm")),
                  qPrintable(figures->item(1, 2)->text()));
         QVERIFY(!dialog->findChild<PictureView*>()->isEmpty());
-        emit qobject_cast<CertaintyDialog*>(dialog)->saveAsked(folder_.path());
+        emit qobject_cast<NumericalErrorDialog*>(dialog)->saveAsked(folder_.path());
         QTRY_VERIFY_WITH_TIMEOUT(
             QFileInfo::exists(folder_.filePath(QStringLiteral("certainty-1.png"))), patience());
         dialog->close();

@@ -200,7 +200,7 @@ void photographQuestions(MainWindow& window, Workbench& workbench, const Photogr
     });
 }
 
-void photographCertainty(WindowDriver& driver, const Photographer& camera) {
+void photographNumericalError(WindowDriver& driver, const Photographer& camera) {
     driver.trigger("certainty");
     const auto dialog = [&] { return driver.find<QDialog>("certaintyDialog"); };
     if (QTest::qWaitFor([&] { return dialog() != nullptr; }, 300000)) {
@@ -546,7 +546,7 @@ int main(int argc, char* argv[]) {
         photographResults(driver, window, camera);
     }
     if (all && !parser.isSet(QStringLiteral("only-results"))) {
-        photographCertainty(driver, camera);
+        photographNumericalError(driver, camera);
         photographTolerances(driver, window, camera);
         photographDialogs(window, workbench, camera);
         driver.action("live")->setChecked(false);

@@ -102,7 +102,8 @@ private slots:
             QCOMPARE(dip.coverage->share, before.coverage->share);
             QCOMPARE(dip.readBack.samples, before.readBack.samples);
             QCOMPARE(int(dip.verdict.advice), int(before.verdict.advice));
-            QCOMPARE(dip.certainty->offBy.percentile95, before.certainty->offBy.percentile95);
+            QCOMPARE(dip.numericalError->offBy.percentile95,
+                     before.numericalError->offBy.percentile95);
         }
         QCOMPARE(now.proof, result_.proof);
         QCOMPARE(now.coverageTotal, result_.coverageTotal);

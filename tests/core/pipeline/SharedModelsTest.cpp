@@ -5,7 +5,7 @@
 #include "artwork/EditArtwork.h"
 #include "artwork/PaintArtwork.h"
 #include "import/trusted/ImportModel.h"
-#include "pipeline/SheetCertainty.h"
+#include "pipeline/SheetNumericalError.h"
 #include "project/Project.h"
 
 #include <QDir>
@@ -120,9 +120,9 @@ private slots:
             project.film.rows = 102;
         }
         const SolverRegistry registry{QStringList{pluginFolder()}};
-        const auto certainty = sheetCertainty(project, registry, {});
-        const double step = certainty[0].halfStep.distance.percentile95;
-        const double spacing = certainty[0].halfSpacing.distance.percentile95;
+        const auto numericalError = sheetNumericalError(project, registry, {});
+        const double step = numericalError[0].halfStep.distance.percentile95;
+        const double spacing = numericalError[0].halfSpacing.distance.percentile95;
         QVERIFY2(
             step < (isWhole ? 0.06 : 0.12),
             qPrintable(QStringLiteral("half the step moves 95 % by up to %1 mm, expected < %2 mm")

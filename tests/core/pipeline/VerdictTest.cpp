@@ -4,7 +4,7 @@
 #include "pipeline/JobVerdict.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/Report.h"
-#include "pipeline/SheetCertainty.h"
+#include "pipeline/SheetNumericalError.h"
 
 #include "geometry/Shapes.h"
 
@@ -80,10 +80,10 @@ private slots:
 
     void verdict_certainSheet_movesWithinItsError() {
         const ImmersionResult result = run(ball(81));
-        const ImmersionCertainty check = fullCheck(ball(81));
+        const DipNumericalError check = fullCheck(ball(81));
         QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Print it"));
-        QVERIFY(isCertain(check));
-        const double offBy = result.certainty->offBy.percentile95;
+        QVERIFY(isAccurateEnough(check));
+        const double offBy = result.numericalError->offBy.percentile95;
         QVERIFY2(check.halfSpacing.distance.percentile95 <= offBy, qPrintable(sentences(result)));
         QVERIFY2(check.halfStep.distance.percentile95 <= offBy, qPrintable(sentences(result)));
         QVERIFY(sentences(result).contains("95 %"));
@@ -93,9 +93,9 @@ private slots:
         const ImmersionResult result = run(thumb());
         qInfo("%s", qPrintable(sentences(result)));
         QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Check these places first"));
-        QVERIFY(!isCertain(fullCheck(thumb())));
+        QVERIFY(!isAccurateEnough(fullCheck(thumb())));
         qInfo("%s", qPrintable(sentences(result)));
-        QVERIFY(!result.verdict.places.empty() && result.verdict.uncertainArea > 0);
+        QVERIFY(!result.verdict.places.empty() && result.verdict.areaToCheck > 0);
         const TriangleMesh& mesh = result.body->mesh;
         const BoundingBox box = boundingBox(thumb().model->mesh);
         for (const PlaceToCheck& place : result.verdict.places) {
@@ -109,7 +109,7 @@ private slots:
         qInfo("%s", qPrintable(sentences(result)));
         QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Check these places first"));
         if (test::isWholeRun()) { // the thumb is checked in every run
-            QVERIFY(!isCertain(fullCheck(onTwoFeet())));
+            QVERIFY(!isAccurateEnough(fullCheck(onTwoFeet())));
         }
         QVERIFY(!result.verdict.places.empty());
     }
@@ -117,7 +117,7 @@ private slots:
     void verdict_farTooFewPoints_doNotPrint() {
         const ImmersionResult result = run(ball(17));
         QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Do not print"));
-        QVERIFY(!isCertain(fullCheck(ball(17))));
+        QVERIFY(!isAccurateEnough(fullCheck(ball(17))));
     }
 
     void verdict_plainColour_checkFirst() {
@@ -185,8 +185,8 @@ private:
     ImmersionResult run(const Project& project) {
         return runJob(project, registry_, {}, nullptr, {}).immersions.front();
     }
-    ImmersionCertainty fullCheck(const Project& project) {
-        return sheetCertainty(project, registry_, {}).front();
+    DipNumericalError fullCheck(const Project& project) {
+        return sheetNumericalError(project, registry_, {}).front();
     }
     static QString sentences(const ImmersionResult& result) {
         QStringList all;

@@ -343,9 +343,13 @@ void PrepressTest::cutLine_keepsItsDistanceFromTheInk() {
         QCOMPARE(middles.size(), std::size_t(2));
         const double tolerance = pixels(0.2); // a pixel with any ink counts fully
         QVERIFY2(std::abs(middles[0] - pixels(first)) < tolerance,
-                 qPrintable(QString::number(middles[0] / pixels(1))));
+                 qPrintable(QStringLiteral("the line is at %1 mm, expected %2 mm")
+                                .arg(middles[0] / pixels(1))
+                                .arg(first)));
         QVERIFY2(std::abs(middles[1] - pixels(second)) < tolerance,
-                 qPrintable(QString::number(middles[1] / pixels(1))));
+                 qPrintable(QStringLiteral("the line is at %1 mm, expected %2 mm")
+                                .arg(middles[1] / pixels(1))
+                                .arg(second)));
     };
     verify(true, 40, 16, 84);
     verify(false, 50, 31, 49);
@@ -392,10 +396,14 @@ void PrepressTest::cutLine_goesRoundAllPlates() {
     const QImage line = separations(pdfOf(sheet, {.colour = &inks_}), dpi).at("CutContour");
     const std::vector<double> middles = darkMiddles(line, true, int(pixels(15)));
     QCOMPARE(middles.size(), std::size_t(2));
-    QVERIFY2(std::abs(middles[0] - pixels(6)) < pixels(0.3),
-             qPrintable(QString::number(middles[0] / pixels(1))));
-    QVERIFY2(std::abs(middles[1] - pixels(24)) < pixels(0.3),
-             qPrintable(QString::number(middles[1] / pixels(1))));
+    QVERIFY2(
+        std::abs(middles[0] - pixels(6)) < pixels(0.3),
+        qPrintable(
+            QStringLiteral("the line is at %1 mm, expected 6 mm").arg(middles[0] / pixels(1))));
+    QVERIFY2(
+        std::abs(middles[1] - pixels(24)) < pixels(0.3),
+        qPrintable(
+            QStringLiteral("the line is at %1 mm, expected 24 mm").arg(middles[1] / pixels(1))));
 }
 
 // The patches of 60 × 10 mm in the film's middle are cut 1 mm from their edge, with 3 mm of bleed.

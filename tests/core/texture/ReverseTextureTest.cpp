@@ -1,4 +1,4 @@
-// The image to print, on films laid by closed forms.
+// The film image, on films laid by closed forms.
 #include "texture/ReverseTexture.h"
 #include "DippedByHand.h"
 #include "base/Units.h"
@@ -23,7 +23,7 @@ const QSize a4Pixels(1240, 1754); // 150 dpi
 
 using Pattern = std::function<LinearColour(double u, double v)>;
 
-// A picture of a pattern, each texel the colour of its middle.
+// A picture of a pattern. Each texel has the colour at its middle.
 QImage drawn(const Pattern& pattern, QSize size) {
     QImage image(size, QImage::Format_RGBA8888);
     for (int row = 0; row < size.height(); ++row) {
@@ -40,7 +40,7 @@ QImage drawn(const Pattern& pattern, QSize size) {
     return image;
 }
 
-// Soft waves that close where the texture does.
+// Smooth waves that are continuous where the map closes.
 LinearColour waves(double u, double v) {
     return Eigen::Array3d(0.5 + 0.4 * std::sin(6 * pi * u), 0.5 + 0.4 * std::cos(4 * pi * u),
                           0.5 + 0.4 * std::sin(10 * pi * v))
@@ -89,34 +89,34 @@ class ReverseTextureTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void flatFaceGivesThePictureBack_data();
-    void flatFaceGivesThePictureBack();
-    void letterStandsMirroredInItsPlace();
-    void globeShowsItsMapEverywhere();
-    void noColourOfAnotherChartIsSmeared_data();
-    void noColourOfAnotherChartIsSmeared();
-    void finePatternIsAveragedInLinearLight();
-    void bodyWithoutTextureIsItsColour();
-    void textureWithoutCoordinatesIsTheColour();
-    void colourBeyondSrgbStaysAsItIs();
-    void nothingIsPrintedBeyondTheBleed();
-    void inkFollowsTheStretch();
-    void colourThatCannotBeHadIsReported();
-    void whiteIsPrintedMoreWhereTheFilmStretches();
-    void whatIsWantedIsKeptWhereItIsAskedFor();
-    void spotInksAreReturnedInTheirOrder();
-    void sameBytesOnOneThreadAndOnMany();
-    void tinyImageStillWorks();
-    void cancellingThrows();
+    void reverseTexture_flatFace_givesThePicture_data();
+    void reverseTexture_flatFace_givesThePicture();
+    void reverseTexture_letter_isMirroredInItsPlace();
+    void reverseTexture_globe_showsItsMap();
+    void reverseTexture_textureSeam_doesNotMixCharts_data();
+    void reverseTexture_textureSeam_doesNotMixCharts();
+    void reverseTexture_finePattern_isAveragedInLinearLight();
+    void reverseTexture_bodyWithoutTexture_isItsColour();
+    void reverseTexture_textureWithoutCoordinates_isTheMaterialsColour();
+    void reverseTexture_colourBeyondSrgb_isKept();
+    void reverseTexture_bleed_endsAtItsWidth();
+    void reverseTexture_stretchedFilm_getsMoreInk();
+    void reverseTexture_inkLimit_reportsShortfallArea();
+    void reverseTexture_stretchedFilm_getsMoreWhite();
+    void reverseTexture_keepsWanted_returnsWantedColourAndStretch();
+    void reverseTexture_spotInks_keepTheirOrder();
+    void reverseTexture_anyNumberOfThreads_giveTheSameBytes();
+    void reverseTexture_tinyImage_isPainted();
+    void reverseTexture_cancelled_throws();
 };
 
-void ReverseTextureTest::flatFaceGivesThePictureBack_data() {
+void ReverseTextureTest::reverseTexture_flatFace_givesThePicture_data() {
     QTest::addColumn<bool>("graded");
     QTest::newRow("even film") << false;
     QTest::newRow("graded film") << true;
 }
 
-void ReverseTextureTest::flatFaceGivesThePictureBack() {
+void ReverseTextureTest::reverseTexture_flatFace_givesThePicture() {
     QFETCH(bool, graded);
     const solver::FilmGrid grid = graded ? test::gradedA4Grid() : test::a4Grid();
     const QImage picture = drawn(waves, {512, 512});
@@ -128,7 +128,7 @@ void ReverseTextureTest::flatFaceGivesThePictureBack() {
     forEachPixel(texture.image, [&](const Eigen::Vector2d& at, const unsigned char* pixel) {
         if (at.cwiseAbs().maxCoeff() < 29) {
             QCOMPARE(int(pixel[3]), 255);
-            // A shift of 0.05 mm would make up to 4 of 255 levels.
+            // A shift of 0.05 mm would change up to 4 of 255 levels.
             QVERIFY(difference(pixel, waves(0.5 - at.x() / 60, 0.5 - at.y() / 60)) <= 2);
             ++compared;
         }
@@ -136,13 +136,13 @@ void ReverseTextureTest::flatFaceGivesThePictureBack() {
     QVERIFY(compared > 100000);
 }
 
-void ReverseTextureTest::letterStandsMirroredInItsPlace() {
+void ReverseTextureTest::reverseTexture_letter_isMirroredInItsPlace() {
     const QImage letter = test::letterF();
     const ReverseTexture texture =
         reversed(test::boxWithPicture(boxSize, letter), test::flatUnderBox(test::a4Grid(), boxSize),
                  uncompensated({2480, 3508}));
-    // Seen from below with −Z up, the picture's right is −X: on the sheet, ink side up, the letter
-    // is mirrored left to right about the body's middle and keeps its top.
+    // Seen from below with −Z up, the picture's right is −X. On the sheet, ink side up, the letter
+    // is mirrored left to right and keeps its top.
     std::size_t same = 0;
     std::size_t all = 0;
     std::size_t sameUnmirrored = 0;
@@ -160,7 +160,7 @@ void ReverseTextureTest::letterStandsMirroredInItsPlace() {
     QVERIFY(double(sameUnmirrored) < 0.9 * double(all));
 }
 
-void ReverseTextureTest::globeShowsItsMapEverywhere() {
+void ReverseTextureTest::reverseTexture_globe_showsItsMap() {
     const QImage picture = drawn(waves, {1024, 512});
     const double end = 1.8;
     const ReverseTexture texture =
@@ -183,16 +183,16 @@ void ReverseTextureTest::globeShowsItsMapEverywhere() {
     QCOMPARE(wrong, 0);
 }
 
-void ReverseTextureTest::noColourOfAnotherChartIsSmeared_data() {
+void ReverseTextureTest::reverseTexture_textureSeam_doesNotMixCharts_data() {
     QTest::addColumn<int>("texels");
     QTest::newRow("texels smaller than pixels") << 4096;
     QTest::newRow("texels as large as pixels") << 1024;
     QTest::newRow("texels larger than pixels") << 128;
 }
 
-void ReverseTextureTest::noColourOfAnotherChartIsSmeared() {
+void ReverseTextureTest::reverseTexture_textureSeam_doesNotMixCharts() {
     QFETCH(int, texels);
-    // A red and a blue disc on green: what is on the ball is red for x < 0 and blue for x > 0.
+    // A red and a blue disc on green: the ball is red for x < 0 and blue for x > 0.
     const auto discs = [](double u, double v) {
         const bool onDisc = std::hypot(u - (u < 0.5 ? 0.25 : 0.75), v - 0.5) <= 0.15;
         return onDisc ? LinearColour(u < 0.5 ? 1 : 0, 0, u < 0.5 ? 0 : 1) : LinearColour(0, 1, 0);
@@ -219,8 +219,8 @@ void ReverseTextureTest::noColourOfAnotherChartIsSmeared() {
     QCOMPARE(stray, 0);
 }
 
-void ReverseTextureTest::finePatternIsAveragedInLinearLight() {
-    // Checks of one texel, of which a pixel covers about 40.
+void ReverseTextureTest::reverseTexture_finePattern_isAveragedInLinearLight() {
+    // A checkerboard of single texels; a pixel covers about 40 of them.
     QImage picture(2048, 2048, QImage::Format_RGBA8888);
     for (int row = 0; row < picture.height(); ++row) {
         for (int column = 0; column < picture.width(); ++column) {
@@ -237,7 +237,7 @@ void ReverseTextureTest::finePatternIsAveragedInLinearLight() {
     });
 }
 
-void ReverseTextureTest::bodyWithoutTextureIsItsColour() {
+void ReverseTextureTest::reverseTexture_bodyWithoutTexture_isItsColour() {
     const QColor colour(180, 60, 20);
     const ReverseTexture texture =
         reversed(test::plainModel(sphereMesh(radius, 40, 80), colour),
@@ -252,7 +252,7 @@ void ReverseTextureTest::bodyWithoutTextureIsItsColour() {
     QVERIFY(printed > 10000);
 }
 
-void ReverseTextureTest::textureWithoutCoordinatesIsTheColour() {
+void ReverseTextureTest::reverseTexture_textureWithoutCoordinates_isTheMaterialsColour() {
     TexturedMesh model = test::plainModel(boxMesh(boxSize), QColor(10, 200, 30));
     model.materials[0].texture = 0;
     model.textures.push_back(test::letterF());
@@ -261,9 +261,9 @@ void ReverseTextureTest::textureWithoutCoordinatesIsTheColour() {
     QCOMPARE(texture.image.pixelColor(620, 877), QColor(10, 200, 30));
 }
 
-void ReverseTextureTest::colourBeyondSrgbStaysAsItIs() {
+void ReverseTextureTest::reverseTexture_colourBeyondSrgb_isKept() {
     const DippedFilm film = test::flatUnderBox(test::a4Grid(), boxSize);
-    // What sRGB holds comes out alike, be it told in sRGB or in wide numbers.
+    // Colours within sRGB give the same image from an sRGB and from a wide texture.
     const QImage picture = drawn(waves, {512, 512});
     ReverseTextureOptions options;
     options.pixels = a4Pixels;
@@ -280,7 +280,7 @@ void ReverseTextureTest::colourBeyondSrgbStaysAsItIs() {
         }
         other += 4;
     });
-    // And what it does not hold is not cut off, in the bleed neither.
+    // Colours beyond sRGB are not clipped, nor in the bleed.
     QImage green(64, 64, QImage::Format_RGBA64);
     green.setColorSpace(QColorSpace::AdobeRgb);
     green.fill(QColor(20, 230, 20));
@@ -302,7 +302,7 @@ void ReverseTextureTest::colourBeyondSrgbStaysAsItIs() {
     QVERIFY(judged > 100000);
 }
 
-void ReverseTextureTest::nothingIsPrintedBeyondTheBleed() {
+void ReverseTextureTest::reverseTexture_bleed_endsAtItsWidth() {
     const TexturedMesh model = test::plainModel(boxMesh(boxSize), QColor(10, 200, 30));
     const DippedFilm film = test::flatUnderBox(test::a4Grid(), boxSize);
     const Eigen::Vector2d painted(16.5 * film.grid.spacingX(0), 16.5 * film.grid.spacingZ(0));
@@ -321,8 +321,8 @@ void ReverseTextureTest::nothingIsPrintedBeyondTheBleed() {
     }
 }
 
-void ReverseTextureTest::inkFollowsTheStretch() {
-    // Flat film drawn out by a fifth each way: every film cell covers 1.44 times its area.
+void ReverseTextureTest::reverseTexture_stretchedFilm_getsMoreInk() {
+    // Flat film stretched by a fifth in both directions: every cell covers 1.44 times its area.
     DippedFilm film = test::flatUnderBox(test::a4Grid(), boxSize / 1.2);
     for (Eigen::Vector3f& position : film.positions) {
         position *= 1.2f;
@@ -340,7 +340,7 @@ void ReverseTextureTest::inkFollowsTheStretch() {
     QCOMPARE(texture.shortfallArea, 0.0);
 }
 
-void ReverseTextureTest::colourThatCannotBeHadIsReported() {
+void ReverseTextureTest::reverseTexture_inkLimit_reportsShortfallArea() {
     DippedFilm film = test::flatUnderBox(test::a4Grid(), boxSize / 1.2);
     for (Eigen::Vector3f& position : film.positions) {
         position *= 1.2f;
@@ -350,13 +350,14 @@ void ReverseTextureTest::colourThatCannotBeHadIsReported() {
     options.ink.limit = 1;
     const ReverseTexture texture =
         reversed(test::plainModel(boxMesh(boxSize), QColor(0, 0, 0)), film, options);
-    // All of the painted bottom: 28 × 28 points' cells, drawn out.
+    // All of the painted bottom: the stretched cells of 28 × 28 points.
     const double painted = 27 * 27 * film.grid.spacingX(0) * film.grid.spacingZ(0) * 1.44;
     QVERIFY(std::abs(texture.shortfallArea - painted) < 0.01 * painted);
 }
 
-// Half tint on film that has grown by 1.44; as far as the colour goes, its bleed with it.
-void ReverseTextureTest::whiteIsPrintedMoreWhereTheFilmStretches() {
+// A half tint on film with an area stretch of 1.44. White extends as far as the colour and its
+// bleed.
+void ReverseTextureTest::reverseTexture_stretchedFilm_getsMoreWhite() {
     DippedFilm film = test::flatUnderBox(test::a4Grid(), boxSize / 1.2);
     for (Eigen::Vector3f& position : film.positions) {
         position *= 1.2f;
@@ -375,16 +376,16 @@ void ReverseTextureTest::whiteIsPrintedMoreWhereTheFilmStretches() {
             const bool isPrinted = qAlpha(texture.image.pixel(x, y)) != 0;
             const int tint = texture.white.constScanLine(y)[x];
             QVERIFY2(isPrinted ? std::abs(tint - 255 * 0.72) < 4 : tint == 0,
-                     qPrintable(QString::number(tint)));
+                     qPrintable(QStringLiteral("tint %1 of 255").arg(tint)));
         }
     }
-    options.white = 0.9; // more than full tint is not to be had
+    options.white = 0.9; // the tint is limited to full
     const ReverseTexture full = reversed(model, film, options);
     QCOMPARE(int(full.white.constScanLine(full.white.height() / 2)[full.white.width() / 2]), 255);
 }
 
-// What is to show, and by how much the film stretches, for printers that see to each ink.
-void ReverseTextureTest::whatIsWantedIsKeptWhereItIsAskedFor() {
+// The wanted colour and the film's stretch, for printers that compensate each ink.
+void ReverseTextureTest::reverseTexture_keepsWanted_returnsWantedColourAndStretch() {
     DippedFilm film = test::flatUnderBox(test::a4Grid(), boxSize / 1.2);
     for (Eigen::Vector3f& position : film.positions) {
         position *= 1.2f;
@@ -413,8 +414,8 @@ void ReverseTextureTest::whatIsWantedIsKeptWhereItIsAskedFor() {
     QVERIFY(printed > 10'000);
 }
 
-// One film on the body serves the colours and all plates.
-void ReverseTextureTest::spotInksAreReturnedInTheirOrder() {
+// One laid film serves the colours and all plates.
+void ReverseTextureTest::reverseTexture_spotInks_keepTheirOrder() {
     const TexturedMesh box = test::boxWithPicture(boxSize, drawn(waves, {256, 256}));
     const auto laid = test::laid(box.mesh, test::flatUnderBox(test::a4Grid(), boxSize));
     ReverseTextureOptions options = uncompensated({210, 297});
@@ -442,7 +443,7 @@ void ReverseTextureTest::spotInksAreReturnedInTheirOrder() {
     QCOMPARE(tints, std::vector<int>({255, 127, 0})); // sRGB 188 is half the light
 }
 
-void ReverseTextureTest::sameBytesOnOneThreadAndOnMany() {
+void ReverseTextureTest::reverseTexture_anyNumberOfThreads_giveTheSameBytes() {
     const TexturedMesh model = test::globe(radius, 60, 120, drawn(waves, {300, 200}));
     const DippedFilm film = test::viscousOnSphere(test::a4Grid(), radius, 1.8);
     const ReverseTexture many = reversed(model, film, uncompensated());
@@ -453,7 +454,7 @@ void ReverseTextureTest::sameBytesOnOneThreadAndOnMany() {
     QCOMPARE(one.shortfallArea, many.shortfallArea);
 }
 
-void ReverseTextureTest::tinyImageStillWorks() {
+void ReverseTextureTest::reverseTexture_tinyImage_isPainted() {
     const TexturedMesh model = test::globe(radius, 60, 120, drawn(waves, {300, 200}));
     const DippedFilm film = test::viscousOnSphere(test::a4Grid(), radius, 1.8);
     const ReverseTexture texture = reversed(model, film, uncompensated({21, 30}));
@@ -462,7 +463,7 @@ void ReverseTextureTest::tinyImageStillWorks() {
     QCOMPARE(texture.image.pixelColor(0, 0).alpha(), 0);
 }
 
-void ReverseTextureTest::cancellingThrows() {
+void ReverseTextureTest::reverseTexture_cancelled_throws() {
     Progress progress;
     progress.cancelToken.cancel();
     QVERIFY_EXCEPTION_THROWN(reversed(test::plainModel(boxMesh(boxSize), Qt::red),

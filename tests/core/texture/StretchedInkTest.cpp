@@ -1,5 +1,5 @@
-// Ink of two kinds, simulated, on a ball under film that stretches more and more up to its rim:
-// what is printed with the law that a step wedge told comes out as the grey that was asked for.
+// Two kinds of simulated ink on a ball under film that stretches up to its rim. Compensation by a
+// law that was fitted to a step wedge must show the wanted grey.
 #include "DippedByHand.h"
 #include "base/Error.h"
 #include "base/Units.h"
@@ -27,13 +27,13 @@ double density(double light) {
     return -std::log10(light);
 }
 
-// The light of ink printed to have `light` on unstretched film, where that is stretched by J.
+// The light of ink on film with the area stretch J, if it has `light` on unstretched film.
 using InkOnFilm = std::function<double(double light, double stretch)>;
 
 double dye(double light, double stretch) {
     return std::pow(light, 1 / stretch);
 }
-// Dots of so much density that cover a share of the film, and go on to where it is stretched.
+// Dots of the density `solid` that cover a share of the film and stretch with it.
 InkOnFilm dots(double solid) {
     return [solid](double light, double stretch) {
         const double covered = (1 - light) / (1 - std::pow(10, -solid));
@@ -41,7 +41,7 @@ InkOnFilm dots(double solid) {
     };
 }
 
-// A wedge of all three inks as a densitometer would read it, `noise` off.
+// A wedge of three inks as a densitometer reads it, with `noise` as standard deviation.
 std::vector<WedgeReading> wedge(const InkOnFilm& ink, double solid, double noise = 0) {
     std::mt19937 random(7);
     std::normal_distribution<double> off(0, noise > 0 ? noise : 1);
@@ -61,8 +61,8 @@ std::vector<WedgeReading> wedge(const InkOnFilm& ink, double solid, double noise
     return readings;
 }
 
-// A ball of radius 35 under film whose place R from the middle lies at the polar angle
-// R/ρ + (R/ρ)³/3: drawn out to twice its area in the end.
+// A ball of radius 35 mm. Film from the distance R lies at the polar angle R/ρ + (R/ρ)³/3; at its
+// end its area is doubled.
 constexpr double radius = 35;
 constexpr double rim = 100 * pi / 180;
 double polarAngle(double distance) {
@@ -82,7 +82,7 @@ double areaStretch(double distance) {
     return std::sin(polarAngle(distance)) / share * (1 + share * share);
 }
 
-// From white in the east to a sixteenth of its light in the west, and the other way round beyond.
+// A grey ramp that is darkest at the picture's left and right edges.
 QImage ramp() {
     QImage picture(1024, 8, QImage::Format_RGBA8888);
     for (int column = 0; column < picture.width(); ++column) {
@@ -94,7 +94,7 @@ QImage ramp() {
     return picture;
 }
 
-// How far off the lightness is that shows where the film paints, but for where the limit binds.
+// The error of the lightness where the film paints, except where the ink limit applies.
 struct Shown {
     double worst = 0, worstAtRim = 0; // L*
     int places = 0, atRim = 0;
@@ -104,7 +104,7 @@ Shown shown(const InkOnFilm& ink, const InkSettings& settings) {
     const auto laid =
         test::laid(model.mesh, test::onSphere(test::a4Grid(), radius, rim, polarAngle));
     ReverseTextureOptions options;
-    options.pixels = {1050, 1485}; // five a millimetre
+    options.pixels = {1050, 1485}; // five per mm
     options.bleed = 0;
     options.ink = settings;
     const QImage sheet = reverseTexture(*laid, model, options, Progress{}).image;
@@ -140,23 +140,23 @@ class StretchedInkTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void greyComesOut_data();
-    void greyComesOut();
-    void lawIsInverted_data();
-    void lawIsInverted();
-    void oneExponentIsEnoughForALayer();
-    void fitTellsHowFarOffItIs();
-    void readingsThatNoInkGivesAreRefused_data();
-    void readingsThatNoInkGivesAreRefused();
-    void tableIsRead();
-    void tableWithAFaultIsRefused_data();
-    void tableWithAFaultIsRefused();
-    void tonesAreTextAndBack();
-    void textThatIsNoTonesIsRefused_data();
-    void textThatIsNoTonesIsRefused();
+    void inkCompensation_measuredInk_showsTheWantedGrey_data();
+    void inkCompensation_measuredInk_showsTheWantedGrey();
+    void inkCompensation_shown_invertsPrint_data();
+    void inkCompensation_shown_invertsPrint();
+    void fitInk_dye_hasExponent1();
+    void fitInk_noise_isReportedAsWorst();
+    void fitInk_impossibleReadings_areRefused_data();
+    void fitInk_impossibleReadings_areRefused();
+    void readWedge_table_isRead();
+    void readWedge_faultyTable_isRefused_data();
+    void readWedge_faultyTable_isRefused();
+    void inkTonesText_readAgain_givesTheSameTones();
+    void inkTones_invalidText_isRefused_data();
+    void inkTones_invalidText_isRefused();
 };
 
-void StretchedInkTest::greyComesOut_data() {
+void StretchedInkTest::inkCompensation_measuredInk_showsTheWantedGrey_data() {
     QTest::addColumn<InkOnFilm>("ink");
     QTest::addColumn<double>("solid");
     QTest::newRow("dye") << InkOnFilm(dye) << 2.0;
@@ -165,7 +165,7 @@ void StretchedInkTest::greyComesOut_data() {
     QTest::newRow("dots of 2") << dots(2.01) << 2.0;
 }
 
-void StretchedInkTest::greyComesOut() {
+void StretchedInkTest::inkCompensation_measuredInk_showsTheWantedGrey() {
     QFETCH(const InkOnFilm, ink);
     QFETCH(const double, solid);
     InkSettings settings;
@@ -174,17 +174,18 @@ void StretchedInkTest::greyComesOut() {
     const Shown grey = shown(ink, settings);
     QVERIFY(grey.places > 100'000);
     QVERIFY(grey.atRim > 5'000);
-    const QString figures =
-        QStringLiteral("worst %1, at the rim %2 L*").arg(grey.worst).arg(grey.worstAtRim);
+    const QString figures = QStringLiteral("largest error %1 L*, at the rim %2 L*")
+                                .arg(grey.worst)
+                                .arg(grey.worstAtRim);
     qInfo("%s", qPrintable(figures));
     QVERIFY2(grey.worst <= 1, qPrintable(figures));
 }
 
-void StretchedInkTest::lawIsInverted_data() {
-    greyComesOut_data();
+void StretchedInkTest::inkCompensation_shown_invertsPrint_data() {
+    inkCompensation_measuredInk_showsTheWantedGrey_data();
 }
 
-void StretchedInkTest::lawIsInverted() {
+void StretchedInkTest::inkCompensation_shown_invertsPrint() {
     QFETCH(const InkOnFilm, ink);
     QFETCH(const double, solid);
     InkSettings settings;
@@ -197,7 +198,7 @@ void StretchedInkTest::lawIsInverted() {
             const LinearColour back = compensation.shown(printed.colour, stretch);
             if (!printed.fallsShort && printed.colour[0] > 0.0011f) {
                 QVERIFY2(std::abs(back[0] - light) < 1e-4f,
-                         qPrintable(QStringLiteral("%1 on %2: %3")
+                         qPrintable(QStringLiteral("light %1 at stretch %2: %3 shown")
                                         .arg(double(light))
                                         .arg(double(stretch))
                                         .arg(double(back[0]))));
@@ -207,8 +208,8 @@ void StretchedInkTest::lawIsInverted() {
     QCOMPARE(compensation.print(LinearColour::Ones(), 2).colour[0], 1.0f);
 }
 
-// A dye's exponent is one at every tone, and that is also what is taken where nothing was measured.
-void StretchedInkTest::oneExponentIsEnoughForALayer() {
+// A dye's exponent is 1 at every tone, which is also the default without measurement.
+void StretchedInkTest::fitInk_dye_hasExponent1() {
     const FittedInk fitted = fitInk(wedge(dye, 2), {});
     QCOMPARE(fitted.patches, 42);
     for (const InkTone& tone : fitted.law.tones) {
@@ -216,26 +217,28 @@ void StretchedInkTest::oneExponentIsEnoughForALayer() {
         QVERIFY(std::abs(tone.bend) < 1e-6);
     }
     const Shown guessed = shown(dye, InkSettings{});
-    QVERIFY2(guessed.worst <= 1, qPrintable(QString::number(guessed.worst)));
-    // Of dots it makes too much.
+    QVERIFY2(
+        guessed.worst <= 1,
+        qPrintable(QStringLiteral("largest error %1 L*, expected 1 or less").arg(guessed.worst)));
+    // For dots this default is wrong.
     InkSettings unmeasured;
     unmeasured.limit = 1.5;
     const Shown wrong = shown(dots(1.51), unmeasured);
     qInfo("dots by a dye's law: %g L*", wrong.worst);
     QVERIFY(wrong.worst > 3);
-    // Dots that hide all that is behind them need no more ink however far the film stretches.
+    // Opaque dots need no more ink on stretched film.
     InkSettings opaque;
     opaque.law.exponents = {0, 0, 0};
     QCOMPARE(InkCompensation(opaque).print(LinearColour::Constant(0.3f), 2).colour[0], 0.3f);
 }
 
-void StretchedInkTest::fitTellsHowFarOffItIs() {
+void StretchedInkTest::fitInk_noise_isReportedAsWorst() {
     QVERIFY(fitInk(wedge(dots(1.51), 1.5), {}).worst < 0.01);
     const FittedInk noisy = fitInk(wedge(dots(1.51), 1.5, 0.005), {});
     QVERIFY(noisy.worst > 0.003 && noisy.worst < 0.03);
 }
 
-void StretchedInkTest::readingsThatNoInkGivesAreRefused_data() {
+void StretchedInkTest::fitInk_impossibleReadings_areRefused_data() {
     QTest::addColumn<QList<double>>("reading"); // nominal, flat, stretch, shown
     QTest::newRow("not stretched") << QList<double>{1, 1, 1, 1};
     QTest::newRow("no density") << QList<double>{1, 1, 2, 0};
@@ -245,18 +248,18 @@ void StretchedInkTest::readingsThatNoInkGivesAreRefused_data() {
     QTest::newRow("paler by far") << QList<double>{0.3, 2, 1.3, 0.01};
 }
 
-void StretchedInkTest::readingsThatNoInkGivesAreRefused() {
+void StretchedInkTest::fitInk_impossibleReadings_areRefused() {
     QFETCH(const QList<double>, reading);
     const WedgeReading wrong{FilmInk::Cyan, reading[0], reading[1], reading[2], reading[3]};
     QVERIFY_EXCEPTION_THROWN(fitInk(std::vector{wrong}, {}), Error);
     QVERIFY_EXCEPTION_THROWN(fitInk({}, {}), Error);
-    // More ink that shows less.
+    // More ink that shows a paler colour.
     const std::vector<WedgeReading> crossing{{FilmInk::Cyan, 1, 1, 3, 0.9},
                                              {FilmInk::Cyan, 1.1, 1.1, 3, 0.4}};
     QVERIFY_EXCEPTION_THROWN(fitInk(crossing, {}), Error);
 }
 
-void StretchedInkTest::tableIsRead() {
+void StretchedInkTest::readWedge_table_isRead() {
     const QByteArray head = "ink,nominal,flat,across,down,shown\n";
     const std::vector<WedgeReading> readings =
         readWedge(head + "magenta,0.3,0.31,120,150,0.2\n\ngrey,1,1.02, 150 ,140,0.6\r\n", "w.csv");
@@ -268,12 +271,12 @@ void StretchedInkTest::tableIsRead() {
     QCOMPARE(readings[0].shown, 0.2);
     QCOMPARE(readings[3].ink, FilmInk::Yellow);
     QCOMPARE(readings[3].stretch, 2.1);
-    // The table that comes with the page: whatever is not filled in was not read.
+    // Rows of the blank table that are not filled in are ignored.
     QVERIFY(readWedge(blankWedge(4), "w.csv").empty());
     QCOMPARE(blankWedge(4).count('\n'), qsizetype(1 + 3 * wedgeTones.size() * 4));
 }
 
-void StretchedInkTest::tableWithAFaultIsRefused_data() {
+void StretchedInkTest::readWedge_faultyTable_isRefused_data() {
     QTest::addColumn<QByteArray>("table");
     const QByteArray head = "ink,nominal,flat,across,down,shown\n";
     QTest::newRow("empty") << QByteArray();
@@ -285,18 +288,18 @@ void StretchedInkTest::tableWithAFaultIsRefused_data() {
     QTest::newRow("endless") << head + QByteArray(20'000, '\n');
 }
 
-void StretchedInkTest::tableWithAFaultIsRefused() {
+void StretchedInkTest::readWedge_faultyTable_isRefused() {
     QFETCH(const QByteArray, table);
     QVERIFY_EXCEPTION_THROWN(readWedge(table, "w.csv"), Error);
 }
 
-void StretchedInkTest::tonesAreTextAndBack() {
+void StretchedInkTest::inkTonesText_readAgain_givesTheSameTones() {
     const std::vector<InkTone> tones = fitInk(wedge(dots(1.51), 1.5, 0.002), {}).law.tones;
     QVERIFY(inkTones(inkTonesText(tones), {}) == tones);
     QVERIFY(inkTones({}, {}).empty());
 }
 
-void StretchedInkTest::textThatIsNoTonesIsRefused_data() {
+void StretchedInkTest::inkTones_invalidText_isRefused_data() {
     QTest::addColumn<QString>("text");
     for (const char* text :
          {"cyan", "cyan 0.3 0.5 0.1", "blue 0.3 0.5 0.1 2", "grey 0.3 0.5 0.1 2",
@@ -307,7 +310,7 @@ void StretchedInkTest::textThatIsNoTonesIsRefused_data() {
     }
 }
 
-void StretchedInkTest::textThatIsNoTonesIsRefused() {
+void StretchedInkTest::inkTones_invalidText_isRefused() {
     QFETCH(const QString, text);
     QVERIFY_EXCEPTION_THROWN(inkTones(text, "ink.tones"), Error);
 }

@@ -1,4 +1,4 @@
-// What the reverse texture is put together from: light, ink, filters, charts, bleed, chessboard.
+// The parts of the reverse texture: light, ink, filters, charts, bleed and chessboard.
 #include "DippedByHand.h"
 #include "base/Units.h"
 #include "geometry/Shapes.h"
@@ -66,26 +66,26 @@ class TexturePartsTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void encodingInvertsTheTable();
-    void inkIsPrintedDenserOnStretchedFilm();
-    void inkStopsAtTheLimit();
-    void blackAndWhiteStayThemselves();
-    void inkCanBeLeftAlone();
-    void magnifiedTexelsAreInterpolated();
-    void minifiedCheckerIsGreyInLinearLight();
-    void oddSizesKeepTheirMean();
-    void slantedLookDoesNotBlurAcross();
-    void edgesDoNotWrapUnlessTheTextureRepeats();
-    void seeThroughTexelsShowTheWhiteBody();
-    void filtersStayInTheirChart();
-    void wholeChartsAndTilesNeedNoMap();
-    void bleedTakesTheNearestColour();
-    void bleedEndsAtItsRadius();
-    void chessSquaresMeetInTheMiddle();
-    void filmPressedToAPointLiesWhereThatIs();
+    void encodedByte_invertsTheLinearTable();
+    void inkCompensation_stretchedFilm_printsDenser();
+    void inkCompensation_limit_isKept();
+    void inkCompensation_blackAndWhite_stay();
+    void inkCompensation_switchedOff_changesNothing();
+    void textureSampler_magnified_interpolates();
+    void textureSampler_minifiedChecker_isGreyInLinearLight();
+    void textureSampler_oddSize_keepsItsMean();
+    void textureSampler_anisotropicFootprint_doesNotBlurAcross();
+    void textureSampler_edges_wrapOnlyIfTheTextureRepeats();
+    void textureSampler_transparentTexels_showWhite();
+    void textureSampler_sampleWithin_staysInItsChart();
+    void chartMap_wholeOrRepeatedTexture_isNotNeeded();
+    void continueColour_takesTheNearestColour();
+    void continueColour_endsAtItsRadius();
+    void chessboard_squaresMeetInTheMiddle();
+    void reverseMap_filmGatheredToAPoint_findsTheSurface();
 };
 
-void TexturePartsTest::encodingInvertsTheTable() {
+void TexturePartsTest::encodedByte_invertsTheLinearTable() {
     for (int value = 0; value < 256; ++value) {
         QCOMPARE(int(encodedByte(linearTable()[std::size_t(value)])), value);
     }
@@ -94,7 +94,7 @@ void TexturePartsTest::encodingInvertsTheTable() {
     QCOMPARE(int(encodedByte(0.5f)), 188);
 }
 
-void TexturePartsTest::inkIsPrintedDenserOnStretchedFilm() {
+void TexturePartsTest::inkCompensation_stretchedFilm_printsDenser() {
     const InkCompensation ink(InkSettings{});
     const LinearColour wanted(0.5f, 0.8f, 0.2f);
     for (const float stretch : {0.8f, 1.0f, 1.3f, 2.0f}) {
@@ -108,7 +108,7 @@ void TexturePartsTest::inkIsPrintedDenserOnStretchedFilm() {
     }
 }
 
-void TexturePartsTest::inkStopsAtTheLimit() {
+void TexturePartsTest::inkCompensation_limit_isKept() {
     InkSettings settings;
     settings.limit = 1;
     const InkCompensation ink(settings);
@@ -116,12 +116,12 @@ void TexturePartsTest::inkStopsAtTheLimit() {
     QVERIFY(std::abs(dark.colour[0] - 0.1f) < 1e-5f);
     QVERIFY(dark.fallsShort);
     QVERIFY(!ink.print({0.4f, 0.9f, 0.9f}, 2).fallsShort);
-    // Denser than the limit by itself: printed as it is.
+    // A colour denser than the limit is printed unchanged.
     QVERIFY(std::abs(ink.print({0.03f, 1, 1}, 2).colour[0] - 0.03f) < 1e-5f);
     QVERIFY(!ink.print({0.03f, 1, 1}, 1).fallsShort);
 }
 
-void TexturePartsTest::blackAndWhiteStayThemselves() {
+void TexturePartsTest::inkCompensation_blackAndWhite_stay() {
     const InkCompensation ink(InkSettings{});
     for (const float stretch : {0.0f, 0.5f, 1.0f, 3.0f}) {
         QVERIFY(isNear(ink.print({1, 1, 1}, stretch).colour, {1, 1, 1}, 0));
@@ -131,7 +131,7 @@ void TexturePartsTest::blackAndWhiteStayThemselves() {
     QVERIFY(ink.print({0, 0, 0}, 1.5f).fallsShort);
 }
 
-void TexturePartsTest::inkCanBeLeftAlone() {
+void TexturePartsTest::inkCompensation_switchedOff_changesNothing() {
     InkSettings settings;
     settings.compensate = false;
     const InkCompensation::Ink printed = InkCompensation(settings).print({0.1f, 0.5f, 0}, 3);
@@ -139,7 +139,7 @@ void TexturePartsTest::inkCanBeLeftAlone() {
     QVERIFY(!printed.fallsShort);
 }
 
-void TexturePartsTest::magnifiedTexelsAreInterpolated() {
+void TexturePartsTest::textureSampler_magnified_interpolates() {
     QImage image = filled(2, 1, Qt::black);
     image.setPixelColor(1, 0, Qt::white);
     const TextureSampler sampler(image, false);
@@ -150,7 +150,7 @@ void TexturePartsTest::magnifiedTexelsAreInterpolated() {
     QVERIFY(isNear(look(sampler, {0.99f, 0.5f}, steps), {1, 1, 1}, 1e-5f));
 }
 
-void TexturePartsTest::minifiedCheckerIsGreyInLinearLight() {
+void TexturePartsTest::textureSampler_minifiedChecker_isGreyInLinearLight() {
     QImage image = filled(64, 64, Qt::black);
     for (int row = 0; row < 64; ++row) {
         for (int column = row % 2; column < 64; column += 2) {
@@ -164,8 +164,8 @@ void TexturePartsTest::minifiedCheckerIsGreyInLinearLight() {
     }
 }
 
-void TexturePartsTest::oddSizesKeepTheirMean() {
-    // One white column in seven, wherever it is, makes a seventh of the light.
+void TexturePartsTest::textureSampler_oddSize_keepsItsMean() {
+    // One white column of seven, wherever it is, gives a seventh of the light.
     for (int white = 0; white < 7; ++white) {
         QImage image = filled(7, 5, Qt::black);
         for (int row = 0; row < 5; ++row) {
@@ -177,8 +177,8 @@ void TexturePartsTest::oddSizesKeepTheirMean() {
     }
 }
 
-void TexturePartsTest::slantedLookDoesNotBlurAcross() {
-    // Stripes along u; pixels that are six texels long along u and one wide across.
+void TexturePartsTest::textureSampler_anisotropicFootprint_doesNotBlurAcross() {
+    // Stripes along u, and pixels that are six texels long along u and one texel wide.
     QImage image = filled(64, 64, Qt::black);
     for (int row = 0; row < 64; row += 4) {
         for (int column = 0; column < 64; ++column) {
@@ -192,7 +192,7 @@ void TexturePartsTest::slantedLookDoesNotBlurAcross() {
     QVERIFY(look(sampler, {0.5f, 1 - 35 / 64.0f}, steps)[0] < 0.05f);
 }
 
-void TexturePartsTest::edgesDoNotWrapUnlessTheTextureRepeats() {
+void TexturePartsTest::textureSampler_edges_wrapOnlyIfTheTextureRepeats() {
     QImage image = filled(4, 1, Qt::black);
     image.setPixelColor(3, 0, Qt::white);
     const TextureSteps steps = texelSteps(image, 0.01f, 0.01f);
@@ -202,14 +202,14 @@ void TexturePartsTest::edgesDoNotWrapUnlessTheTextureRepeats() {
     QVERIFY(isNear(look(TextureSampler(image, true), {2.875f, -1}, steps), {1, 1, 1}, 1e-5f));
 }
 
-void TexturePartsTest::seeThroughTexelsShowTheWhiteBody() {
+void TexturePartsTest::textureSampler_transparentTexels_showWhite() {
     const TextureSampler clear(filled(2, 2, QColor(255, 0, 0, 0)), false);
     QVERIFY(isNear(clear.sample({0.5f, 0.5f}, {}), {1, 1, 1}, 1e-5f));
     const TextureSampler half(filled(2, 2, QColor(0, 0, 0, 128)), false);
     QVERIFY(isNear(half.sample({0.5f, 0.5f}, {}), LinearColour::Constant(127 / 255.0f), 0.005f));
 }
 
-void TexturePartsTest::filtersStayInTheirChart() {
+void TexturePartsTest::textureSampler_sampleWithin_staysInItsChart() {
     // A red and a blue chart that meet in the middle, on a green ground.
     QImage image = filled(32, 32, Qt::green);
     for (int row = 8; row < 24; ++row) {
@@ -242,7 +242,7 @@ void TexturePartsTest::filtersStayInTheirChart() {
     QVERIFY(!sampler.isWithin(atTheBorder, steps, *charts, model.chart[0]));
 }
 
-void TexturePartsTest::wholeChartsAndTilesNeedNoMap() {
+void TexturePartsTest::chartMap_wholeOrRepeatedTexture_isNotNeeded() {
     TexturedMesh whole = atlas(filled(8, 8, Qt::red));
     addChart(whole, 0, 0, 1, 1);
     whole.chart = findCharts(whole);
@@ -254,7 +254,7 @@ void TexturePartsTest::wholeChartsAndTilesNeedNoMap() {
     QVERIFY(!textureRepeats(whole, 0));
 }
 
-void TexturePartsTest::bleedTakesTheNearestColour() {
+void TexturePartsTest::continueColour_takesTheNearestColour() {
     QImage image = filled(60, 40, Qt::transparent);
     image.fill(0u);
     const std::vector<std::pair<QPoint, QColor>> seeds = {
@@ -287,7 +287,7 @@ void TexturePartsTest::bleedTakesTheNearestColour() {
     }
 }
 
-void TexturePartsTest::bleedEndsAtItsRadius() {
+void TexturePartsTest::continueColour_endsAtItsRadius() {
     QImage image = filled(50, 50, Qt::transparent);
     image.fill(0u);
     image.setPixelColor(25, 25, Qt::red);
@@ -304,7 +304,7 @@ void TexturePartsTest::bleedEndsAtItsRadius() {
     QVERIFY(std::abs(printed - pi * 7.5 * 7.5) < 8);
 }
 
-void TexturePartsTest::chessSquaresMeetInTheMiddle() {
+void TexturePartsTest::chessboard_squaresMeetInTheMiddle() {
     const QImage board = chessboard({2, 2, 200, 100}, 17, {400, 200});
     QCOMPARE(board.size(), QSize(400, 200));
     const auto isWhite = [&](int x, int y) { return board.pixelColor(x, y) == QColor(Qt::white); };
@@ -316,9 +316,9 @@ void TexturePartsTest::chessSquaresMeetInTheMiddle() {
     QVERIFY(isWhite(200, 100) != isWhite(233, 134));
 }
 
-// Where film is gathered to nothing its triangles have no size, by which the body under them could
-// be looked for, and rounding keeps them beside it.
-void TexturePartsTest::filmPressedToAPointLiesWhereThatIs() {
+// Film that is gathered to a point has triangles without area, which rounding keeps beside the
+// surface.
+void TexturePartsTest::reverseMap_filmGatheredToAPoint_findsTheSurface() {
     const TexturedMesh model = test::plainModel(sphereMesh(35, 40, 80), Qt::red);
     DippedFilm film = test::viscousOnSphere(test::a4Grid(), 35, 1.2);
     const Eigen::Vector3f beside = film.positions[film.positions.size() / 2] * 1.001f;

@@ -1,4 +1,4 @@
-// The way of a dip, as points and as a filled template.
+// The motion of a dip, as points in time and as a filled template.
 #include "traveller/Motion.h"
 
 #include "base/Error.h"
@@ -27,7 +27,7 @@ class MotionTest : public QObject {
 
 private slots:
     // 49.5 mm at 20 mm/s, 42.5 mm at 4 mm/s, 5 s, and 92 mm at 4 mm/s.
-    void depthAndTimesAreRight() {
+    void motionCsv_hasDepthsAndTimes() {
         QCOMPARE(motionCsv(motion()), QByteArray("time_s,height_mm,speed_mm_s\n"
                                                  "0.000,50.000,0.000\n"
                                                  "2.475,0.500,20.000\n"
@@ -36,13 +36,13 @@ private slots:
                                                  "41.100,50.000,4.000\n"));
     }
 
-    void theShippedTemplateIsFilledIn() {
+    void filledTemplate_shippedTemplate_hasTheExpectedCommands() {
         const MotionTemplate shipped = motionTemplate();
         const QString code =
             QString::fromUtf8(filledTemplate(motion(), shipped.text, shipped.where));
         QVERIFY(!code.contains(u'{'));
         QVERIFY(code.contains(QStringLiteral("0a1b2c3d4e5f")));
-        // Commands alone, without their comments.
+        // The commands without comments.
         QStringList commands;
         for (const QString& line : code.split(u'\n')) {
             const QString command = line.section(u';', 0, 0).trimmed();
@@ -56,12 +56,13 @@ private slots:
                               "M0", "G1 Z50.000 F240.000", "M2"}));
     }
 
-    // A dwell is ms to some controllers and s to others: the hold is moves, as long as it is to be.
-    void theHoldIsAsLongOnEveryController() {
+    // Some controllers take a dwell in ms, others in s. So the hold consists of moves that last as
+    // long.
+    void filledTemplate_hold_lastsAsLongOnEveryController() {
         const MotionTemplate shipped = motionTemplate();
         const QString code =
             QString::fromUtf8(filledTemplate(motion(), shipped.text, shipped.where));
-        double height = 0, minutes = 0; // below the end of the dip
+        double height = 0, minutes = 0; // minutes at the end of the dip
         for (const QString& line : code.split(u'\n')) {
             const QString command = line.section(u';', 0, 0).trimmed();
             QVERIFY2(!command.startsWith(QStringLiteral("G4")), qPrintable(command));
@@ -75,14 +76,16 @@ private slots:
             }
         }
         QVERIFY2(std::abs(60 * minutes - motion().hold.value()) < 0.05,
-                 QByteArray::number(60 * minutes));
+                 qPrintable(QStringLiteral("the hold lasts %1 s, expected %2 s")
+                                .arg(60 * minutes)
+                                .arg(motion().hold.value())));
         const QString header = code.section(u'\n', 0, 4);
         for (const char* dialect : {"Marlin", "GRBL", "LinuxCNC"}) {
             QVERIFY2(header.contains(QLatin1String(dialect)), dialect);
         }
     }
 
-    void noNameBecomesACommand() {
+    void filledTemplate_projectName_cannotAddCommands() {
         const QByteArray line = filledTemplate(motion(), QStringLiteral("({project})"), {});
         QCOMPARE(line.count('\n'), 0);
         QCOMPARE(line.count('('), 1);
@@ -90,10 +93,10 @@ private slots:
         QVERIFY(!line.contains(';'));
     }
 
-    void anUnknownNameIsRefused() {
+    void filledTemplate_unknownName_isRefused() {
         try {
             filledTemplate(motion(), QStringLiteral("G1 Z{height}"), QStringLiteral("own.gcode"));
-            QFAIL("nothing was thrown");
+            QFAIL("an unknown name was accepted, expected a refusal");
         } catch (const Error& error) {
             QVERIFY(error.sentence().contains(QStringLiteral("{height}")));
             QVERIFY(error.sentence().contains(QStringLiteral("depth_mm")));

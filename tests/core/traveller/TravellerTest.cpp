@@ -62,7 +62,7 @@ class TravellerTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void everyPageSaysWhatIsToBeDone() {
+    void travellerPdf_everyPage_listsTheSteps() {
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("traveller.pdf"));
         QFile file(path);
@@ -85,7 +85,7 @@ private slots:
         QVERIFY(pages.back().contains(QStringLiteral("Dip 2 of 2: Above")));
     }
 
-    void theCodeIsTheJob() {
+    void travellerPdf_code_isTheJobNumber() {
         Traveller one = traveller();
         one.dips.pop_back();
         QCOMPARE(travellerJob(one), one.dips.front().job);
@@ -110,12 +110,12 @@ private slots:
         }
     }
 
-    void pagesAreTheSameEveryTime() {
+    void travellerPdf_twice_givesTheSameBytes() {
         QCOMPARE(travellerPdf(traveller()), travellerPdf(traveller()));
     }
 
-    // A ball whose lower half is red: from the front the lower half, from below all of it.
-    void theBodyIsDrawnFromItsSides() {
+    // A ball whose lower half is red: from the front its lower half is red, from below all of it.
+    void posePicture_showsTheBodyFromFrontAndBelow() {
         QImage red(210, 297, QImage::Format_RGBA8888);
         red.fill(Qt::red);
         const PoseView view{film()->body(), nullptr, {{film(), red}}};
@@ -127,7 +127,7 @@ private slots:
         QVERIFY(isRed(front.image.pixelColor(100, 130)));
         QVERIFY(!isRed(front.image.pixelColor(100, 70)));
         QCOMPARE(front.image.pixelColor(3, 3), QColor(Qt::white));
-        // 70 mm high, with a rim of six hundredths.
+        // 70 mm high, with a rim of 6 %.
         QVERIFY(std::abs(front.scale - 200 / (1.06 * 70)) < 0.01);
         QVERIFY(std::abs(front.bottom + 0.03 * 70) < 0.1);
         const PosePicture below = posePicture(view, PoseSide::Below, size, {});

@@ -1,4 +1,4 @@
-// The closed forms against what of them can be written down (docs/film-model.md, "Closed forms").
+// The closed forms, compared with known values and formulas (docs/film-model.md, "Closed forms").
 #include "validation/ClosedForm.h"
 
 #include "base/Units.h"
@@ -35,14 +35,14 @@ class ClosedFormTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void largeFilms();
-    void filmGrownAlreadyIsALargerFilm();
-    void heldFilmLiesAsIfItDidNotGrow();
-    void largeFilmsThatGrow();
-    void cylinder();
+    void closedForm_largeFilms_matchKnownRadii();
+    void closedForm_filmGrownBefore_equalsALargerFilm();
+    void closedForm_heldFilm_doesNotDependOnGrowth();
+    void closedForm_growingLargeFilms_matchFormulas();
+    void filmOnCylinder_freeFilm_matchesKnownLengths();
 };
 
-void ClosedFormTest::largeFilms() {
+void ClosedFormTest::closedForm_largeFilms_matchKnownRadii() {
     const Meridian cone = coneMeridian(pi / 4, 35), sphere = sphereMeridian(35, pi / 2);
     for (const FilmEdge edge : {FilmEdge::Held, FilmEdge::Free}) {
         QVERIFY(agree(filmRadius(cone, film(FilmLaw::Elastic, edge, large)), 35 * 1.2071068));
@@ -51,7 +51,7 @@ void ClosedFormTest::largeFilms() {
     }
 }
 
-void ClosedFormTest::filmGrownAlreadyIsALargerFilm() {
+void ClosedFormTest::closedForm_filmGrownBefore_equalsALargerFilm() {
     const Meridian sphere = sphereMeridian(35, radians(Degrees(80)));
     const auto always = [](double) { return 1.2; };
     for (const FilmLaw law : {FilmLaw::Elastic, FilmLaw::Viscous}) {
@@ -60,7 +60,7 @@ void ClosedFormTest::filmGrownAlreadyIsALargerFilm() {
     }
 }
 
-void ClosedFormTest::heldFilmLiesAsIfItDidNotGrow() {
+void ClosedFormTest::closedForm_heldFilm_doesNotDependOnGrowth() {
     const Meridian sphere = sphereMeridian(35, radians(Degrees(80)));
     for (const FilmLaw law : {FilmLaw::Elastic, FilmLaw::Viscous}) {
         const FloatingFilm held = film(law, FilmEdge::Held, 90);
@@ -70,7 +70,7 @@ void ClosedFormTest::heldFilmLiesAsIfItDidNotGrow() {
 }
 
 // Growth by e^(kh) until the depth h. Viscous, R² = 2∫a/g² ds; elastic, dR/ds·(2g − a/R) = 1.
-void ClosedFormTest::largeFilmsThatGrow() {
+void ClosedFormTest::closedForm_growingLargeFilms_matchFormulas() {
     constexpr double k = 0.004;
     const auto law = [](double depth) { return std::exp(k * depth); };
     const Meridian cone = coneMeridian(pi / 4, 35);
@@ -88,12 +88,12 @@ void ClosedFormTest::largeFilmsThatGrow() {
     }
 }
 
-void ClosedFormTest::cylinder() {
+void ClosedFormTest::filmOnCylinder_freeFilm_matchesKnownLengths() {
     for (const FilmLaw law : {FilmLaw::Elastic, FilmLaw::Viscous}) {
         const FloatingFilm free = film(law, FilmEdge::Free, 0);
         QVERIFY(agree(filmOnCylinder(20, 28, free), 28));
         QVERIFY(agree(filmOnCylinder(20, 28, grown(free, [](double) { return 1.2; })), 28 / 1.2));
-        // Growth from the first contact on draws the film by a third more than that across it.
+        // Growth after the first contact stretches the film across by a third more.
         const auto late = [](double depth) { return depth > 0 ? 1.03 : 1.0; };
         QVERIFY(std::abs(filmOnCylinder(20, 28, grown(free, late)) * 1.04 / 28 - 1) < 1e-3);
     }

@@ -1,4 +1,4 @@
-// Sampling of the distance field, against fields that are known everywhere.
+// Sampling of the distance field, compared with fields in closed form.
 
 #include "common/FieldSampling.h"
 
@@ -36,16 +36,16 @@ double sphereError(int samples) {
 class FieldSamplingTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void linearFieldIsExact();
-    void errorFallsWithTheSquareOfTheSpacing();
-    void outsideTheGridTheWayToItIsAdded();
-    void clearanceIsNeverTooLarge();
-    void leadsToALevel();
-    void gradientOverCellsIsSteady();
-    void noNumberGivesNone();
+    void sampleField_linearField_isExact();
+    void sampleField_error_fallsWithTheSquareOfTheSpacing();
+    void sampleField_outsideTheGrid_addsTheWayToIt();
+    void clearance_neverExceedsTheDistance();
+    void onLevel_reachesTheLevel();
+    void smoothGradient_acrossCells_isContinuous();
+    void sampleField_notANumber_givesNaN();
 };
 
-void FieldSamplingTest::linearFieldIsExact() {
+void FieldSamplingTest::sampleField_linearField_isExact() {
     const test::SampledBody body = test::sampledBody(10, 11, linearAt);
     const auto field = fieldGrid<double>(body.view);
     std::mt19937 random(1);
@@ -59,12 +59,15 @@ void FieldSamplingTest::linearFieldIsExact() {
     }
 }
 
-void FieldSamplingTest::errorFallsWithTheSquareOfTheSpacing() {
+void FieldSamplingTest::sampleField_error_fallsWithTheSquareOfTheSpacing() {
     const double coarse = sphereError(33), fine = sphereError(65);
-    QVERIFY2(fine < coarse / 3, qPrintable(QStringLiteral("%1 %2").arg(coarse).arg(fine)));
+    QVERIFY2(fine < coarse / 3,
+             qPrintable(QStringLiteral("error %1 mm on the coarse grid, %2 mm on the fine one")
+                            .arg(coarse)
+                            .arg(fine)));
 }
 
-void FieldSamplingTest::outsideTheGridTheWayToItIsAdded() {
+void FieldSamplingTest::sampleField_outsideTheGrid_addsTheWayToIt() {
     const test::SampledBody body = test::sampledBody(10, 11, linearAt);
     const auto field = fieldGrid<double>(body.view);
     const FieldSample<double> sample = sampleField(field, Place{8, 9, 0});
@@ -72,7 +75,7 @@ void FieldSamplingTest::outsideTheGridTheWayToItIsAdded() {
     QVERIFY(std::abs(sample.distance - (linearAt(5, 5, 0) + 5)) < 1e-5);
 }
 
-void FieldSamplingTest::clearanceIsNeverTooLarge() {
+void FieldSamplingTest::clearance_neverExceedsTheDistance() {
     const test::SampledBody body = test::sphere(30, 65);
     const auto field = fieldGrid<double>(body.view);
     std::mt19937 random(2);
@@ -83,19 +86,19 @@ void FieldSamplingTest::clearanceIsNeverTooLarge() {
     }
 }
 
-void FieldSamplingTest::leadsToALevel() {
+void FieldSamplingTest::onLevel_reachesTheLevel() {
     const test::SampledBody body = test::sphere(30, 65);
     const auto field = fieldGrid<double>(body.view);
     for (const double level : {0.0, 0.2}) {
         const Place place = onLevel(field, Place{20, 15, 12}, level);
         QVERIFY(std::abs(sampleField(field, place).distance - level) <= 1e-4 * field.spacing);
         QVERIFY(std::abs(length(place) - (30 + level)) < 0.02);
-        // straight out from the middle
+        // radially outwards from the centre
         QVERIFY(std::abs(place.x / place.y - 20.0 / 15) < 0.02);
     }
 }
 
-void FieldSamplingTest::gradientOverCellsIsSteady() {
+void FieldSamplingTest::smoothGradient_acrossCells_isContinuous() {
     const test::SampledBody body = test::sphere(30, 65);
     const auto field = fieldGrid<double>(body.view);
     Place last = smoothGradient(field, Place{30, 0, 0});
@@ -108,7 +111,7 @@ void FieldSamplingTest::gradientOverCellsIsSteady() {
     }
 }
 
-void FieldSamplingTest::noNumberGivesNone() {
+void FieldSamplingTest::sampleField_notANumber_givesNaN() {
     const test::SampledBody body = test::sphere(30, 17);
     const double none = std::numeric_limits<double>::quiet_NaN();
     QVERIFY(std::isnan(sampleField(fieldGrid<double>(body.view), Place{none, 0, 0}).distance));

@@ -1,4 +1,4 @@
-// Rows of numbers for the tests of row kernels.
+// Makes rows of random numbers for tests of row kernels.
 #pragma once
 
 #include <algorithm>

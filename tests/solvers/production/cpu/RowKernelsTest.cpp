@@ -1,5 +1,5 @@
-// The row kernels in this processor's vectors, against the same arithmetic one number after the
-// other: bit for bit, for rows of every length.
+// The row kernels in vector instructions, compared bit for bit with scalar arithmetic, for rows of
+// every length.
 
 #include "production/cpu/RowKernels.h"
 #include "RandomRows.h"
@@ -60,7 +60,7 @@ struct Cells {
     static constexpr float edgeZ = 0.97f, inverseZ = 1.03f;
 };
 
-// Forces on the edges, and states, of a row of cells, one after the other.
+// Forces on the edges of a row of cells, and their states, filled cell by cell.
 struct Edges {
     explicit Edges(std::size_t count) : arrays(8, Row(count)), states(8, Row(count)) {}
     RowOfForces forces() {
@@ -103,15 +103,15 @@ struct Edges {
 class RowKernelsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void sums();
-    void linearCombinations();
-    void forcesOfCells();
-    void stiffnessOfTriangles();
-    void forcesOnPoints();
-    void rangeOfStretch();
+    void rowSums_everyLength_equalScalarBits();
+    void rowCombinations_everyLength_equalScalarBits();
+    void gradientAndHessianRow_everyLength_equalScalarBits();
+    void stiffnessRow_everyLength_equalsScalarBits();
+    void addForces_everyLength_equalsScalarBits();
+    void stretchRange_everyLength_equalsScalarBits();
 };
 
-void RowKernelsTest::sums() {
+void RowKernelsTest::rowSums_everyLength_equalScalarBits() {
     for (std::size_t count = 0; count <= longest; ++count) {
         const Row a = randomRow(count, 1), b = randomRow(count, 2), w = randomRow(count, 3, 0, 1);
         float products[16] = {}, squares[16] = {};
@@ -134,7 +134,7 @@ void RowKernelsTest::sums() {
     }
 }
 
-void RowKernelsTest::linearCombinations() {
+void RowKernelsTest::rowCombinations_everyLength_equalScalarBits() {
     for (std::size_t count = 0; count <= longest; ++count) {
         const Row a = randomRow(count, 1), b = randomRow(count, 2), c = randomRow(count, 3);
         const float factor = 0.37f;
@@ -159,7 +159,7 @@ void RowKernelsTest::linearCombinations() {
     }
 }
 
-void RowKernelsTest::forcesOfCells() {
+void RowKernelsTest::gradientAndHessianRow_everyLength_equalScalarBits() {
     for (std::size_t count = 1; count <= longest; ++count) {
         const Cells film(count);
         for (const bool isCrept : {false, true}) {
@@ -200,7 +200,7 @@ void RowKernelsTest::forcesOfCells() {
     }
 }
 
-void RowKernelsTest::stiffnessOfTriangles() {
+void RowKernelsTest::stiffnessRow_everyLength_equalsScalarBits() {
     for (std::size_t count = 1; count <= longest; ++count) {
         const Cells film(count);
         for (const bool isCrept : {false, true}) {
@@ -231,7 +231,7 @@ void RowKernelsTest::stiffnessOfTriangles() {
     }
 }
 
-void RowKernelsTest::forcesOnPoints() {
+void RowKernelsTest::addForces_everyLength_equalsScalarBits() {
     for (std::size_t cells = 1; cells <= longest; ++cells) {
         const Row edge = randomRow(cells, 1), left = randomRow(cells, 2),
                   right = randomRow(cells, 3);
@@ -248,7 +248,7 @@ void RowKernelsTest::forcesOnPoints() {
     }
 }
 
-void RowKernelsTest::rangeOfStretch() {
+void RowKernelsTest::stretchRange_everyLength_equalsScalarBits() {
     for (std::size_t count = 1; count <= longest; ++count) {
         const Cells film(count);
         const Row moving[2] = {randomRow(count, 5, 0, 1), randomRow(count, 6, 0, 1)};

@@ -16,12 +16,12 @@ struct SheetChange {
 
 // Limits for an accurate sheet: for the distance of 95 % of it, and for the surface that only one
 // of two dips paints. The latter allows about one film cell along the border.
-inline constexpr double certainHalfStep = 0.05;    // mm, with steps half as long
-inline constexpr double certainHalfSpacing = 0.15; // mm, with film cells half as wide
-inline constexpr double certainPaintedOnce = 0.05; // share of the body's surface
+inline constexpr double mostHalfStepChange = 0.05;    // mm, with steps half as long
+inline constexpr double mostHalfSpacingChange = 0.15; // mm, with film cells half as wide
+inline constexpr double mostPaintedOnce = 0.05;       // share of the body's surface
 
 // Whether the change keeps the limits; false if nothing is painted.
-bool isCertain(const SheetChange& change, double mostDistance);
+bool isAccurateEnough(const SheetChange& change, double mostDistance);
 
 // Returns points spread evenly over the body, at which sheets are compared.
 std::vector<SurfacePoint> comparedPlaces(const TriangleMesh& body);

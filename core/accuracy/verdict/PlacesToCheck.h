@@ -19,7 +19,7 @@ struct ZoneError {
     double far = 0;          // share of that area whose numerical error exceeds the limit
 };
 
-struct UncertainPlaces {
+struct PlacesToCheck {
     std::vector<ZoneError> zones; // only painted zones, A first
     std::vector<PlaceToCheck> places;
     double area = 0; // of all places to check, mm²
@@ -27,7 +27,7 @@ struct UncertainPlaces {
 
 // `pointErrors`: NumericalErrorEstimate::pointErrors; empty if the error is not known. `zones`:
 // null if the whole body is in zone C.
-UncertainPlaces uncertainPlaces(const LaidFilm& laid, const std::vector<float>& pointErrors,
-                                const ZonedBody* zones, const ToleranceSettings& settings);
+PlacesToCheck placesToCheck(const LaidFilm& laid, const std::vector<float>& pointErrors,
+                            const ZonedBody* zones, const ToleranceSettings& settings);
 
 } // namespace dipwright

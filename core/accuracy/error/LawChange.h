@@ -2,7 +2,7 @@
 // (docs/film-model.md, "Constants of ours").
 #pragma once
 
-#include "accuracy/certainty/SheetChange.h"
+#include "accuracy/numericalError/SheetChange.h"
 
 #include <functional>
 
@@ -15,7 +15,7 @@ struct LawChange {
     // The larger of both moves in mm, over evenly spread points that all three films paint.
     Distribution distance;
     // Shares of the painted area for which at least one variation has this effect:
-    double moved = 0; // moves farther than the limit certainHalfSpacing
+    double moved = 0; // moves farther than the limit mostHalfSpacingChange
     double lost = 0;  // is no longer painted
 
     double dependent() const { return moved + lost; } // no place counts in both

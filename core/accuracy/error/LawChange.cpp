@@ -1,4 +1,4 @@
-#include "accuracy/certainty/LawChange.h"
+#include "accuracy/numericalError/LawChange.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -46,7 +46,7 @@ void measureLaw(LawChange& change, const LaidFilm& own, const LaidFilm& less,
         }
     }
     const auto moved = std::count_if(moves.begin(), moves.end(), [](float distance) {
-        return double(distance) > certainHalfSpacing;
+        return double(distance) > mostHalfSpacingChange;
     });
     if (painted > 0) {
         change.moved = double(moved) / double(painted);
@@ -63,7 +63,7 @@ QString lawText(const LawChange& change, const std::function<QString(double)>& l
                     "%5. %6 % of it moves by more than %7, and %8 % is no longer painted.")
         .arg(nameOf(change.setting), number(change.less), number(change.more), number(change.value),
              length(change.distance.percentile95), percent(change.moved),
-             length(certainHalfSpacing), percent(change.lost));
+             length(mostHalfSpacingChange), percent(change.lost));
 }
 
 } // namespace dipwright

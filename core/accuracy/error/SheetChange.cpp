@@ -1,4 +1,4 @@
-#include "accuracy/certainty/SheetChange.h"
+#include "accuracy/numericalError/SheetChange.h"
 
 #include "geometry/SurfaceSamples.h"
 #include "parallel/ParallelFor.h"
@@ -20,9 +20,9 @@ float move(const LaidFilm& own, const LaidFilm& other, const SurfacePoint& place
 
 } // namespace
 
-bool isCertain(const SheetChange& change, double mostDistance) {
+bool isAccurateEnough(const SheetChange& change, double mostDistance) {
     return change.painted > 0 && change.distance.percentile95 <= mostDistance &&
-           change.paintedOnce <= certainPaintedOnce;
+           change.paintedOnce <= mostPaintedOnce;
 }
 
 std::vector<SurfacePoint> comparedPlaces(const TriangleMesh& body) {

@@ -1,4 +1,4 @@
-#include "workbench/accuracy/CertaintyDialog.h"
+#include "workbench/accuracy/NumericalErrorDialog.h"
 
 #include "workbench/widgets/PicturePanel.h"
 
@@ -24,7 +24,7 @@ QString shownDistance(double millimetres, LengthUnit unit) {
 
 QStringList figures(const SheetChange& change, LengthUnit unit) {
     const auto percent = [](double share) {
-        return CertaintyDialog::tr("%1 %").arg(QLocale().toString(100 * share, 'f', 1));
+        return NumericalErrorDialog::tr("%1 %").arg(QLocale().toString(100 * share, 'f', 1));
     };
     return {shownDistance(change.distance.mean, unit),
             shownDistance(change.distance.percentile95, unit),
@@ -32,22 +32,23 @@ QStringList figures(const SheetChange& change, LengthUnit unit) {
             percent(change.paintedOnce)};
 }
 
-QTableWidget* table(const ImmersionCertainty& certainty, LengthUnit unit) {
-    const QStringList columns{
-        CertaintyDialog::tr("Mean"), CertaintyDialog::tr("95 %"), CertaintyDialog::tr("Maximum"),
-        CertaintyDialog::tr("Painted in both"), CertaintyDialog::tr("Painted in one")};
+QTableWidget* table(const DipNumericalError& numericalError, LengthUnit unit) {
+    const QStringList columns{NumericalErrorDialog::tr("Mean"), NumericalErrorDialog::tr("95 %"),
+                              NumericalErrorDialog::tr("Maximum"),
+                              NumericalErrorDialog::tr("Painted in both"),
+                              NumericalErrorDialog::tr("Painted in one")};
     auto* table = new QTableWidget(2, int(columns.size()));
     table->setObjectName(QStringLiteral("figures"));
-    table->setAccessibleName(CertaintyDialog::tr("How far the sheet moves"));
+    table->setAccessibleName(NumericalErrorDialog::tr("How far the sheet moves"));
     table->setHorizontalHeaderLabels(columns);
-    table->horizontalHeaderItem(3)->setToolTip(
-        CertaintyDialog::tr("Share of the part's surface that is painted in both computations"));
-    table->horizontalHeaderItem(4)->setToolTip(CertaintyDialog::tr(
+    table->horizontalHeaderItem(3)->setToolTip(NumericalErrorDialog::tr(
+        "Share of the part's surface that is painted in both computations"));
+    table->horizontalHeaderItem(4)->setToolTip(NumericalErrorDialog::tr(
         "Share of the part's surface that is painted in only one of the two computations"));
-    table->setVerticalHeaderLabels({CertaintyDialog::tr("With half the step"),
-                                    CertaintyDialog::tr("With half the cell width")});
+    table->setVerticalHeaderLabels({NumericalErrorDialog::tr("With half the step"),
+                                    NumericalErrorDialog::tr("With half the cell width")});
     int row = 0;
-    for (const SheetChange* change : {&certainty.halfStep, &certainty.halfSpacing}) {
+    for (const SheetChange* change : {&numericalError.halfStep, &numericalError.halfSpacing}) {
         const QStringList texts = figures(*change, unit);
         for (int column = 0; column < texts.size(); ++column) {
             auto* item = new QTableWidgetItem(texts[column]);
@@ -73,54 +74,58 @@ QLabel* sentence(const QString& text) {
     return label;
 }
 
-QWidget* page(const ImmersionCertainty& certainty, LengthUnit unit) {
-    QLabel* verdict = sentence(numericalErrorSentence(certainty, unit));
+QWidget* page(const DipNumericalError& numericalError, LengthUnit unit) {
+    QLabel* verdict = sentence(numericalErrorSentence(numericalError, unit));
     verdict->setObjectName(QStringLiteral("verdict"));
-    auto* picture = new PicturePanel(CertaintyDialog::tr("Numerical error of the sheet"), {});
-    const QImage map = mapOf(certainty, unit);
+    auto* picture = new PicturePanel(NumericalErrorDialog::tr("Numerical error of the sheet"), {});
+    const QImage map = mapOf(numericalError, unit);
     picture->setPicture(map, QSizeF(map.size()) / mapPixelsPerMillimetre);
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
     layout->addWidget(verdict);
-    layout->addWidget(table(certainty, unit));
+    layout->addWidget(table(numericalError, unit));
     layout->addWidget(picture, 1);
     return page;
 }
 
 } // namespace
 
-QString numericalErrorSentence(const ImmersionCertainty& certainty, LengthUnit unit) {
-    const QString& name = certainty.immersion.name;
-    if (certainty.halfSpacing.painted == 0) {
-        return CertaintyDialog::tr("%1: the dip paints nothing, so there is nothing to compare.")
+QString numericalErrorSentence(const DipNumericalError& numericalError, LengthUnit unit) {
+    const QString& name = numericalError.immersion.name;
+    if (numericalError.halfSpacing.painted == 0) {
+        return NumericalErrorDialog::tr(
+                   "%1: the dip paints nothing, so there is nothing to compare.")
             .arg(name);
     }
-    const QString distance = shownDistance(std::max(certainty.halfStep.distance.percentile95,
-                                                    certainty.halfSpacing.distance.percentile95),
-                                           unit);
-    return isCertain(certainty)
-               ? CertaintyDialog::tr("%1: this sheet is accurate enough. 95 % of it is within %2 "
-                                     "(numerical error).")
+    const QString distance =
+        shownDistance(std::max(numericalError.halfStep.distance.percentile95,
+                               numericalError.halfSpacing.distance.percentile95),
+                      unit);
+    return isAccurateEnough(numericalError)
+               ? NumericalErrorDialog::tr(
+                     "%1: this sheet is accurate enough. 95 % of it is within %2 "
+                     "(numerical error).")
                      .arg(name, distance)
-               : CertaintyDialog::tr("%1: this sheet is not accurate enough. 95 % of it is only "
-                                     "within %2 (numerical error). Use smaller film cells or more "
-                                     "points, turn the part, or dip it twice.")
+               : NumericalErrorDialog::tr(
+                     "%1: this sheet is not accurate enough. 95 % of it is only "
+                     "within %2 (numerical error). Use smaller film cells or more "
+                     "points, turn the part, or dip it twice.")
                      .arg(name, distance);
 }
 
-CertaintyDialog::CertaintyDialog(const std::vector<ImmersionCertainty>& certainty, bool outdated,
-                                 LengthUnit unit, QWidget* parent)
+NumericalErrorDialog::NumericalErrorDialog(const std::vector<DipNumericalError>& numericalError,
+                                           bool outdated, LengthUnit unit, QWidget* parent)
     : QDialog(parent) {
     setObjectName(QStringLiteral("certaintyDialog"));
     setWindowTitle(tr("Numerical error of the sheets"));
     auto* tabs = new QTabWidget;
     tabs->setDocumentMode(true);
-    for (const ImmersionCertainty& one : certainty) {
+    for (const DipNumericalError& one : numericalError) {
         tabs->addTab(page(one, unit), one.immersion.name);
     }
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     QPushButton* save = buttons->addButton(tr("&Save maps…"), QDialogButtonBox::ActionRole);
-    connect(save, &QPushButton::clicked, this, &CertaintyDialog::askFolder);
+    connect(save, &QPushButton::clicked, this, &NumericalErrorDialog::askFolder);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);
     if (outdated) {
@@ -132,7 +137,7 @@ CertaintyDialog::CertaintyDialog(const std::vector<ImmersionCertainty>& certaint
     resize(860, 720);
 }
 
-void CertaintyDialog::askFolder() {
+void NumericalErrorDialog::askFolder() {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Save maps to a folder"));
     if (!folder.isEmpty()) {
         emit saveAsked(folder);

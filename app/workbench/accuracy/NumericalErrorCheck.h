@@ -2,7 +2,7 @@
 // when start() is called.
 #pragma once
 
-#include "pipeline/SheetCertainty.h"
+#include "pipeline/SheetNumericalError.h"
 #include "workbench/document/Document.h"
 #include "workbench/jobs/JobRunner.h"
 #include "workbench/jobs/Messages.h"
@@ -11,19 +11,19 @@
 
 namespace dipwright {
 
-class CertaintyCheck : public QObject {
+class NumericalErrorCheck : public QObject {
     Q_OBJECT
 
 public:
-    CertaintyCheck(JobRunner& jobs, const SolverRegistry& registry, Messages& messages,
-                   QObject* parent = nullptr);
+    NumericalErrorCheck(JobRunner& jobs, const SolverRegistry& registry, Messages& messages,
+                        QObject* parent = nullptr);
 
     void start(const Document& document); // works without a result, too
     void cancel();                        // so that a dip need not wait for it
 
 signals:
     // `outdated`: the project has changed since the start.
-    void done(const std::vector<dipwright::ImmersionCertainty>& certainty, bool outdated);
+    void done(const std::vector<dipwright::DipNumericalError>& numericalError, bool outdated);
 
 private:
     JobRunner& jobs_;

@@ -2,7 +2,7 @@
 // the dip itself (docs/film-validation.md, "The verdict").
 #pragma once
 
-#include "accuracy/certainty/SheetChange.h"
+#include "accuracy/numericalError/SheetChange.h"
 #include "base/Progress.h"
 #include "dip/Dip.h"
 

@@ -1,5 +1,5 @@
 // How far sheets move when they are computed more finely, and the report of it.
-#include "pipeline/SheetCertainty.h"
+#include "pipeline/SheetNumericalError.h"
 #include "TestFolders.h"
 #include "project/Project.h"
 
@@ -34,13 +34,13 @@ Project sphereOn(int points) {
 
 } // namespace
 
-class SheetCertaintyTest : public QObject {
+class SheetNumericalErrorTest : public QObject {
     Q_OBJECT
 
 private slots:
     void initTestCase() {
         QStandardPaths::setTestModeEnabled(true);
-        coarse_ = sheetCertainty(sphereOn(25), registry_, {});
+        coarse_ = sheetNumericalError(sphereOn(25), registry_, {});
     }
 
     void sheetCertainty_samples_areCertain_data() {
@@ -53,29 +53,29 @@ private slots:
     void sheetCertainty_samples_areCertain() {
         QFETCH(QByteArray, name);
         const Project project = sample(name);
-        const auto certainty = sheetCertainty(project, registry_, {});
-        QCOMPARE(certainty.size(), project.immersions.size());
-        for (const ImmersionCertainty& one : certainty) {
+        const auto numericalError = sheetNumericalError(project, registry_, {});
+        QCOMPARE(numericalError.size(), project.immersions.size());
+        for (const DipNumericalError& one : numericalError) {
             const double step = one.halfStep.distance.percentile95;
             const double spacing = one.halfSpacing.distance.percentile95;
-            QVERIFY2(step < certainHalfStep,
+            QVERIFY2(step < mostHalfStepChange,
                      qPrintable(
                          QStringLiteral("half the step moves 95 % by up to %1 mm, expected < %2 mm")
                              .arg(step)
-                             .arg(certainHalfStep)));
-            QVERIFY2(spacing < certainHalfSpacing,
+                             .arg(mostHalfStepChange)));
+            QVERIFY2(spacing < mostHalfSpacingChange,
                      qPrintable(
                          QStringLiteral("half the cell moves 95 % by up to %1 mm, expected < %2 mm")
                              .arg(spacing)
-                             .arg(certainHalfSpacing)));
+                             .arg(mostHalfSpacingChange)));
             QVERIFY(one.halfSpacing.painted > 0.5 && one.halfSpacing.painted < 0.8);
             QVERIFY(one.halfSpacing.paintedOnce < 0.02);
-            QVERIFY(isCertain(one));
+            QVERIFY(isAccurateEnough(one));
         }
     }
 
     void sheetCertainty_moreFilmPoints_moveLess() {
-        const auto finer = sheetCertainty(sphereOn(49), registry_, {});
+        const auto finer = sheetNumericalError(sphereOn(49), registry_, {});
         const Distribution& change = finer[0].halfSpacing.distance;
         QVERIFY(change.percentile95 < coarse_[0].halfSpacing.distance.percentile95 / 2);
         QVERIFY(change.percentile95 > 0);
@@ -91,10 +91,11 @@ private slots:
     }
 
     void sheetCertainty_tooCoarseFilm_isNotCertain() {
-        const auto certainty = sheetCertainty(sphereOn(9), registry_, {});
-        QVERIFY(certainty[0].halfSpacing.distance.percentile95 > certainHalfSpacing);
-        QVERIFY(!isCertain(certainty[0]));
-        const QJsonObject json = certaintyJson(certainty)["immersions"].toArray()[0].toObject();
+        const auto numericalError = sheetNumericalError(sphereOn(9), registry_, {});
+        QVERIFY(numericalError[0].halfSpacing.distance.percentile95 > mostHalfSpacingChange);
+        QVERIFY(!isAccurateEnough(numericalError[0]));
+        const QJsonObject json =
+            numericalErrorJson(numericalError)["immersions"].toArray()[0].toObject();
         QCOMPARE(json["name"].toString(), QStringLiteral("Front"));
         QCOMPARE(json["certain"].toBool(true), false);
     }
@@ -102,18 +103,18 @@ private slots:
     void sheetCertainty_sheetPaintsNothing_isNotCertain() {
         Project project = sphereOn(9);
         project.film.width = project.film.height = Millimetres(900);
-        const auto certainty = sheetCertainty(project, registry_, {});
-        QCOMPARE(certainty[0].halfStep.painted, 0.0);
-        QVERIFY(!isCertain(certainty[0]));
+        const auto numericalError = sheetNumericalError(project, registry_, {});
+        QCOMPARE(numericalError[0].halfStep.painted, 0.0);
+        QVERIFY(!isAccurateEnough(numericalError[0]));
     }
 
     void sheetCertainty_papersFilm_isComputed() {
         Project project = sphereOn(17);
         applyPreset(project, QStringLiteral("paper-2020"));
         project.film.columns = project.film.rows = 17;
-        const auto certainty = sheetCertainty(project, registry_, {});
-        QVERIFY(certainty[0].halfStep.distance.percentile95 > 0);
-        QVERIFY(certainty[0].halfSpacing.distance.percentile95 > 0);
+        const auto numericalError = sheetNumericalError(project, registry_, {});
+        QVERIFY(numericalError[0].halfStep.distance.percentile95 > 0);
+        QVERIFY(numericalError[0].halfSpacing.distance.percentile95 > 0);
     }
 
     void sheetCertainty_gpuMissing_cpuTakesOver() {
@@ -126,17 +127,17 @@ private slots:
         const SolverRegistry registry({folder.path(), pluginFolder()});
         Project project = sphereOn(25);
         project.process.solver = QStringLiteral("device");
-        const auto certainty = sheetCertainty(project, registry, {});
-        QCOMPARE(certainty[0].halfSpacing.distance.mean, coarse_[0].halfSpacing.distance.mean);
-        QVERIFY(certainty[0].notes.join('\n').contains("The CPU takes over"));
+        const auto numericalError = sheetNumericalError(project, registry, {});
+        QCOMPARE(numericalError[0].halfSpacing.distance.mean, coarse_[0].halfSpacing.distance.mean);
+        QVERIFY(numericalError[0].notes.join('\n').contains("The CPU takes over"));
         QVERIFY(coarse_[0].notes.isEmpty());
     }
 
     void writeCertaintyMaps_replacesEarlierMaps() {
         const QTemporaryDir folder;
-        writeCertaintyMaps({coarse_[0], coarse_[0]}, folder.filePath("maps"));
+        writeNumericalErrorMaps({coarse_[0], coarse_[0]}, folder.filePath("maps"));
         QVERIFY(QFileInfo::exists(folder.filePath("maps/certainty-2.png")));
-        writeCertaintyMaps(coarse_, folder.filePath("maps"));
+        writeNumericalErrorMaps(coarse_, folder.filePath("maps"));
         const QImage map(folder.filePath("maps/certainty-1.png"));
         QVERIFY(map.height() >= 1000);
         QCOMPARE(QDir(folder.filePath("maps"))
@@ -148,7 +149,7 @@ private slots:
         Project project = sphereOn(25);
         project.film.rows = 1500;
         try {
-            sheetCertainty(project, registry_, {});
+            sheetNumericalError(project, registry_, {});
             QFAIL("too many points were computed, expected a refusal");
         } catch (const Error& error) {
             QVERIFY2(error.sentence().contains("49 × 2999"), qPrintable(error.sentence()));
@@ -162,7 +163,7 @@ private slots:
             QVERIFY2(share >= last - 1e-9 && share <= 1 + 1e-9, qPrintable(text));
             last = share;
         };
-        sheetCertainty(sphereOn(9), registry_, progress);
+        sheetNumericalError(sphereOn(9), registry_, progress);
         QVERIFY(last > 0.9);
     }
 
@@ -174,13 +175,13 @@ private slots:
                 cancelToken.cancel();
             }
         };
-        QVERIFY_EXCEPTION_THROWN(sheetCertainty(sphereOn(49), registry_, progress), Cancelled);
+        QVERIFY_EXCEPTION_THROWN(sheetNumericalError(sphereOn(49), registry_, progress), Cancelled);
     }
 
 private:
     const SolverRegistry registry_{QStringList{pluginFolder()}};
-    std::vector<ImmersionCertainty> coarse_;
+    std::vector<DipNumericalError> coarse_;
 };
 
-QTEST_MAIN(SheetCertaintyTest)
-#include "SheetCertaintyTest.moc"
+QTEST_MAIN(SheetNumericalErrorTest)
+#include "SheetNumericalErrorTest.moc"

@@ -1,4 +1,4 @@
-#include "accuracy/verdict/UncertainPlaces.h"
+#include "accuracy/verdict/PlacesToCheck.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ struct Piece {
 };
 
 // A triangle of painted film that needs a check.
-struct UncertainPiece {
+struct PieceToCheck {
     FilmTriangle corners;
     double area = 0, limit = 0;
 };
@@ -72,7 +72,7 @@ public:
 
     std::vector<PlaceToCheck> places() const {
         std::map<std::uint32_t, PlaceToCheck> byPart; // in the points' order
-        for (const UncertainPiece& piece : uncertain_) {
+        for (const PieceToCheck& piece : uncertain_) {
             PlaceToCheck& place = byPart[parts_.of(piece.corners[0])];
             const bool isFirst = place.area == 0;
             place.area += piece.area;
@@ -97,7 +97,7 @@ public:
         return places;
     }
 
-    double uncertainArea() const {
+    double areaToCheck() const {
         return std::accumulate(uncertain_.begin(), uncertain_.end(), 0.0,
                                [](double sum, const auto& piece) { return sum + piece.area; });
     }
@@ -170,15 +170,15 @@ private:
     const ToleranceSettings& settings_;
     Parts parts_;
     std::array<std::vector<Piece>, zoneCount> pieces_;
-    std::vector<UncertainPiece> uncertain_;
+    std::vector<PieceToCheck> uncertain_;
 };
 
 } // namespace
 
-UncertainPlaces uncertainPlaces(const LaidFilm& laid, const std::vector<float>& pointErrors,
-                                const ZonedBody* zones, const ToleranceSettings& settings) {
+PlacesToCheck placesToCheck(const LaidFilm& laid, const std::vector<float>& pointErrors,
+                            const ZonedBody* zones, const ToleranceSettings& settings) {
     PaintedFilm film(laid, pointErrors, zones, settings);
-    return {film.zoneErrors(), film.places(), film.uncertainArea()};
+    return {film.zoneErrors(), film.places(), film.areaToCheck()};
 }
 
 } // namespace dipwright

@@ -1,7 +1,7 @@
 // Measures the numerical error of a job's sheets by repeating the dips with finer cells and steps.
 #pragma once
 
-#include "accuracy/certainty/SheetChange.h"
+#include "accuracy/numericalError/SheetChange.h"
 #include "base/Units.h"
 #include "settings/Immersion.h"
 #include "solver/SolverRegistry.h"
@@ -15,7 +15,7 @@ struct Project;
 class LaidFilm;
 
 // The numerical error of one dip's sheet.
-struct ImmersionCertainty {
+struct DipNumericalError {
     Immersion immersion;
     SheetChange halfStep;    // with steps half as long
     SheetChange halfSpacing; // with film cells and steps half as long
@@ -27,26 +27,28 @@ struct ImmersionCertainty {
 };
 
 // Draws how far the film moves: numericalErrorMap() in Results.h.
-QImage mapOf(const ImmersionCertainty& certainty, LengthUnit unit = LengthUnit::Millimetre);
+QImage mapOf(const DipNumericalError& numericalError, LengthUnit unit = LengthUnit::Millimetre);
 
 // Whether both changes keep their limits; false if nothing is painted.
-bool isCertain(const ImmersionCertainty& certainty);
+bool isAccurateEnough(const DipNumericalError& numericalError);
 
 // Simulates each immersion three times with one solver: the project's, or the best CPU solver if
 // the project's needs a GPU that is missing or fails. Any thread; touches no file except the field
 // cache; the maps need a QGuiApplication. Throws Error (no model, no such solver, no contact, too
 // many film points with half the spacing) or Cancelled.
-std::vector<ImmersionCertainty>
-sheetCertainty(const Project& project, const SolverRegistry& registry, const Progress& progress);
+std::vector<DipNumericalError> sheetNumericalError(const Project& project,
+                                                   const SolverRegistry& registry,
+                                                   const Progress& progress);
 
 // Writes the maps into `folder` as certainty-N.png for immersion N. Replaces the maps of an earlier
 // check, all or none (disk/FolderTransaction.h); other files stay. Throws Error. checkMapFolder
 // throws Error if the maps could not be written; call it before the work.
 void checkMapFolder(const QString& folder);
-void writeCertaintyMaps(const std::vector<ImmersionCertainty>& certainty, const QString& folder);
+void writeNumericalErrorMaps(const std::vector<DipNumericalError>& numericalError,
+                             const QString& folder);
 
 // {"version":1,"immersions":[{"name","certain","half_step":{"mean_mm","p95_mm","max_mm","painted",
 // "painted_once"},"half_spacing":{…},"unmarked":{"half_step":{…},"half_spacing":{…}}}]}
-QJsonObject certaintyJson(const std::vector<ImmersionCertainty>& certainty);
+QJsonObject numericalErrorJson(const std::vector<DipNumericalError>& numericalError);
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-#include "accuracy/certainty/NumericalErrorEstimate.h"
+#include "accuracy/numericalError/NumericalErrorEstimate.h"
 
 #include "base/Error.h"
 #include "parallel/ParallelFor.h"

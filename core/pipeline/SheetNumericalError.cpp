@@ -1,4 +1,4 @@
-#include "pipeline/SheetCertainty.h"
+#include "pipeline/SheetNumericalError.h"
 
 #include "base/Error.h"
 #include "base/Png.h"
@@ -67,9 +67,9 @@ std::vector<float> pointMoves(const LaidFilm& own, const LaidFilm& finer) {
     return distances;
 }
 
-ImmersionCertainty certainty(const Project& project, const Immersion& immersion,
-                             const DistanceField& field, const solver::SolverModule& module,
-                             const Progress& progress) {
+DipNumericalError numericalError(const Project& project, const Immersion& immersion,
+                                 const DistanceField& field, const solver::SolverModule& module,
+                                 const Progress& progress) {
     const auto body = std::make_shared<const PosedBody>(posedBody(project.model->mesh, immersion));
     const std::vector<SurfacePoint> places = comparedPlaces(body->mesh);
     // The changes at all places, and at the unmarked ones.
@@ -84,7 +84,7 @@ ImmersionCertainty certainty(const Project& project, const Immersion& immersion,
         return layFilm(body, std::move(film), job.process);
     };
     const auto own = laid(project, progress.part(0, ownDone));
-    ImmersionCertainty result;
+    DipNumericalError result;
     result.immersion = immersion;
     std::tie(result.halfStep, result.unmarkedHalfStep) =
         changes(*own, *laid(withHalfStep(project), progress.part(ownDone, halfStepDone)));
@@ -105,17 +105,19 @@ QJsonObject toJson(const SheetChange& change) {
 
 } // namespace
 
-QImage mapOf(const ImmersionCertainty& certainty, LengthUnit unit) {
-    return numericalErrorMap(*certainty.laid, certainty.moves, certainHalfSpacing, mapEdge, unit);
+QImage mapOf(const DipNumericalError& numericalError, LengthUnit unit) {
+    return numericalErrorMap(*numericalError.laid, numericalError.moves, mostHalfSpacingChange,
+                             mapEdge, unit);
 }
 
-bool isCertain(const ImmersionCertainty& certainty) {
-    return isCertain(certainty.halfStep, certainHalfStep) &&
-           isCertain(certainty.halfSpacing, certainHalfSpacing);
+bool isAccurateEnough(const DipNumericalError& numericalError) {
+    return isAccurateEnough(numericalError.halfStep, mostHalfStepChange) &&
+           isAccurateEnough(numericalError.halfSpacing, mostHalfSpacingChange);
 }
 
-std::vector<ImmersionCertainty>
-sheetCertainty(const Project& project, const SolverRegistry& registry, const Progress& progress) {
+std::vector<DipNumericalError> sheetNumericalError(const Project& project,
+                                                   const SolverRegistry& registry,
+                                                   const Progress& progress) {
     if (!project.model) {
         throw Error(Text::tr("The project has no model; import one first"), project.name);
     }
@@ -123,13 +125,13 @@ sheetCertainty(const Project& project, const SolverRegistry& registry, const Pro
     SolverChoice solver = chooseSolver(project.process.solver, registry, progress.cancelToken);
     const auto field = cachedDistanceField(project.model->mesh, project.fieldResolution,
                                            progress.part(0, fieldDone));
-    std::vector<ImmersionCertainty> result;
+    std::vector<DipNumericalError> result;
     const double share = (1 - fieldDone) / double(project.immersions.size());
     for (const Immersion& immersion : project.immersions) {
         const double begin = fieldDone + share * double(result.size());
         const Progress part = progress.part(begin, begin + share);
         result.push_back(withFallback(solver, registry, [&](const solver::SolverModule& module) {
-            return certainty(project, immersion, *field, module, part);
+            return numericalError(project, immersion, *field, module, part);
         }));
         result.back().notes = std::exchange(solver.notes, {});
     }
@@ -150,22 +152,23 @@ void checkMapFolder(const QString& folder) {
     const FolderTransaction trial(folder, mapNames());
 }
 
-void writeCertaintyMaps(const std::vector<ImmersionCertainty>& certainty, const QString& folder) {
+void writeNumericalErrorMaps(const std::vector<DipNumericalError>& numericalError,
+                             const QString& folder) {
     const QStringList names = mapNames();
     FolderTransaction results(folder, names);
-    for (std::size_t number = 0; number < certainty.size(); ++number) {
+    for (std::size_t number = 0; number < numericalError.size(); ++number) {
         const QString& name = names[qsizetype(number)];
-        results.write(name, pngBytes(mapOf(certainty[number]), name));
+        results.write(name, pngBytes(mapOf(numericalError[number]), name));
     }
     results.commit();
 }
 
-QJsonObject certaintyJson(const std::vector<ImmersionCertainty>& certainty) {
+QJsonObject numericalErrorJson(const std::vector<DipNumericalError>& numericalError) {
     QJsonArray immersions;
-    for (const ImmersionCertainty& one : certainty) {
+    for (const DipNumericalError& one : numericalError) {
         immersions.append(QJsonObject{
             {"name", one.immersion.name},
-            {"certain", isCertain(one)},
+            {"certain", isAccurateEnough(one)},
             {"half_step", toJson(one.halfStep)},
             {"half_spacing", toJson(one.halfSpacing)},
             {"unmarked", QJsonObject{{"half_step", toJson(one.unmarkedHalfStep)},

@@ -1,7 +1,7 @@
 // The dialog that shows the numerical error of a project's sheets: figures and a map for each dip.
 #pragma once
 
-#include "pipeline/SheetCertainty.h"
+#include "pipeline/SheetNumericalError.h"
 #include "workbench/widgets/Units.h"
 
 #include <QDialog>
@@ -9,15 +9,15 @@
 namespace dipwright {
 
 // Returns a sentence that says whether the sheet is accurate enough.
-QString numericalErrorSentence(const ImmersionCertainty& certainty, LengthUnit unit);
+QString numericalErrorSentence(const DipNumericalError& numericalError, LengthUnit unit);
 
-class CertaintyDialog : public QDialog {
+class NumericalErrorDialog : public QDialog {
     Q_OBJECT
 
 public:
     // `outdated`: the project has changed since the figures were computed.
-    CertaintyDialog(const std::vector<ImmersionCertainty>& certainty, bool outdated,
-                    LengthUnit unit, QWidget* parent = nullptr);
+    NumericalErrorDialog(const std::vector<DipNumericalError>& numericalError, bool outdated,
+                         LengthUnit unit, QWidget* parent = nullptr);
 
 signals:
     void saveAsked(const QString& folder); // asks to save all maps there
