@@ -4,7 +4,7 @@
 // The new files are written into a hidden folder inside the user's folder, which is locked. When
 // all are on disk, a journal is renamed into place there. From that moment the new files count.
 // Before it nothing outside has changed; after it the next program that comes by completes the
-// renaming (docs/files-and-commands.md, "Written whole or not at all").
+// renaming (docs/files-and-commands.md, "Atomic writes").
 #pragma once
 
 #include "disk/FileLock.h"

@@ -145,7 +145,7 @@ bool JudgedBody::isNarrow(std::size_t sample, const std::vector<const JudgedPose
 }
 
 // With n places per mm², each linked to all within r, a line crosses 2/3·n²·r³ links per mm (Cauchy
-// and Crofton; docs/pose-search.md, "The join").
+// and Crofton; docs/pose-search.md, "The seam").
 void JudgedBody::measureJoin(const std::vector<std::uint8_t>& painters,
                              const std::vector<const JudgedPose*>& dips,
                              PoseMeasures& measures) const {

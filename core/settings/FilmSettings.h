@@ -29,7 +29,7 @@ struct FilmBehaviour {
     Seconds relaxationTime{
         std::numeric_limits<double>::infinity()}; // infinity: elastic, 0: viscous
     Millimetres contactDistance{0};
-    // For the production film only (docs/film-model.md, "Constants of ours"; for the overhang and
+    // For the production film only (docs/film-model.md, "Assumed constants"; for the overhang and
     // the tear see ProcessSettings).
     double growthRate = 0;         // relative growth rate of its length while it floats, 1/s
     double growthLimit = 0;        // total relative growth of its length after a long time

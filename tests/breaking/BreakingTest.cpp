@@ -282,7 +282,7 @@ void BreakingTest::writes_killedOrFailing_areWholeAtNextStart() {
             const Outcome outcome =
                 place_.run(program, arguments, {at, QString::fromLatin1(how), {}});
             ++breaks;
-            if (way == 0) { // break the recovery as well, once
+            if (way == 0) { // break the recovery once, too
                 place_.run(cliPath(),
                            {QStringLiteral("info"), place_.path(QStringLiteral("job.dipw"))},
                            {1 + breaks % operationsOfAStart, QStringLiteral("EIO"), {}});

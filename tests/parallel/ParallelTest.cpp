@@ -29,7 +29,7 @@ private Q_SLOTS:
     void tasks_oneThrows_othersFinish();
     void tasks_destroyedWithoutWait_finish();
     void tasks_destroyedAfterException_deletesIt();
-    void undisturbed_loop_runsNoOtherTask();
+    void runIsolated_loop_runsNoOtherTask();
     void threadLimit_holdsWhileItLives();
     void threadTeam_run_finishesBeforeItReturns();
     void threadTeam_exception_reachesTheCaller();
@@ -182,7 +182,7 @@ void ParallelTest::tasks_destroyedAfterException_deletesIt() {
     QCOMPARE(int(gone), int(made));
 }
 
-void ParallelTest::undisturbed_loop_runsNoOtherTask() {
+void ParallelTest::runIsolated_loop_runsNoOtherTask() {
     const auto here = std::this_thread::get_id();
     bool isUndisturbed = false;
     std::atomic<int> disturbances = 0;

@@ -1,5 +1,5 @@
 // Tells how much a sheet depends on one film law that was assumed, not measured
-// (docs/film-model.md, "Constants of ours").
+// (docs/film-model.md, "Assumed constants").
 #pragma once
 
 #include "accuracy/numericalError/SheetChange.h"

@@ -92,7 +92,7 @@ private:
         QDir().mkpath(QFileInfo(out).path());
         const bool isProject = file.endsWith(QLatin1String(".dipw"));
 #if defined(DIPWRIGHT_SANITIZED)
-        constexpr int mostSeconds = 100; // sanitizers slow programs down by up to 20
+        constexpr int mostSeconds = 100; // sanitizers are up to 20 times slower
 #else
         constexpr int mostSeconds = 5;
 #endif

@@ -74,7 +74,7 @@ private slots:
         QCOMPARE(depth.exitCode, 1);
         QCOMPARE(depth.errorLines().size(), 1);
         QVERIFY(depth.err.contains("moves none of the places"));
-        QCOMPARE(cli(words("built", {})).exitCode, 2); // nobody has accepted it
+        QCOMPARE(cli(words("built", {})).exitCode, 2); // --accepted-by is missing
         {
             const ProjectFile other(path("job.dipw"));
             const Outcome refused = cli(

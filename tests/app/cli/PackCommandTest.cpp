@@ -61,7 +61,7 @@ private slots:
             const auto at = [&](const char* key, int number) {
                 return piece[QLatin1String(key)].toArray()[number].toDouble() * unit;
             };
-            // The picture stands in the middle of the width of its box.
+            // The picture is horizontally centred in its box.
             const QSize size(int(std::lround(at("picture_mm", 0))),
                              int(std::lround(at("picture_mm", 1))));
             const QImage box =

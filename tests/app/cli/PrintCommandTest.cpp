@@ -148,8 +148,8 @@ void PrintCommandTest::calibrate_measuredRulers_makePrintsTrue() {
     QVERIFY2(outcome.out.contains("1.00400 × 0.99700"), outcome.out);
     outcome = cli({"calibrate", "--profile", "Mine", "--printer", "pigment", "--verify"});
     QVERIFY2(outcome.exitCode == 0, outcome.err);
-    QVERIFY(outcome.out.contains(
-        "--verify --measured 170x220")); // without --verify, a new calibration would start
+    QVERIFY(
+        outcome.out.contains("--verify --measured 170x220")); // else a new calibration would start
     const QStringList pages = cups_->received("pigment").mid(before);
     QCOMPARE(pages.size(), 2);
     QVERIFY(pdfWords(pages[0]).contains("Calibration"));
@@ -174,11 +174,11 @@ void PrintCommandTest::calibrate_measuredRulers_makePrintsTrue() {
                               "--profile", "Mine"} +
                   coarse);
     QVERIFY2(outcome.exitCode == 0, outcome.err);
-    const double onWhitePaper = rulerLength(cups_->received("pigment").last()) * 1.004;
+    const double rulerOnPaper = rulerLength(cups_->received("pigment").last()) * 1.004;
     QVERIFY2(
-        std::abs(onWhitePaper - 100) < 0.05,
+        std::abs(rulerOnPaper - 100) < 0.05,
         qPrintable(
-            QStringLiteral("ruler of the sheet: %1 mm, expected 100 ± 0.05 mm").arg(onWhitePaper)));
+            QStringLiteral("ruler of the sheet: %1 mm, expected 100 ± 0.05 mm").arg(rulerOnPaper)));
 }
 
 void PrintCommandTest::print_toFile_writesSheet() {

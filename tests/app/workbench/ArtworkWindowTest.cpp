@@ -90,26 +90,26 @@ private slots:
 
     void artwork_logoAndPattern_makeSheetInTenActions() {
         int actions = 0;
-        actions += 2; // the file dropped on the window, and its questions accepted
+        actions += 2; // drop the file on the window, accept its questions
         QVERIFY(driver_->create(ball_, {}, 60, [](Project& project) {
             makeCoarse(project);
-            project.immersions[0].rotation[0] = Degrees(90); // the front goes in first
+            project.immersions[0].rotation[0] = Degrees(90); // dips the front first
         }));
         QVERIFY(document().project().model->textures.empty());
-        ++actions; // the page
+        ++actions; // open the page
         driver_->trigger("artwork");
         QVERIFY(driver_->find<QDockWidget>("artworkDock")->isVisible());
-        actions += 2; // the menu of patterns, and one of them
+        actions += 2; // open the menu of patterns, choose one
         driver_->find<QPushButton>("addPattern");
         driver_->action("addCarbon")->trigger();
         QCOMPARE(artwork().layers.size(), std::size_t(1));
         QCOMPARE(artwork().base, std::optional(QColor(255, 255, 255)));
-        ++actions; // the logo dropped on the body
+        ++actions; // drop the logo on the body
         dropOn(view(), logo_, positionOf({0, 0, 0}));
         QTRY_COMPARE_WITH_TIMEOUT(artwork().layers.size(), std::size_t(2), patience());
         ++actions;
         QVERIFY(driver_->run());
-        actions += 2; // the sheet as PDF: where to
+        actions += 2; // export the sheet as PDF, choose the file
         const QString pdf = folder_.filePath(QStringLiteral("sheet.pdf"));
         answerWithFile(pdf);
         driver_->trigger("exportPdf");
@@ -147,7 +147,7 @@ private slots:
         auto* name = driver_->find<QLineEdit>("layerSpot");
         auto* isFirst = driver_->find<QCheckBox>("layerSpotFirst");
         QVERIFY(!isFirst->isVisibleTo(isFirst->parentWidget()));
-        name->setText(QStringLiteral("Cyan")); // one of the four
+        name->setText(QStringLiteral("Cyan")); // one of the four process inks
         QTest::keyClick(name, Qt::Key_Return);
         QCOMPARE(artwork(), before);
         name->setText(QStringLiteral("Gloss varnish"));
@@ -191,7 +191,7 @@ private slots:
         driver_->action("front")->trigger();
         driver_->action("rings")->setChecked(false); // they would get the mouse first
         document().edit(QStringLiteral("Front"), {}, [](Project& changed) {
-            changed.immersions[0].rotation[0] = Degrees(0); // the front faces the eye
+            changed.immersions[0].rotation[0] = Degrees(0); // the front faces the camera
             changed.artwork.layers[1].place = {Millimetres(0), Millimetres(0), Millimetres(30)};
         });
         const Artwork before = artwork();
@@ -233,7 +233,7 @@ private slots:
         dropOn(view(), logo_, QPointF(5, 5));
         QTest::qWait(100);
         QCOMPARE(artwork().layers.size(), layers);
-        for (QWidget* widget : QApplication::topLevelWidgets()) { // it says that it cannot wear one
+        for (QWidget* widget : QApplication::topLevelWidgets()) { // close the failure message
             if (widget != window_.get() && widget->isVisible() && widget->isModal()) {
                 widget->close();
             }

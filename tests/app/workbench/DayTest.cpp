@@ -227,7 +227,7 @@ private slots:
         window.show();
         WindowDriver driver(window);
         QVERIFY(driver.open(folder_.filePath(QStringLiteral("turtle.dipw"))));
-        QVERIFY(window.close()); // nothing to ask
+        QVERIFY(window.close()); // no changes, so no question
         window.show();
         window.document()->edit({}, {}, [](Project& project) { project.name.append(u'!'); });
         answerWhenAsked("closeQuestion", QMessageBox::Cancel);
@@ -302,8 +302,8 @@ private slots:
         MainWindow window(*workbench_);
         window.show();
         WindowDriver driver(window);
-        // Both dips reach only a narrow band on coarse film. A small error keeps the overlap
-        // narrow.
+        // On coarse film, both dips reach only a narrow band. A small registration error keeps the
+        // overlap narrow, so that the seam can move.
         QVERIFY(driver.create(model, texture, 90, [](Project& project) {
             makeTwoCoarseDips(project);
             project.share.registrationError = Millimetres(0.1);

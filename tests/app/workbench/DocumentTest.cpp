@@ -327,7 +327,7 @@ private slots:
         Document document(boxProject());
         document.saveAs(path);
         setWidth(document, "", 123);
-        document.save(); // the own changes, twice
+        document.save(); // own changes, for the second time
         Project theirs = boxProject();
         theirs.name = QStringLiteral("Theirs");
         saveProject(theirs, path);

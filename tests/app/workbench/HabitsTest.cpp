@@ -147,8 +147,7 @@ private slots:
         QVERIFY(!driver.action("certainty")->isEnabled());
         QVERIFY(WindowDriver(*window_).create(model, texture, 90, [](Project& project) {
             makeCoarse(project);
-            project.film.resolution =
-                FilmResolution::Automatic; // a coarse film is not accurate enough
+            project.film.resolution = FilmResolution::Automatic; // coarse film is too inaccurate
         }));
         driver.trigger("certainty");
         QVERIFY(!driver.action("certainty")->isEnabled());

@@ -75,8 +75,7 @@ private slots:
         for (const auto& field : projectFields()) {
             QVERIFY2(shown.contains(field.path) || elsewhere.contains(field.path) ||
                          field.path.startsWith(QLatin1String("pose_search.")) || // on its own page
-                         field.path.startsWith(
-                             QLatin1String("inspection.film.")), // also on its own page
+                         field.path.startsWith(QLatin1String("inspection.film.")), // the same
                      qPrintable(field.path));
         }
     }

@@ -136,7 +136,7 @@ private slots:
         emit report->anchorClicked(QUrl(QStringLiteral("smaller-film")));
         QCOMPARE(document.project().film.preset, QStringLiteral("A5"));
         QVERIFY(driver.run());
-        const double now = document.result()->coverageTotal; // with other cells
+        const double now = document.result()->coverageTotal; // not equal: other cells
         QVERIFY2(std::abs(now - coverage) < 0.05,
                  qPrintable(QStringLiteral("coverage was %1, is %2 with A5, expected within 0.05")
                                 .arg(coverage)
@@ -170,7 +170,7 @@ private slots:
         QVERIFY(document.project().tolerance.marks.empty());
     }
 
-    void laidDown_anyFace_pointsDown() {
+    void withFaceDown_anyFace_pointsDown() {
         Immersion immersion;
         immersion.rotation = {Degrees(20), Degrees(-70), Degrees(130)};
         const Eigen::Vector3d down = -Eigen::Vector3d::UnitY();
@@ -184,8 +184,7 @@ private slots:
         QVERIFY(withFaceDown(immersion, lowest) == immersion);
     }
 
-    // 1024 × 700 is a small screen; a screen of 1440 lines at scale 2 has 720. Tests the queue,
-    // too.
+    // A small screen has 1024 × 700; one with 1440 lines at scale 2 has 720. The queue fits, too.
     void window_allPagesShown_fits1024By700() {
         WindowDriver driver(*window_);
         QVERIFY(driver.create(model, texture, 90, makeCoarse));

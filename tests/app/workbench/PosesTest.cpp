@@ -131,7 +131,7 @@ private slots:
                 picture.pixelColor(165, 100).lightness()); // better directions are lighter
     }
 
-    void unbeaten_twoMeasures_dropsWorsePose() {
+    void paretoOptimalRanks_twoMeasures_dropsWorsePose() {
         const std::vector<RankedPoses> ranking = result().ranking;
         // The third pose paints less, with more stretch, than both others.
         QCOMPARE(paretoOptimalRanks(ranking, Measure::Coverage, Measure::Stretch),

@@ -27,7 +27,7 @@ const QString texture = sampleFolder("/models/turtle.png");
 // The window adds the second dip.
 void makeCoarseDip(Project& project) {
     makeCoarse(project);
-    project.share.registrationError = Millimetres(0.1); // keeps the overlap narrow
+    project.share.registrationError = Millimetres(0.1); // narrow overlap, so the seam can move
 }
 
 int count(const QImage& picture, const QColor& colour) {

@@ -258,7 +258,7 @@ private slots:
             result->immersions[0].coverage = std::make_shared<const Coverage>(*coverage);
             scene.setResult(std::make_shared<const JobResult>(*result), nullptr);
         };
-        scene.setShowHandles(false); // one of them is red
+        scene.setShowHandles(false); // a red handle would be counted
         show(0);
         scene.setBodyLook(BodyLook::Coverage);
         QCOMPARE(countReddish(view_->picture()), 0);
@@ -327,16 +327,14 @@ private slots:
             (about(70, Vector3d::UnitZ()) * about(-25, Vector3d::UnitY()) *
              about(40, Vector3d::UnitX()))
                 .toRotationMatrix();
-        QVERIFY((poseTransform(body, immersion).linear() - wanted).norm() <
-                0.01); // angles are in tenths
+        QVERIFY((poseTransform(body, immersion).linear() - wanted).norm() < 0.01); // 0.1° steps
     }
 
     void turned_secondTurn_keepsAnglesNear() {
         const Immersion immersion = turned(Immersion{}, 2, -30);
         QCOMPARE(immersion.rotation, (std::array{Degrees(0), Degrees(0), Degrees(-30)}));
         QCOMPARE(turned(immersion, 2, -170).rotation[2].value(), -200);
-        QCOMPARE(turned(turned(immersion, 2, -170), 2, -170).rotation[2].value(),
-                 -10); // within the range
+        QCOMPARE(turned(turned(immersion, 2, -170), 2, -170).rotation[2].value(), -10); // in range
     }
 
     void rotationRing_drag_turnsBody() {

@@ -326,7 +326,8 @@ void ArtworkTest::decal_gridOnCylinder_hasEvenStraightLines() {
     QVERIFY(middle.size() >= 5);
     for (std::size_t k = 1; k < middle.size(); ++k) {
         QVERIFY2(std::abs(middle[k] - middle[k - 1] - 10) < 0.15,
-                 qPrintable(QString::number(middle[k] - middle[k - 1])));
+                 qPrintable(QStringLiteral("lines are %1 mm apart, expected 10 mm")
+                                .arg(middle[k] - middle[k - 1])));
     }
     QVERIFY(std::abs((middle.back() - middle.front()) / double(middle.size() - 1) - 10) < 0.03);
     for (const double z : {-20.0, 17.0}) { // straight: at the same places elsewhere along the tube
@@ -412,7 +413,10 @@ void ArtworkTest::boxLayer_betweenItsSides_showsNoLine() {
         most = std::max(most, last < 0 ? 0 : std::abs(colour.red() - last));
         last = colour.red();
     }
-    QVERIFY2(most < 20, qPrintable(QString::number(most)));
+    QVERIFY2(
+        most < 20,
+        qPrintable(
+            QStringLiteral("neighbouring colours differ by %1 of 255, expected < 20").arg(most)));
 }
 
 void ArtworkTest::planeLayer_paintsOnlyFacesTowardsIt() {

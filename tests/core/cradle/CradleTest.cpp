@@ -71,7 +71,9 @@ void isSound(const Cradle& cradle) {
     QCOMPARE(cradle.check.parts, 1);
     QVERIFY(cradle.check.volume > 0);
     QVERIFY2(cradle.check.leastGap >= cradle.clearance - cradle.cell / 2,
-             qPrintable(QString::number(cradle.check.leastGap)));
+             qPrintable(QStringLiteral("smallest gap %1 mm, expected the clearance of %2 mm")
+                            .arg(cradle.check.leastGap)
+                            .arg(cradle.clearance)));
     QVERIFY(cradle.check.comesOut);
 }
 
@@ -95,7 +97,8 @@ private slots:
             // Away from the edges of the bore and the rim, what is near the ball is the pocket.
             const double aside = std::hypot(double(from.x()), double(from.z()));
             if (away < 0.8 && aside > 5 && from.y() > radius - 9) {
-                QVERIFY2(std::abs(away - 0.3) < 0.1, qPrintable(QString::number(away)));
+                QVERIFY2(std::abs(away - 0.3) < 0.1,
+                         qPrintable(QStringLiteral("gap %1 mm, expected 0.3 mm").arg(away)));
                 ++pocket;
             }
         }
@@ -108,8 +111,10 @@ private slots:
     void cradleCheck_ball_hasSeatAreaAndTiltOfTheCap() {
         const CradleCheck& check = ballsCradle().check;
         const double cap = 2 * pi * radius * 10 - pi * 16;
-        QVERIFY2(std::abs(check.seatArea / cap - 1) < 0.05,
-                 qPrintable(QString::number(check.seatArea / cap)));
+        QVERIFY2(
+            std::abs(check.seatArea / cap - 1) < 0.05,
+            qPrintable(
+                QStringLiteral("the seat is %1 of the cap, expected 1").arg(check.seatArea / cap)));
         const double rim = std::sqrt(radius * radius - 15 * 15);
         const double tilt = std::atan2(rim, 15) * 180 / pi;
         QVERIFY(std::abs(check.standing.tiltDegrees - tilt) < 2);
@@ -193,8 +198,10 @@ private slots:
         allowed.onPaint = true;
         const Cradle cradle = cradleOf(*halfPainted(), allowed, {}, {&earlier});
         isSound(cradle);
-        QVERIFY2(std::abs(cradle.check.leastGap - 1.8) < 0.1,
-                 qPrintable(QString::number(cradle.check.leastGap)));
+        QVERIFY2(
+            std::abs(cradle.check.leastGap - 1.8) < 0.1,
+            qPrintable(
+                QStringLiteral("smallest gap %1 mm, expected 1.8 mm").arg(cradle.check.leastGap)));
         QCOMPARE(cradle.check.paddedArea, cradle.check.seatArea);
         QVERIFY(cradle.notes.join(u' ').contains(QStringLiteral("1.5 mm")));
     }
@@ -229,7 +236,9 @@ private slots:
                 nearest = std::min(nearest, away);
                 farthest = away < 3.4 ? std::max(farthest, away) : farthest;
             }
-            QVERIFY2(std::abs(nearest - 3.1) < 0.05, qPrintable(QString::number(nearest)));
+            QVERIFY2(std::abs(nearest - 3.1) < 0.05,
+                     qPrintable(
+                         QStringLiteral("radius of the hole %1 mm, expected 3.1 mm").arg(nearest)));
             QVERIFY(farthest < 3.4);
         }
     }
@@ -271,7 +280,9 @@ private slots:
         const Cradle bare = cradleOf(*halfPainted(), plain);
         // About 0.8 mm times the area of the letters, the arrow and the dip's sign, in mm³.
         const double taken = bare.check.volume - cradle.check.volume;
-        QVERIFY2(taken > 100 && taken < 400, qPrintable(QString::number(taken)));
+        QVERIFY2(taken > 100 && taken < 400,
+                 qPrintable(
+                     QStringLiteral("engraved volume %1 mm³, expected 100 to 400 mm³").arg(taken)));
         const double top = double(boundingBox(cradle.mesh).max().y());
         const auto isFloor = [&](const Eigen::Vector3f& place) {
             return std::abs(double(place.y()) - (top - 0.8)) < 0.02;

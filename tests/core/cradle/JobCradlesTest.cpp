@@ -66,7 +66,9 @@ void judge(const Cradle& cradle) {
     QCOMPARE(check.parts, 1);
     QVERIFY(check.volume > 0);
     QVERIFY2(check.leastGap >= cradle.clearance - cradle.cell / 2,
-             qPrintable(QString::number(check.leastGap)));
+             qPrintable(QStringLiteral("smallest gap %1 mm, expected the clearance of %2 mm")
+                            .arg(check.leastGap)
+                            .arg(cradle.clearance)));
     QVERIFY(check.comesOut);
     QVERIFY2(check.standing.tiltDegrees > 5, qPrintable(cradle.notes.join(u'\n')));
 }

@@ -112,7 +112,10 @@ void FilmUnderAirTest::filledField_bowlRimDown_isThatOfHalfABall() {
                 }
             }
         }
-        QVERIFY2(worst < 0.25 * own.spacing + 0.05, qPrintable(QString::number(worst)));
+        QVERIFY2(worst < 0.25 * own.spacing + 0.05,
+                 qPrintable(QStringLiteral("largest error %1 mm, expected < %2 mm")
+                                .arg(worst)
+                                .arg(0.25 * own.spacing + 0.05)));
         // Deep in the hollow the field is negative; above the dome it has not changed.
         QVERIFY(filled.field().sample(askew * Eigen::Vector3d(4, 15, 3)) < -own.spacing);
         const Eigen::Vector3d over = askew * Eigen::Vector3d(3, bowlRadius + 0.8, -2);
@@ -157,7 +160,10 @@ void FilmUnderAirTest::dip_bowlWithHole_insideIsPainted() {
     const auto laid = dipped(bowl(4), 0, false);
     const Painted inside = paintedWhere(
         *laid, [](const Eigen::Vector3f& place) { return place.norm() < 30.5f && place.y() > 1; });
-    QVERIFY2(inside.painted > 0.8 * inside.whole, qPrintable(QString::number(inside.painted)));
+    QVERIFY2(inside.painted > 0.8 * inside.whole,
+             qPrintable(QStringLiteral("%1 of %2 mm² inside are painted, expected 80 %")
+                            .arg(inside.painted)
+                            .arg(inside.whole)));
 }
 
 void FilmUnderAirTest::dip_tippedCup_isUnpaintedAboveTheAirsLevel() {

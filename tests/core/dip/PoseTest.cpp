@@ -103,7 +103,9 @@ void PoseTest::rotationAngles_ofARotation_giveItBack() {
         rotation, {Degrees(angles[0] + 1), Degrees(angles[1] + 1), Degrees(angles[2] - 1)});
     for (std::size_t axis = 0; axis < 3; ++axis) {
         QVERIFY2(std::abs(same[axis].value() - angles[qsizetype(axis)]) < 1.5,
-                 QByteArray::number(same[axis].value()));
+                 qPrintable(QStringLiteral("angle %1°, expected %2°")
+                                .arg(same[axis].value())
+                                .arg(angles[qsizetype(axis)])));
     }
     for (const Degrees angle : back) {
         QVERIFY(std::abs(angle.value() * 10 - std::round(angle.value() * 10)) < 1e-9);

@@ -69,19 +69,24 @@ void TrappedAirTest::trappedAir_cupMouthUp_isNone() {
 
 void TrappedAirTest::trappedAir_cupMouthDown_isAllItsInside() {
     const double area = trapped(cup(), {180, 0, 0});
-    QVERIFY2(std::abs(area - pitArea) < 0.05 * pitArea, qPrintable(QString::number(area)));
+    QVERIFY2(std::abs(area - pitArea) < 0.05 * pitArea,
+             qPrintable(QStringLiteral("dry area %1 mm², expected %2 mm²").arg(area).arg(pitArea)));
 }
 
 void TrappedAirTest::trappedAir_cupMouthDown_startsAtTheMouthsHeight() {
     QCOMPARE(airIn(cup(), {0, 0, 0}).height, std::nullopt);
     const std::optional<double> upsideDown = airIn(cup(), {180, 0, 0}).height;
-    QVERIFY2(upsideDown && *upsideDown < 2, qPrintable(QString::number(upsideDown.value_or(-1))));
+    QVERIFY2(
+        upsideDown && *upsideDown < 2,
+        qPrintable(
+            QStringLiteral("water level %1 mm, expected < 2 mm").arg(upsideDown.value_or(-1))));
     // On a stand 20 mm high the mouth of the same cup, upside down, is 20 mm higher.
     TriangleMesh raised = cup();
     append(raised, boxMesh({4, 60, 4}), {0, 30, 0});
     const std::optional<double> height = airIn(raised, {180, 0, 0}).height;
-    QVERIFY2(height && std::abs(*height - 20) < 2,
-             qPrintable(QString::number(height.value_or(-1))));
+    QVERIFY2(
+        height && std::abs(*height - 20) < 2,
+        qPrintable(QStringLiteral("water level %1 mm, expected 20 mm").arg(height.value_or(-1))));
 }
 
 void TrappedAirTest::trappedAir_tippedCup_isPartOfItsInside() {
@@ -98,7 +103,8 @@ void TrappedAirTest::trappedAir_wallThinnerThanACell_holdsAir() {
         turned({{30, 0}, {30, 40}, {0, 40}, {0, 39.8}, {29.8, 39.8}, {29.8, 0}, {30, 0}}, 96);
     const double inside = pi * 29.8 * 29.8 + 2 * pi * 29.8 * 39.8;
     const double area = trapped(bell);
-    QVERIFY2(std::abs(area - inside) < 0.06 * inside, qPrintable(QString::number(area)));
+    QVERIFY2(std::abs(area - inside) < 0.06 * inside,
+             qPrintable(QStringLiteral("dry area %1 mm², expected %2 mm²").arg(area).arg(inside)));
 }
 
 void TrappedAirTest::trappedAir_arch_isNone() {
@@ -113,7 +119,9 @@ void TrappedAirTest::trappedAir_bowlRimDown_isAllItsInside() {
     constexpr double inner = bowlRadius - bowlWall;
     const double area = trapped(bowl());
     QVERIFY2(std::abs(area - 2 * pi * inner * inner) < 0.01 * 2 * pi * inner * inner,
-             qPrintable(QString::number(area)));
+             qPrintable(QStringLiteral("dry area %1 mm², expected %2 mm²")
+                            .arg(area)
+                            .arg(2 * pi * inner * inner)));
     const TriangleMesh mesh = bowl();
     const PosedBody body = posedBody(mesh, {});
     QCOMPARE(body.air.all().size(), std::size_t(1));
@@ -191,7 +199,8 @@ void TrappedAirTest::trappedAir_bottleNeckDown_isAllItsInside() {
     const double inside =
         2 * pi * 18 * 36 + 2 * pi * 4 * 17 + pi * 18 * 18 + pi * (18 * 18 - 4 * 4);
     const double area = trapped(bottle);
-    QVERIFY2(std::abs(area - inside) < 0.01 * inside, qPrintable(QString::number(area)));
+    QVERIFY2(std::abs(area - inside) < 0.01 * inside,
+             qPrintable(QStringLiteral("dry area %1 mm², expected %2 mm²").arg(area).arg(inside)));
     QCOMPARE(trapped(bottle, {180, 0, 0}), 0.0);
 }
 

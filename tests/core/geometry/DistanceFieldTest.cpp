@@ -140,8 +140,13 @@ void DistanceFieldTest::buildDistanceField_box_isExact() {
     const Eigen::Vector3d size(10, 20, 30);
     const DistanceField field = buildDistanceField(boxMesh(size), 101, Progress());
     const FieldErrors errors = compare(field, boxDistance(size), 1e-5);
-    QVERIFY2(errors.nearSurface < 1e-5, qPrintable(QString::number(errors.nearSurface)));
-    QVERIFY2(errors.tooLarge < 1e-5, qPrintable(QString::number(errors.tooLarge)));
+    QVERIFY2(
+        errors.nearSurface < 1e-5,
+        qPrintable(QStringLiteral("largest error near the surface %1 mm, expected < 0.00001 mm")
+                       .arg(errors.nearSurface)));
+    QVERIFY2(errors.tooLarge < 1e-5,
+             qPrintable(QStringLiteral("|φ| exceeds the distance by %1 mm, expected < 0.00001 mm")
+                            .arg(errors.tooLarge)));
     QCOMPARE(errors.wrongSigns, 0);
 }
 
@@ -160,8 +165,14 @@ void DistanceFieldTest::buildDistanceField_sphere_isAsExactAsItsMesh() {
     const DistanceField field = buildDistanceField(sphereMesh(35, 158, 316), 128, Progress());
     const double sagitta = 35 * (1 - std::cos(pi / 316) * std::cos(pi / 316)) + 1e-4;
     const FieldErrors errors = compare(field, sphereDistance, sagitta);
-    QVERIFY2(errors.nearSurface < sagitta, qPrintable(QString::number(errors.nearSurface)));
-    QVERIFY2(errors.tooLarge < sagitta, qPrintable(QString::number(errors.tooLarge)));
+    QVERIFY2(errors.nearSurface < sagitta,
+             qPrintable(QStringLiteral("largest error near the surface %1 mm, expected < %2 mm")
+                            .arg(errors.nearSurface)
+                            .arg(sagitta)));
+    QVERIFY2(errors.tooLarge < sagitta,
+             qPrintable(QStringLiteral("|φ| exceeds the distance by %1 mm, expected < %2 mm")
+                            .arg(errors.tooLarge)
+                            .arg(sagitta)));
     QCOMPARE(errors.wrongSigns, 0);
 }
 

@@ -69,7 +69,7 @@ void UnfoldedSurfaceTest::unfoldedSurface_cylinder_unrollsWithin0p01mm() {
             const auto flat = at(angle, z);
             QVERIFY(flat);
             QVERIFY2(std::abs(flat->norm() - std::hypot(around, z)) < 0.01,
-                     qPrintable(QStringLiteral("%1 %2: %3 %4")
+                     qPrintable(QStringLiteral("angle %1, z = %2 mm: unfolded to (%3, %4) mm")
                                     .arg(angle)
                                     .arg(z)
                                     .arg(flat->x())
@@ -118,7 +118,7 @@ void UnfoldedSurfaceTest::unfoldedSurface_placesBehindACorner_areUnfolded() {
             const auto flat = unfolded.at(placeAt(query, place));
             QVERIFY(flat);
             QVERIFY2((*flat - Eigen::Vector2d(right, up)).norm() < 1e-3,
-                     qPrintable(QStringLiteral("%1 %2: %3 %4")
+                     qPrintable(QStringLiteral("(%1, %2) mm is unfolded to (%3, %4) mm")
                                     .arg(right)
                                     .arg(up)
                                     .arg(flat->x())
@@ -143,7 +143,11 @@ void UnfoldedSurfaceTest::unfoldedSurface_sphere_keepsDistancesFromTheMiddle() {
             const Eigen::Vector2d wanted =
                 away * Eigen::Vector2d(std::cos(direction), std::sin(direction));
             QVERIFY2((*flat - wanted).norm() < 0.02 * away + 0.05,
-                     qPrintable(QStringLiteral("%1 %2").arg(away).arg(direction)));
+                     qPrintable(QStringLiteral("%1 mm away in direction %2: (%3, %4) mm")
+                                    .arg(away)
+                                    .arg(direction)
+                                    .arg(flat->x())
+                                    .arg(flat->y())));
         }
     }
 }

@@ -629,8 +629,8 @@ void PictureColourTest::readPictures_labTiff_keepsTheColours() {
     QCOMPARE(texture.size(), QSize(8, 8));
     const double left = differenceFrom(brown, texture.pixelColor(1, 4));
     const double right = differenceFrom(blue, texture.pixelColor(6, 4));
-    QVERIFY2(left < 1, QByteArray::number(left));
-    QVERIFY2(right < 1, QByteArray::number(right));
+    QVERIFY2(left < 1, qPrintable(QStringLiteral("brown: ΔE %1, expected < 1").arg(left)));
+    QVERIFY2(right < 1, qPrintable(QStringLiteral("blue: ΔE %1, expected < 1").arg(right)));
 }
 
 void PictureColourTest::colourNote_cmykWithoutProfile_isReported() {

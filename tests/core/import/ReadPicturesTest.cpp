@@ -85,7 +85,10 @@ void ReadPicturesTest::readPictureFile_everyFormat_isRead() {
     QCOMPARE(read.format(), QImage::Format_RGBA8888);
     QCOMPARE(read.size(), slope().size());
     const int differs = difference(read, slope());
-    QVERIFY2(differs <= loss, qPrintable(QString::number(differs)));
+    QVERIFY2(differs <= loss,
+             qPrintable(QStringLiteral("channels differ by %1 of 255, expected %2 or less")
+                            .arg(differs)
+                            .arg(loss)));
 }
 
 // A truncated file gives an error with its name, or the part of the picture that it contains. It

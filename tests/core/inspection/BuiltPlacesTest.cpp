@@ -42,11 +42,12 @@ private slots:
         for (const BuiltPlace& place : places) {
             const Eigen::Vector2d off(place.off[0].value() + 1.1 / 1.03,
                                       place.off[1].value() - 0.7 / 1.03);
-            QVERIFY2(off.norm() < 0.15, qPrintable(QStringLiteral("%1, %2 mm of the sheet are off "
-                                                                  "by %3 mm")
-                                                       .arg(place.sheet[0].value())
-                                                       .arg(place.sheet[1].value())
-                                                       .arg(off.norm())));
+            QVERIFY2(off.norm() < 0.15,
+                     qPrintable(
+                         QStringLiteral("(%1, %2) mm on the sheet: error %3 mm, expected < 0.15 mm")
+                             .arg(place.sheet[0].value())
+                             .arg(place.sheet[1].value())
+                             .arg(off.norm())));
         }
         qInfo("%zu places, %.3f mm off on the sheet", places.size(), residualOf(places));
 

@@ -147,7 +147,7 @@ private slots:
     void fitGrowth_insufficientPhotos_leavesGrowthUnknown();
     void withMeasurement_profile_takesTheMeasuredValues();
     void fitFlatFilm_degenerateCorners_areRefused();
-    void watchedFilm_dipOutsideThePhotos_isRefused();
+    void evaluatedFilmWatch_dipOutsideThePhotos_isRefused();
     void measureFlatFilm_unusablePhoto_isRefused();
 };
 
@@ -473,7 +473,7 @@ void FilmWatchTest::fitFlatFilm_degenerateCorners_areRefused() {
     QVERIFY(!refusal(film, card, settings).isEmpty());
 }
 
-void FilmWatchTest::watchedFilm_dipOutsideThePhotos_isRefused() {
+void FilmWatchTest::evaluatedFilmWatch_dipOutsideThePhotos_isRefused() {
     std::mt19937 random(29);
     const std::vector<double> late{300, 310, 320, 330};
     for (const auto& [times, begin] :

@@ -229,7 +229,10 @@ private slots:
         QVERIFY(double(print.places.size()) > 0.7 * print.expected[0]);
         for (const PrintedPlace& place : print.places) {
             const Eigen::Vector2d away = place.pixel - camera().seen(off.inverse() * place.model);
-            QVERIFY2(away.norm() < 0.5, qPrintable(QString::number(away.norm())));
+            QVERIFY2(
+                away.norm() < 0.5,
+                qPrintable(QStringLiteral("the corner is %1 px from its place, expected < 0.5 px")
+                               .arg(away.norm())));
         }
     }
 
@@ -330,7 +333,9 @@ private slots:
             }
             // The decal keeps lengths along the bent surface.
             QVERIFY2(std::abs(nearest - square) < 0.05 * square,
-                     qPrintable(QString::number(nearest)));
+                     qPrintable(QStringLiteral("corners are %1 mm apart, expected %2 mm")
+                                    .arg(nearest)
+                                    .arg(square)));
         }
     }
 };

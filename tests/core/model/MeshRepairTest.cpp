@@ -119,7 +119,7 @@ private slots:
         QCOMPARE(joinOpenSeams(closed), std::size_t(0));
     }
 
-    void turnInsideOutParts_openInwardParts_areFlipped() {
+    void flipInsideOutParts_openInwardParts_areFlipped() {
         const TriangleMesh open = cutOff(sphereMesh(35, 20, 40), 25);
         QVERIFY(!isClosed(open));
         QCOMPARE(turnedParts({open}), std::size_t(0));
@@ -129,7 +129,7 @@ private slots:
         QCOMPARE(turnedParts({insideOut(lidless)}), std::size_t(1));
     }
 
-    void turnInsideOutParts_flatSheetAndShallowBowl_stay() {
+    void flipInsideOutParts_flatSheetAndShallowBowl_stay() {
         TriangleMesh sheet = boxMesh({40, 1, 40});
         sheet.triangles.resize(2);
         QCOMPARE(turnedParts({sheet}), std::size_t(0));
@@ -141,7 +141,7 @@ private slots:
 
     // An open cavity of an open body faces the hollow. A surface of separate triangles is judged as
     // a whole.
-    void turnInsideOutParts_openCavitiesStay_looseTrianglesAreFlipped() {
+    void flipInsideOutParts_openCavitiesStay_looseTrianglesAreFlipped() {
         const TriangleMesh outer = cutOff(sphereMesh(35, 20, 40), 33);
         const TriangleMesh inner = cutOff(sphereMesh(20, 20, 40), 18);
         QCOMPARE(turnedParts({outer, insideOut(inner)}), std::size_t(0));
@@ -179,7 +179,7 @@ private slots:
         QCOMPARE(mergeDoubledTriangles(walled), std::size_t(0));
     }
 
-    void turnInsideOutParts_nestedCavities_stayAndReportProgress() {
+    void flipInsideOutParts_nestedCavities_stayAndReportProgress() {
         TexturedMesh model = textured(nested());
         int asked = 0;
         QCOMPARE(flipInsideOutParts(model, [&] { ++asked; }), std::size_t(0));
@@ -187,7 +187,7 @@ private slots:
         QCOMPARE(model.mesh.triangles, textured(nested()).mesh.triangles);
     }
 
-    void turnInsideOutParts_cancelled_leavesTheMesh() {
+    void flipInsideOutParts_cancelled_leavesTheMesh() {
         std::vector<TriangleMesh> parts = nested();
         parts.push_back(insideOut(cube(40))); // this one would be flipped
         TexturedMesh model = textured(parts);

@@ -112,7 +112,9 @@ private slots:
     void runJob_spot_isPrintedInItsPlaceWithoutInkBesideIt() {
         const ImmersionResult& result = spotted_.immersions[0];
         const double area = redArea(result, spotted_.project);
-        QVERIFY2(area > 60 && area < 110, qPrintable(QString::number(area))); // less by stretch
+        QVERIFY2(area > 60 && area < 110,
+                 qPrintable(QStringLiteral("red area %1 mm², expected 60 to 110 mm²")
+                                .arg(area))); // stretch reduces the spot's area
         const QImage image = inSrgb(result.texture->image);
         QVERIFY(image.pixelColor(image.width() / 2, image.height() / 2).red() > 150);
         QVERIFY(image.pixelColor(image.width() / 2 + 40, image.height() / 2).lightness() > 250);
@@ -193,7 +195,8 @@ private slots:
         // Half the tint on the part, which needs more on the film where it is stretched.
         const QImage& varnish = dip.sheet.plates[1].tint;
         const int middle = varnish.constScanLine(varnish.height() / 2)[varnish.width() / 2];
-        QVERIFY2(middle > 110 && middle < 180, qPrintable(QString::number(middle)));
+        QVERIFY2(middle > 110 && middle < 180,
+                 qPrintable(QStringLiteral("tint %1 of 255, expected 110 to 180").arg(middle)));
         const QJsonArray spots = report(result.project, result)[QLatin1String("immersions")]
                                      .toArray()[0]
                                      .toObject()[QLatin1String("spots")]
@@ -228,9 +231,12 @@ private slots:
         const RankedPoses inked = best();
         const Eigen::Vector3d spotNow =
             rotationMatrix(inked.immersions[0].rotation) * Eigen::Vector3d::UnitX();
-        QVERIFY2(spotNow.y() < 0.2, qPrintable(QString::number(spotNow.y())));
+        QVERIFY2(spotNow.y() < 0.2,
+                 qPrintable(QStringLiteral("height of the spot's direction %1, expected < 0.2")
+                                .arg(spotNow.y())));
         const double quality = inked.measures[Measure::Quality];
-        QVERIFY2(quality > 0.95, qPrintable(QString::number(quality)));
+        QVERIFY2(quality > 0.95,
+                 qPrintable(QStringLiteral("quality %1, expected > 0.95").arg(quality)));
         project.sheet.white = WhiteLayer::Last; // white round the spot uses film as well
         QVERIFY(best().measures[Measure::Quality] < quality - 0.1);
     }

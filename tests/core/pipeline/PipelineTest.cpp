@@ -114,7 +114,7 @@ private slots:
     }
 
     // The deeper dip keeps the film laid before and adds film where the water has risen.
-    void dippedDeeper_laysTheSameFilmAndMore() {
+    void deeperDip_laysTheSameFilmAndMore() {
         Project job = job_;
         job.immersions.resize(1);
         job.process.depth = Millimetres(10);

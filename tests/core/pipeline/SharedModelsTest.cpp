@@ -107,9 +107,9 @@ private slots:
     }
 
     // The documentation gives these errors. Spot's legs are six film cells wide, and its head is
-    // dipped after the shoulders have released film. It is certain from 315 × 446 points on, which
-    // is too slow for a test.
-    void sheetCertainty_spot_isAsDocumented() {
+    // dipped after the shoulders have released film. From 315 × 446 points on its error
+    // is within the limit, which is too slow for a test.
+    void sheetNumericalError_spot_isAsDocumented() {
         Project project;
         applyPreset(project, QStringLiteral("production"));
         project.immersions = {Immersion{}};

@@ -43,14 +43,14 @@ private slots:
         coarse_ = sheetNumericalError(sphereOn(25), registry_, {});
     }
 
-    void sheetCertainty_samples_areCertain_data() {
+    void sheetNumericalError_samples_areWithinTheLimit_data() {
         QTest::addColumn<QByteArray>("name");
         QTest::newRow("sphere") << QByteArray("sphere");
         if (test::isWholeRun()) {
             QTest::newRow("turtle") << QByteArray("turtle");
         }
     }
-    void sheetCertainty_samples_areCertain() {
+    void sheetNumericalError_samples_areWithinTheLimit() {
         QFETCH(QByteArray, name);
         const Project project = sample(name);
         const auto numericalError = sheetNumericalError(project, registry_, {});
@@ -74,14 +74,14 @@ private slots:
         }
     }
 
-    void sheetCertainty_moreFilmPoints_moveLess() {
+    void sheetNumericalError_moreFilmPoints_moveLess() {
         const auto finer = sheetNumericalError(sphereOn(49), registry_, {});
         const Distribution& change = finer[0].halfSpacing.distance;
         QVERIFY(change.percentile95 < coarse_[0].halfSpacing.distance.percentile95 / 2);
         QVERIFY(change.percentile95 > 0);
     }
 
-    void certaintyMap_withoutBody_isPale() {
+    void numericalErrorMap_withoutBody_isPale() {
         const QImage map = mapOf(coarse_[0]);
         QVERIFY(map.height() >= 1000);
         // The film's corner is pale; its middle is not.
@@ -90,7 +90,7 @@ private slots:
         QVERIFY(corner.lightnessF() > 0.7 && middle.lightnessF() < 0.5);
     }
 
-    void sheetCertainty_tooCoarseFilm_isNotCertain() {
+    void sheetNumericalError_tooCoarseFilm_exceedsTheLimit() {
         const auto numericalError = sheetNumericalError(sphereOn(9), registry_, {});
         QVERIFY(numericalError[0].halfSpacing.distance.percentile95 > mostHalfSpacingChange);
         QVERIFY(!isAccurateEnough(numericalError[0]));
@@ -100,7 +100,7 @@ private slots:
         QCOMPARE(json["certain"].toBool(true), false);
     }
 
-    void sheetCertainty_sheetPaintsNothing_isNotCertain() {
+    void sheetNumericalError_sheetPaintsNothing_isNotWithinTheLimit() {
         Project project = sphereOn(9);
         project.film.width = project.film.height = Millimetres(900);
         const auto numericalError = sheetNumericalError(project, registry_, {});
@@ -108,7 +108,7 @@ private slots:
         QVERIFY(!isAccurateEnough(numericalError[0]));
     }
 
-    void sheetCertainty_papersFilm_isComputed() {
+    void sheetNumericalError_papersFilm_isComputed() {
         Project project = sphereOn(17);
         applyPreset(project, QStringLiteral("paper-2020"));
         project.film.columns = project.film.rows = 17;
@@ -117,7 +117,7 @@ private slots:
         QVERIFY(numericalError[0].halfSpacing.distance.percentile95 > 0);
     }
 
-    void sheetCertainty_gpuMissing_cpuTakesOver() {
+    void sheetNumericalError_gpuMissing_cpuTakesOver() {
         const test::PluginFolder folder;
         QJsonObject description = test::PluginFolder::description(QStringLiteral("device"));
         folder.add(QStringLiteral("device"),
@@ -133,7 +133,7 @@ private slots:
         QVERIFY(coarse_[0].notes.isEmpty());
     }
 
-    void writeCertaintyMaps_replacesEarlierMaps() {
+    void writeNumericalErrorMaps_replacesEarlierMaps() {
         const QTemporaryDir folder;
         writeNumericalErrorMaps({coarse_[0], coarse_[0]}, folder.filePath("maps"));
         QVERIFY(QFileInfo::exists(folder.filePath("maps/certainty-2.png")));
@@ -145,7 +145,7 @@ private slots:
                  QStringList("certainty-1.png"));
     }
 
-    void sheetCertainty_tooManyPoints_isRefused() {
+    void sheetNumericalError_tooManyPoints_isRefused() {
         Project project = sphereOn(25);
         project.film.rows = 1500;
         try {
@@ -156,7 +156,7 @@ private slots:
         }
     }
 
-    void sheetCertainty_progress_grows() {
+    void sheetNumericalError_progress_grows() {
         Progress progress;
         double last = 0;
         progress.report = [&](double share, const QString& text) {
@@ -167,7 +167,7 @@ private slots:
         QVERIFY(last > 0.9);
     }
 
-    void sheetCertainty_cancelled_throws() {
+    void sheetNumericalError_cancelled_throws() {
         Progress progress;
         CancelToken cancelToken = progress.cancelToken;
         progress.report = [&cancelToken](double share, const QString&) {

@@ -78,7 +78,7 @@ class VerdictTest : public QObject {
 private slots:
     void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
 
-    void verdict_certainSheet_movesWithinItsError() {
+    void verdict_sheetToPrint_movesWithinItsError() {
         const ImmersionResult result = run(ball(81));
         const DipNumericalError check = fullCheck(ball(81));
         QCOMPARE(adviceText(result.verdict.advice), QStringLiteral("Print it"));
@@ -142,7 +142,7 @@ private slots:
         QVERIFY(QString::fromUtf8(QJsonDocument(json).toJson()).contains("wood.png"));
     }
 
-    // The top of the ball stays bare because of the overhang.
+    // The top of the ball is past the overhang and stays bare.
     void verdict_bareMarkedZone_doNotPrint() {
         Project project = ball(33);
         project.verdict.noPicture = Advice::Print;

@@ -154,11 +154,11 @@ private slots:
     void mapColour_unknownMap_isRefused();
     void stretchMap_showsStretchedFilm();
     void stretchMap_wideFilm_isWide();
-    void certaintyMap_longTranslation_staysOnTheMap();
-    void certaintyMap_inches_differsFromMillimetres();
+    void numericalErrorMap_longTranslation_staysOnTheMap();
+    void numericalErrorMap_inches_differsFromMillimetres();
     void wrinkling_compressionCounts_thinningDoesNot();
-    void certaintyMap_outliers_keepTheColourScale();
-    void certaintyMap_markedFilm_isHatched();
+    void numericalErrorMap_outliers_keepTheColourScale();
+    void numericalErrorMap_markedFilm_isHatched();
     void proofPicture_markedFilm_isHatched();
     void proofPicture_showsTheImageOnTheBody();
     void proofPicture_stretchedFilm_showsPalerInk();
@@ -319,7 +319,7 @@ public:
 };
 } // namespace
 
-void ResultsTest::certaintyMap_longTranslation_staysOnTheMap() {
+void ResultsTest::numericalErrorMap_longTranslation_staysOnTheMap() {
     const std::vector<float> changes(dip_.film.positions.size(), 0.1f);
     const QImage known = numericalErrorMap(*dip_.laid, changes, 0.3, 1000);
     const LongWords german;
@@ -330,7 +330,7 @@ void ResultsTest::certaintyMap_longTranslation_staysOnTheMap() {
     }
 }
 
-void ResultsTest::certaintyMap_inches_differsFromMillimetres() {
+void ResultsTest::numericalErrorMap_inches_differsFromMillimetres() {
     std::vector<float> changes(dip_.film.positions.size());
     for (std::size_t point = 0; point < changes.size(); ++point) {
         changes[point] = 0.5f * float(point) / float(changes.size());
@@ -389,7 +389,7 @@ std::pair<int, int> countBeside(const QImage& image, const QColor& colour, int c
 }
 } // namespace
 
-void ResultsTest::certaintyMap_outliers_keepTheColourScale() {
+void ResultsTest::numericalErrorMap_outliers_keepTheColourScale() {
     // The error is 0.1 mm left of the middle, 0.5 mm right of it, and 150 mm in some places.
     std::vector<float> changes;
     for (std::size_t point = 0; point < dip_.film.positions.size(); ++point) {
@@ -414,7 +414,7 @@ void ResultsTest::certaintyMap_outliers_keepTheColourScale() {
     QVERIFY(lightness(at(near, 0.6)) > lightness(at(near, 0.4)) + 15);
 }
 
-void ResultsTest::certaintyMap_markedFilm_isHatched() {
+void ResultsTest::numericalErrorMap_markedFilm_isHatched() {
     const std::vector<float> changes(dip_.film.positions.size(), 0.01f);
     const QImage plain = numericalErrorMap(*dip_.laid, changes, 0.3, 1000);
     for (const solver::PointMark mark : filmMarks) {

@@ -346,7 +346,7 @@ private slots:
         QCOMPARE(reasonText(differences(one, one, {}, 100)), QStringLiteral("the same"));
     }
 
-    void searchAims_valuesOutOfRange_areRefused() {
+    void poseAims_valuesOutOfRange_areRefused() {
         SearchSettings settings;
         QVERIFY_EXCEPTION_THROWN(setWeight(settings.aims, "coverage", -1), Error);
         QVERIFY_EXCEPTION_THROWN(setWeight(settings.aims, "colour", 1), Error);

@@ -105,7 +105,7 @@ private Q_SLOTS:
     void shareBody_areaOfOneDipAlone_doesNotFade();
     void shareBody_unreachedPlaces_areListed();
     void shareBody_marks_areObeyed();
-    void betterLast_lessStretchedFilm_isLast();
+    void recommendedLastDip_lessStretchedFilm_isLast();
     void markOutline_roundMark_isACircle();
     void markOutline_face_isItsEdges();
     void shareBody_twice_givesTheSameBits();
@@ -401,7 +401,7 @@ void BodyShareTest::shareBody_marks_areObeyed() {
     }
 }
 
-void BodyShareTest::betterLast_lessStretchedFilm_isLast() {
+void BodyShareTest::recommendedLastDip_lessStretchedFilm_isLast() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
     BodyShare share = shared(model, oppositeFilms(model));
     // At the equator viscous film is stretched by 1/cos(45°) along the meridian.

@@ -82,7 +82,7 @@ double areaStretch(double distance) {
     return std::sin(polarAngle(distance)) / share * (1 + share * share);
 }
 
-// A grey ramp that is darkest at the picture's left and right edges.
+// A ramp from white in the middle to a sixteenth of its light at the left and right edges.
 QImage ramp() {
     QImage picture(1024, 8, QImage::Format_RGBA8888);
     for (int column = 0; column < picture.width(); ++column) {

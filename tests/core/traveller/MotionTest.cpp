@@ -62,7 +62,7 @@ private slots:
         const MotionTemplate shipped = motionTemplate();
         const QString code =
             QString::fromUtf8(filledTemplate(motion(), shipped.text, shipped.where));
-        double height = 0, minutes = 0; // minutes at the end of the dip
+        double height = 0, minutes = 0; // mm; minutes at the dip's depth
         for (const QString& line : code.split(u'\n')) {
             const QString command = line.section(u';', 0, 0).trimmed();
             QVERIFY2(!command.startsWith(QStringLiteral("G4")), qPrintable(command));

@@ -133,8 +133,8 @@ struct Settings {
     // its sum of squares.
     double contactTravel = 0.5;
     double residual = 1e-4;
-    // Laws of film behaviour, for isotropic film on water only (docs/film-model.md, "Constants of
-    // ours"). Film is laid on faces that turn upwards by at most `overhang` radians from the
+    // Laws of film behaviour, for isotropic film on water only (docs/film-model.md, "Assumed
+    // constants"). Film is laid on faces that turn upwards by at most `overhang` radians from the
     // vertical, with ever less grip before that. Beyond it the body releases the film. Film that
     // the body catches there (PointState::Trapped) is neither painted nor pulled along.
     double overhang = 0.35;

@@ -30,7 +30,9 @@ private slots:
     void evenDraws_many_areNormallyDistributed() {
         const Eigen::MatrixXd draws = evenDraws(2000, 1, 3);
         const double within = double((draws.array().abs() < 1).count()) / 2000;
-        QVERIFY2(std::abs(within - 0.683) < 0.03, qPrintable(QString::number(within)));
+        QVERIFY2(std::abs(within - 0.683) < 0.03,
+                 qPrintable(
+                     QStringLiteral("share within one deviation %1, expected 0.683").arg(within)));
     }
 };
 

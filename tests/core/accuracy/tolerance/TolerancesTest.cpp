@@ -184,15 +184,20 @@ private slots:
         for (float& ratio : ratios) {
             ratio = std::abs(ratio);
         }
-        QVERIFY2(spreadOf(ratios).percentile95 < 0.05,
-                 qPrintable(QString::number(spreadOf(ratios).percentile95)));
+        QVERIFY2(
+            spreadOf(ratios).percentile95 < 0.05,
+            qPrintable(QStringLiteral(
+                           "95 % of the spreads are within %1 of the closed form, expected < 0.05")
+                           .arg(spreadOf(ratios).percentile95)));
     }
 
     void jobTolerances_waterLevelOfSubmergedBody_movesNothing() {
         ToleranceSettings settings = exact();
         settings.waterLevel = Millimetres(1);
         const DipTolerances found = tolerances(ball_, settings);
-        QVERIFY2(found.spread.maximum < 1e-3, qPrintable(QString::number(found.spread.maximum)));
+        QVERIFY2(found.spread.maximum < 1e-3,
+                 qPrintable(QStringLiteral("largest spread %1 mm, expected < 0.001 mm")
+                                .arg(found.spread.maximum)));
         QVERIFY(found.contributions.front().lost < 1);
     }
 
@@ -203,8 +208,10 @@ private slots:
         settings.waterLevel = Millimetres(4); // more than a film cell
         const DipTolerances found = tolerances(resultOf(half), settings);
         const double belt = 2 * pi * radius * 4; // mm², at any height of a ball
-        QVERIFY2(found.spread.percentile95 < 0.05,
-                 qPrintable(QString::number(found.spread.percentile95)));
+        QVERIFY2(
+            found.spread.percentile95 < 0.05,
+            qPrintable(QStringLiteral("95 % of the spreads are within %1 mm, expected < 0.05 mm")
+                           .arg(found.spread.percentile95)));
         VERIFY_NEAR(found.contributions.front().lost, belt, 0.2 * belt);
         VERIFY_NEAR(found.contributions.front().gained, belt, 0.2 * belt);
     }
@@ -248,9 +255,13 @@ private slots:
         const DipTolerances& found = everythingOff();
         QVERIFY(found.sampled);
         QCOMPARE(found.sampled->dips, 24);
-        QVERIFY2(found.sampled->agrees(), qPrintable(QStringLiteral("%1, not %2")
-                                                         .arg(found.sampled->percentile95)
-                                                         .arg(found.sampled->linear)));
+        QVERIFY2(
+            found.sampled->agrees(),
+            qPrintable(
+                QStringLiteral(
+                    "95 % of the sampled spreads are within %1 mm, of the linear ones within %2 mm")
+                    .arg(found.sampled->percentile95)
+                    .arg(found.sampled->linear)));
     }
 
     void jobTolerances_anyNumberOfThreads_giveTheSameBits() {

@@ -63,7 +63,8 @@ private slots:
             zonesOf(ball_, {markAt(Zone::A, ZoneExtent::Spot, {0, -radius, 0}, 20)}, places);
         const double cap = (1 - std::cos(20 / radius)) / 2; // of the ball's surface
         QVERIFY2(std::abs(shareOf(Zone::A, zones) / cap - 1) < 0.05,
-                 qPrintable(QString::number(shareOf(Zone::A, zones) / cap)));
+                 qPrintable(QStringLiteral("the zone is %1 of the cap, expected 1")
+                                .arg(shareOf(Zone::A, zones) / cap)));
     }
 
     void faceMark_reachesTheEdges() {

@@ -197,7 +197,8 @@ private slots:
         for (int kind = 0; kind <= int(VerdictReason::Kind::GuessedFilm); ++kind) {
             const VerdictReason reason{
                 VerdictReason::Kind(kind), Advice::Print, 0.1, 0.05, QStringLiteral("why"), 1};
-            QVERIFY2(reasonText(reason, millimetres).size() > 8, qPrintable(QString::number(kind)));
+            QVERIFY2(reasonText(reason, millimetres).size() > 8,
+                     qPrintable(QStringLiteral("reason %1 has no text").arg(kind)));
             keys << reasonKey(reason.kind);
         }
         QCOMPARE(keys.removeDuplicates(), qsizetype(0));

@@ -1,6 +1,5 @@
-// The multigrid cycle's row kernels, on every instruction set of this processor: against plain
-// loops bit for bit where these do the same arithmetic, and against the matrices that they stand
-// for.
+// The multigrid cycle's row kernels on every instruction set of this processor. They are compared
+// bit for bit with plain loops where the arithmetic is the same, otherwise with their matrices.
 
 #include "production/cpu/StencilKernels.h"
 #include "RandomRows.h"
@@ -24,7 +23,7 @@ using test::Row;
 
 namespace {
 
-// What `work` makes on each of the processor's instruction sets; whether it is the same on all.
+// Whether `work` gives the same bits on all of the processor's instruction sets.
 bool isSameOnAll(const std::function<Row()>& work) {
     const std::int64_t all = hwy::SupportedTargets();
     const Row first = work();
@@ -45,9 +44,9 @@ Row joined(std::initializer_list<Row> rows) {
     return all;
 }
 
-constexpr std::size_t longest = 40, room = 16; // numbers past a row's end, as the kernels want
+constexpr std::size_t longest = 40, room = 16; // numbers past a row's end that the kernels need
 
-// The stiffness of a grid, row after row; nothing reaches out of it.
+// The stiffness of a grid, row after row. No entry reaches out of the grid.
 struct Grid {
     Grid(int columnCount, int rowCount)
         : columns(columnCount), rows(rowCount), pitch(std::size_t(columnCount) + room),
@@ -80,7 +79,7 @@ struct Grid {
     Lines<const float> constRow(int r) const {
         return {stencils.data() + std::size_t(r) * stencilLines * pitch, pitch};
     }
-    // Number `k` (xx, xz, zx, zz) of a point with its neighbour so many rows and columns away.
+    // Entry `k` (xx, xz, zx, zz) of a point with its neighbour `dr` rows and `dc` columns away.
     float& at(int r, int column, int dr, int dc, int k) {
         return row(r)[std::size_t(4 * (3 * (dr + 1) + dc + 1) + k)][column];
     }
@@ -93,13 +92,13 @@ struct Grid {
     Row stencils;
 };
 
-// Interpolation between grids of which the coarser has every second point.
+// The weight of a coarse point in a fine one; the coarse grid has every second point.
 double share(int fine, int coarse) {
     const int apart = std::abs(fine - 2 * coarse);
     return apart == 0 ? 1 : apart == 1 ? 0.5 : 0;
 }
 
-// PᵀKP, one number of K after the other.
+// PᵀKP, summed over the entries of K.
 Grid galerkin(const Grid& fine) {
     Grid coarse(fine.columns / 2 + 1, fine.rows / 2 + 1);
     fine.forEntries([&](int row, int column, int dr, int dc, int k) {
@@ -144,7 +143,7 @@ double largestDifference(const Row& a, const Row& b) {
     return most;
 }
 
-// Three rows of points with room, and zeros, round them.
+// Three rows of points with zeros round them.
 struct Points {
     Points(std::size_t count, unsigned seed)
         : columns(count), pitch(count + 2 * room), x(3 * pitch), z(3 * pitch) {
@@ -167,7 +166,7 @@ struct Points {
     Row x, z;
 };
 
-// A row of stencils, and right − K now there.
+// A row of stencils, and the residual right − K·now.
 struct StencilRow {
     explicit StencilRow(std::size_t count)
         : columns(count), pitch(count + room), stencil(stencilLines * pitch),
@@ -199,7 +198,7 @@ struct StencilRow {
     Row stencil, inverse;
 };
 
-// Corners of a triangle's edges: how its stiffness enters the points' stencils.
+// Adds the stiffness of a triangle's edges to the stencils of its corners.
 void addTriangle(Grid& grid, int row, int column, bool isUpper, bool onRight,
                  const Lines<const float>& stiffness) {
     const int base = isUpper ? row + 1 : row, side = onRight ? column + 1 : column;
@@ -222,18 +221,18 @@ void addTriangle(Grid& grid, int row, int column, bool isUpper, bool onRight,
 class StencilKernelsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void stencilsAreThoseOfTheTriangles();
-    void heldPointsNeitherMoveNorFeel();
-    void invertsThePointsOwnBlocks();
-    void coarseOperatorIsGalerkins();
-    void firstSmoothingStepNeedsNoStiffness();
-    void smoothingIsChebyshevs();
-    void residualIsWhatIsLeft();
-    void restrictionIsTheTransposeOfInterpolation();
-    void interpolationIsExactForLinear();
+    void addToStencils_assemblesTheTriangles();
+    void holdPoints_removesHeldPoints();
+    void invertMiddle_invertsTheDiagonalBlocks();
+    void coarsen_givesTheGalerkinOperator();
+    void smoothFirst_withoutStiffness_equalsScalarBits();
+    void smoothRow_isAChebyshevStep();
+    void residualRow_equalsScalarBits();
+    void restrictRow_isTheTransposeOfInterpolateRow();
+    void interpolateRow_linearValues_isExact();
 };
 
-void StencilKernelsTest::stencilsAreThoseOfTheTriangles() {
+void StencilKernelsTest::addToStencils_assemblesTheTriangles() {
     for (const std::size_t cells : {std::size_t(1), std::size_t(2), std::size_t(7), longest}) {
         const Row first = randomRow(triangleLines * cells, 1),
                   second = randomRow(triangleLines * cells, 2);
@@ -252,7 +251,7 @@ void StencilKernelsTest::stencilsAreThoseOfTheTriangles() {
             }
             QVERIFY(largestDifference(assembled(), expected.stencils) < 1e-5);
             QVERIFY(isSameOnAll(assembled));
-            // One of the rows alone, as at the end of a band of rows.
+            // One row alone, as at the end of a band of rows.
             Grid upper(int(cells) + 1, 2);
             addToStencils(cells, parity, {{first.data(), cells}, {second.data(), cells}}, {},
                           upper.row(1));
@@ -263,7 +262,7 @@ void StencilKernelsTest::stencilsAreThoseOfTheTriangles() {
     }
 }
 
-void StencilKernelsTest::heldPointsNeitherMoveNorFeel() {
+void StencilKernelsTest::holdPoints_removesHeldPoints() {
     const int columns = 21;
     const Grid film(columns, 3, 4);
     Row free[3], area = randomRow(std::size_t(columns), 9, 0.5f, 2);
@@ -293,7 +292,7 @@ void StencilKernelsTest::heldPointsNeitherMoveNorFeel() {
     QVERIFY(isSameOnAll(held));
 }
 
-void StencilKernelsTest::invertsThePointsOwnBlocks() {
+void StencilKernelsTest::invertMiddle_invertsTheDiagonalBlocks() {
     Grid grid(4, 1);
     const auto put = [&](int column, std::array<float, 4> block) {
         for (int k = 0; k < 4; ++k) {
@@ -321,7 +320,7 @@ void StencilKernelsTest::invertsThePointsOwnBlocks() {
     QVERIFY(isSameOnAll(inverted));
 }
 
-void StencilKernelsTest::coarseOperatorIsGalerkins() {
+void StencilKernelsTest::coarsen_givesTheGalerkinOperator() {
     for (const auto [columns, rows] :
          {std::array{9, 7}, std::array{8, 6}, std::array{9, 6}, std::array{37, 5},
           std::array{38, 4}, std::array{2, 2}, std::array{3, 3}}) {
@@ -332,7 +331,7 @@ void StencilKernelsTest::coarseOperatorIsGalerkins() {
     }
 }
 
-void StencilKernelsTest::firstSmoothingStepNeedsNoStiffness() {
+void StencilKernelsTest::smoothFirst_withoutStiffness_equalsScalarBits() {
     for (std::size_t count = 1; count <= longest; ++count) {
         const StencilRow row(count);
         const Points right(count, 60);
@@ -357,7 +356,7 @@ void StencilKernelsTest::firstSmoothingStepNeedsNoStiffness() {
     }
 }
 
-void StencilKernelsTest::smoothingIsChebyshevs() {
+void StencilKernelsTest::smoothRow_isAChebyshevStep() {
     for (std::size_t count = 1; count <= longest; ++count) {
         const StencilRow row(count);
         const Points right(count, 60), now(count, 90);
@@ -384,7 +383,7 @@ void StencilKernelsTest::smoothingIsChebyshevs() {
     }
 }
 
-void StencilKernelsTest::residualIsWhatIsLeft() {
+void StencilKernelsTest::residualRow_equalsScalarBits() {
     for (std::size_t count = 1; count <= longest; ++count) {
         const StencilRow row(count);
         const Points right(count, 60), now(count, 90);
@@ -406,13 +405,13 @@ void StencilKernelsTest::residualIsWhatIsLeft() {
 }
 
 // (P c) · f = c · (Pᵀ f) for all rows of a fine and a coarse grid.
-void StencilKernelsTest::restrictionIsTheTransposeOfInterpolation() {
+void StencilKernelsTest::restrictRow_isTheTransposeOfInterpolateRow() {
     for (const auto [columns, rows] : {std::array{2, 2}, std::array{5, 7}, std::array{6, 6},
                                        std::array{33, 4}, std::array{34, 5}}) {
         const auto fineColumns = std::size_t(columns), coarseColumns = fineColumns / 2 + 1;
         const int coarseRows = rows / 2 + 1;
         const Row coarse = randomRow(coarseColumns * std::size_t(coarseRows), 2);
-        // A row of zeros below the fine grid and two above it.
+        // One row of zeros below the fine grid and two rows above it.
         Row fine = randomRow(fineColumns * std::size_t(rows + 3), 1);
         std::fill_n(fine.begin(), fineColumns, 0.f);
         std::fill_n(fine.end() - long(2 * fineColumns), 2 * fineColumns, 0.f);
@@ -454,8 +453,8 @@ void StencilKernelsTest::restrictionIsTheTransposeOfInterpolation() {
     }
 }
 
-// Along a row and between two, added to what is there, and only where `factor` says so.
-void StencilKernelsTest::interpolationIsExactForLinear() {
+// Interpolates along a row and between two rows. The result is added, times `factor`.
+void StencilKernelsTest::interpolateRow_linearValues_isExact() {
     const std::size_t columns = 21;
     Row lower, upper, factor(columns, 1.f), fine(columns, 10.f);
     for (std::size_t c = 0; c <= columns / 2; ++c) {

@@ -1,5 +1,5 @@
-// How much a multigrid cycle leaves of an error, for films in which a flat film's stiffness says
-// little: drawn out, gathered, held in part.
+// How much of an error a multigrid cycle leaves, for flat film and for films with another
+// stiffness: stretched, gathered, partly held.
 
 #include "production/cpu/StiffnessMultigrid.h"
 
@@ -16,7 +16,7 @@ using namespace dipwright::cpu;
 
 namespace {
 
-// A film of 1 mm cells of which the points with free 0 are held, displaced by `way`.
+// A film of 1 mm cells with a displacement. Points with `free` 0 are held.
 struct Film {
     Film(int columns, int rows)
         : setup(flat(columns, rows)), along(numerics::columnsOf<float>(setup.film)),
@@ -24,7 +24,7 @@ struct Film {
           model(numerics::filmModel<float>(setup, along.lines(), down.lines())), plane(model),
           free(std::size_t(columns) * std::size_t(rows), 1.f), area(free.size(), 1.f),
           displacement(free.size()), multigrid(setup.film) {
-        for (int row = 0; row < rows; ++row) { // two sides of it
+        for (int row = 0; row < rows; ++row) { // the left and right sides
             free[at(0, row)] = free[at(columns - 1, row)] = 0;
         }
     }
@@ -39,7 +39,7 @@ struct Film {
     std::size_t at(int column, int row) const {
         return std::size_t(row) * std::size_t(plane.columns()) + std::size_t(column);
     }
-    // To the stretches a and d along X and Z.
+    // Displaces the film to the stretches a and d along X and Z.
     void stretch(float a, float d) {
         for (int row = 0; row < plane.rows(); ++row) {
             for (int column = 0; column < plane.columns(); ++column) {
@@ -103,7 +103,7 @@ double dot(const PlaneVector& a, const PlaneVector& b) {
     return sum;
 }
 
-// What a cycle leaves of an error, in the long run and by its elastic energy.
+// The share of an error that a cycle leaves after several cycles, measured by its elastic energy.
 double reduction(Film& film) {
     film.prepare();
     PlaneVector error = film.random(1);
@@ -125,18 +125,18 @@ double reduction(Film& film) {
 class StiffnessMultigridTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void reducesTheErrorOfFlatFilm_data();
-    void reducesTheErrorOfFlatFilm();
-    void reducesTheErrorOfFilmDrawnOut();
-    void reducesTheErrorOfGatheredFilm();
-    void reducesTheErrorRoundHeldFilm();
-    void isSymmetric();
-    void mirroredForcesGiveMirroredFilm();
-    void heldPointsStay();
-    void sameBitsForAnyNumberOfThreads();
+    void cycle_flatFilm_reducesTheError_data();
+    void cycle_flatFilm_reducesTheError();
+    void cycle_stretchedFilm_reducesTheError();
+    void cycle_gatheredFilm_reducesTheError();
+    void cycle_heldFilm_reducesTheError();
+    void cycle_isSymmetric();
+    void cycle_mirroredForces_giveMirroredFilm();
+    void cycle_heldPoints_stay();
+    void cycle_anyNumberOfThreads_giveTheSameBits();
 };
 
-void StiffnessMultigridTest::reducesTheErrorOfFlatFilm_data() {
+void StiffnessMultigridTest::cycle_flatFilm_reducesTheError_data() {
     QTest::addColumn<int>("columns");
     QTest::addColumn<int>("rows");
     QTest::newRow("odd") << 65 << 65;
@@ -146,7 +146,7 @@ void StiffnessMultigridTest::reducesTheErrorOfFlatFilm_data() {
     QTest::newRow("smallest") << 3 << 3;
 }
 
-void StiffnessMultigridTest::reducesTheErrorOfFlatFilm() {
+void StiffnessMultigridTest::cycle_flatFilm_reducesTheError() {
     QFETCH(int, columns);
     QFETCH(int, rows);
     Film film(columns, rows);
@@ -155,7 +155,7 @@ void StiffnessMultigridTest::reducesTheErrorOfFlatFilm() {
     QVERIFY(left < 0.4);
 }
 
-void StiffnessMultigridTest::reducesTheErrorOfFilmDrawnOut() {
+void StiffnessMultigridTest::cycle_stretchedFilm_reducesTheError() {
     Film film(65, 65);
     film.stretch(3, 1);
     const double left = reduction(film);
@@ -163,8 +163,8 @@ void StiffnessMultigridTest::reducesTheErrorOfFilmDrawnOut() {
     QVERIFY(left < 0.6);
 }
 
-// Which hardly resists in some directions, not even by the derivative that is made semi-definite.
-void StiffnessMultigridTest::reducesTheErrorOfGatheredFilm() {
+// Gathered film hardly resists in some directions, even with the semi-definite derivative.
+void StiffnessMultigridTest::cycle_gatheredFilm_reducesTheError() {
     Film film(65, 65);
     film.stretch(0.7f, 0.8f);
     const double left = reduction(film);
@@ -172,8 +172,8 @@ void StiffnessMultigridTest::reducesTheErrorOfGatheredFilm() {
     QVERIFY(left < 0.9);
 }
 
-// A disc in its middle, and points here and there.
-void StiffnessMultigridTest::reducesTheErrorRoundHeldFilm() {
+// A disc in the film's middle and scattered points are held.
+void StiffnessMultigridTest::cycle_heldFilm_reducesTheError() {
     Film film(65, 65);
     for (int row = 0; row < 65; ++row) {
         for (int column = 0; column < 65; ++column) {
@@ -187,7 +187,7 @@ void StiffnessMultigridTest::reducesTheErrorRoundHeldFilm() {
     QVERIFY(left < 0.5);
 }
 
-void StiffnessMultigridTest::isSymmetric() {
+void StiffnessMultigridTest::cycle_isSymmetric() {
     Film film(34, 27);
     film.stretch(1.4f, 0.9f);
     film.prepare();
@@ -197,8 +197,8 @@ void StiffnessMultigridTest::isSymmetric() {
             1e-4 * std::sqrt(dot(a, film.cycle(a)) * dot(b, film.cycle(b))));
 }
 
-// On a grid with a point in its middle, whose cells' diagonals lie mirrored as well.
-void StiffnessMultigridTest::mirroredForcesGiveMirroredFilm() {
+// The grid has a point in its middle, so that its cells' diagonals are mirrored as well.
+void StiffnessMultigridTest::cycle_mirroredForces_giveMirroredFilm() {
     Film film(33, 25);
     film.prepare();
     PlaneVector right = film.random(1);
@@ -219,7 +219,7 @@ void StiffnessMultigridTest::mirroredForcesGiveMirroredFilm() {
     }
 }
 
-void StiffnessMultigridTest::heldPointsStay() {
+void StiffnessMultigridTest::cycle_heldPoints_stay() {
     Film film(20, 20);
     film.free[film.at(9, 9)] = 0;
     film.prepare();
@@ -230,7 +230,7 @@ void StiffnessMultigridTest::heldPointsStay() {
     }
 }
 
-void StiffnessMultigridTest::sameBitsForAnyNumberOfThreads() {
+void StiffnessMultigridTest::cycle_anyNumberOfThreads_giveTheSameBits() {
     PlaneVector first;
     for (const int threads : {1, 2, 5}) {
         ThreadTeam team(threads);

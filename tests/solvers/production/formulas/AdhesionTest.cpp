@@ -1,4 +1,4 @@
-// When and where film adheres, how it lies then, and where the body lets go of it.
+// When and where film adheres, how it lies then, and where the body releases it.
 
 #include "production/formulas/Adhesion.h"
 
@@ -19,7 +19,7 @@ struct Dipped {
     test::SampledBody sampled = test::sphere(radius, 129);
     ContactBody<double> body;
 
-    // Its lowest point starts `gap` over the water.
+    // The body's lowest point starts `gap` mm above the water.
     explicit Dipped(double gap, double contactDistance = 0) {
         solver::DipSetup setup;
         setup.field = sampled.view;
@@ -34,37 +34,37 @@ struct Dipped {
 class AdhesionTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void adheresAtTheMomentOfContact();
-    void movingFilmMeetsTheBodyOnItsWay();
-    void overhangDoesNotHoldFilm();
-    void gripFadesTowardsTheOverhang();
-    void firmlyHeldFilmDoesNotSlip();
-    void looseFilmStaysWhereItLay();
-    void releasedFilmIsCutAtTheLine();
+    void attachment_touchedPoint_adheresAtTheMomentOfContact();
+    void attachment_movingPoint_adheresOnItsWay();
+    void attachment_pastOverhang_staysFreeOrIsTrapped();
+    void grip_fadesTowardsTheOverhang();
+    void slide_firmlyHeldFilm_doesNotSlip();
+    void slide_looseFilm_staysInItsPlace();
+    void releaseTriangle_isCutAtTheContactLine();
 };
 
-// Under the sphere, 12 mm beside its axis, where it is h mm higher than its lowest point: the point
-// is met when the body has come down by the gap and h, and sticks where it is then.
-void AdhesionTest::adheresAtTheMomentOfContact() {
+// The point is under the sphere, 12 mm beside its axis, where the sphere is h mm higher than its
+// lowest point. It touches when the body has come down by the gap and h, and adheres there.
+void AdhesionTest::attachment_touchedPoint_adheresAtTheMomentOfContact() {
     const double h = radius - std::sqrt(radius * radius - 144);
-    for (const double start : {0.1, 0.4, 0.9}) { // into a step of 1 mm
+    for (const double start : {0.1, 0.4, 0.9}) { // mm from the start of a step of 1 mm
         const Dipped dip(5);
         const auto met = attachment(dip.body, 5 + h - start, 1.0, Place{12, 0, 0}, Place{});
         QVERIFY(met.state == solver::PointState::Adhered);
         QVERIFY(length(met.place - Place{12, h - radius, 0}) < 0.01);
     }
-    const Dipped far(5, 0.3); // contact at a distance
+    const Dipped far(5, 0.3); // with a contact distance
     const auto met = attachment(far.body, 4.5, 1.0, Place{}, Place{});
     QVERIFY(length(met.place - Place{0, -radius - 0.3, 0}) < 0.01);
 }
 
-// The point goes 2 mm towards the axis in the step; the body's edge in the water comes to meet it.
-void AdhesionTest::movingFilmMeetsTheBodyOnItsWay() {
+// The point moves 2 mm towards the axis in the step, while the contact line moves towards it.
+void AdhesionTest::attachment_movingPoint_adheresOnItsWay() {
     const Dipped dip(0);
     const double before = 5, increment = 1;
     const Place start{18.5, 0, 0}, way{-2, 0, 0};
     const auto met = attachment(dip.body, before, increment, start, way);
-    double share = 0; // by hand: x² = R² − (R − descent)²
+    double share = 0; // solved here: x² = R² − (R − descent)²
     for (double step = 0.5; step > 1e-9; step /= 2) {
         const double x = 18.5 - 2 * (share + step), down = before + increment * (share + step);
         share += x * x > radius * radius - (radius - down) * (radius - down) ? step : 0;
@@ -74,18 +74,19 @@ void AdhesionTest::movingFilmMeetsTheBodyOnItsWay() {
     QVERIFY(length(met.place - meeting) < 0.01);
 }
 
-void AdhesionTest::overhangDoesNotHoldFilm() {
+void AdhesionTest::attachment_pastOverhang_staysFreeOrIsTrapped() {
     const Dipped dip(0);
-    const double down = radius + 20; // well past the equator: the edge is at 22.4 mm, and closes
+    const double down =
+        radius + 20; // mm, past the equator: the contact line is at 22.4 mm and shrinks
     const double edge = std::sqrt(radius * radius - 400);
-    // Film that comes in over the edge is free, and trapped if it was in the body before.
+    // Film that crosses the contact line is free; film that was inside the body before is trapped.
     QVERIFY(attachment(dip.body, down, 0.1, Place{edge + 0.5, 0, 0}, Place{-1.5, 0, 0}).state ==
             solver::PointState::Free);
     QVERIFY(attachment(dip.body, down, 0.1, Place{edge - 1, 0, 0}, Place{-0.5, 0, 0}).state ==
             solver::PointState::Trapped);
 }
 
-void AdhesionTest::gripFadesTowardsTheOverhang() {
+void AdhesionTest::grip_fadesTowardsTheOverhang() {
     const Dipped dip(0);
     const ContactBody<double>& body = dip.body;
     QVERIFY(body.firmlyHeld < body.steepestHeld);
@@ -94,7 +95,7 @@ void AdhesionTest::gripFadesTowardsTheOverhang() {
     QCOMPARE(detail::grip(body, body.steepestHeld), 0.0);
     QCOMPARE(detail::grip(body, 1.0), 0.0);
     QVERIFY(std::abs(detail::grip(body, (body.firmlyHeld + body.steepestHeld) / 2) - 0.5) < 1e-12);
-    // Nothing is laid at the overhang: a share g of what unfolds is laid as g − (1 − g)·u.
+    // No film is laid at the overhang: of the unfolded film, the share g − (1 − g)·u is laid.
     const double overhang = std::sin(solver::Settings().overhang);
     const double share = detail::grip(body, overhang);
     QVERIFY(std::abs(share - (1 - share) * overhang) < 0.01);
@@ -108,7 +109,7 @@ CrossingCorner<double> heldCorner(double x) {
 
 } // namespace
 
-void AdhesionTest::firmlyHeldFilmDoesNotSlip() {
+void AdhesionTest::slide_firmlyHeldFilm_doesNotSlip() {
     const Dipped dip(0);
     LaidCorners<double> film;
     for (const double x : {9.0, 8.5, 8.0}) {
@@ -117,7 +118,7 @@ void AdhesionTest::firmlyHeldFilmDoesNotSlip() {
     }
 }
 
-void AdhesionTest::looseFilmStaysWhereItLay() {
+void AdhesionTest::slide_looseFilm_staysInItsPlace() {
     const Dipped dip(0);
     LaidCorners<double> film;
     detail::slide(dip.body, heldCorner(10), 0, Place{10, 0, 0}, 1.0, true, film);
@@ -126,16 +127,17 @@ void AdhesionTest::looseFilmStaysWhereItLay() {
         detail::slide(dip.body, heldCorner(10), 0, Place{x, 0, 0}, 1.0, true, film);
         QCOMPARE(detail::offset(film, 0).x, lay);
     }
-    // But goes along with the film: not because the body has moved.
+    // But it moves with the film if the film moves, not the body.
     detail::slide(dip.body, heldCorner(10), 0, Place{7.5, 0, 0}, 1.0, false, film);
     QCOMPARE(detail::offset(film, 0).x, lay - 0.5);
 }
 
-// A triangle of which the left corner is held and four tenths float: its edge moves to the line,
+// A triangle with its left corner held, of which 0.4 floats: its edge moves to the contact line,
 // and its stretch stays the same.
-void AdhesionTest::releasedFilmIsCutAtTheLine() {
+void AdhesionTest::releaseTriangle_isCutAtTheContactLine() {
     const Dipped dip(0);
-    const TriangleCorners triangle{{0, 1, 2}, true, true}; // the third above the right one
+    const TriangleCorners triangle{
+        {0, 1, 2}, true, true}; // the third corner is above the right one
     CrossingCorner<double> corners[3];
     corners[0] = crossingCorner(solver::PointState::Adhered, Place{0, 0, 0}, Place{0, -1, 0});
     corners[1] = crossingCorner(solver::PointState::Free, Place{2, 0, 0}, Place{});
@@ -150,7 +152,8 @@ void AdhesionTest::releasedFilmIsCutAtTheLine() {
     QVERIFY(film.isReleased[0]);
     QVERIFY(std::abs(film.lost - 0.6) < 1e-12);
     const Place cut = Place{0, 0, 0} + detail::offset(film, 0);
-    QVERIFY(length(cut - Place{2 * 0.6, 0, 1 * 0.6}) < 1e-12); // towards the middle of the free
+    QVERIFY(length(cut - Place{2 * 0.6, 0, 1 * 0.6}) <
+            1e-12); // towards the middle of the free corners
     const Matrix2<double> rest{0.5, 0, 0, 0.5};
     const auto before = gradientOf(EdgePair<double>{2, 0, 0, 2}, rest);
     const auto after = gradientOf(EdgePair<double>{2 - cut.x, -cut.z, 0, 2}, change * rest);

@@ -1,4 +1,4 @@
-// The contact line and the surface unfolded about it, on bodies where both are known.
+// The contact line and the surface unfolded about it, on bodies with closed forms.
 
 #include "production/formulas/ContactPath.h"
 
@@ -15,7 +15,7 @@ namespace {
 using Place = Vector3<double>;
 constexpr double radius = 30, cell = 1.5;
 
-// A body with its middle at a height over the water.
+// A body with its centre `height` mm above the water.
 struct Placed {
     test::SampledBody body;
     FieldGrid<double> field;
@@ -33,7 +33,7 @@ struct Placed {
     }
 };
 
-// On the sphere, by the angle from straight down.
+// A place on the sphere: `angle` from straight down, `around` the vertical, both in radians.
 Place onSphere(double angle, double around, double height) {
     return {radius * std::sin(angle) * std::cos(around), height - radius * std::cos(angle),
             radius * std::sin(angle) * std::sin(around)};
@@ -44,23 +44,23 @@ Place onSphere(double angle, double around, double height) {
 class ContactPathTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void lineIsWhereTheSphereMeetsTheWater_data();
-    void lineIsWhereTheSphereMeetsTheWater();
-    void lineKeepsTheContactDistance();
-    void flatFaceHasNoLine();
-    void unfoldsTheSphereByItsArc();
-    void unfoldsAWallByItsHeight();
-    void unfoldsAcrossTheLineWhereItIsNearest();
+    void contactLine_sphere_isWhereItMeetsTheWater_data();
+    void contactLine_sphere_isWhereItMeetsTheWater();
+    void contactLine_contactDistance_isKept();
+    void contactLine_flatFace_isNotFound();
+    void unfolded_sphere_isItsArc();
+    void unfolded_wall_isItsHeight();
+    void unfolded_cornerBesideTheLine_followsItsOwnMeridian();
 };
 
-void ContactPathTest::lineIsWhereTheSphereMeetsTheWater_data() {
+void ContactPathTest::contactLine_sphere_isWhereItMeetsTheWater_data() {
     QTest::addColumn<double>("height");
     QTest::newRow("under the water's half") << 22.0;
     QTest::newRow("half") << 0.0;
     QTest::newRow("past the half") << -12.0;
 }
 
-void ContactPathTest::lineIsWhereTheSphereMeetsTheWater() {
+void ContactPathTest::contactLine_sphere_isWhereItMeetsTheWater() {
     QFETCH(double, height);
     const Placed sphere(test::sphere(radius, 129), height);
     const double edge = std::sqrt(radius * radius - height * height);
@@ -76,20 +76,20 @@ void ContactPathTest::lineIsWhereTheSphereMeetsTheWater() {
     }
 }
 
-void ContactPathTest::lineKeepsTheContactDistance() {
+void ContactPathTest::contactLine_contactDistance_isKept() {
     const Placed sphere(test::sphere(radius, 129), 20);
     const auto line = sphere.lineAt({22, -1, 0}, {25, 0, 0}, 0.5);
     QVERIFY(line.found);
     QVERIFY(std::abs(line.place.x - std::sqrt(30.5 * 30.5 - 400)) < 0.01);
 }
 
-void ContactPathTest::flatFaceHasNoLine() {
-    const Placed box(test::box(20, 10, 20, 65), 10.5); // its lower face at 0.5 mm over the water
+void ContactPathTest::contactLine_flatFace_isNotFound() {
+    const Placed box(test::box(20, 10, 20, 65), 10.5); // its lower face is 0.5 mm above the water
     QVERIFY(!box.lineAt({0, 0.5, 0}, {1.5, 0, 0}, 1).found);
 }
 
-// The film that covers a piece of meridian lies as far inwards of the line as that is long.
-void ContactPathTest::unfoldsTheSphereByItsArc() {
+// Film on an arc of the meridian is unfolded as far inwards from the line as the arc is long.
+void ContactPathTest::unfolded_sphere_isItsArc() {
     const double height = 20, lineAngle = std::acos(height / radius);
     const double edge = radius * std::sin(lineAngle);
     const Placed sphere(test::sphere(radius, 129), height);
@@ -105,9 +105,9 @@ void ContactPathTest::unfoldsTheSphereByItsArc() {
     }
 }
 
-void ContactPathTest::unfoldsAWallByItsHeight() {
+void ContactPathTest::unfolded_wall_isItsHeight() {
     const Placed box(test::box(20, 25, 20, 129), 5);
-    const Place corner{20, -1.2, 3}; // on the wall, under the water
+    const Place corner{20, -1.2, 3}; // on the wall, under water
     const auto line = box.lineAt({19.9, -1.2, 3}, {21, 0, 3});
     QVERIFY(line.found);
     QVERIFY(std::abs(line.place.x - 20) < 0.01);
@@ -117,8 +117,8 @@ void ContactPathTest::unfoldsAWallByItsHeight() {
     QVERIFY(length(result.position - Place{18.8, 0, 3}) < 0.02);
 }
 
-// A corner beside the triangle's own line goes inwards along its own meridian.
-void ContactPathTest::unfoldsAcrossTheLineWhereItIsNearest() {
+// A corner beside the triangle's contact line is unfolded along its own meridian.
+void ContactPathTest::unfolded_cornerBesideTheLine_followsItsOwnMeridian() {
     const double height = 20, lineAngle = std::acos(height / radius);
     const double edge = radius * std::sin(lineAngle);
     const Placed sphere(test::sphere(radius, 129), height);

@@ -1,4 +1,4 @@
-// A triangle that crosses the contact line: what of it strains, and what of it pulls.
+// A triangle that crosses the contact line: which part strains and which part pulls.
 
 #include "production/formulas/CrossingTriangle.h"
 
@@ -14,14 +14,15 @@ using Matrix = Matrix2<double>;
 using Crossing = CrossingTriangle<double>;
 using Anchor = CrossingAnchor<double>;
 
-const Matrix rest{0.5, 0, 0, 0.25}; // of edges 2 and 4 mm long
+const Matrix rest{0.5, 0, 0, 0.25}; // inverse of edges 2 and 4 mm long
 constexpr double area = 4;
 
 double distance(const Matrix& a, const Matrix& b) {
     return std::hypot(std::hypot(a.a - b.a, a.b - b.b), std::hypot(a.c - b.c, a.d - b.d));
 }
 
-// Its shared corner s in the middle, h at the end of the horizontal edge and v of the vertical one.
+// A triangle with the corners s (shared), h (end of the horizontal edge) and v (end of the vertical
+// edge).
 Crossing crossing(bool sharedFree, bool horizontalFree, bool verticalFree) {
     Crossing triangle;
     triangle.sharedFree = sharedFree;
@@ -45,18 +46,18 @@ Anchor anchorFor(double nx, double nz, double before, double after,
 class CrossingTriangleTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void wholeTriangleIsAnOrdinaryOne();
-    void onlyTheFloatingPartOfTheSidesPulls();
-    void heldCornersBalanceTheForces();
-    void changeAcrossTheLineIsTheFloatingParts();
-    void takesTheLineInTheMiddleOfTheStep();
-    void shredsAreNotToldApart();
-    void seesItsHeldCornersUnfolded();
-    void afterTheStepAllOfItHasTheFloatingGradient();
-    void turnedFilmTakesItsNormalAlong();
+    void crossingTriangle_fullyFloating_equalsAnOrdinaryOne();
+    void crossingForces_onlyFloatingPartsOfTheSidesPull();
+    void crossingForces_heldCorners_balanceTheForces();
+    void floatingChange_acrossTheLine_isInTheFloatingPart();
+    void crossingAnchor_usesTheLineInTheMiddleOfTheStep();
+    void crossingAnchor_smallFloatingPart_isLimited();
+    void unfoldedEdges_addTheUnfoldedOffsets();
+    void relaxedCrossingShape_hasTheFloatingGradient();
+    void crossingAnchor_turnedFilm_turnsItsNormal();
 };
 
-void CrossingTriangleTest::wholeTriangleIsAnOrdinaryOne() {
+void CrossingTriangleTest::crossingTriangle_fullyFloating_equalsAnOrdinaryOne() {
     const Matrix P{0.3, -0.1, 0.2, 0.5};
     for (const bool second : {false, true}) {
         for (const bool onRight : {false, true}) {
@@ -75,9 +76,9 @@ void CrossingTriangleTest::wholeTriangleIsAnOrdinaryOne() {
     QVERIFY(distance(floatingGradient(anchorFor(1, 0, 1, 1), whole), whole) < 1e-12);
 }
 
-// ½ P Σ share ℓ n over the two sides that meet in the corner: by hand for s = (0, 0), h = (2, 0),
-// v = (0, 4), whose sides s–h, h–v and v–s have ℓ n = (0, −2), (4, 2) and (−4, 0).
-void CrossingTriangleTest::onlyTheFloatingPartOfTheSidesPulls() {
+// The force on a corner is ½ P Σ share ℓ n over the two sides that meet in it. For s = (0, 0), h =
+// (2, 0), v = (0, 4), the sides s–h, h–v and v–s have ℓ n = (0, −2), (4, 2) and (−4, 0).
+void CrossingTriangleTest::crossingForces_onlyFloatingPartsOfTheSidesPull() {
     const Matrix P{0.3, -0.1, 0.2, 0.5};
     Crossing triangle = crossing(false, true, true);
     triangle.horizontalShare = 0.4;
@@ -94,8 +95,8 @@ void CrossingTriangleTest::onlyTheFloatingPartOfTheSidesPulls() {
     QVERIFY(std::abs(force.vz - onV.second) < 1e-12);
 }
 
-// What reaches s is the forces on the edges with the other sign.
-void CrossingTriangleTest::heldCornersBalanceTheForces() {
+// The force on s is minus the sum of the forces on the edges.
+void CrossingTriangleTest::crossingForces_heldCorners_balanceTheForces() {
     const Matrix P{0.3, -0.1, 0.2, 0.5};
     Crossing triangle = crossing(true, false, true);
     triangle.horizontalShare = 0.4;
@@ -107,29 +108,29 @@ void CrossingTriangleTest::heldCornersBalanceTheForces() {
     QVERIFY(std::abs(-force.hz - force.vz - sharedZ) < 1e-12);
 }
 
-void CrossingTriangleTest::changeAcrossTheLineIsTheFloatingParts() {
+void CrossingTriangleTest::floatingChange_acrossTheLine_isInTheFloatingPart() {
     const Anchor anchor = anchorFor(1, 0, 0.5, 0.5);
     const Matrix across = floatingChange(anchor, Matrix{0.1, 0, 0.02, 0});
-    QVERIFY(distance(across, {0.2, 0, 0.04, 0}) < 1e-12); // half floats: twice the change
+    QVERIFY(distance(across, {0.2, 0, 0.04, 0}) < 1e-12); // half floats: the change doubles
     const Matrix along{0, 0.1, 0, -0.05};
     QVERIFY(distance(floatingChange(anchor, along), along) < 1e-12);
     const Matrix whole{1.1, 0.1, 0, 1};
     QVERIFY(distance(floatingGradient(anchor, whole), {1.2, 0.1, 0, 1}) < 1e-12);
 }
 
-void CrossingTriangleTest::takesTheLineInTheMiddleOfTheStep() {
+void CrossingTriangleTest::crossingAnchor_usesTheLineInTheMiddleOfTheStep() {
     QCOMPARE(anchorFor(1, 0, 0.8, 0.6).gain, 1 / 0.7 - 1);
     QCOMPARE(anchorFor(1, 0, 1, 1).gain, 0.0);
 }
 
-void CrossingTriangleTest::shredsAreNotToldApart() {
+void CrossingTriangleTest::crossingAnchor_smallFloatingPart_isLimited() {
     QCOMPARE(anchorFor(1, 0, 0.01, 0.01).gain, 1 / leastFloatingFraction - 1);
     // Without a contact line the triangle is whole.
     const Matrix change{0.1, 0.2, 0.3, 0.4};
     QVERIFY(distance(floatingChange(anchorFor(0, 0, 0.5, 0.5), change), change) < 1e-12);
 }
 
-void CrossingTriangleTest::seesItsHeldCornersUnfolded() {
+void CrossingTriangleTest::unfoldedEdges_addTheUnfoldedOffsets() {
     Crossing triangle;
     triangle.hx = 0.1;
     triangle.hz = 0.2;
@@ -142,21 +143,21 @@ void CrossingTriangleTest::seesItsHeldCornersUnfolded() {
     QCOMPARE(edges.vz, 4.4);
 }
 
-void CrossingTriangleTest::afterTheStepAllOfItHasTheFloatingGradient() {
+void CrossingTriangleTest::relaxedCrossingShape_hasTheFloatingGradient() {
     const Anchor anchor = anchorFor(0.6, 0.8, 0.7, 0.5);
     const Matrix whole{1.1, 0.05, -0.02, 1.04};
     const Matrix floating = floatingGradient(anchor, whole);
     const Matrix edges = whole * inverse(rest);
     QVERIFY(distance(edges * relaxedCrossingShape(anchor, whole, rest, 1.0), floating) < 1e-12);
-    // Nothing is made of film that is as good as flat.
+    // Nearly flat film keeps its rest shape.
     const Matrix flat{1, 0, 0, 0.001};
     QVERIFY(distance(relaxedCrossingShape(anchor, flat, rest, 1.0), rest) == 0);
 }
 
-void CrossingTriangleTest::turnedFilmTakesItsNormalAlong() {
+void CrossingTriangleTest::crossingAnchor_turnedFilm_turnsItsNormal() {
     const double c = std::cos(0.5), s = std::sin(0.5);
     const Anchor anchor = anchorFor(c, s, 0.5, 0.5, {c, -s, s, c});
-    QVERIFY(std::abs(anchor.mx - 1) < 1e-12); // across the line is the film's own X
+    QVERIFY(std::abs(anchor.mx - 1) < 1e-12); // across the line is the film's X
     QVERIFY(std::abs(anchor.mz) < 1e-12);
 }
 

@@ -1,5 +1,5 @@
-// How a triangle's edges answer, against differences of its forces; and what a cell's points make
-// of it, against the two triangles put together one corner after the other.
+// The stiffness of a triangle's edges, compared with differences of its forces. The rows of a cell,
+// compared with the sum of its two triangles.
 
 #include "production/formulas/EdgeStiffness.h"
 
@@ -19,7 +19,7 @@ const double resistance = gatheredResistance(0.8); // of gathered film
 using Matrix = Matrix2<double>;
 using Edges = EdgePair<double>;
 using Four = std::array<double, 4>; // hx, hz, vx, vz
-using Square = std::array<Four, 4>; // of the force on the first, for a change of the second
+using Square = std::array<Four, 4>; // derivative of force number row by edge number column
 
 const Matrix shape{0.6, 0.05, -0.1, 0.8};
 constexpr double area = 0.7;
@@ -72,14 +72,14 @@ Matrix turned(double angle, const Matrix& F) {
     return Matrix{std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle)} * F;
 }
 
-// In which the projected derivative is the true one: both factors at least −1.
+// Deformations for which the projected derivative is the true one: both factors are at least −1.
 std::vector<Matrix> firmFilm() {
     return {{1.1, 0, 0, 1.05},
             {1.3, 0.2, -0.1, 1.1},
-            {3, 0.1, 0.2, 0.9}, // drawn out
+            {3, 0.1, 0.2, 0.9}, // stretched
             turned(2.1, {1.2, 0.1, 0.1, 1})};
 }
-// In which it is not: about to gather, gathered, turned and gathered, inside out.
+// Deformations for which it is not: about to gather, gathered, turned and gathered, inside out.
 std::vector<Matrix> gatheredFilm() {
     return {{0.85, 0.02, 0, 0.77},
             {0.6, 0.1, 0, 0.7},
@@ -87,8 +87,8 @@ std::vector<Matrix> gatheredFilm() {
             {1, 0, 0.1, -0.2}};
 }
 
-// The stress as it is where film is firm; elsewhere, that of film with the projected factors, to
-// first order about F: whose derivative is the projected one.
+// The stress to first order about F with the projected factors. Its derivative is the projected
+// one; for firm film that is the true one.
 Matrix stressNear(const Matrix& F, const Matrix& now) {
     StressState<double> state;
     const Matrix at = stress(F, resistance, state);
@@ -103,12 +103,13 @@ EdgeStiffness<double> stiffnessAt(const Matrix& F) {
     return edgeStiffness(shape, state, area);
 }
 
-// A block of eight numbers, x and z of lower left, lower right, upper left, upper right.
+// The stiffness of a cell: eight numbers, x and z of lower left, lower right, upper left and upper
+// right.
 using Cell = std::array<std::array<double, 8>, 8>;
 
 void addTriangle(Cell& cell, const EdgeStiffness<double>& stiffness, bool isUpper, bool onRight) {
     const std::size_t left = isUpper ? 2 : 0;  // the ends of the horizontal edge
-    const std::size_t lower = onRight ? 1 : 0; // and of the vertical one
+    const std::size_t lower = onRight ? 1 : 0; // the ends of the vertical edge
     const std::size_t ends[2][2] = {{left, left + 1}, {lower, lower + 2}};
     const Square k = square(stiffness);
     for (std::size_t row = 0; row < 4; ++row) {
@@ -144,14 +145,14 @@ bool isRowOf(const Cell& cell, const CellRow<double>& row) {
 class EdgeStiffnessTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void isTheDerivativeOfTheForces();
-    void isTheProjectedDerivativeWhereFilmGivesWay();
-    void isSymmetricAndNeverIndefinite();
-    void knowsTrianglesOnTheContactLine();
-    void rowsOfACellAreItsTwoTriangles();
+    void edgeStiffness_firmFilm_isTheForcesDerivative();
+    void edgeStiffness_gatheredFilm_isTheProjectedDerivative();
+    void edgeStiffness_isSymmetricAndSemiDefinite();
+    void edgeStiffness_crossingTriangle_isTheForcesDerivative();
+    void cellRow_isTheSumOfItsTwoTriangles();
 };
 
-void EdgeStiffnessTest::isTheDerivativeOfTheForces() {
+void EdgeStiffnessTest::edgeStiffness_firmFilm_isTheForcesDerivative() {
     for (const Matrix& F : firmFilm()) {
         const auto force = [](const Edges& edges) {
             StressState<double> state;
@@ -161,7 +162,7 @@ void EdgeStiffnessTest::isTheDerivativeOfTheForces() {
     }
 }
 
-void EdgeStiffnessTest::isTheProjectedDerivativeWhereFilmGivesWay() {
+void EdgeStiffnessTest::edgeStiffness_gatheredFilm_isTheProjectedDerivative() {
     for (const Matrix& F : gatheredFilm()) {
         const auto force = [&](const Edges& edges) {
             return edgeForces(stressNear(F, gradientOf(edges, shape)), shape, area);
@@ -170,7 +171,7 @@ void EdgeStiffnessTest::isTheProjectedDerivativeWhereFilmGivesWay() {
     }
 }
 
-void EdgeStiffnessTest::isSymmetricAndNeverIndefinite() {
+void EdgeStiffnessTest::edgeStiffness_isSymmetricAndSemiDefinite() {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> number(-1.5, 1.5);
     for (int i = 0; i < 2000; ++i) {
@@ -188,8 +189,8 @@ void EdgeStiffnessTest::isSymmetricAndNeverIndefinite() {
     }
 }
 
-// Whichever of its corners are held, and whichever way it lies in its cell.
-void EdgeStiffnessTest::knowsTrianglesOnTheContactLine() {
+// Any corners may be held, in any position of the triangle in its cell.
+void EdgeStiffnessTest::edgeStiffness_crossingTriangle_isTheForcesDerivative() {
     for (int corners = 1; corners < 7; ++corners) {
         for (int way = 0; way < 4; ++way) {
             CrossingTriangle<double> triangle;
@@ -223,7 +224,7 @@ void EdgeStiffnessTest::knowsTrianglesOnTheContactLine() {
     }
 }
 
-void EdgeStiffnessTest::rowsOfACellAreItsTwoTriangles() {
+void EdgeStiffnessTest::cellRow_isTheSumOfItsTwoTriangles() {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> number(-1, 1);
     const auto block = [&] {

@@ -1,5 +1,5 @@
-// The search for equilibrium, with the film stood in for by one spring: the smallest backend; and
-// its linear systems, with a matrix in the film's place.
+// The search for equilibrium, with one spring as the smallest backend, and its linear solver, with
+// a matrix in place of the film.
 
 #include "production/formulas/Equilibrium.h"
 
@@ -18,7 +18,7 @@ using namespace dipwright::numerics;
 
 namespace {
 
-// One free point on a spring of force(x), with a linear solver as good as `solverError` makes it.
+// One free point on a spring with the force pull(x).
 struct Spring {
     using Real = double;
     std::function<double(double)> pull;
@@ -71,8 +71,8 @@ Spring spring(double x, std::function<double(double)> pull, std::function<double
     return film;
 }
 
-// `size` equations with so much on the diagonal, and other numbers up to 1 that are not symmetric;
-// smoothing divides by the diagonal.
+// `size` equations with `diagonal` or more on the diagonal and random, unsymmetric numbers up to 1
+// elsewhere. Smoothing divides by the diagonal.
 struct Matrix {
     using Real = double;
     using Vector = std::vector<double>;
@@ -163,21 +163,21 @@ static_assert(GmresBackend<Matrix>);
 class EquilibriumTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void filmAtRestIsLeftAlone();
-    void findsTheEquilibrium();
-    void shortensStepsThatGoTooFar();
-    void movesNoPointFartherThanTwoCells();
-    void endsAtTheLeastForceMet();
-    void stopsAtAStepThatIsNoNumber();
-    void turnsAStepUphillDown();
-    void farFromRestLessIsAskedFor();
-    void tellsHowTheSearchEnded();
-    void leastResidualsSolveUnsymmetricSystems();
-    void leastResidualsStartAnew();
-    void leastResidualsAreExactForSmallSystems();
+    void findEquilibrium_filmAtRest_doesNotMove();
+    void findEquilibrium_spring_reachesTheRoot();
+    void findEquilibrium_tooLongSteps_areShortened();
+    void findEquilibrium_step_isAtMostTwoCells();
+    void findEquilibrium_noRoot_endsAtTheLeastForce();
+    void findEquilibrium_nanStep_stops();
+    void findEquilibrium_uphillStep_isTurnedDownhill();
+    void findEquilibrium_farFromRest_acceptsRounding();
+    void findEquilibrium_result_hasResidualAndConvergence();
+    void solveGmres_unsymmetricSystem_isSolved();
+    void solveGmres_manyEquations_restart();
+    void solveGmres_smallSystem_isExact();
 };
 
-void EquilibriumTest::filmAtRestIsLeftAlone() {
+void EquilibriumTest::findEquilibrium_filmAtRest_doesNotMove() {
     Spring film = spring(
         3, [](double x) { return x - 3; }, [](double) { return 1.0; });
     findEquilibrium(film, 0, 0);
@@ -185,7 +185,7 @@ void EquilibriumTest::filmAtRestIsLeftAlone() {
     QCOMPARE(film.linearSolves, 0);
 }
 
-void EquilibriumTest::findsTheEquilibrium() {
+void EquilibriumTest::findEquilibrium_spring_reachesTheRoot() {
     Spring film = spring(
         4, [](double x) { return x * x * x - 8; }, [](double x) { return 3 * x * x; });
     findEquilibrium(film, 0, 0);
@@ -193,8 +193,8 @@ void EquilibriumTest::findsTheEquilibrium() {
     QVERIFY(std::abs(film.x - 2) < 1e-6);
 }
 
-// Newton's method by itself flees from the root of arctan when it begins past 1.39.
-void EquilibriumTest::shortensStepsThatGoTooFar() {
+// Newton's method alone diverges from the root of arctan if it begins beyond 1.39.
+void EquilibriumTest::findEquilibrium_tooLongSteps_areShortened() {
     Spring film = spring(
         3, [](double x) { return std::atan(x); }, [](double x) { return 1 / (1 + x * x); });
     findEquilibrium(film, 0, 0);
@@ -202,7 +202,7 @@ void EquilibriumTest::shortensStepsThatGoTooFar() {
     QVERIFY(film.forcesTaken > film.linearSolves + 1);
 }
 
-void EquilibriumTest::movesNoPointFartherThanTwoCells() {
+void EquilibriumTest::findEquilibrium_step_isAtMostTwoCells() {
     double farthest = 0, last = 0;
     Spring film = spring(
         0,
@@ -217,8 +217,8 @@ void EquilibriumTest::movesNoPointFartherThanTwoCells() {
     QVERIFY(farthest <= longestNewtonStep * 10 + 1e-9);
 }
 
-// No root: the film ends where the forces were least after a step, not where the search stopped.
-void EquilibriumTest::endsAtTheLeastForceMet() {
+// Without a root the film ends where the forces were least, not where the search stopped.
+void EquilibriumTest::findEquilibrium_noRoot_endsAtTheLeastForce() {
     double last = 0;
     Spring film = spring(
         0.7,
@@ -232,7 +232,7 @@ void EquilibriumTest::endsAtTheLeastForceMet() {
     QVERIFY(film.pull(film.x) < 1.001);
 }
 
-void EquilibriumTest::stopsAtAStepThatIsNoNumber() {
+void EquilibriumTest::findEquilibrium_nanStep_stops() {
     Spring film = spring(
         1, [](double x) { return x - 5; },
         [](double) { return std::numeric_limits<double>::quiet_NaN(); });
@@ -240,17 +240,16 @@ void EquilibriumTest::stopsAtAStepThatIsNoNumber() {
     QCOMPARE(film.x, 1.0);
 }
 
-// Film that gives way seems to pull the harder the more it is let go; a stiffer film's step leads
-// downhill.
-void EquilibriumTest::turnsAStepUphillDown() {
+// With a negative stiffness the step leads uphill; a stiffer film's step leads downhill.
+void EquilibriumTest::findEquilibrium_uphillStep_isTurnedDownhill() {
     Spring film = spring(
         4, [](double x) { return x - 3; }, [](double) { return -1.0; });
     QVERIFY(findEquilibrium(film, 0, 0).isReached);
     QVERIFY(std::abs(film.x - 3) < 1e-6);
 }
 
-// Forces that are but the rounding of places far away.
-void EquilibriumTest::farFromRestLessIsAskedFor() {
+// The remaining forces are only the rounding of places far away.
+void EquilibriumTest::findEquilibrium_farFromRest_acceptsRounding() {
     const double rounding = NewtonLimits().flatForce * 100;
     Spring film = spring(
         100, [&](double x) { return x < 100 ? 1 : rounding; }, [](double) { return 1.0; });
@@ -261,7 +260,7 @@ void EquilibriumTest::farFromRestLessIsAskedFor() {
     QCOMPARE(film.linearSolves, 0);
 }
 
-void EquilibriumTest::tellsHowTheSearchEnded() {
+void EquilibriumTest::findEquilibrium_result_hasResidualAndConvergence() {
     Spring rests = spring(
         4, [](double x) { return x - 3; }, [](double) { return 1.0; });
     const EquilibriumResult found = findEquilibrium(rests, 0, 0);
@@ -276,7 +275,7 @@ void EquilibriumTest::tellsHowTheSearchEnded() {
     QVERIFY(std::abs(missed.left - 0.5) < 1e-6); // the elastic forces are 1
 }
 
-void EquilibriumTest::leastResidualsSolveUnsymmetricSystems() {
+void EquilibriumTest::solveGmres_unsymmetricSystem_isSolved() {
     for (const double tolerance : {1e-2, 1e-6, 1e-10}) {
         Matrix film(10, 4);
         solveGmres(film, 0.3, Tangent::True, std::sqrt(Matrix::dot(film.forces, film.forces)),
@@ -285,13 +284,13 @@ void EquilibriumTest::leastResidualsSolveUnsymmetricSystems() {
     }
 }
 
-// More equations than basis vectors are kept.
-void EquilibriumTest::leastResidualsStartAnew() {
+// There are more equations than basis vectors.
+void EquilibriumTest::solveGmres_manyEquations_restart() {
     Matrix film(40, 12);
     solveGmres(film, 0, Tangent::True, std::sqrt(Matrix::dot(film.forces, film.forces)), 1e-9);
     QVERIFY(film.state().equilibrium.linearIterations > mostBasisVectors);
     QVERIFY(film.left(0) <= 1.001e-9);
-    // It stops where it is told to, restarted or not.
+    // It stops at the limit of restarts.
     Matrix never(40, 0.5);
     const double start = std::sqrt(Matrix::dot(never.forces, never.forces));
     solveGmres(never, 0, Tangent::True, start, 0);
@@ -300,8 +299,8 @@ void EquilibriumTest::leastResidualsStartAnew() {
     QVERIFY(never.left(0) <= start);
 }
 
-// With as many vectors as equations nothing is left.
-void EquilibriumTest::leastResidualsAreExactForSmallSystems() {
+// With as many vectors as equations, the residual is zero.
+void EquilibriumTest::solveGmres_smallSystem_isExact() {
     Matrix film(5, 0.5);
     solveGmres(film, 0, Tangent::True, std::sqrt(Matrix::dot(film.forces, film.forces)), 1e-9);
     QCOMPARE(film.state().equilibrium.linearIterations, std::int64_t(5));

@@ -1,4 +1,4 @@
-// How the film comes to rest in a step, with a spring at each point in place of the film's forces.
+// How a step finds equilibrium, with a spring at each point in place of the film's forces.
 
 #include "production/formulas/FilmStep.h"
 
@@ -26,7 +26,7 @@ struct PlaneVector {
     explicit PlaneVector(std::size_t points) : x(points), z(points) {}
 };
 
-// What pulls at a point at x, and its derivative.
+// The force on a point at x, and its derivative.
 struct Spring {
     std::function<double(double)> force = [](double x) { return x; };
     std::function<double(double)> slope = [](double) { return 1.0; };
@@ -42,7 +42,7 @@ solver::DipSetup flatFilm() {
     return setup;
 }
 
-// No triangle pulls at a point: they only tear and fold.
+// A film of springs. Its triangles exert no forces; they only tear and fold.
 class Springs : public HostFilm<PlaneVector> {
 public:
     Springs() : HostFilm(flatFilm()), springs(columns * rows), held_(columns * rows) {}
@@ -137,7 +137,7 @@ private:
 };
 static_assert(FilmBackend<Springs>);
 
-// The same force everywhere.
+// A spring with the same force everywhere, which has no equilibrium.
 Spring restless(double force) {
     return {[force](double) { return force; }, [](double) { return 1.0; }};
 }
@@ -147,16 +147,16 @@ Spring restless(double force) {
 class FilmStepTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void filmThatFindsItsRestIsNotHeld();
-    void whatFindsNoRestIsHeld();
-    void foldedFilmIsHeldFirst();
-    void foldedFilmAtRestIsLeftToRecover();
-    void tornFilmIsMarked();
-    void givesUpInTheEnd();
-    void entersWhatWasMissed();
+    void settle_filmConverges_holdsNoPoint();
+    void settle_filmDoesNotConverge_isHeldAndMarked();
+    void settle_foldedFilm_isHeldFirst();
+    void settle_foldedFilmAtRest_isNotHeld();
+    void holdTornOrFolded_tornFilm_isHeldAndMarked();
+    void settle_tooManyDivergingPoints_givesUp();
+    void enter_missedEquilibrium_isCounted();
 };
 
-void FilmStepTest::filmThatFindsItsRestIsNotHeld() {
+void FilmStepTest::settle_filmConverges_holdsNoPoint() {
     Springs film;
     film.place(7, 0.2, 0);
     QVERIFY(detail::settle(film, 0).isReached);
@@ -165,7 +165,7 @@ void FilmStepTest::filmThatFindsItsRestIsNotHeld() {
     QVERIFY(std::abs(film.displacement(7).x) < 1e-6);
 }
 
-void FilmStepTest::whatFindsNoRestIsHeld() {
+void FilmStepTest::settle_filmDoesNotConverge_isHeldAndMarked() {
     Springs film;
     film.springs[7] = restless(0.5);
     film.place(3, 0.3, 0);
@@ -174,11 +174,12 @@ void FilmStepTest::whatFindsNoRestIsHeld() {
     QVERIFY(!film.moves(7));
     QVERIFY(film.isMarked(7, PointMark::Unbalanced));
     QVERIFY(!film.isMarked(3, PointMark::Unbalanced));
-    QVERIFY(std::abs(film.displacement(3).x) < 1e-6); // all else comes to rest
+    QVERIFY(std::abs(film.displacement(3).x) < 1e-6); // the others converge
 }
 
-// A corner past the opposite side holds the triangles there, and not what is pulled hardest.
-void FilmStepTest::foldedFilmIsHeldFirst() {
+// A corner past its opposite side is held with its triangles, before the point with the largest
+// force.
+void FilmStepTest::settle_foldedFilm_isHeldFirst() {
     Springs film;
     film.springs[12] = restless(0.5);
     film.springs[2] = {[](double x) { return x - 0.1; }, [](double) { return 1.0; }};
@@ -191,7 +192,7 @@ void FilmStepTest::foldedFilmIsHeldFirst() {
     QVERIFY(std::abs(film.displacement(2).x - 0.1) < 1e-6);
 }
 
-void FilmStepTest::foldedFilmAtRestIsLeftToRecover() {
+void FilmStepTest::settle_foldedFilmAtRest_isNotHeld() {
     Springs film;
     film.place(12, 0, 1.2);
     QVERIFY(detail::settle(film, 0).isReached);
@@ -199,17 +200,16 @@ void FilmStepTest::foldedFilmAtRestIsLeftToRecover() {
     QCOMPARE(film.heldPoints(), 0);
 }
 
-void FilmStepTest::tornFilmIsMarked() {
+void FilmStepTest::holdTornOrFolded_tornFilm_isHeldAndMarked() {
     Springs film;
-    film.place(9, 9, 0); // drawn out
+    film.place(9, 9, 0); // stretched
     QVERIFY(detail::holdTornOrFolded(film, false));
     QVERIFY(!film.moves(9) && film.isMarked(9, PointMark::Torn));
     QVERIFY(film.moves(0) && !film.isMarked(0, PointMark::Torn));
 }
 
-// Each time what is pulled hardest gets held; here a film has more kinds of such places than
-// that is done for.
-void FilmStepTest::givesUpInTheEnd() {
+// Each round holds the points with the largest forces. This film needs more rounds than the limit.
+void FilmStepTest::settle_tooManyDivergingPoints_givesUp() {
     Springs film;
     for (int point = 0; point <= mostHolds; ++point) {
         film.springs[std::size_t(point)] = restless(std::pow(0.05, point));
@@ -219,12 +219,12 @@ void FilmStepTest::givesUpInTheEnd() {
     QCOMPARE(film.timesSetFree, mostHolds);
     QVERIFY(film.moves(mostHolds));
     QVERIFY(!found.isReached);
-    QVERIFY(film.isMarked(mostHolds, PointMark::Unbalanced)); // left so
+    QVERIFY(film.isMarked(mostHolds, PointMark::Unbalanced)); // left without equilibrium
     QVERIFY(!film.isMarked(mostHolds + 1, PointMark::Unbalanced));
     QCOMPARE(found.left, std::pow(0.05, mostHolds));
 }
 
-void FilmStepTest::entersWhatWasMissed() {
+void FilmStepTest::enter_missedEquilibrium_isCounted() {
     solver::EquilibriumAccount account;
     detail::enter({0.5, true}, account);
     QCOMPARE(account.stepsWithout, std::int64_t(0));

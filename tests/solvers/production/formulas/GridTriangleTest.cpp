@@ -1,4 +1,4 @@
-// The film's triangles in its grid: which corners they have, and that they cover it.
+// The film's triangles in its grid: their corners, edges, forces and areas.
 
 #include "production/formulas/GridTriangle.h"
 
@@ -52,16 +52,16 @@ double energyOf(const EdgePair<double>& edges, const Matrix2<double>& inverseSha
 class GridTriangleTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void twoTrianglesMakeACell();
-    void neighboursShareWholeEdges();
-    void haveAHorizontalAndAVerticalEdge();
-    void undeformedFilmHasTheGradientOne();
-    void edgeForcesAreTheGradientOfTheEnergy();
-    void pointsLieInTheGrid();
-    void linesNeedNotBeEven();
+    void triangleCorners_twoTriangles_makeACell();
+    void triangleCorners_neighbours_shareWholeEdges();
+    void triangleCorners_haveAHorizontalAndAVerticalEdge();
+    void gradientOf_undeformedFilm_isTheIdentity();
+    void edgeForces_areTheEnergysGradient();
+    void planePosition_evenFilm_isOnTheGrid();
+    void filmModel_gradedFilm_hasItsLinesAndAreas();
 };
 
-void GridTriangleTest::twoTrianglesMakeACell() {
+void GridTriangleTest::triangleCorners_twoTriangles_makeACell() {
     for (int row = 0; row + 1 < rows; ++row) {
         for (int column = 0; column + 1 < columns; ++column) {
             const auto first = triangleCorners(columns, column, row, false);
@@ -78,9 +78,9 @@ void GridTriangleTest::twoTrianglesMakeACell() {
     }
 }
 
-// Each edge within the film belongs to two triangles, each on its border to one; so no triangle
-// overlaps another, and the diagonals of neighbouring cells meet in the same points.
-void GridTriangleTest::neighboursShareWholeEdges() {
+// Each inner edge belongs to two triangles, each edge on the border to one. So triangles do not
+// overlap, and the diagonals of neighbouring cells meet in the same points.
+void GridTriangleTest::triangleCorners_neighbours_shareWholeEdges() {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
     for (std::size_t number = 0; number < 2 * (columns - 1) * (rows - 1); ++number) {
         const auto triangle = triangleCorners(columns, number);
@@ -101,7 +101,7 @@ void GridTriangleTest::neighboursShareWholeEdges() {
     QCOMPARE(border, 2 * (columns - 1) + 2 * (rows - 1));
 }
 
-void GridTriangleTest::haveAHorizontalAndAVerticalEdge() {
+void GridTriangleTest::triangleCorners_haveAHorizontalAndAVerticalEdge() {
     for (std::size_t number = 0; number < 2 * (columns - 1) * (rows - 1); ++number) {
         const auto triangle = triangleCorners(columns, number);
         const std::uint32_t left = triangle.points[0], right = triangle.points[1];
@@ -114,7 +114,7 @@ void GridTriangleTest::haveAHorizontalAndAVerticalEdge() {
     }
 }
 
-void GridTriangleTest::undeformedFilmHasTheGradientOne() {
+void GridTriangleTest::gradientOf_undeformedFilm_isTheIdentity() {
     const std::vector<double> none(columns * rows);
     for (std::size_t number = 0; number < 2 * (columns - 1) * (rows - 1); ++number) {
         const auto F = gradientOf(edgesOf(triangleCorners(columns, number), none, none),
@@ -126,7 +126,7 @@ void GridTriangleTest::undeformedFilmHasTheGradientOne() {
     }
 }
 
-void GridTriangleTest::edgeForcesAreTheGradientOfTheEnergy() {
+void GridTriangleTest::edgeForces_areTheEnergysGradient() {
     const Matrix2<double> inverseShape{0.5, 0.02, -0.03, 0.35};
     const double area = 3, h = 1e-6;
     const EdgePair<double> edges{2.4, 0.2, -0.1, 3.3};
@@ -145,7 +145,7 @@ void GridTriangleTest::edgeForcesAreTheGradientOfTheEnergy() {
     QVERIFY(std::abs(force.vz - slope(&EdgePair<double>::vz)) < 1e-7);
 }
 
-void GridTriangleTest::pointsLieInTheGrid() {
+void GridTriangleTest::planePosition_evenFilm_isOnTheGrid() {
     solver::DipSetup setup;
     setup.film = {columns, rows, 8, 9};
     const auto along = columnsOf<double>(setup.film), down = rowsOf<double>(setup.film);
@@ -160,7 +160,7 @@ void GridTriangleTest::pointsLieInTheGrid() {
     QCOMPARE(planePosition(model, columns, Vector2<double>{}).z, -1.5);
 }
 
-void GridTriangleTest::linesNeedNotBeEven() {
+void GridTriangleTest::filmModel_gradedFilm_hasItsLinesAndAreas() {
     solver::DipSetup setup;
     setup.film = {4, 3, 7, 4};
     setup.film.columnPlaces = {-3.5, -1.5, -0.5, 3.5};
@@ -173,7 +173,7 @@ void GridTriangleTest::linesNeedNotBeEven() {
     // The second triangle of the last cell of the first row: 4 × 3.
     QCOMPARE(triangleSize(model, 5).x, 4.0);
     QCOMPARE(triangleSize(model, 5).area(), 6.0);
-    // What the points stand for, over the finest cell; at an edge all of a cell.
+    // The area of a point over that of the finest cell; at an edge, that of a whole cell.
     QCOMPARE(pointArea(model, 6), 2.5 * 2);
     QCOMPARE(pointArea(model, 0), 2.0 * 3);
     double area = 0;

@@ -1,4 +1,4 @@
-// The film's law in one triangle, against the energy that it is the derivative of.
+// The film's law in one triangle, compared with its energy.
 
 #include "production/formulas/PlaneStress.h"
 
@@ -33,8 +33,8 @@ double traceOfStretch(const Matrix& F) {
     return std::hypot(F.a + F.d, F.c - F.b);
 }
 
-// W = δ²/2 + G(s): G = (s − 2)², and where the film gathers the parabola −s²/4, with a cubic
-// between the two of s = 1.5 and 1.7.
+// W = δ²/2 + G(s). G = (s − 2)² for s > 1.7 and, where film gathers, the parabola −s²/4 for s <
+// 1.5, with a cubic in between.
 double energy(const Matrix& F) {
     const double s = traceOfStretch(F);
     const double squares = (F.a - F.d) * (F.a - F.d) + (F.b + F.c) * (F.b + F.c);
@@ -74,19 +74,19 @@ std::vector<Matrix> states() {
 class PlaneStressTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void isTheGradientOfTheEnergy();
-    void trueDerivativeIsTheHessian();
-    void projectedDerivativeIsTheTrueOneInTension();
-    void projectedDerivativeIsNeverIndefinite();
-    void turnedFilmIsAtRest();
-    void isTheSameInAllDirections();
-    void narrowsByPoissonsRatio();
-    void gatheringBeginsWithoutAStep();
-    void relaxedFilmKeepsItsShareOfStretch();
-    void filmInsideOutIsLeftToRecover();
+    void stress_isTheEnergysGradient();
+    void stressDerivative_true_isTheHessian();
+    void stressDerivative_projectedInTension_isTheTrueOne();
+    void stressDerivative_projected_isSemiDefinite();
+    void stress_turnedFilm_isZero();
+    void stress_isIsotropic();
+    void stress_pulledFilm_narrowsByPoissonsRatio();
+    void stress_beginOfGathering_isContinuous();
+    void relaxedInverseShape_keepsItsShareOfTheStretch();
+    void relaxedInverseShape_insideOutFilm_isUnchanged();
 };
 
-void PlaneStressTest::isTheGradientOfTheEnergy() {
+void PlaneStressTest::stress_isTheEnergysGradient() {
     const double h = 1e-6;
     for (const Matrix& F : states()) {
         for (const Matrix& way : directions) {
@@ -96,7 +96,7 @@ void PlaneStressTest::isTheGradientOfTheEnergy() {
     }
 }
 
-void PlaneStressTest::trueDerivativeIsTheHessian() {
+void PlaneStressTest::stressDerivative_true_isTheHessian() {
     const double h = 1e-6;
     for (const Matrix& F : states()) {
         for (const Matrix& way : directions) {
@@ -107,7 +107,7 @@ void PlaneStressTest::trueDerivativeIsTheHessian() {
     }
 }
 
-void PlaneStressTest::projectedDerivativeIsTheTrueOneInTension() {
+void PlaneStressTest::stressDerivative_projectedInTension_isTheTrueOne() {
     for (const Matrix& F : states()) {
         for (const Matrix& way : directions) {
             const double apart = distance(derivativeAt(F, way, Tangent::True),
@@ -117,7 +117,7 @@ void PlaneStressTest::projectedDerivativeIsTheTrueOneInTension() {
     }
 }
 
-void PlaneStressTest::projectedDerivativeIsNeverIndefinite() {
+void PlaneStressTest::stressDerivative_projected_isSemiDefinite() {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> number(-1.5, 1.5);
     bool isTrueIndefinite = false;
@@ -131,13 +131,13 @@ void PlaneStressTest::projectedDerivativeIsNeverIndefinite() {
     QVERIFY(isTrueIndefinite);
 }
 
-void PlaneStressTest::turnedFilmIsAtRest() {
+void PlaneStressTest::stress_turnedFilm_isZero() {
     for (const double angle : {0.0, 0.3, 1.5, -3.0}) {
         QVERIFY(distance(stressAt(rotation(angle)), {}) < 1e-11);
     }
 }
 
-void PlaneStressTest::isTheSameInAllDirections() {
+void PlaneStressTest::stress_isIsotropic() {
     for (const Matrix& F : states()) {
         for (const double angle : {0.4, 2.0}) {
             const Matrix Q = rotation(angle);
@@ -147,8 +147,9 @@ void PlaneStressTest::isTheSameInAllDirections() {
     }
 }
 
-// 1/3: film pulled along X by e narrows by e/3 where nothing pulls along Z. Young's modulus is 8/3.
-void PlaneStressTest::narrowsByPoissonsRatio() {
+// Poisson's ratio is 1/3: film stretched along X by e narrows by e/3 without stress along Z.
+// Young's modulus is 8/3.
+void PlaneStressTest::stress_pulledFilm_narrowsByPoissonsRatio() {
     for (const double e : {0.001, 0.1, 0.5}) {
         const Matrix P = stressAt({1 + e, 0, 0, 1 - e / 3});
         QVERIFY(std::abs(P.d) < 1e-11);
@@ -156,9 +157,9 @@ void PlaneStressTest::narrowsByPoissonsRatio() {
     }
 }
 
-// Neither in the stress nor in how it changes: at both ends of the passage to gathered film, and
-// outside of them it is one law or the other.
-void PlaneStressTest::gatheringBeginsWithoutAStep() {
+// The stress and its derivative are continuous at both ends of the transition to gathered film.
+// Outside it, one of the two laws applies.
+void PlaneStressTest::stress_beginOfGathering_isContinuous() {
     const auto squeezed = [](double s) { return stressAt({s / 2, 0, 0, s / 2}).a; };
     const auto resistance = [](double s) {
         StressState<double> state;
@@ -174,12 +175,12 @@ void PlaneStressTest::gatheringBeginsWithoutAStep() {
     QVERIFY(std::abs(squeezed(end) + end / 2) < 1e-11);
     QCOMPARE(resistance(begin + 0.01), 1.0);
     QCOMPARE(resistance(end - 0.01), gatheredSlope);
-    // From here on it gives way: the more it is gathered the less it resists.
+    // Beyond that, film resists less the more it is gathered.
     QVERIFY(std::abs(squeezed(1.0)) < std::abs(squeezed(end)));
 }
 
-// With edges E = F·D the film's gradient afterwards is E·D'⁻¹.
-void PlaneStressTest::relaxedFilmKeepsItsShareOfStretch() {
+// With the edges E = F·D, the film's gradient afterwards is E·D'⁻¹.
+void PlaneStressTest::relaxedInverseShape_keepsItsShareOfTheStretch() {
     const Matrix inverseShape{2, 0.1, -0.2, 1.5};
     const Matrix F = rotation(0.7) * Matrix{1.3, 0.1, 0.1, 0.9};
     const Matrix edges = F * inverse(inverseShape);
@@ -192,7 +193,7 @@ void PlaneStressTest::relaxedFilmKeepsItsShareOfStretch() {
     QVERIFY(distance(after(0.5), half) < 1e-12);
 }
 
-void PlaneStressTest::filmInsideOutIsLeftToRecover() {
+void PlaneStressTest::relaxedInverseShape_insideOutFilm_isUnchanged() {
     const Matrix shape{2, 0, 0, 2};
     QVERIFY(distance(relaxedInverseShape(shape, Matrix{-1, 0, 0, 1}, 0.0), shape) == 0);
 }

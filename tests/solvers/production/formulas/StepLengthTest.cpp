@@ -1,4 +1,4 @@
-// How far a step goes, what is left of the stress after it, and the water's drag in it.
+// The length of a step, the stress that is left after it, and the water's drag.
 
 #include "production/formulas/StepLength.h"
 
@@ -13,33 +13,33 @@ using namespace dipwright::numerics;
 class StepLengthTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void contactLineTravelsAsFarAsAsked();
-    void flatFacesDoNotStopTheDip();
-    void firstContactIsNotRunOver();
-    void knowsWhatIsNextToContact();
-    void stressDecaysWithTime();
-    void dragGrowsWithAreaAndSpeed();
+    void contactIncrement_followsTheSteepness();
+    void contactIncrement_flatFace_hasAMinimum();
+    void approachIncrement_endsAtTheFirstContact();
+    void isNextToContact_reachesTwoCells();
+    void keptStress_decaysExponentially();
+    void pointDrag_growsWithAreaAndSpeed();
 };
 
-// Along a surface of steepness sin(angle), the body comes down by travel · sin(angle).
-void StepLengthTest::contactLineTravelsAsFarAsAsked() {
+// On a surface of steepness sin(angle), the body comes down by travel · sin(angle).
+void StepLengthTest::contactIncrement_followsTheSteepness() {
     QCOMPARE(contactIncrement(0.5, 1), 0.5);
     QCOMPARE(contactIncrement(0.5, std::sin(0.5)), 0.5 * std::sin(0.5));
 }
 
-void StepLengthTest::flatFacesDoNotStopTheDip() {
+void StepLengthTest::contactIncrement_flatFace_hasAMinimum() {
     QCOMPARE(contactIncrement(0.5, 0), 0.5 * leastSteepness);
     QCOMPARE(contactIncrement(0.5, 0.01), 0.5 * leastSteepness);
 }
 
-void StepLengthTest::firstContactIsNotRunOver() {
+void StepLengthTest::approachIncrement_endsAtTheFirstContact() {
     QCOMPARE(approachIncrement(0.5, 3.25), 3.25);
     QCOMPARE(approachIncrement(0.5, 0.2), 0.2);
-    QCOMPARE(approachIncrement(0.5, 0.001), 0.05); // but the dip goes on
+    QCOMPARE(approachIncrement(0.5, 0.001), 0.05); // the dip still continues
     QCOMPARE(approachIncrement(0.5, -2), 0.05);
 }
 
-void StepLengthTest::knowsWhatIsNextToContact() {
+void StepLengthTest::isNextToContact_reachesTwoCells() {
     constexpr int columns = 9, rows = 7, held = 3 * columns + 4;
     const auto isFree = [](std::size_t point) { return point != held; };
     for (int row = 0; row < rows; ++row) {
@@ -50,7 +50,7 @@ void StepLengthTest::knowsWhatIsNextToContact() {
     }
 }
 
-void StepLengthTest::stressDecaysWithTime() {
+void StepLengthTest::keptStress_decaysExponentially() {
     QVERIFY(std::abs(keptStress(10, 5, 2) - std::exp(-1)) <
             1e-15); // two seconds, one time constant
     QVERIFY(std::abs(keptStress(4, 5, 2) * keptStress(6, 5, 2) - keptStress(10, 5, 2)) < 1e-15);
@@ -58,11 +58,11 @@ void StepLengthTest::stressDecaysWithTime() {
     QCOMPARE(keptStress(10, 5, 0), 0.0);                                       // viscous
 }
 
-void StepLengthTest::dragGrowsWithAreaAndSpeed() {
+void StepLengthTest::pointDrag_growsWithAreaAndSpeed() {
     const double drag = pointDrag(1.5, 2, 0.5);
     QCOMPARE(drag, waterDrag * 1.5 * 2 / 0.5);
     QCOMPARE(pointDrag(3, 2, 0.5), 2 * drag);
-    QCOMPARE(pointDrag(1.5, 2, 0.25), 2 * drag); // the same way in half the descent
+    QCOMPARE(pointDrag(1.5, 2, 0.25), 2 * drag); // the same displacement in half the descent
 }
 
 QTEST_GUILESS_MAIN(StepLengthTest)

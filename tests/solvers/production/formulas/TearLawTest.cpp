@@ -1,5 +1,5 @@
-// When film tears or folds, that the quick look never passes over film that has, and which rest
-// shapes are kept.
+// When film tears or folds, whether the quick check finds all such film, and which rest shapes are
+// kept.
 #include "production/formulas/TearLaw.h"
 
 #include <QtTest>
@@ -26,7 +26,7 @@ bool folded(const Matrix2<double>& F) {
     return isFolded(stretched(F));
 }
 
-// Of a rest shape that has become F times the undeformed one.
+// Whether a rest shape of F times the undeformed one is sound.
 bool sound(const Matrix2<double>& F) {
     return isShapeWithinLimits(Matrix2<double>{1 / spacingX, 0, 0, 1 / spacingZ} * inverse(F),
                                spacingX, spacingZ);
@@ -37,36 +37,36 @@ bool sound(const Matrix2<double>& F) {
 class TearLawTest : public QObject {
     Q_OBJECT
 private slots:
-    void tearsByLengthAndByArea();
-    void foldsWhenTurnedInsideOut();
-    void quickLookMissesNothing();
-    void restShapesCreepOnlySoFar();
+    void isTorn_lengthOrAreaPastTheLimit_isTrue();
+    void isFolded_insideOut_isTrue();
+    void mayBeTornOrFolded_tornOrFoldedFilm_isNeverMissed();
+    void isShapeWithinLimits_creptPastTheLimit_isFalse();
 };
 
-void TearLawTest::tearsByLengthAndByArea() {
+void TearLawTest::isTorn_lengthOrAreaPastTheLimit_isTrue() {
     QVERIFY(!torn({1.49, 0, 0, 1}, 1.5));
     QVERIFY(torn({1.51, 0, 0, 0.5}, 1.5));
     QVERIFY(torn({0.5, 0, 0, 1.51}, 1.5));
     QVERIFY(!torn({1.2, 0, 0, 1.2}, 1.5));
     QVERIFY(torn({1.25, 0, 0, 1.25}, 1.5)); // 1.56 times the area
-    // Whichever way it is turned: stretched by 1.51 along a diagonal.
+    // In any direction: stretched by 1.51 along a diagonal.
     const double a = (1.51 + 0.6) / 2, b = (1.51 - 0.6) / 2;
     QVERIFY(torn({a, b, b, a}, 1.5));
     QVERIFY(!torn({a, b, b, a}, 1.52));
 }
 
-void TearLawTest::foldsWhenTurnedInsideOut() {
+void TearLawTest::isFolded_insideOut_isTrue() {
     QVERIFY(!folded({1, 0, 0, 1}));
     QVERIFY(!folded({0.01, 0, 0, 0.01})); // gathered, but not folded
-    QVERIFY(!folded({-1, 0, 0, -1}));     // turned by half a circle
+    QVERIFY(!folded({-1, 0, 0, -1}));     // turned by 180°
     QVERIFY(folded({1, 0, 0, -0.01}));    // a corner past the opposite side
     QVERIFY(folded({0, 1, 1, 0}));        // mirrored
     QCOMPARE(stretched({1, 0, 0, -0.5}).area, -0.5);
     QCOMPARE(stretched({1, 0, 0, -0.5}).larger, 1.0);
 }
 
-// Of one triangle, and of a row of two, of which the look has the largest and the least.
-void TearLawTest::quickLookMissesNothing() {
+// Checks one triangle, and a row of two, of which the check gets the extremes.
+void TearLawTest::mayBeTornOrFolded_tornOrFoldedFilm_isNeverMissed() {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> entry(-3, 3), limits(1.05, 4);
     const auto squaresOf = [](const Matrix2<double>& F) {
@@ -91,7 +91,7 @@ void TearLawTest::quickLookMissesNothing() {
     QVERIFY(foundTorn > 1000 && foundFolded > 1000 && passedOver > 1000);
 }
 
-void TearLawTest::restShapesCreepOnlySoFar() {
+void TearLawTest::isShapeWithinLimits_creptPastTheLimit_isFalse() {
     QVERIFY(sound({1, 0, 0, 1}));
     QVERIFY(sound({1.5, 0.2, -0.1, 0.7}));
     QVERIFY(sound({0.1, 0, 0, 10}));
