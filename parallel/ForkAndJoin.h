@@ -1,8 +1,8 @@
 // Tells the thread sanitizer how a fork and a join order memory accesses. Pieces see what was
 // written before the fork, and the code after the join sees what the pieces wrote. One piece does
 // not see what another wrote. The sanitizer cannot know this by itself, because the threading
-// libraries are not built with it. In other builds these types do nothing. Only for sources
-// declared by dipwright_threads_meet_in().
+// libraries are not built with it. In other builds these types do nothing. Use these types only in
+// sources that CMake declares by dipwright_threads_meet_in().
 #pragma once
 
 #ifdef DIPWRIGHT_THREAD_SANITIZER
@@ -13,7 +13,7 @@ namespace dipwright::parallel {
 
 #ifdef DIPWRIGHT_THREAD_SANITIZER
 
-// Lives from before the fork to after the join.
+// Construct it before the fork and destroy it after the join.
 class ForkAndJoin {
 public:
     ForkAndJoin() { __tsan_release(&fork_); }
@@ -21,7 +21,7 @@ public:
     ForkAndJoin(const ForkAndJoin&) = delete;
     ForkAndJoin& operator=(const ForkAndJoin&) = delete;
 
-    // Lives while a piece runs.
+    // Construct it when a piece begins and destroy it when the piece ends.
     class Piece {
     public:
         explicit Piece(const ForkAndJoin& whole) : whole_(whole) { __tsan_acquire(&whole_.fork_); }

@@ -1,4 +1,4 @@
-// Parallel loops over all cores. The order and the threads differ from run to run, so a body must
+// Parallel loops over all cores. The order and the threads differ from run to run. So a body must
 // not write anything that another index reads or writes. Each loop returns when all indices are
 // done, and the caller sees everything they wrote. If a body throws, indices that have not begun
 // are skipped and one of the exceptions is thrown to the caller. Loops may be nested.
@@ -40,8 +40,9 @@ void parallelFor(Index begin, Index end, const Body& body) {
     parallel::forEach(begin, end, parallel::Sharing::Balanced, body);
 }
 
-// The same for bodies of equal cost. Every thread gets the same number of indices. In the next loop
-// of this length it mostly gets the same indices, whose data may still be in its cache.
+// Like parallelFor(), but for bodies of equal cost. Every thread gets the same number of indices.
+// In the next loop of this length it mostly gets the same indices, whose data may still be in its
+// cache.
 template <typename Index, typename Body>
 void parallelForEvenly(Index begin, Index end, const Body& body) {
     parallel::forEach(begin, end, parallel::Sharing::Even, body);

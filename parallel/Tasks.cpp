@@ -18,7 +18,7 @@ struct Tasks::Group {
     std::mutex mutex;
     std::exception_ptr failure;
     bool isGivenUp = false; // tasks that have not begun are skipped
-    // one for each task; destroyed before `failure`, which a task made
+    // one for each task; destroyed before `failure`, which a task creates
     std::list<parallel::ForkAndJoin> forks;
 
     const parallel::ForkAndJoin& fork() {

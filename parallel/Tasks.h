@@ -16,7 +16,8 @@ public:
     Tasks(const Tasks&) = delete;
     Tasks& operator=(const Tasks&) = delete;
 
-    // Starts a task. Tasks may call it too. A task sees everything that was written before run().
+    // Starts a task. Tasks may call this function too. A task sees everything that was written
+    // before run().
     void run(std::function<void()> task);
     // Returns when all tasks are done; the caller sees everything they wrote. If a task throws,
     // tasks that have not begun are skipped and the first exception is thrown to the caller.
@@ -27,8 +28,8 @@ private:
     std::unique_ptr<Group> group_;
 };
 
-// Calls `work` on this thread. While the thread waits within it, it takes only loops and tasks from
-// inside `work`, so that other work does not delay it.
+// Calls `work` on this thread. While this thread waits inside `work`, it runs only loops and tasks
+// that `work` has started. So other tasks do not delay `work`.
 void runIsolated(const std::function<void()>& work);
 
 } // namespace dipwright

@@ -6,8 +6,8 @@
 
 namespace dipwright {
 
-int coreCount();   // of this machine, as far as this process may use them
-int loopThreads(); // threads of a loop that begins here
+int coreCount();   // cores of this machine that this process may use
+int loopThreads(); // number of threads of a loop that this thread starts
 
 // Limits the number of computing threads of the whole process while an object of this class lives.
 class ThreadLimit {

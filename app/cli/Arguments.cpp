@@ -40,7 +40,7 @@ Setting parsedSetting(const QString& text) {
 }
 
 [[noreturn]] void throwTooMany(const QString& argument) {
-    throw UsageError(QStringLiteral("There is one argument too many; see --help"), argument);
+    throw UsageError(QStringLiteral("There are too many arguments; see --help"), argument);
 }
 
 } // namespace
@@ -71,7 +71,7 @@ QString Words::take(const QString& what) {
 
 void Words::finish() const {
     if (!words_.isEmpty()) {
-        throw UsageError(QStringLiteral("There is one argument too many; see --help"),
+        throw UsageError(QStringLiteral("There are too many arguments; see --help"),
                          words_.first());
     }
 }
@@ -187,8 +187,8 @@ void printWarnings(const QStringList& warnings, QTextStream& out) {
 void declareFilmImage(CommandSyntax& syntax) {
     syntax.addOption(
         {filmImageOption,
-         QStringLiteral("Prints this picture on the film, stretched to the whole film, or the "
-                        "built-in chessboard. The proof shows where it ends up on the part."),
+         QStringLiteral("The picture to print, stretched to the whole film, or the "
+                        "built-in chessboard. The proof shows where it lands on the part."),
          QStringLiteral("chessboard|FILE")});
 }
 

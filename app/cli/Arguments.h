@@ -15,11 +15,11 @@ struct Project;
 
 namespace dipwright::cli {
 
-// Returns the only positional argument. Throws UsageError if it is missing or if there are more.
+// Returns the only positional argument. Throws UsageError if it is missing or if there are several.
 QString positionalArgument(const QCommandLineParser& parser, const QString& name);
 void requireNoPositionalArgument(const QCommandLineParser& parser);
 
-// The words after a command with several actions: the action first, then its arguments.
+// The words after a command that has several actions: the action first, then its arguments.
 class Words {
 public:
     Words(const QString& command, const QStringList& words) : command_(command), words_(words) {}
@@ -34,32 +34,34 @@ private:
     QStringList words_;
 };
 
-// Returns the option's number. Throws UsageError, naming the option, outside the limits.
+// Returns the option's number. Throws UsageError, which names the option, if the number is out of
+// range.
 double numberOption(const QCommandLineParser& parser, const QString& option, double minimum,
                     double maximum);
 int wholeNumberOption(const QCommandLineParser& parser, const QString& option, int minimum,
                       int maximum);
 
-// Returns the picture file to write, or an empty string without the option. Throws UsageError
-// unless the name ends in one of `endings`, for example ".png".
+// Returns the name of the picture file to write, or an empty string without the option. Throws
+// UsageError unless the name ends in one of `endings`, for example ".png".
 QString pictureOption(const QCommandLineParser& parser, const QString& option,
                       const QStringList& endings);
 
-// Calls setByPath() for an option. A refused value becomes a UsageError that names the option.
+// Calls setByPath() for an option. If the value is refused, throws a UsageError that names the
+// option.
 void setByOption(Project& project, const QString& path, const QString& value,
                  const QString& option);
 
 // Declares --set PATH=VALUE, which may be repeated.
 void declareSettings(CommandSyntax& syntax);
-// Applies all --set options. A film preset and film size are set first, so the order of the options
-// does not matter. Throws UsageError for an unknown path or a value out of range.
+// Applies all --set options. Film preset and film size are applied first, so the order of the
+// options does not matter. Throws UsageError for an unknown path or a value out of range.
 void applySettings(Project& project, const QCommandLineParser& parser);
 
 // Declares and reads JOB.dipw and --set.
 void declareProject(CommandSyntax& syntax);
 QString projectPath(const QCommandLineParser& parser);
 Project projectArgument(const QCommandLineParser& parser);
-// Does the same for commands that take several projects. Throws UsageError if there is none.
+// Does the same for commands that take several projects. Throws UsageError if no project is given.
 void declareProjects(CommandSyntax& syntax);
 QStringList projectPaths(const QCommandLineParser& parser);
 Project readProject(const QString& path, const QCommandLineParser& parser);

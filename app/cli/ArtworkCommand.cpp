@@ -87,7 +87,7 @@ void list(const Project& project, const QCommandLineParser& parser, QTextStream&
 }
 
 void add(Project& project, Words& words, const QCommandLineParser& parser, QTextStream& out) {
-    const QString word = words.take(QStringLiteral("What to add"));
+    const QString word = words.take(QStringLiteral("The kind of layer"));
     const auto kind = kinds.find(word);
     if (kind == kinds.end()) {
         throw UsageError(
@@ -162,7 +162,7 @@ public:
         syntax.addOption(
             {setOption,
              QStringLiteral(
-                 "For `add` and `set`: sets a value of the layer, for example size_mm=40;20, "
+                 "For `add` and `set`: a value of the layer, for example size_mm=40;20, "
                  "place_mm=0;10;25, turn_deg=15, placement=cylinder or repeat_mm=8. spot=Varnish "
                  "prints the layer as a spot colour on its own plate. May be repeated."),
              QStringLiteral("KEY=VALUE")});
@@ -171,7 +171,7 @@ public:
 
     void run(const QCommandLineParser& parser, Console& console) const override {
         Words words(name(), parser.positionalArguments());
-        const QString action = words.take(QStringLiteral("What to do"));
+        const QString action = words.take(QStringLiteral("The action"));
         const QString path = words.take(QStringLiteral("JOB.dipw"));
         QTextStream& out = console.out();
         if (action == QLatin1String("list")) {

@@ -36,7 +36,7 @@ QSizeF paperSize(const QString& name) {
                      QStringLiteral("--paper %1").arg(name));
 }
 
-// Returns the profile that was found, or a new one with this name.
+// Returns the profile that was found, or a new profile with this name.
 PrinterProfile profileOf(const std::optional<Profile>& found, const QString& name) {
     if (found) {
         return std::get<PrinterProfile>(*found);
@@ -100,7 +100,7 @@ BoardKind boardKind(const QString& word) {
     return word == QLatin1String("film") ? BoardKind::Film : BoardKind::Card;
 }
 
-// Takes the scale of the printer profile, if --profile names one.
+// Applies the scale of the printer profile to the page, if --profile names one.
 template <typename Page>
 void takeScale(Page& page, const QCommandLineParser& parser) {
     if (parser.isSet(profileOption)) {
@@ -138,7 +138,7 @@ void writeWatchPage(const QString& kind, const QCommandLineParser& parser, const
                .arg(watchRuler);
 }
 
-// Returns the colour of a patch of cyan, magenta or yellow alone, for an RGB printer.
+// Returns the colour of a patch with only cyan, magenta or yellow ink, for an RGB printer.
 QColor patchColour(FilmInk ink, double density) {
     QColor colour(Qt::white);
     const auto value = float(srgbFromLinear(std::pow(10, -density)));
@@ -167,8 +167,8 @@ WedgeRow rgbRow(FilmInk ink) {
     return row;
 }
 
-// Fills the row with the ink amounts that reach each density by the printer's ICC profile. The row
-// ends at the highest density that the ink reaches.
+// Fills the row with the ink amounts that give each density according to the printer's ICC profile.
+// The row ends at the highest density that the ink reaches.
 WedgeRow inkRow(FilmInk ink, const PrinterColour& colour) {
     WedgeRow row{inkName(ink), {}};
     const std::array<float, 256> densities = colour.inkDensities(int(ink));
@@ -187,8 +187,8 @@ WedgeRow inkRow(FilmInk ink, const PrinterColour& colour) {
     return row;
 }
 
-// Adds a row of patches for each ink. With a CMYK ICC profile the patches use the printer's four
-// inks. Otherwise they use cyan, magenta and yellow, as RGB colours.
+// Adds a row of patches for each ink. With a CMYK ICC profile, these are the printer's four inks.
+// Otherwise they are cyan, magenta and yellow, as RGB colours.
 void addRows(WedgePage& page, const QCommandLineParser& parser, const QString& path) {
     std::optional<PrinterProfile> printer;
     if (parser.isSet(profileOption)) {
@@ -217,7 +217,7 @@ void addRows(WedgePage& page, const QCommandLineParser& parser, const QString& p
     }
 }
 
-// Writes the step wedge and, beside it, the table for its readings.
+// Writes the step wedge, and next to it the table for its readings.
 void writeWedgePage(const QCommandLineParser& parser, const QString& path, QTextStream& out) {
     WedgePage page;
     page.paper = paperSize(parser.value(paperOption));

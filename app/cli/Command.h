@@ -1,4 +1,4 @@
-// The interface of a dipwright-cli command, its exceptions and the list of all commands.
+// Defines the interface of a dipwright-cli command and its exceptions, and lists all commands.
 #pragma once
 
 #include "base/Error.h"
@@ -17,7 +17,7 @@ public:
     using Error::Error;
 };
 
-// Thrown after all results are written, if a verdict is worse than required: exit code 3.
+// Thrown after all results are written, if a verdict is worse than the user requires: exit code 3.
 class VerdictError : public Error {
 public:
     using Error::Error;
@@ -28,8 +28,8 @@ public:
     virtual ~Command() = default;
     virtual QString name() const = 0;
     virtual QString summary() const = 0; // one sentence for --help
-    // Adds the command's own options and positional arguments. --help, --quiet and --version are
-    // added for every command.
+    // Adds the command's own options and positional arguments. The options --help, --quiet and
+    // --version are added to every command.
     virtual void declare(CommandSyntax& syntax) const = 0;
     // Returns whether the command needs files that a crashed program may have left unfinished
     // (UnfinishedWrites.h).
@@ -40,7 +40,7 @@ public:
 
 // Returns all commands, in the order in which --help lists them.
 std::vector<std::unique_ptr<Command>> allCommands();
-// Returns the options of all commands, followed by what this command declares.
+// Returns the options of all commands, followed by the options and arguments of this command.
 CommandSyntax syntaxOf(const Command& command);
 
 std::unique_ptr<Command> newCommand();

@@ -1,5 +1,5 @@
 // Describes the options and arguments of a command. The parser, the help, the manual page and the
-// shell completions are made from it.
+// shell completions are made from this description.
 #pragma once
 
 #include <QCommandLineOption>
@@ -9,12 +9,12 @@
 namespace dipwright::cli {
 
 struct CommandSyntax {
-    // Alternatives are separated by |: "list | show KIND NAME". The user fills in words in
-    // capitals.
+    // In `name`, alternatives are separated by |: "list | show KIND NAME". Words in capitals stand
+    // for the user's own words.
     struct Argument {
         QString name, description;
     };
-    std::vector<QCommandLineOption> options; // in the order in which they are listed
+    std::vector<QCommandLineOption> options; // in the order in which the help lists them
     std::vector<Argument> arguments;
 
     void addOption(const QCommandLineOption& option) { options.push_back(option); }
@@ -23,10 +23,11 @@ struct CommandSyntax {
     }
 };
 
-// Adds the options and arguments of `syntax` to the parser, which cannot be copied.
+// Adds the options and arguments of `syntax` to the parser. The parser is changed in place, because
+// it cannot be copied.
 void fill(QCommandLineParser& parser, const CommandSyntax& syntax);
 
-// Returns the names as the user types them, "-h" and "--help", in declaration order.
+// Returns the option's names as the user types them, "-h" and "--help", in declaration order.
 QStringList typedNames(const QCommandLineOption& option);
 
 } // namespace dipwright::cli

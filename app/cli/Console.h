@@ -14,15 +14,15 @@ class Console {
 public:
     Console();
 
-    // Returns the progress of the whole command. It is a bar on a terminal, plain lines otherwise,
-    // and nothing when quiet. SIGINT and SIGTERM cancel it.
+    // Returns the progress of the whole command. It is shown as a bar on a terminal, as plain lines
+    // elsewhere, and not at all with --quiet. SIGINT and SIGTERM cancel the command.
     Progress progress();
     void setQuiet(bool quiet) { quiet_ = quiet; }
 
     QTextStream& out() { return out_; }
     // Prints "error: <what> (<where>)" on one line.
     void error(const Error& error);
-    // Returns false if standard output could not take everything (full disk, closed pipe).
+    // Returns false if standard output did not accept all text (full disk, closed pipe).
     bool finish();
 
 private:

@@ -17,7 +17,7 @@ namespace {
 const QString acceptedOption = QStringLiteral("accepted-by");
 const QString correctOption = QStringLiteral("correct");
 const QString projectOption =
-    QStringLiteral("project"); // declared by InspectPart.cpp, as is `pairs`
+    QStringLiteral("project"); // declared by InspectPart.cpp, as is `pairsOption`
 const QString pairsOption = QStringLiteral("pairs");
 const QString updateOption = QStringLiteral("update-job"); // declared by InspectFit.cpp
 
@@ -29,7 +29,7 @@ QString pictureName(int dip) {
     return QStringLiteral("correction-%1.png").arg(dip);
 }
 
-// Sets how much of the repeating error the next sheets correct; 0 turns the correction off.
+// Sets the share of the repeating error that the next sheets correct; 0 turns the correction off.
 void setCorrection(AsBuilt& built, const QCommandLineParser& parser) {
     if (parser.isSet(correctOption)) {
         const double strength = numberOption(parser, correctOption, 0, 1);
@@ -53,7 +53,7 @@ void writePictures(const Project& project, const QString& folder) {
     files.commit();
 }
 
-// Adds the part in the photos to the parts of the job.
+// Adds the part in the photos to the job's finished parts.
 void addPart(Project& project, const QStringList& files, const QCommandLineParser& parser,
              const std::optional<Lens>& lens,
              const std::function<QString(const std::optional<QDateTime>&)>& dateOf,
@@ -114,10 +114,10 @@ void inspectBuilt(const QStringList& files, const QCommandLineParser& parser,
             QStringLiteral("Name the person who accepts the part with --accepted-by NAME"),
             QStringLiteral("--accepted-by"));
     }
-    dateOf({});                      // refuses a wrong date before any work
+    dateOf({});                      // refuses a wrong date before the measurement
     std::optional<ProjectFile> file; // locks the job against other writers before it is read
     if (parser.isSet(updateOption)) {
-        checkWritable(path); // fails now instead of after the work
+        checkWritable(path); // fails now instead of after the measurement
         file.emplace(path);
     }
     Project project = loadProject(path);

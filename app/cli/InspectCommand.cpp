@@ -69,7 +69,7 @@ std::array<Millimetres, 2> rulersOf(const QCommandLineParser& parser, const QStr
     return {Millimetres(measured[0]), Millimetres(measured[1])};
 }
 
-// Returns what the options say about the film, the card and the camera.
+// Returns the film, the card and the camera as the options describe them.
 FilmOnWater filmOnWater(const QCommandLineParser& parser) {
     FilmOnWater filmOptions;
     filmOptions.cardRulers = rulersOf(parser, cardRulersOption);
@@ -172,7 +172,8 @@ WatchNotes notesOf(const QCommandLineParser& parser, const std::optional<QDateTi
     return notes;
 }
 
-// The film profile to write, if --profile names one: an existing profile or a new one.
+// The film profile that --profile names, to which the measurements are written: an existing or a
+// new profile.
 struct Target {
     std::optional<Profile> known;
     FilmProfile profile;
@@ -223,11 +224,10 @@ public:
              QStringLiteral("The start of the dip, in seconds since the film was laid. Without it: "
                             "the profile's soak time plus its activator time."),
              QStringLiteral("SECONDS")});
-        syntax.addOption(
-            {profileOption,
-             QStringLiteral(
-                 "The film profile that takes the measurements. It is made if it does not exist."),
-             QStringLiteral("NAME")});
+        syntax.addOption({profileOption,
+                          QStringLiteral("The film profile to which the measurements are saved. It "
+                                         "is made if it does not exist."),
+                          QStringLiteral("NAME")});
         syntax.addOption({lotOption, QStringLiteral("The film's lot."), QStringLiteral("TEXT")});
         syntax.addOption(
             {dateOption,
@@ -269,8 +269,7 @@ public:
                                           QStringLiteral("fit"), QStringLiteral("built")};
         if (files.isEmpty() || !subjects.contains(subject)) {
             throw UsageError(
-                QStringLiteral(
-                    "Say what to inspect (film, part, fit or built) and name the photos"),
+                QStringLiteral("Name the action (film, part, fit or built) and the photos"),
                 QStringLiteral("film FILE… | part FILE… | fit FILE… | built FILE…"));
         }
         if (parser.value(outOption).isEmpty()) {

@@ -14,20 +14,20 @@ const QString placesOption = QStringLiteral("places");
 const QString fitOption = QStringLiteral("fit");
 const QString updateOption = QStringLiteral("update-job");
 const QString projectOption =
-    QStringLiteral("project"); // declared by InspectPart.cpp, as are the next two
+    QStringLiteral("project"); // these three are declared by InspectPart.cpp
 const QString keepOption = QStringLiteral("keep-camera");
 const QString pairsOption = QStringLiteral("pairs");
 
-FitRequest wishOf(const QCommandLineParser& parser, const std::optional<Lens>& lens) {
-    FitRequest wish{{}, parser.isSet(keepOption), lens};
+FitRequest fitRequest(const QCommandLineParser& parser, const std::optional<Lens>& lens) {
+    FitRequest request{{}, parser.isSet(keepOption), lens};
     for (const QString& key : parser.value(fitOption).split(u',', Qt::SkipEmptyParts)) {
         try {
-            wish.quantities.push_back(fitQuantityOf(key.trimmed()));
+            request.quantities.push_back(fitQuantityOf(key.trimmed()));
         } catch (const Error& error) {
             throw UsageError(error.message(), QStringLiteral("--fit"));
         }
     }
-    return wish;
+    return request;
 }
 
 FitPairs pairsOf(const std::vector<PartPhoto>& photos, const QCommandLineParser& parser,
@@ -54,7 +54,7 @@ void declareFit(CommandSyntax& syntax) {
         {fitOption,
          QStringLiteral("For `fit`: the quantities to find, joined by commas: shift_x, shift_z, "
                         "turn, swell_x, swell_y, relaxation, growth, contact_distance, depth. "
-                        "Without it: the first six, as far as the photos determine them."),
+                        "Without it: those of the first six that the photos determine."),
          QStringLiteral("LIST")});
     syntax.addOption(
         {updateOption, QStringLiteral("For `fit`: writes placement and depth into the job. For "
@@ -68,10 +68,10 @@ FittedPart fitPart(const QStringList& files, const QCommandLineParser& parser,
         throw UsageError(QStringLiteral("Name the job of this part with --project JOB.dipw"),
                          QStringLiteral("--project"));
     }
-    const FitRequest wish = wishOf(parser, lens);
+    const FitRequest request = fitRequest(parser, lens);
     FittedPart part;
     if (parser.isSet(updateOption)) {
-        checkWritable(path); // fails now instead of after the work
+        checkWritable(path); // fails now instead of after the fit
         part.job = std::make_unique<ProjectFile>(path);
     }
     const Project project = loadProject(path);
@@ -88,7 +88,7 @@ FittedPart fitPart(const QStringList& files, const QCommandLineParser& parser,
     const auto field =
         cachedDistanceField(project.model->mesh, project.fieldResolution, progress.part(0.3, 0.35));
     part.fit = withFallback(solver, registry, [&](const dipwright::solver::SolverModule& module) {
-        return fitFilm(project, *field, part.pairs, wish, module, progress.part(0.35, 1));
+        return fitFilm(project, *field, part.pairs, request, module, progress.part(0.35, 1));
     });
     return part;
 }

@@ -15,14 +15,14 @@ struct FittedPart {
     FilmFit fit;
     std::vector<FittedPhoto> photos;
     std::optional<QDateTime> taken;   // when the first photo was taken
-    std::unique_ptr<ProjectFile> job; // set for --update-job; locks the job against other writers
+    std::unique_ptr<ProjectFile> job; // set with --update-job; locks the job against other writers
 };
 
 void declareFit(CommandSyntax& syntax);
-// `lens`: of a camera that was measured before, if known.
+// `lens` is that of a camera that was measured before, if it is known.
 FittedPart fitPart(const QStringList& files, const QCommandLineParser& parser,
                    const std::optional<Lens>& lens, Console& console);
-// Writes placement and depth into the job if --update-job is given.
+// Writes placement and depth into the job, if --update-job is given.
 void updateJob(const FittedPart& part, const QCommandLineParser& parser, Console& console);
 
 } // namespace dipwright::cli

@@ -21,7 +21,7 @@ const QString placesOption = QStringLiteral("places");
 const QString projectOption = QStringLiteral("project");
 const QString keepOption = QStringLiteral("keep-camera");
 
-constexpr qint64 mostTableBytes = 4 << 20; // in a table of pairs or places
+constexpr qint64 mostTableBytes = 4 << 20; // size limit of a table of pairs or places, bytes
 
 void printAccuracy(const std::vector<PlacePair>& pairs, const PartView& view, QTextStream& out) {
     const PartFigures& figures = view.figures;
@@ -31,7 +31,8 @@ void printAccuracy(const std::vector<PlacePair>& pairs, const PartView& view, QT
     out << QStringLiteral("Camera: focal length %1 ± %2 half diagonals, distortion k1 %3\n")
                .arg(number(view.focalLength.value, 4), number(view.focalLength.off, 4),
                     number(view.lens.k1, 4));
-    out << QStringLiteral("N %1 · R %2 ± %3 px · %4 % of the diagonal\n")
+    out << QStringLiteral("Residual of %1 pairs: mean %2 px, deviation %3 px, %4 % of the "
+                          "picture's diagonal\n")
                .arg(figures.count)
                .arg(number(figures.meanPixels, 2), number(figures.deviationPixels, 2),
                     number(100 * figures.shareOfDiagonal, 3));
@@ -43,7 +44,7 @@ void printAccuracy(const std::vector<PlacePair>& pairs, const PartView& view, QT
                     number(worst.model.z(), 1));
 }
 
-// Returns the corners of the print where the job's dips put them.
+// Returns the corners of the print at the places where the job's dips put them.
 std::vector<PrintedCorner> cornersOf(const Project& project, const QCommandLineParser& parser,
                                      const Progress& progress) {
     JobOptions options;
@@ -81,7 +82,8 @@ std::vector<std::shared_ptr<const LaidFilm>> dippedFilms(Project project,
                                                          const Progress& progress) {
     JobOptions options;
     options.estimatesNumericalError = false;
-    project.sheet.resolution = DotsPerInch(72); // low, as the sheets are not kept
+    // A low resolution, because the sheets are not kept.
+    project.sheet.resolution = DotsPerInch(72);
     const JobResult result = runJob(project, SolverRegistry(), options, nullptr, progress);
     std::vector<std::shared_ptr<const LaidFilm>> dips;
     for (const ImmersionResult& immersion : result.immersions) {

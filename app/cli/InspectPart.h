@@ -12,17 +12,20 @@
 namespace dipwright::cli {
 
 void declarePart(CommandSyntax& syntax);
-// `lens`: of a camera that was measured before, if known.
+// `lens` is that of a camera that was measured before, if it is known.
 void inspectPart(const QStringList& files, const QCommandLineParser& parser,
                  const std::optional<Lens>& lens, Console& console);
 
-// Shared with “inspect fit” and “inspect built”. These functions throw UsageError or Error.
+// The following functions are shared with “inspect fit” and “inspect built”. They throw UsageError
+// or Error. This one returns the pairs of --pairs.
 std::vector<PlacePair> partPairs(const QCommandLineParser& parser, int photos);
+// Reads the photos of the part.
 std::vector<PartPhoto> readPartPhotos(const QStringList& files, const Progress& progress);
 // Simulates the dips of the project and returns the films as they lie on the body.
 std::vector<std::shared_ptr<const LaidFilm>> dippedFilms(Project project, const Progress& progress);
-// Returns the places of --places or, without it, the corners of the print that were found in the
-// photos. The places refer to the printed sheet, which may differ from the film by a correction.
+// Returns the places of --places or, without this option, the corners of the print that were found
+// in the photos. The places refer to the printed sheet, which a correction may have made different
+// from the film.
 std::vector<PrintedPlace> placesOnPart(const std::vector<PartPhoto>& photos,
                                        const std::vector<PlacePair>& clicked,
                                        const QCommandLineParser& parser,

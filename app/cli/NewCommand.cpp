@@ -97,7 +97,7 @@ void importInto(Project& project, const QCommandLineParser& parser, Console& con
 
 struct JigSpec {
     QString path;
-    JigPart part; // without its model
+    JigPart part; // the jig's part, without its model
     ImportOptions options;
 };
 
@@ -108,7 +108,7 @@ JigSpec jigSpec(const QString& text) {
     QStringList words = text.split(next);
     JigSpec spec;
     spec.path = words.takeFirst();
-    Project place; // holds the immersion that parses and checks the values
+    Project place; // a project whose immersion parses and checks the values
     place.immersions.resize(1);
     place.immersions[0].name = QFileInfo(spec.path).completeBaseName();
     for (const QString& word : words) {
@@ -134,8 +134,8 @@ JigSpec jigSpec(const QString& text) {
     return spec;
 }
 
-// Returns a resolution that gives the smallest part as many samples as it would have alone, up to
-// `most`.
+// Returns a field resolution for the whole jig. The smallest part gets as many samples as it would
+// have alone, but the resolution is at most `most`.
 int jigFieldResolution(int resolution, const std::vector<JigPart>& parts, const TexturedMesh& jig) {
     constexpr int most = 512;
     double smallest = longestEdgeOf(jig.mesh);
@@ -169,7 +169,7 @@ void importJig(Project& project, const std::vector<JigSpec>& specs,
     project.model = std::move(jig);
 }
 
-// Throws UsageError if the project would replace a model or picture that it reads.
+// Throws UsageError if the project file would replace a model or picture that it is made from.
 void requireOther(const QString& path, const QString& taken) {
     const QString source = QFileInfo(taken).canonicalFilePath();
     if (!source.isEmpty() && source == QFileInfo(path).canonicalFilePath()) {
@@ -211,7 +211,7 @@ public:
              QStringLiteral(
                  "One dip: name=Top,rotation=rx;ry;rz,offset=x;z. The rotation is in degrees about "
                  "X, Y and Z in this order; the offset is in mm on the water. Give it once or "
-                 "twice. Without it the model is dipped once, as it stands."),
+                 "twice. Without it the model is dipped once, without rotation."),
              QStringLiteral("SPEC")});
         syntax.addOption(
             {jigOption,
@@ -246,7 +246,7 @@ public:
         requireOther(path, parser.value(modelOption));
         requireOther(path, parser.value(textureOption));
         ProjectFile file(path);
-        checkWritable(path); // fails now instead of after the work
+        checkWritable(path); // fails now instead of after the import
         Project project;
         project.name = projectName(path);
         project.date = QDate::currentDate().toString(Qt::ISODate);

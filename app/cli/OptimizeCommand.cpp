@@ -52,7 +52,7 @@ QString posesText(const RankedPoses& ranked) {
     return poses.join(QStringLiteral(" and "));
 }
 
-// Prints one column for each measure.
+// Prints one row for these poses, with a column for each measure.
 void printRow(const QString& name, const RankedPoses& ranked, QTextStream& out) {
     out << QStringLiteral("%1  %2").arg(name, 7).arg(100 * ranked.objective, 9, 'f', 2);
     for (const Measure measure : allMeasures()) {
@@ -76,12 +76,12 @@ void printRanking(const SearchResult& result, const SearchSettings& settings, QT
         return reasonText(differences(one, other, settings, result.equator));
     };
     for (std::size_t rank = 1; rank < shown; ++rank) {
-        out << QStringLiteral("%1 compared with 1: %2\n")
+        out << QStringLiteral("Rank %1 compared with rank 1: %2\n")
                    .arg(rank + 1)
                    .arg(reasons(result.ranking[rank], result.ranking.front()));
     }
     if (result.current) {
-        out << QStringLiteral("1 compared with now: %1\n")
+        out << QStringLiteral("Rank 1 compared with the project's poses: %1\n")
                    .arg(reasons(result.ranking.front(), *result.current));
     }
     if (!result.isComplete) {
@@ -90,7 +90,7 @@ void printRanking(const SearchResult& result, const SearchSettings& settings, QT
     }
 }
 
-// Reads --weight and --limit: NAME=NUMBER each, or NAME=none for no limit.
+// Reads --weight or --limit. Each value is NAME=NUMBER; NAME=none removes a limit.
 template <typename Set>
 void applyPairs(const QCommandLineParser& parser, const QString& option, PoseAims& aims,
                 const Set& set) {
@@ -102,8 +102,8 @@ void applyPairs(const QCommandLineParser& parser, const QString& option, PoseAim
         const double number = value.toDouble(&isNumber);
         const bool isNone = option == limitOption && value == QLatin1String("none");
         if (equals < 1 || !(isNumber || isNone)) {
-            throw UsageError(QStringLiteral("Write it as NAME=NUMBER, for example coverage=0.9"),
-                             where);
+            throw UsageError(
+                QStringLiteral("Write the option as NAME=NUMBER, for example coverage=0.9"), where);
         }
         try {
             set(aims, name, isNone ? std::nullopt : std::optional(number));
@@ -113,7 +113,7 @@ void applyPairs(const QCommandLineParser& parser, const QString& option, PoseAim
     }
 }
 
-// Returns the project's weights and limits, overridden by the options.
+// Returns the project's weights and limits, with the values of the options in their place.
 SearchSettings settingsOf(const QCommandLineParser& parser, const Project& project) {
     if (!parser.isSet(immersionsOption)) {
         throw UsageError(QStringLiteral("Give the number of dips with --immersions 1 or 2"),
@@ -145,7 +145,7 @@ SearchSettings settingsOf(const QCommandLineParser& parser, const Project& proje
     return settings;
 }
 
-// Reads "3/8": the number of the part and how many parts there are.
+// Reads "3/8": the number of this part of the poses, and the number of parts.
 std::array<int, 2> shardOf(const QCommandLineParser& parser) {
     const QStringList parts = parser.value(shardOption).split(QLatin1Char('/'));
     bool isNumber = false, isCount = false;
@@ -153,11 +153,10 @@ std::array<int, 2> shardOf(const QCommandLineParser& parser) {
     const int count = parts.value(1).toInt(&isCount);
     if (parts.size() != 2 || !isNumber || !isCount || number < 1 || number > count ||
         count > mostParts) {
-        throw UsageError(
-            QStringLiteral(
-                "Write it as NUMBER/COUNT, from 1/COUNT to COUNT/COUNT, with COUNT at most %1")
-                .arg(mostParts),
-            QStringLiteral("--shard"));
+        throw UsageError(QStringLiteral("Write the option as NUMBER/COUNT, from 1/COUNT to "
+                                        "COUNT/COUNT, with COUNT at most %1")
+                             .arg(mostParts),
+                         QStringLiteral("--shard"));
     }
     return {number, count};
 }
@@ -270,7 +269,7 @@ private:
         const QString path = projectPath(parser);
         ProjectFile file(path); // locks the project against other writers before it is read
         const Project project = projectArgument(parser);
-        checkWritable(path); // fails now instead of after the work
+        checkWritable(path); // fails now instead of after the search
         const SearchSettings settings = settingsOf(parser, project);
         std::vector<SearchShard> parts;
         for (const QString& name : parser.values(mergeOption)) {
@@ -288,7 +287,8 @@ private:
         if (!result.isComplete) {
             throw Cancelled();
         }
-        // --set applies to the search alone, so the poses go into the stored project.
+        // The values of --set apply only to the search, so the poses are written into the project
+        // as it is stored.
         Project stored = loadProject(path);
         stored.immersions = result.ranking.front().immersions;
         file.save(stored);

@@ -20,14 +20,16 @@ const QString feedOption = QStringLiteral("feed");
 const QString turnOption = QStringLiteral("turn");
 const QString dpiOption = QStringLiteral("dpi");
 const QString solverOption = QStringLiteral("solver");
-constexpr double mostLength = 3000; // mm along one side, also of a roll of unknown length
+// mm, longest side of a film; also used for a roll of unknown length.
+constexpr double mostLength = 3000;
 
 struct PackedProject {
     QString path;
     int copies = 1;
 };
 
-// Reads "JOB.dipw:3". An existing file with that whole name takes precedence.
+// Reads "JOB.dipw:3", a project and its number of copies. If a file with the whole name exists, it
+// is the project.
 PackedProject packedProject(const QString& word) {
     static const QRegularExpression counted(QStringLiteral("^(.+):(\\d{1,9})$"));
     const QRegularExpressionMatch match = counted.match(word);
@@ -42,7 +44,7 @@ PackedProject packedProject(const QString& word) {
     return {match.captured(1), copies};
 }
 
-// Reads a film's name, WIDTHxHEIGHT, roll:WIDTH or roll:WIDTHxLENGTH.
+// Reads the film: the name of a size, WIDTHxHEIGHT, roll:WIDTH or roll:WIDTHxLENGTH.
 void setFilm(PackingFilm& film, const QString& text) {
     static const QRegularExpression sizes(
         QStringLiteral("^(roll:)?(\\d+(?:\\.\\d+)?)(?:x(\\d+(?:\\.\\d+)?))?$"));

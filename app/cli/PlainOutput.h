@@ -7,7 +7,7 @@
 
 namespace dipwright::cli {
 
-// Writes to `file` and drops all control characters except line ends and tabs.
+// Writes to `file`. Removes all control characters except line ends and tabs.
 class PlainOutput : public QIODevice {
 public:
     explicit PlainOutput(std::FILE* file);

@@ -38,8 +38,9 @@ PrintRequest requestOf(const QCommandLineParser& parser, const PrintTarget& targ
     return request;
 }
 
-// Checks the printer and the paper with a blank sheet, so that errors show before the work.
-void checkBefore(PrintSystem& system, const Project& project, const PrintRequest& request) {
+// Checks the printer and the paper with a blank sheet, so that errors appear before the
+// computation.
+void checkPrinterFirst(PrintSystem& system, const Project& project, const PrintRequest& request) {
     Sheet blank;
     blank.filmWidth = project.film.width;
     blank.filmHeight = project.film.height;
@@ -66,7 +67,7 @@ void printSheets(PrintSystem& system, const JobResult& result, const PrintReques
     printAndReport(system, plans, progress, out);
 }
 
-// Returns the size of a paper: one of the project's names, or WIDTHxHEIGHT in mm.
+// Returns the size of a paper. Its name is one of those that projects use, or WIDTHxHEIGHT in mm.
 QSizeF tilePaperSize(const QString& name) {
     static const QRegularExpression sizes(
         QStringLiteral("^(\\d+(?:\\.\\d+)?)x(\\d+(?:\\.\\d+)?)$"));
@@ -115,7 +116,7 @@ void printGamutShare(const Sheet& sheet, const PrintRequest& request, QTextStrea
     }
 }
 
-// Keeps only the immersion of --immersion.
+// Keeps only the dip that --immersion names.
 void chooseImmersion(Project& project, const QCommandLineParser& parser) {
     if (parser.isSet(immersionOption)) {
         const int count = int(project.immersions.size());
@@ -124,7 +125,7 @@ void chooseImmersion(Project& project, const QCommandLineParser& parser) {
     }
 }
 
-// Returns the file for the soft proof, or an empty string without --proof.
+// Returns the name of the file for the soft proof, or an empty string without --proof.
 QString proofFile(const QCommandLineParser& parser, const Project& project,
                   const PrintTarget& target, const PrintRequest& request) {
     const QString proof = pictureOption(parser, proofOption, {".png"});
@@ -140,7 +141,7 @@ QString proofFile(const QCommandLineParser& parser, const Project& project,
     return proof;
 }
 
-// Prints one line for each print, newest first.
+// Lists the print history: one line for each print, newest first.
 void listHistory(QTextStream& out) {
     for (const PrintRecord& record : PrintHistory().records()) {
         out << QStringLiteral("%1  job %2  %3 – %4  %5  %6 × %7 mm  ×%8  %9\n")
@@ -165,8 +166,8 @@ public:
         declareProject(syntax);
         declarePrinter(syntax);
         syntax.addOption(
-            {historyOption, QStringLiteral("Lists what was printed, newest first, with the job "
-                                           "numbers that stand on the sheets.")});
+            {historyOption, QStringLiteral("Lists all prints, newest first, with the job "
+                                           "numbers on the sheets.")});
         syntax.addOption({immersionOption,
                           QStringLiteral("Prints only the sheet of this dip, 1 or 2."),
                           QStringLiteral("N")});
@@ -213,13 +214,13 @@ public:
         const PrintTarget target = printTarget(parser);
         const PrintRequest request = requestOf(parser, target, project);
         if (!target.file.isEmpty()) {
-            fileRequest(request); // fails before the work
+            fileRequest(request); // fails before the computation
         }
         const QString proof = proofFile(parser, project, target, request);
         std::unique_ptr<PrintSystem> system;
         if (target.file.isEmpty()) {
             system = printSystem();
-            checkBefore(*system, project, request);
+            checkPrinterFirst(*system, project, request);
         }
         JobOptions options;
         options.solver = parser.value(solverOption);

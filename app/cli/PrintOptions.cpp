@@ -123,8 +123,8 @@ void printAndReport(PrintSystem& system, const std::vector<PrintPlan>& plans,
     };
     try {
         const PrintEnd end = printPlans(system, plans, PrintHistory(), progress, tell);
-        if (!end.notKept.isEmpty()) {
-            out << historyErrorText(end.notKept) << '\n';
+        if (!end.historyFailure.isEmpty()) {
+            out << historyErrorText(end.historyFailure) << '\n';
         }
     } catch (const Cancelled&) {
         throw Error(QStringLiteral("Cancelled. The job was withdrawn, but pages that the printer "

@@ -1,4 +1,5 @@
-// Shared options of the commands that print: the printer, its profile, or a file instead.
+// Declares and reads the options of the commands that print: the printer, its profile, or a file
+// instead.
 #pragma once
 
 #include "cli/Command.h"
@@ -14,17 +15,18 @@ bool listsPrinters(const QCommandLineParser& parser);
 bool acceptsOtherPaper(const QCommandLineParser& parser);
 void listPrinters(QTextStream& out);
 
-// The destination: exactly one of the two is set.
+// The destination of a print. Exactly one of the two members is set.
 struct PrintTarget {
     QString printer;
-    QString file; // .pdf, .tif or .tiff
+    QString file; // name ends in .pdf, .tif or .tiff
 };
 // Throws UsageError unless exactly one of --printer and --to is given.
 PrintTarget printTarget(const QCommandLineParser& parser);
-// Uses the profile of --profile or, without it, `remembered`. Throws Error for an unknown profile.
+// Returns the request, with the profile of --profile or, without this option, `remembered`. Throws
+// Error for an unknown profile.
 PrintRequest printRequest(const QCommandLineParser& parser, const PrintTarget& target,
                           const std::optional<PrinterProfile>& remembered);
-// Prints the plans and writes one line with the outcome of each job.
+// Prints the plans. Writes one line with the outcome of each job.
 void printAndReport(PrintSystem& system, const std::vector<PrintPlan>& plans,
                     const Progress& progress, QTextStream& out);
 

@@ -66,7 +66,7 @@ void setIccProfile(Profile& profile, const QString& path) {
                          QStringLiteral("--icc"));
     }
     printer->iccProfile = readSmallFile(path, mostProfileBytes);
-    // Throws Error for an ICC profile that no sheet could be printed with.
+    // Throws Error if the ICC profile cannot be used to print any sheet.
     PrinterColour(printer->iccProfile, printer->intent, printer->blackPoint, path);
 }
 
@@ -124,7 +124,8 @@ void remove(Words words, QTextStream& out) {
     out << QStringLiteral("Removed the %1 profile %2\n").arg(profileKindName(kind), name);
 }
 
-// Fits how the ink thins to a step wedge's readings, and saves the result in a film profile.
+// Fits the law by which ink thins on stretched film to a step wedge's readings. Saves the law in a
+// film profile.
 void takeWedge(Words words, QTextStream& out) {
     const QString name = words.take(QStringLiteral("NAME"));
     const QString path = words.take(QStringLiteral("READINGS.csv"));
@@ -193,7 +194,7 @@ public:
 
     void run(const QCommandLineParser& parser, Console& console) const override {
         Words words(name(), parser.positionalArguments());
-        const QString action = words.take(QStringLiteral("What to do"));
+        const QString action = words.take(QStringLiteral("The action"));
         QTextStream& out = console.out();
         if (action == QLatin1String("list")) {
             list(words, parser, out);

@@ -31,7 +31,7 @@ const QString lawsOption = QStringLiteral("laws");
 const QString tolerancesOption = QStringLiteral("tolerances");
 const QString requireOption = QStringLiteral("require");
 
-constexpr std::size_t mostPlaces = 8; // that were not reached and are listed
+constexpr std::size_t mostPlaces = 8; // number of unreached places that are listed
 
 QString number(double value, int decimals) {
     return QString::number(value, 'f', decimals);
@@ -62,11 +62,13 @@ void printLaws(const std::vector<LawChange>& laws, QTextStream& out) {
 
 void printTolerances(const DipTolerances& tolerances, QTextStream& out) {
     const auto listed = [](const Spread& spread) {
-        return QStringLiteral("±%1 mm (95 %; half of it within ±%2 mm, at most ±%3 mm)")
+        return QStringLiteral(
+                   "±%1 mm (95 %; half of the painted area within ±%2 mm, all within ±%3 mm)")
             .arg(number(spread.percentile95, 2), number(spread.median, 2),
                  number(spread.maximum, 2));
     };
-    out << QStringLiteral("  colours land within %1\n").arg(listed(tolerances.spread));
+    out << QStringLiteral("  colours land within %1 of their places\n")
+               .arg(listed(tolerances.spread));
     for (const Contribution& contribution : tolerances.contributions) {
         out << QStringLiteral("    %1 ±%2 %3: %4 % of the spread, %5\n")
                    .arg(contributorText(contribution.contributor))
@@ -80,7 +82,7 @@ void printTolerances(const DipTolerances& tolerances, QTextStream& out) {
         }
     }
     for (const WorstPlace& worst : tolerances.worst) {
-        out << QStringLiteral("    ±%1 mm at %2, %3, %4 mm on the model, mostly from: %5\n")
+        out << QStringLiteral("    ±%1 mm at %2, %3, %4 mm on the model, largest cause: %5\n")
                    .arg(number(worst.spread, 2), number(double(worst.place.x()), 1),
                         number(double(worst.place.y()), 1), number(double(worst.place.z()), 1),
                         contributorText(worst.contributor));
@@ -181,7 +183,8 @@ void printSummary(const JobResult& result, QTextStream& out) {
         printZones(result.tolerances->zones, out);
     }
     if (const std::optional<SmallerFilm> smaller = smallerFilm(result)) {
-        out << QStringLiteral("%1 % of the film is used: %2, %3 × %4 mm, is large enough\n")
+        out << QStringLiteral(
+                   "%1 % of the film is used; the smaller size %2 (%3 × %4 mm) is large enough\n")
                    .arg(number(100 * filmUsed(result), 0), smaller->format,
                         number(smaller->width.value(), 0), number(smaller->height.value(), 0));
     }
@@ -189,7 +192,7 @@ void printSummary(const JobResult& result, QTextStream& out) {
                .arg(number(100 * result.coverageTotal, 1));
 }
 
-// Sets the language of all texts from core.
+// Sets the language of all texts that core produces.
 void setLanguage(const QString& code) {
     const QStringList known{QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("pt_BR")};
     auto* words = new QTranslator(QCoreApplication::instance());
@@ -204,7 +207,7 @@ void setLanguage(const QString& code) {
     QCoreApplication::installTranslator(words);
 }
 
-// Returns the worst verdict that the user accepts; empty: any verdict.
+// Returns the worst verdict that the user accepts; empty if any verdict is accepted.
 std::optional<Advice> requiredAdvice(const QCommandLineParser& parser) {
     if (!parser.isSet(requireOption)) {
         return std::nullopt;
@@ -308,7 +311,7 @@ public:
         const QStringList projects = projectPaths(parser);
         const ThreadLimit threads = threadLimit(parser);
         const SolverRegistry registry;
-        Tasks waking; // waking a GPU takes longer than reading a project
+        Tasks waking; // wakes the GPU meanwhile, because this takes longer than reading a project
         waking.run([&, cancelToken = console.progress().cancelToken] {
             registry.module(solverToWake(parser, projects.front()), cancelToken);
         });
@@ -325,7 +328,7 @@ public:
     }
 
 private:
-    // Returns the first project's solver, as far as it is known before the project is read.
+    // Returns the first project's solver, if it is known before the project is read.
     static QString solverToWake(const QCommandLineParser& parser, const QString& project) {
         if (parser.isSet(solverOption)) {
             return parser.value(solverOption);
@@ -372,8 +375,8 @@ private:
         return verdictToCompare(result);
     }
 
-    // Runs the projects one after the other. A project that fails is reported, and the next one
-    // runs. Returns the verdicts.
+    // Runs the projects one after the other. If a project fails, reports the error and continues
+    // with the next. Returns the verdicts.
     static std::vector<Advice> runAll(const QStringList& projects, const QString& folder,
                                       const SolverRegistry& registry, const JobOptions& options,
                                       const QCommandLineParser& parser, Console& console) {

@@ -20,7 +20,7 @@ extern "C" void onSignal(int number) {
     signalSwitch->cancel();
 }
 
-// Leaves ignored signals ignored, as nohup needs it.
+// Does not change signals that are ignored; nohup relies on this.
 void cancelOn(int number) {
     if (std::signal(number, onSignal) == SIG_IGN) {
         std::signal(number, SIG_IGN);

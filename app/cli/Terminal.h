@@ -1,4 +1,4 @@
-// Wraps the system calls of the command line. No other file here differs between platforms.
+// Wraps the system calls of the command line. All other files here are the same on every platform.
 #pragma once
 
 #include "base/Progress.h"
@@ -7,7 +7,7 @@ namespace dipwright::cli {
 
 bool standardErrorIsTerminal();
 
-// Cancels `cancelToken` on SIGINT, SIGTERM or SIGHUP; a second signal ends the program. A file that
+// Cancels `cancelToken` on SIGINT, SIGTERM or SIGHUP. A second signal ends the program. A file that
 // exceeds the user's size limit causes a write error instead of a signal.
 void cancelOnSignals(const CancelToken& cancelToken);
 

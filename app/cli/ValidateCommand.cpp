@@ -22,7 +22,7 @@ const QString solverOption = QStringLiteral("solver");
 const QString cellsOption = QStringLiteral("cells");
 const QString plotOption = QStringLiteral("plot");
 
-// Returns the resolutions from 15 cells up to the requested one.
+// Returns the resolutions to compute, from 15 cells up to the requested resolution.
 std::vector<int> resolutions(const QCommandLineParser& parser) {
     const int finest =
         parser.isSet(cellsOption) ? wholeNumberOption(parser, cellsOption, 15, 120) : 60;
@@ -103,7 +103,7 @@ void validateTheSheet(const QCommandLineParser& parser, Console& console) {
         project.process.solver = parser.value(solverOption);
     }
     if (parser.isSet(mapsOption)) {
-        checkMapFolder(parser.value(mapsOption)); // fails now instead of after the work
+        checkMapFolder(parser.value(mapsOption)); // fails now instead of after the computation
     }
     const SolverRegistry registry;
     const std::vector<DipNumericalError> numericalError =

@@ -27,7 +27,7 @@ void printHelp(const std::vector<std::unique_ptr<Command>>& commands, QTextStrea
            "required.\n";
 }
 
-// Returns the parser's help text, with the command at the place where a user types it.
+// Returns the parser's help text. The command's name stands where the user types it.
 QString commandHelp(const QCommandLineParser& parser, const QString& name) {
     const QString text = parser.helpText();
     const auto end = text.indexOf(QLatin1Char('\n'));
@@ -50,7 +50,7 @@ void printVersion(QTextStream& out) {
     out << "dipwright-cli " << QCoreApplication::applicationVersion() << '\n';
 }
 
-// `arguments`: the program's name and the words after the command.
+// `arguments` holds the program's name and the words after the command.
 void runCommand(const Command& command, const QStringList& arguments, Console& console) {
     QCommandLineParser parser;
     parser.setApplicationDescription(command.summary());
@@ -101,7 +101,7 @@ void run(const QStringList& arguments, Console& console) {
                      first.isEmpty() ? QStringLiteral("command line") : first);
 }
 
-// Rejects arguments that are not UTF-8. Their replacement characters would name another file.
+// Rejects arguments that are not UTF-8. Qt would replace their characters and so name another file.
 void requireText(const QStringList& arguments) {
     for (const QString& argument : arguments) {
         if (argument.contains(QChar::ReplacementCharacter)) {
@@ -186,13 +186,13 @@ CommandSyntax syntaxOf(const Command& command) {
 } // namespace dipwright::cli
 
 int main(int argc, char* argv[]) {
-    // Text on the sheets needs Qt Gui, but no display.
+    // Text on the sheets needs Qt Gui, but not a display.
     qputenv("QT_QPA_PLATFORM", "offscreen");
     // Hides the libraries' warnings, so that scripts find only one error line.
     QLoggingCategory::setFilterRules(
         QStringLiteral("*.debug=false\n*.info=false\n*.warning=false"));
     const QGuiApplication application(argc, argv);
-    QLocale::setDefault(QLocale::c()); // all output is in English, also the maps
+    QLocale::setDefault(QLocale::c()); // all output is in English, including the maps
     dipwright::nameProgram();
     dipwright::cli::Console console;
     return dipwright::cli::guardedRun(QCoreApplication::arguments(), console);

@@ -8,11 +8,11 @@
 
 namespace dipwright {
 
-// The papers to choose from, A4 first.
+// Returns the papers that can be chosen for calibration pages, A4 first.
 const QList<QPageSize>& calibrationPapers();
 
-// Keeps clear of the profile's margins. The first page is printed without correction. The second
-// page, with `verifies`, uses the profile's correction.
+// Returns the calibration page. Its rulers stay inside the profile's margins. The first page is
+// printed without correction. The second page (`verifies`) uses the profile's correction.
 CalibrationPage calibrationPage(const PrinterProfile& profile, QSizeF paper, bool verifies);
 
 // Returns the profile with the scale that follows from the measured rulers `x` and `y` of `page`.

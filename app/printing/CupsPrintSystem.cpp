@@ -1,4 +1,4 @@
-// Prints through CUPS and IPP. No other file depends on them.
+// Prints through CUPS and IPP. No other file depends on these libraries.
 #include "printing/PrintSystem.h"
 
 #include "base/Error.h"
@@ -35,7 +35,7 @@ struct FreeMessage {
 };
 using Message = std::unique_ptr<ipp_t, FreeMessage>;
 
-// Queue defaults that would alter a sheet, with the values that turn them off.
+// Options by which a queue may alter a sheet, with the values that turn them off.
 constexpr std::pair<const char*, const char*> trueSizeOptions[] = {
     {"print-scaling", "none"},  {"fit-to-page", "false"},
     {"number-up", "1"},         {"sides", "one-sided"},
@@ -53,7 +53,7 @@ QByteArray trueSizeOption(std::string_view name) {
     return {};
 }
 
-// RAII list of a job's options.
+// Owns the list of a job's options.
 class Options {
 public:
     ~Options() { cupsFreeOptions(count_, options_); }
@@ -80,7 +80,8 @@ QString option(const Dest& dest, const char* name) {
     return QString::fromUtf8(cupsGetOption(name, dest->num_options, dest->options));
 }
 
-// Makes IPP reasons such as "media-empty-error" readable; drops "none" and CUPS's own.
+// Makes IPP reasons such as "media-empty-error" readable. Removes "none" and the reasons that CUPS
+// itself adds.
 QString readableReasons(const QString& reasons) {
     QStringList words;
     for (QString reason : reasons.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
@@ -97,15 +98,15 @@ PrinterState stateOf(const QString& state) {
                                          : PrinterState::Idle;
 }
 
-// CUPS counts in hundredths of a millimetre.
+// CUPS measures sizes in hundredths of a millimetre.
 PrinterMedia mediaOf(const cups_size_t& size) {
     return {
         QString::fromUtf8(size.media), QSizeF(size.width / 100.0, size.length / 100.0),
         QMarginsF(size.left / 100.0, size.top / 100.0, size.right / 100.0, size.bottom / 100.0)};
 }
 
-// Names the paper by size and margins. By name, some queues use "…_borderless" for the paper with
-// margins.
+// Describes the paper by size and margins. If it is described by name, some queues use
+// "…_borderless" for the paper with margins.
 QByteArray collection(const PrinterMedia& media) {
     const auto hundredths = [](double millimetres) {
         return QString::number(std::lround(millimetres * 100));
@@ -129,9 +130,10 @@ void addMedia(std::vector<PrinterMedia>& media, cups_dest_t* dest, cups_dinfo_t*
     }
 }
 
-constexpr int patience = 3000; // milliseconds, for a connection
+constexpr int connectionTimeout = 3000; // milliseconds, longest wait for a connection
 
-// Whether the device speaks IPP and can be queried. Other devices would print the query.
+// Returns whether the device speaks IPP and can be queried. A device that does not would print the
+// query as text.
 bool speaksIpp(const QString& uri) {
     return uri.startsWith(QLatin1String("ipp")) || uri.contains(QLatin1String("._ipp"));
 }
@@ -141,16 +143,17 @@ struct CloseConnection {
 };
 using Connection = std::unique_ptr<http_t, CloseConnection>;
 
-// What only the printer itself reports; its queue has only its own defaults.
+// What only the printer itself can report. Its queue only reports its own defaults.
 struct DeviceReport {
-    std::vector<QSizeF> loaded; // sizes; empty if it does not report them
+    // Sizes of the loaded papers, mm; empty if the printer does not report them.
+    std::vector<QSizeF> loaded;
     QString scaling;
-    bool takesTrueSize = false; // PDF jobs can forbid scaling
+    bool canForbidScaling = false; // whether PDF jobs can forbid scaling
     QString stateReason;
     bool answers = false;
 };
 
-// A direct connection to a printer, and the resource path of the printer on it.
+// A direct connection to a printer, and the printer's resource path on this connection.
 struct Device {
     Connection connection;
     QByteArray resource, uri;
@@ -158,10 +161,11 @@ struct Device {
 
 Device deviceOf(cups_dest_t* dest) {
     std::vector<char> resource(1024, '\0');
-    Device device{Connection(cupsConnectDest(dest, CUPS_DEST_FLAGS_DEVICE, patience, nullptr,
-                                             resource.data(), resource.size(), nullptr, nullptr)),
-                  resource.data(),
-                  {}};
+    Device device{
+        Connection(cupsConnectDest(dest, CUPS_DEST_FLAGS_DEVICE, connectionTimeout, nullptr,
+                                   resource.data(), resource.size(), nullptr, nullptr)),
+        resource.data(),
+        {}};
     if (device.connection) {
         http_t* http = device.connection.get();
         std::vector<char> uri(2048, '\0');
@@ -175,7 +179,7 @@ Device deviceOf(cups_dest_t* dest) {
     return device;
 }
 
-// Consumed by cupsDoRequest.
+// Returns a request, which cupsDoRequest frees.
 ipp_t* deviceRequest(ipp_op_t operation, const Device& device) {
     ipp_t* request = ippNewRequest(operation);
     ippAddString(request, IPP_TAG_OPERATION, IPP_TAG_URI, "printer-uri", nullptr,
@@ -231,7 +235,7 @@ DeviceReport wordOfDevice(cups_dest_t* dest) {
     word.loaded =
         sizesOf(ippFindAttribute(answer.get(), "media-col-ready", IPP_TAG_BEGIN_COLLECTION));
     word.scaling = keywordsOf(answer.get(), "print-scaling-default").value(0);
-    word.takesTrueSize =
+    word.canForbidScaling =
         keywordsOf(answer.get(), "print-scaling-supported").contains(QLatin1String("none")) &&
         keywordsOf(answer.get(), "document-format-supported", IPP_TAG_MIMETYPE)
             .contains(QLatin1String(CUPS_FORMAT_PDF));
@@ -241,7 +245,7 @@ DeviceReport wordOfDevice(cups_dest_t* dest) {
     return word;
 }
 
-// Host and port of a device that does not speak IPP, also behind a backend that retries
+// Host and port of a device that does not speak IPP. Also found behind a backend that retries
 // ("beh:/1/0/5/socket://…").
 struct Address {
     QByteArray host;
@@ -264,18 +268,19 @@ std::optional<Address> addressOf(const QString& uri) {
     return Address{match.captured(2).remove(u'[').remove(u']').toUtf8(), port > 0 ? port : usual};
 }
 
-// Whether the address accepts a connection. Sends nothing.
-bool isReached(const Address& address) {
+// Returns whether the address accepts a connection. Sends nothing.
+bool acceptsConnection(const Address& address) {
     return Connection(httpConnect2(address.host.constData(), address.port, nullptr, AF_UNSPEC,
-                                   HTTP_ENCRYPTION_NEVER, 1, patience, nullptr)) != nullptr;
+                                   HTTP_ENCRYPTION_NEVER, 1, connectionTimeout, nullptr)) !=
+           nullptr;
 }
 
 void markLoaded(std::vector<PrinterMedia>& media, const std::vector<QSizeF>& loaded) {
-    constexpr double same = 0.6; // mm
+    constexpr double largestDifference = 0.6; // mm
     for (PrinterMedia& one : media) {
         one.ready = loaded.empty() || std::any_of(loaded.begin(), loaded.end(), [&](QSizeF size) {
-                        return std::abs(size.width() - one.size.width()) < same &&
-                               std::abs(size.height() - one.size.height()) < same;
+                        return std::abs(size.width() - one.size.width()) < largestDifference &&
+                               std::abs(size.height() - one.size.height()) < largestDifference;
                     });
     }
 }
@@ -355,15 +360,15 @@ public:
         addMedia(info.media, dest.get(), details.get(), CUPS_MEDIA_FLAGS_BORDERLESS);
         addMedia(info.media, dest.get(), details.get(), CUPS_MEDIA_FLAGS_DEFAULT);
         const QString uri = option(dest, "device-uri");
-        info.tellsPrinted = speaksIpp(uri);
-        const DeviceReport word = info.tellsPrinted ? wordOfDevice(dest.get()) : DeviceReport{};
+        info.reportsPrinted = speaksIpp(uri);
+        const DeviceReport word = info.reportsPrinted ? wordOfDevice(dest.get()) : DeviceReport{};
         markLoaded(info.media, word.loaded);
         info.scaling = word.scaling;
-        info.takesTrueSize = word.takesTrueSize;
+        info.canForbidScaling = word.canForbidScaling;
         if (info.stateReason.isEmpty()) {
             info.stateReason = word.stateReason;
         }
-        info.answers = info.tellsPrinted ? word.answers : hasAnswered(uri);
+        info.answers = info.reportsPrinted ? word.answers : hasAnswered(uri);
         return info;
     }
 
@@ -424,19 +429,20 @@ public:
     void cancel(const PrintJob& job) override { ask(job, IPP_OP_CANCEL_JOB); }
 
 private:
-    // Whether a device that cannot be queried accepts connections, or cannot be tested. After one
-    // success it is not tested again: some devices accept one connection at a time, and the job
-    // needs it.
+    // Returns whether a device that cannot be queried accepts connections, or cannot be tested.
+    // After one success the device is not tested again, because some devices accept one connection
+    // at a time, and the job needs it.
     bool hasAnswered(const QString& uri) {
         const std::optional<Address> address = addressOf(uri);
-        if (address && !reached_.contains(uri) && isReached(*address)) {
+        if (address && !reached_.contains(uri) && acceptsConnection(*address)) {
             reached_.insert(uri);
         }
         return !address || reached_.contains(uri);
     }
 
-    // Sends the job directly to the printer, with options that its queue would not pass on. The
-    // printer must report unknown options (RFC 8011, 4.1.7); it must not print then.
+    // Sends the job directly to the printer, with options that the printer's queue would not pass
+    // on. The printer must report options that it does not know (RFC 8011, 4.1.7); the job is then
+    // cancelled.
     static PrintJob submitToDevice(cups_dest_t* dest, const PrintTask& task) {
         const Device device = deviceOf(dest);
         const auto refused = [&](const QString& reason) {
@@ -475,12 +481,13 @@ private:
         ipp_attribute_t* scaling = ippFindAttribute(answer.get(), "print-scaling", IPP_TAG_ZERO);
         if (scaling && ippGetGroupTag(scaling) == IPP_TAG_UNSUPPORTED_GROUP) {
             ask(job, IPP_OP_CANCEL_JOB);
-            throw refused(Text::tr("it changes the page size"));
+            throw refused(Text::tr("the printer would change the page size"));
         }
         return job;
     }
 
-    // Queries a job at its queue or, for direct jobs, at the printer. Null if there is no answer.
+    // Queries a job at its queue or, for direct jobs, at the printer. Returns null if there is no
+    // answer.
     static Message ask(const PrintJob& job, ipp_op_t operation,
                        const std::function<void(ipp_t*)>& add = {}) {
         const auto added = [&](ipp_t* request) {
@@ -504,7 +511,7 @@ private:
             cupsDoRequest(device.connection.get(), added(request), device.resource.constData()));
     }
 
-    // Consumed by cupsDoRequest.
+    // Returns a request, which cupsDoRequest frees.
     static ipp_t* queueRequest(ipp_op_t operation, const PrintJob& job) {
         ipp_t* request = ippNewRequest(operation);
         const QByteArray uri = QByteArray("ipp://localhost/jobs/") + QByteArray::number(job.id);
@@ -514,7 +521,7 @@ private:
         return request;
     }
 
-    QSet<QString> reached_; // devices
+    QSet<QString> reached_; // devices that have accepted a connection
 };
 
 } // namespace

@@ -22,8 +22,8 @@ struct Text {
 
 constexpr double leastShortfall = 1; // mm²; smaller areas are not reported
 
-// Text that describes the profile's effect on a sheet's plates. Profiles that make the same plates
-// have the same text. Empty: no effect.
+// Returns text that describes the profile's effect on a sheet's plates, or an empty text if it has
+// none. Profiles that make the same plates have the same text.
 QByteArray platesText(const PrinterProfile& profile) {
     QByteArrayList parts;
     if (profile.scaleX != 1 || profile.scaleY != 1) {
@@ -107,9 +107,8 @@ QStringList leftOut(const Sheet& sheet, const PrintCorrection& correction, bool 
     }
     const double area = inkShortfall(sheet, correction);
     if (area >= leastShortfall) {
-        sentences << Text::tr(
-                         "%1 mm² of the part will be visibly too pale: full ink, the ink limit or "
-                         "the total area coverage does not compensate for the stretch")
+        sentences << Text::tr("%1 mm² of the part will be visibly too pale: the stretch needs more "
+                              "ink than full ink, the ink limit or the total area coverage allows")
                          .arg(std::round(area));
     }
     return sentences;

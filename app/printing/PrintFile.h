@@ -1,4 +1,4 @@
-// Writes a sheet to a file in a printer's scale and colours, instead of printing it.
+// Writes a sheet to a file in a printer's scale and colours instead of printing it.
 #pragma once
 
 #include "printing/PrintHistory.h"
@@ -13,54 +13,57 @@
 
 namespace dipwright {
 
-// The profile's colours. Null without a profile, or if the profile has no colours. Throws Error.
+// Returns the profile's colours, or null without a profile or if the profile has no colours. Throws
+// Error.
 std::unique_ptr<PrinterColour> printerColour(const std::optional<PrinterProfile>& profile);
-// The profile's scales and ink limit (true size without a profile), with `colour`, which may be
-// null.
+// Returns the profile's scales (true size without a profile) and ink limit, combined with `colour`,
+// which may be null.
 PrintCorrection printCorrection(const std::optional<PrinterProfile>& profile,
                                 const PrinterColour* colour);
 
-// Tiles for this paper. They stay clear of its unprintable edges, and at least the usual distance
-// from the paper's edges.
+// Returns the settings for tiles on this paper. Tiles keep clear of the paper's unprintable edges,
+// and at least the usual distance from the paper's edges.
 TileSettings tileSettings(QSizeF paper, const QMarginsF& lost);
 
-// The sheet with the job numbers that it has when printed with the profile. If the profile changes
-// scale, colours or inks, the job number gets a suffix: a dash and six hexadecimal digits of these
-// changes. So different plates of one job have different numbers. On a film with several jobs, this
-// applies to its pieces too.
+// Returns the sheet with the job numbers that it has when it is printed with the profile. If the
+// profile changes scale, colours or inks, each job number gets a suffix: a dash and six hexadecimal
+// digits that depend on these changes. So different plates of one job have different numbers. If
+// the film has several jobs, each of its pieces gets such a number.
 Sheet numberedFor(const std::optional<PrinterProfile>& profile, const Sheet& sheet);
 
 bool isTiff(const QString& path);
 
-// Sentences on parts of the sheet that cannot be printed as designed. These are spot colours
-// without a CMYK profile, and places where the ink cannot compensate the stretch.
+// Returns sentences on parts of the sheet that cannot be printed as designed: spot colours without
+// a CMYK profile, and places where the ink cannot compensate for the stretch.
 QStringList leftOut(const Sheet& sheet, const PrintCorrection& correction, bool tiff);
 
 struct PrintFileRequest {
-    // Scales, margins and colours of the printer; none: true size and sRGB.
+    // Scales, margins and colours of the printer. Without a profile: true size and sRGB.
     std::optional<PrinterProfile> profile;
     // Splits the sheet into tiles for this paper, in mm; PDF only.
     std::optional<QSizeF> tilePaper;
-    bool acceptClipping = false; // lose colour that the printer cannot reach
-    PrintSource source;          // for the history
+    // Whether the print may lose colour in places that the printer cannot reach.
+    bool acceptClipping = false;
+    PrintSource source; // stored in the history
 };
 
 // Writes TIFF if the file name ends in .tif or .tiff, else PDF. Records the file in the print
 // history. Returns warnings. Throws Error if the printer cannot reach colour near the sheet's edge,
-// as for a printed sheet.
+// as printing does.
 QStringList writePrintFile(const Sheet& original, const PrintFileRequest& request,
                            const QString& path, const PrintHistory& history);
 
-// A sheet's film on white as the printer will show it, and the share of its paint that is out of
-// gamut.
+// A sheet's film on white, in the colours that the printer will show, and the share of the painted
+// area that is out of gamut.
 struct PrintProof {
     QImage page; // opaque, sRGB
     double outOfGamut = 0;
 };
-// `correction` must have a colour. With `marked`, out-of-gamut places are painted magenta.
+// Returns the soft proof. `correction` must have a colour. With `marked`, out-of-gamut places are
+// painted magenta.
 PrintProof printProof(const Sheet& sheet, const PrintCorrection& correction, bool marked);
-// The colours requested from the printer. If it compensates each ink separately, these are the
-// wanted colours, else those of the film image.
+// Returns the colours that are requested from the printer: the wanted colours if `colour`
+// compensates each ink separately, else the colours of the film image.
 const QImage& requestedColours(const Sheet& sheet, const PrinterColour& colour);
 
 } // namespace dipwright

@@ -26,15 +26,15 @@ struct Text {
 const char* const chosenFolder = "DIPWRIGHT_PRINT_HISTORY";
 const QString format = QStringLiteral("dipwright-print");
 constexpr int version = 1;
-constexpr qint64 mostBytes = 64 << 10; // size limit of a record
+constexpr qint64 mostBytes = 64 << 10; // size limit of a record, bytes
 constexpr int mostCopies = 100'000;
-constexpr double largestMedium = 100'000; // mm
+constexpr double largestMedium = 100'000; // mm, per side
 
-// In the order of PrintOutcome.
-constexpr std::array fateWords{"sent",      "printed", "handed_over", "written",
-                               "cancelled", "failed",  "stopped",     "unknown"};
+// The words for PrintOutcome in a record, in the order of the enumeration.
+constexpr std::array outcomeWords{"sent",      "printed", "handed_over", "written",
+                                  "cancelled", "failed",  "stopped",     "unknown"};
 
-// Oldest first; the names sort by time.
+// Returns the files of the records, oldest first. Their names sort by time.
 QStringList files(const QDir& folder) {
     return folder.entryList({QStringLiteral("*.print.json")}, QDir::Files, QDir::Name);
 }
@@ -56,23 +56,24 @@ QJsonObject toJson(const PrintRecord& record) {
         {QStringLiteral("medium_mm"),
          QJsonArray{record.mediumSize.width(), record.mediumSize.height()}},
         {QStringLiteral("copies"), record.copies},
-        {QStringLiteral("fate"), QLatin1String(fateWords[std::size_t(record.fate)])},
+        {QStringLiteral("fate"), QLatin1String(outcomeWords[std::size_t(record.fate)])},
         {QStringLiteral("reason"), record.reason},
     };
 }
 
-// Text from any writer, reduced to one line without control characters.
+// Returns the value of `key` as one line without control characters; any program may have written
+// it.
 QString line(const QJsonObject& json, const char* key) {
     constexpr int longest = 4096;
     return json.value(QLatin1String(key)).toString().left(longest).simplified();
 }
 
 std::optional<PrintRecord> recordFromJson(const QJsonObject& json, const QString& id) {
-    const auto fate = std::find(fateWords.begin(), fateWords.end(),
+    const auto fate = std::find(outcomeWords.begin(), outcomeWords.end(),
                                 json.value(QLatin1String("fate")).toString().toStdString());
     const QDateTime when = QDateTime::fromString(line(json, "when"), Qt::ISODateWithMs);
     if (json.value(QLatin1String("format")) != format ||
-        json.value(QLatin1String("version")) != version || fate == fateWords.end() ||
+        json.value(QLatin1String("version")) != version || fate == outcomeWords.end() ||
         !when.isValid()) {
         return std::nullopt;
     }
@@ -90,7 +91,7 @@ std::optional<PrintRecord> recordFromJson(const QJsonObject& json, const QString
                        line(json, "medium"),
                        {side(0), side(1)},
                        std::clamp(json.value(QLatin1String("copies")).toInt(1), 1, mostCopies),
-                       PrintOutcome(fate - fateWords.begin()),
+                       PrintOutcome(fate - outcomeWords.begin()),
                        line(json, "reason")};
 }
 

@@ -1,6 +1,6 @@
-// Records what was printed: when, on which printer, and from which sheet, by the job number on the
-// sheet. Stored with the user's data, one small file for each print. So several programs, on
-// several machines, can write at the same time.
+// Records each print: when, on which printer, and from which sheet. The sheet is identified by the
+// job number on it. Each print is one small file with the user's data, so several programs on
+// several machines can write at the same time.
 #pragma once
 
 #include "settings/Profile.h"
@@ -28,42 +28,42 @@ enum class PrintOutcome {
     Unknown
 };
 
-// Where a printed sheet comes from, in addition to the data on the sheet.
+// The origin of a printed sheet, in addition to the data on the sheet.
 struct PrintSource {
-    QString projectFile; // absolute; empty: never saved
-    QString film;        // name and lot of its profile; empty: no profile
+    QString projectFile; // absolute path; empty if the project was never saved
+    QString film;        // name and lot of the film's profile; empty without a profile
 };
 PrintSource printSource(const Project& project, const QString& projectFile);
 
 struct PrintRecord {
-    QString id; // the name of its file; empty: not stored yet
+    QString id; // name of the record's file; empty if it is not stored yet
     QDateTime when;
     QString job;                // the job number on the sheet, JobLine::hash
-    QString project, immersion; // names
+    QString project, immersion; // names of the project and the dip
     PrintSource source;
-    QString printer;    // its name in the system …
-    QString file;       // … or the file it was written to, absolute
-    QString profile;    // the printer profile; empty: true size and sRGB
-    QString mediumName; // the printer's name for it, or empty
+    QString printer;    // the printer's name in the system; empty for a file
+    QString file;       // the file that was written, absolute path; empty for a printer
+    QString profile;    // name of the printer profile; empty: true size and sRGB
+    QString mediumName; // the printer's name for the paper, or empty
     QSizeF mediumSize;  // mm
     int copies = 1;
     PrintOutcome fate = PrintOutcome::Sent;
-    QString reason; // why it was not printed, or why the outcome is unknown
+    QString reason; // why the sheet was not printed, or why the outcome is unknown
 };
 
-// A record of the sheet before it is sent, on a medium of `mediumSize` mm.
+// Returns a record of the sheet before it is sent. Its medium has the size `mediumSize`, mm.
 PrintRecord recordOf(const Sheet& sheet, const PrintSource& source,
                      const std::optional<PrinterProfile>& profile, QSizeF mediumSize);
 
-// The outcome in words: "Printed", "Failed: out of paper".
+// Returns the outcome in words: "Printed", "Failed: out of paper".
 QString outcomeText(const PrintRecord& record);
 
-// What to tell the user when the history cannot be written for this reason.
+// Returns the message for the user when the history cannot be written for this reason.
 QString historyErrorText(const QString& reason);
 
 class PrintHistory {
 public:
-    // The oldest records are deleted beyond this number.
+    // If there are more records, the oldest are deleted.
     static constexpr int mostRecords = 5000;
 
     // DIPWRIGHT_PRINT_HISTORY, or "prints" in the user's folder for program data.
@@ -73,9 +73,9 @@ public:
 
     // Newest first. Skips files that are not records.
     std::vector<PrintRecord> records() const;
-    // Writes the record atomically. A new record gets its time and id; an old one is overwritten.
-    // Returns an empty string, or the reason of a failure: a print must not fail because of its
-    // history.
+    // Writes the record atomically. A new record gets its time and id; an existing record is
+    // overwritten. Returns an empty string, or the reason of a failure. Does not throw, because a
+    // print must not fail because of its history.
     QString keep(PrintRecord& record) const;
 
 private:

@@ -15,12 +15,13 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Printing)
 };
 
-// What is lost of the drawing at a margin of the paper; `half`: half the paper's size.
+// Returns the width, in mm, that the drawing loses at a margin of the paper. `half` is half the
+// paper's size.
 double lostEdge(double half, double margin, double scale) {
     return std::max(margin, half - (half - margin) * scale);
 }
 
-// The bounding box, in mm, of the page area with ink of the film's plates.
+// Returns the bounding box, in mm, of the page area that has ink from the film's plates.
 QRectF paintedBox(const Sheet& sheet, InkedPlates plates) {
     const QRect box = inkedBox(sheet, plates);
     const QSizeF film(sheet.filmWidth.value(), sheet.filmHeight.value());

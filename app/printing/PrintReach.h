@@ -1,5 +1,5 @@
-// Computes which part of a sheet a printer can reach, from its margins and from a corrected scale
-// that moves the sheet beyond the paper.
+// Computes which part of a sheet a printer can reach. This depends on the printer's margins, and on
+// a corrected scale that may enlarge the sheet beyond the paper.
 #pragma once
 
 #include "settings/Profile.h"
@@ -14,18 +14,18 @@ namespace dipwright {
 QMarginsF larger(const QMarginsF& a, const QMarginsF& b);
 double widest(const QMarginsF& margins);
 
-// The unprintable margins of the printer's paper, in mm, from the printer's own report and from the
-// profile's measurement.
+// Returns the unprintable margins of the printer's paper, in mm, from the printer's own report and
+// from the profile's measurement.
 QMarginsF unreachable(const QMarginsF& ofPrinter, const std::optional<PrinterProfile>& profile);
 
-// What is lost at the drawing's edges, in its own mm, when it is drawn centred on `paper` with the
-// correction's scales. These are the margins, and more if a scale below 1 makes the drawing larger
-// than the paper.
+// Returns the widths that are lost at the drawing's edges, in the drawing's own mm, when it is
+// drawn centred on `paper` with the correction's scales. These are the margins, and more if a scale
+// below 1 makes the drawing larger than the paper.
 QMarginsF clippedEdges(QSizeF paper, const QMarginsF& margins, const PrintCorrection& correction);
 
-// The sheet with its marks, ruler and job line moved clear of the paper's margins, at least the
-// usual distance from the edges. If colour is lost, throws an Error that names `where`, or with
-// `accept` adds a warning.
+// Returns the sheet with its marks, ruler and job line moved clear of the paper's margins, and at
+// least the usual distance from the edges. If colour is lost, throws an Error that names `where`,
+// or adds a warning if `accept` is set.
 Sheet withinReach(const Sheet& sheet, const QMarginsF& margins, const PrintCorrection& correction,
                   bool accept, const QString& where, QStringList& warnings);
 

@@ -26,7 +26,7 @@ struct Text {
 };
 
 constexpr unsigned long pause = 200; // milliseconds between two queries about a job
-constexpr double sameSize = 0.6;     // mm: sizes rounded to whole points differ this much
+constexpr double sameSize = 0.6;     // mm; rounding to whole points can change sizes this much
 
 QString plain(double millimetres) {
     return QString::number(millimetres, 'g', 5);
@@ -45,17 +45,19 @@ bool holds(QSizeF paper, QSizeF page) {
     return page.width() <= paper.width() + sameSize && page.height() <= paper.height() + sameSize;
 }
 
-// A page is as large as its paper. For such pages IPP's "auto" and "auto-fit" do not scale.
+// Returns whether the printer scales pages by default. A page is as large as its paper, so IPP's
+// "auto" and "auto-fit" do not scale it.
 bool scalesUnasked(const PrinterInfo& printer) {
     const QStringList harmless{QString(), QStringLiteral("none"), QStringLiteral("auto"),
                                QStringLiteral("auto-fit")};
     return !harmless.contains(printer.scaling);
 }
 
-// Setting "none" in jobs is not enough: CUPS 2.4 does not pass it to printers that are sent PDF. A
-// printer that respects it gets the job directly, past its queue.
+// Throws Error if the printer scales pages and the system cannot prevent that. Setting "none" in
+// jobs is not enough: CUPS 2.4 does not pass it to printers that receive PDF. A printer that
+// respects "none" gets the job directly, past its queue.
 void checkScaling(const PrinterInfo& printer) {
-    if (scalesUnasked(printer) && !printer.takesTrueSize) {
+    if (scalesUnasked(printer) && !printer.canForbidScaling) {
         throw Error(
             Text::tr("The printer scales pages by itself (\"%1\"), and the print system cannot "
                      "turn this off; set the scaling to \"none\" in the printer's own menu")
@@ -92,7 +94,7 @@ PrinterInfo readyPrinter(PrintSystem& system, const QString& name) {
     return *printer;
 }
 
-// Of several media of one size, the one with the smallest margins.
+// Returns the medium of this size with the smallest margins, or null if there is none.
 const PrinterMedia* mediaOfSize(const std::vector<PrinterMedia>& media, QSizeF size) {
     const PrinterMedia* best = nullptr;
     for (const PrinterMedia& one : media) {
@@ -253,10 +255,10 @@ QString stateText(const JobStatus& status, const QString& printerReason) {
     return reason.isEmpty() ? state : QStringLiteral("%1: %2").arg(state, reason);
 }
 
-// A print and its record in the history, stored when it is sent and again when it ends.
-class KeptPrint {
+// Stores a print's record in the history: once when the print is sent, and again when it ends.
+class RecordedPrint {
 public:
-    KeptPrint(const PrintHistory& history, const std::optional<PrintRecord>& record)
+    RecordedPrint(const PrintHistory& history, const std::optional<PrintRecord>& record)
         : history_(history), record_(record) {
         keep();
     }
@@ -267,21 +269,21 @@ public:
             keep();
         }
     }
-    const QString& notKept() const { return notKept_; }
+    const QString& historyFailure() const { return historyFailure_; }
 
 private:
     void keep() {
         if (record_) {
-            notKept_ = history_.keep(*record_);
+            historyFailure_ = history_.keep(*record_);
         }
     }
 
     const PrintHistory& history_;
     std::optional<PrintRecord> record_;
-    QString notKept_;
+    QString historyFailure_;
 };
 
-// Cancels a job and says whether that is known to have worked.
+// Cancels a job. Returns a phrase that says whether the job is known to be cancelled.
 QString cancelAndDescribe(PrintSystem& system, const PrintJob& job) {
     constexpr int questions = 10;
     system.cancel(job);
@@ -295,21 +297,22 @@ QString cancelAndDescribe(PrintSystem& system, const PrintJob& job) {
     return Text::tr("the job could not be cancelled, so remove it from the printer's queue");
 }
 
-// The final state of a job; nothing while it goes on.
+// Returns the final state of a job, or nothing while the job goes on. Throws NotPrinted if it
+// failed.
 std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const JobStatus& status,
                               const std::optional<PrinterInfo>& printer) {
     const QString reason =
-        status.reason.isEmpty() ? Text::tr("it does not say why") : status.reason;
+        status.reason.isEmpty() ? Text::tr("no reason was given") : status.reason;
     switch (status.state) {
     case JobState::Printed:
-        if (printer && !printer->tellsPrinted && !printer->answers) {
+        if (printer && !printer->reportsPrinted && !printer->answers) {
             throw NotPrinted(
                 PrintOutcome::Unknown,
                 Text::tr("The print system has finished the job, but the printer does not answer; "
                          "check whether the sheet was printed, and print it again if not"),
                 job.printer);
         }
-        return printer && !printer->tellsPrinted ? JobState::HandedOver : JobState::Printed;
+        return printer && !printer->reportsPrinted ? JobState::HandedOver : JobState::Printed;
     case JobState::HandedOver:
         return JobState::HandedOver;
     case JobState::Cancelled:
@@ -341,55 +344,55 @@ std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const Jo
     return std::nullopt;
 }
 
-// Limits how long an unfinished job is waited for.
+// Limits how long the program waits for an unfinished job.
 class Patience {
 public:
     explicit Patience(std::chrono::milliseconds patience) : patience_(patience) {
         sinceNews_.start();
     }
-    // Throws NotPrinted if the time is up. `told`: the current message about the job.
+    // Throws NotPrinted if the time is up. `message` is the current message about the job.
     void wait(PrintSystem& system, const PrintJob& job, const JobStatus& status,
-              const std::optional<PrinterInfo>& printer, const QString& told) {
-        listen(status, printer);
+              const std::optional<PrinterInfo>& printer, const QString& message) {
+        updateSilence(status, printer);
         if (silence_.isValid() && silence_.hasExpired(patience_.count())) {
             throw NotPrinted(
                 PrintOutcome::Stopped,
                 Text::tr("The printer does not answer (%1); %2; check its power, its cable and its "
                          "address in the system, and print the sheet again")
-                    .arg(told, cancelAndDescribe(system, job)),
+                    .arg(message, cancelAndDescribe(system, job)),
                 job.printer);
         }
-        if (!told_.contains(told)) {
-            told_.insert(told);
+        if (!messages_.contains(message)) {
+            messages_.insert(message);
             sinceNews_.start();
         }
-        if (printer && !printer->tellsPrinted && status.state == JobState::Printing &&
+        if (printer && !printer->reportsPrinted && status.state == JobState::Printing &&
             sinceNews_.hasExpired(10 * patience_.count())) {
             throw NotPrinted(PrintOutcome::Unknown,
                              Text::tr("The state of job %1 has not changed for a long time (%2), "
                                       "and this printer cannot be queried; check the printer, and "
                                       "remove the job from its queue if it does not print")
                                  .arg(job.id)
-                                 .arg(told),
+                                 .arg(message),
                              job.printer);
         }
     }
 
 private:
-    // If a job waits while its printer is idle, the queue will retry it. Reports that the queue
-    // receives between its retries do not count as an answer of the printer.
-    void listen(const JobStatus& status, const std::optional<PrinterInfo>& printer) {
-        const bool hears =
+    // If a job waits while its printer is idle, the queue will send it again. Between these
+    // attempts, the queue may report a state; that does not count as an answer of the printer.
+    void updateSilence(const JobStatus& status, const std::optional<PrinterInfo>& printer) {
+        const bool isAnswering =
             printer && printer->answers &&
             !(status.state == JobState::Waiting && printer->state == PrinterState::Idle);
-        if (!hears) {
+        if (!isAnswering) {
             answers_.invalidate();
         } else if (!answers_.isValid()) {
             answers_.start();
         }
-        if (hears && answers_.hasExpired(patience_.count() / 4)) {
+        if (isAnswering && answers_.hasExpired(patience_.count() / 4)) {
             silence_.invalidate();
-        } else if (!hears && !silence_.isValid()) {
+        } else if (!isAnswering && !silence_.isValid()) {
             silence_.start();
         }
     }
@@ -397,7 +400,7 @@ private:
     std::chrono::milliseconds patience_;
     QElapsedTimer silence_, answers_; // valid while the printer is silent, or while it answers
     QElapsedTimer sinceNews_;
-    QSet<QString> told_;
+    QSet<QString> messages_;
 };
 
 } // namespace
@@ -454,9 +457,9 @@ PrintPlan planCalibration(PrintSystem& system, const CalibrationPage& page,
     plan.printer = readyPrinter(system, request.printer);
     const PaperChoice paper = paperFor(plan.printer, page.paper);
     if (paper.turned) {
-        throw Error(
-            Text::tr("The printer feeds this paper only with the other edge first; turn the page"),
-            request.printer);
+        throw Error(Text::tr("The printer feeds this paper only with its other edge first; rotate "
+                             "the page by 90°"),
+                    request.printer);
     }
     checkLoaded(plan.printer, paper.media, request, plan.warnings);
     const double margin = widest(paper.media.margins);
@@ -487,9 +490,9 @@ JobState followJob(PrintSystem& system, const PrintJob& job, const Progress& pro
             if (const auto end = endOf(system, job, status, printer)) {
                 return *end;
             }
-            const QString told = stateText(status, printer ? printer->stateReason : QString());
-            waiting.wait(system, job, status, printer, told);
-            progress(status.state == JobState::Printing ? 0.5 : 0.1, told);
+            const QString message = stateText(status, printer ? printer->stateReason : QString());
+            waiting.wait(system, job, status, printer, message);
+            progress(status.state == JobState::Printing ? 0.5 : 0.1, message);
             QThread::msleep(pause);
         }
     } catch (const Cancelled&) {
@@ -506,7 +509,7 @@ PrintEnd printPlans(PrintSystem& system, const std::vector<PrintPlan>& plans,
     PrintEnd end;
     for (const PrintPlan& plan : plans) {
         progress.cancelToken.throwIfCancelled();
-        KeptPrint kept(history, plan.record);
+        RecordedPrint kept(history, plan.record);
         PrintOutcome ifNot = PrintOutcome::Failed;
         try {
             const PrintJob job = system.submit(plan.task);
@@ -527,8 +530,8 @@ PrintEnd printPlans(PrintSystem& system, const std::vector<PrintPlan>& plans,
             kept.end(ifNot, error.message());
             throw;
         }
-        if (!kept.notKept().isEmpty()) {
-            end.notKept = kept.notKept();
+        if (!kept.historyFailure().isEmpty()) {
+            end.historyFailure = kept.historyFailure();
         }
         done += share;
     }

@@ -1,5 +1,5 @@
-// Prints sheets at true size. Checks everything before it sends anything, and follows a job until
-// it is on paper.
+// Prints sheets at true size. Checks everything before it sends anything, and follows each job
+// until it is printed.
 #pragma once
 
 #include "base/Error.h"
@@ -18,44 +18,46 @@ namespace dipwright {
 struct PrintRequest {
     QString printer;
     int copies = 1;
-    // Scales, margins and colours of the printer; none: true size and sRGB.
+    // Scales, margins and colours of the printer. Without a profile: true size and sRGB.
     std::optional<PrinterProfile> profile;
-    // Splits a sheet into tiles: a sheet that fits no paper of the printer onto the largest loaded
-    // paper, or any sheet onto the paper named `tilePaper`.
+    // Splits the sheet into tiles. Without `tilePaper`, only a sheet that fits no paper of the
+    // printer is split, onto the largest loaded paper. With `tilePaper`, any sheet is split onto
+    // the paper of that name.
     bool tile = false;
     QString tilePaper;
-    bool acceptMonochrome = false; // print a coloured sheet in grey
-    bool acceptClipping = false;   // lose colour that the printer cannot reach
-    bool acceptOtherPaper = false; // print on paper that is reported as not loaded
-    PrintSource source;            // for the history
+    bool acceptMonochrome = false; // allows printing a coloured sheet in grey
+    bool acceptClipping = false;   // allows losing colour that the printer cannot reach
+    // Allows printing on paper that the printer does not report as loaded.
+    bool acceptOtherPaper = false;
+    PrintSource source; // stored in the history
 };
 
-// What will be sent, and what to tell the user first.
+// What will be sent, and what the user must be told first.
 struct PrintPlan {
     PrinterInfo printer;
     PrintTask task;
     QStringList warnings;
-    std::optional<PrintRecord> record; // for the history; none for a calibration page
+    std::optional<PrintRecord> record; // stored in the history; none for a calibration page
 };
 
-// Checks and prepares one sheet. Sends nothing. Throws Error, one sentence that says what to do, in
-// these cases: the printer is unknown or stopped, refuses jobs, or scales pages by itself; it does
-// not have the paper, or has not loaded it; it prints only grey; it cannot reach colour near the
-// sheet's edge; the sheet is larger than every paper and may not be tiled.
+// Checks and prepares one sheet. Sends nothing. Throws Error, with one sentence that says what to
+// do, in these cases. The printer is unknown or stopped, refuses jobs, or scales pages by itself.
+// It does not have the paper, or the paper is not loaded. It prints only grey. It cannot reach
+// colour near the sheet's edge. The sheet is larger than every paper and may not be tiled.
 PrintPlan planPrint(PrintSystem& system, const Sheet& sheet, const PrintRequest& request);
 
-// The same for a calibration page, which has its own scales instead of the profile's. Also throws
-// if the printer cannot reach the rulers.
+// Does the same for a calibration page, which has its own scales instead of the profile's. Also
+// throws if the printer cannot reach the rulers.
 PrintPlan planCalibration(PrintSystem& system, const CalibrationPage& page,
                           const PrintRequest& request);
 
-// Plans several sheets. All are checked before the first is sent, so a job is never printed only in
-// part.
+// Plans several sheets. Checks all of them before the first is sent, so that no set of sheets is
+// printed only in part.
 std::vector<PrintPlan> planPrints(PrintSystem& system, const std::vector<Sheet>& sheets,
                                   const PrintRequest& request);
 
-// A job ended and is not known to be printed. Has the message for the user and the outcome for the
-// history.
+// Thrown if a job ended and is not known to be printed. Has the message for the user and the
+// outcome for the history.
 class NotPrinted : public Error {
 public:
     NotPrinted(PrintOutcome fate, const QString& message, const QString& where)
@@ -70,23 +72,23 @@ private:
 // the outcome cannot be queried. Throws NotPrinted if the job fails, somebody else cancels it, the
 // printer stops, or the printer does not answer for `patience`. The job is then cancelled, so that
 // it does not print unexpectedly later. A job for a printer that cannot be queried
-// (PrinterInfo::tellsPrinted) stays in its queue; NotPrinted is thrown after ten times `patience`
+// (PrinterInfo::reportsPrinted) stays in its queue; NotPrinted is thrown after ten times `patience`
 // without news. Reports the printer's messages, such as "out of paper", through `progress`.
 // Cancelling through it cancels the job and throws Cancelled. Throws Error if the print system does
 // not answer.
 JobState followJob(PrintSystem& system, const PrintJob& job, const Progress& progress,
                    std::chrono::milliseconds patience = std::chrono::minutes(1));
 
-// Called for each job when it has ended.
+// Called for each job that has ended.
 using JobEndObserver = std::function<void(const PrintTask&, const PrintJob&, JobState)>;
 
 struct PrintEnd {
-    JobState state = JobState::Waiting; // the last job
-    QString notKept;                    // why some jobs are missing in the history; empty: none
+    JobState state = JobState::Waiting; // state of the last job
+    QString historyFailure; // why some jobs are missing in the history; empty if none is missing
 };
 
-// Sends the plans one after the other. Follows each as above and records it, with its outcome, in
-// the history.
+// Sends the plans one after the other. Follows each job as followJob() does, and records it with
+// its outcome in the history.
 PrintEnd printPlans(PrintSystem& system, const std::vector<PrintPlan>& plans,
                     const PrintHistory& history, const Progress& progress,
                     const JobEndObserver& ended = {});

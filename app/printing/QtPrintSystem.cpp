@@ -16,7 +16,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Printing)
 };
 
-// With an unknown name, QPrinter silently prints to the default printer.
+// Throws if there is no printer of this name. QPrinter would silently print to the default printer.
 QPrinterInfo named(const QString& name) {
     return name.isEmpty() ? QPrinterInfo() : QPrinterInfo::printerInfo(name);
 }
@@ -74,7 +74,7 @@ public:
         printer.setDocName(task.title);
         printer.setColorMode(QPrinter::Color);
         printer.setDuplex(QPrinter::DuplexNone);
-        printer.setCopyCount(1);   // copies are sent as pages
+        printer.setCopyCount(1);   // the task already contains each copy as a page
         printer.setFullPage(true); // the origin is the corner of the paper, not of its margins
         printer.setPageLayout(QPageLayout(QPageSize(task.media.size, QPageSize::Millimeter),
                                           QPageLayout::Portrait, QMarginsF(0, 0, 0, 0)));

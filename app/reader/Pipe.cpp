@@ -49,7 +49,7 @@ void Pipe::hand(const UntrustedModel& model) {
     }
     send(ReaderMessage::Model, lines.join(u'\n').toUtf8());
     TexturedMesh bare = withoutPictures(model.mesh);
-    bare.chart.resize(bare.mesh.triangles.size()); // charts are computed by the receiver
+    bare.chart.resize(bare.mesh.triangles.size()); // the receiving program computes the charts
     send(ReaderMessage::Mesh, writeModel(bare));
 }
 

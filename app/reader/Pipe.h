@@ -14,18 +14,18 @@ class Pipe : public UntrustedFiles {
 public:
     Pipe();
 
-    // Returns the first message. Like all functions here, ends the process if the other side has
+    // Returns the first message. Like all functions here, it ends the process if the other side has
     // closed the streams.
     ReaderJob readJob();
 
     void report(double share, const QString& text);
     void hand(const QImage& picture);
-    void hand(const PhotoFacts& facts);     // before its picture
-    void hand(const UntrustedModel& model); // after its pictures
+    void hand(const PhotoFacts& facts);     // call before sending its picture
+    void hand(const UntrustedModel& model); // call after sending its pictures
     void fail(const Error& error);
 
 private:
-    // Asks the other side for a file.
+    // Requests a file from the program that started the reader.
     std::optional<QByteArray> fetch(const QString& name) override;
     QByteArray take(qint64 length);
     void write(const QByteArray& bytes);

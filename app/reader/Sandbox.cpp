@@ -29,7 +29,7 @@ namespace dipwright {
 namespace {
 
 #if defined(Q_OS_UNIX)
-// Sets the current limit to `most`. It can be raised later, but never above `ever`.
+// Sets the current limit to `most`. The limit can be raised later, but never above `ever`.
 void limit(int resource, rlim_t most, rlim_t ever) {
     rlimit now{};
     getrlimit(resource, &now);
@@ -42,7 +42,7 @@ constexpr qint64 anyFile = qint64(1) << 50; // bytes; larger than any budget
 #endif
 
 #if defined(Q_OS_LINUX) && (defined(__x86_64__) || defined(__aarch64__))
-// System calls that only compute, use open streams or end the process.
+// System calls that are always allowed. They only compute, use open streams or end the process.
 constexpr char harmlessCalls[] =
     "read readv write writev close lseek fstat fcntl poll ppoll munmap mremap madvise brk "
     "futex sched_yield sched_getaffinity set_robust_list rseq membarrier rt_sigaction "
@@ -50,8 +50,8 @@ constexpr char harmlessCalls[] =
     "getgid getegid getrandom uname sysinfo getrusage time clock_gettime clock_getres "
     "clock_nanosleep nanosleep gettimeofday eventfd2 pipe2 exit exit_group";
 
-// A call that is allowed only if the masked bits of an argument have this value. Only the lower
-// half is compared, because the kernel reads no more.
+// A call that is allowed only if the masked bits of an argument have this value. Compares only the
+// lower half of the argument, because the kernel reads no more.
 struct LimitedCall {
     int call;
     scmp_arg_cmp argument;
@@ -65,12 +65,12 @@ bool filterCalls() {
         {SCMP_SYS(mmap), {2, bits, PROT_EXEC, 0}},
         {SCMP_SYS(mprotect), {2, bits, PROT_EXEC, 0}},
         {SCMP_SYS(prctl), {0, bits, all, PR_SET_NAME}},
-        {SCMP_SYS(prlimit64), {0, bits, all, 0}}, // only this process
+        {SCMP_SYS(prlimit64), {0, bits, all, 0}}, // of this process only
         {SCMP_SYS(tgkill), {0, bits, all, std::uint32_t(getpid())}},
     };
     const std::unique_ptr<void, decltype(&seccomp_release)> filter(
         seccomp_init(SCMP_ACT_ERRNO(EPERM)), seccomp_release);
-    // Kernels before 4.14 can only end the thread.
+    // Kernels before 4.14 do not know this action; they end only the thread.
     seccomp_attr_set(filter.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
     // Reports clone3 as missing, so that the C library uses clone, whose flags the filter can read.
     int refused = seccomp_rule_add(filter.get(), SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0);
@@ -104,7 +104,7 @@ void closeInheritedFiles() {
 }
 
 bool enterSandbox() {
-    // Ends at once: a message could land in the middle of another one.
+    // Ends at once, because a message could be written into the middle of another message.
     std::signal(SIGXCPU, [](int) { _exit(readerOutOfTime); });
     limit(RLIMIT_CORE, 0, 0);
     limit(RLIMIT_FSIZE, 0, 0);
@@ -115,13 +115,13 @@ bool enterSandbox() {
 void raiseLimits(qint64 fileBytes) {
     constexpr qint64 second = 1000;
     const qint64 time = budgetLimit(Budget::Milliseconds, fileBytes);
-    // The kernel kills the process after the last second. The signal one second earlier gives the
-    // reason.
+    // After the last second, the kernel kills the process. One second earlier it sends the signal
+    // that lets the process report the reason.
     limit(RLIMIT_CPU, rlim_t((time + second - 1) / second),
           rlim_t(budgetLimit(Budget::Milliseconds, anyFile) / second + 2));
-#if !defined(DIPWRIGHT_SANITIZED) // sanitizers reserve terabytes of addresses
+#if !defined(DIPWRIGHT_SANITIZED) // sanitizers reserve terabytes of address space
 #if defined(Q_OS_LINUX)
-    const int memory = RLIMIT_DATA; // counts written memory only, as more is reserved
+    const int memory = RLIMIT_DATA; // limits written memory only, because more is reserved
 #else
     const int memory = RLIMIT_AS;
 #endif
@@ -138,8 +138,8 @@ void closeInheritedFiles() {
     }
 }
 
-// Allows one process and the memory of the largest file, because a job's limits cannot be raised
-// later.
+// Allows one process, and the memory for the largest file, because the limits of a Windows job
+// object cannot be raised later.
 bool enterSandbox() {
     JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
     limits.BasicLimitInformation.LimitFlags =

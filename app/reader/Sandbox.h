@@ -1,5 +1,5 @@
-// Confines this process before it reads foreign files. Linux supports all of it and other Unix only
-// the limits. Windows limits memory and processes, and is untested.
+// Confines this process before it reads foreign files. Linux supports the whole sandbox, other Unix
+// systems only the limits. Windows limits memory and processes, and is untested.
 #pragma once
 
 #include <QtGlobal>
@@ -7,7 +7,7 @@
 namespace dipwright {
 
 // Closes all inherited files except the three standard streams. On Linux, the process also ends
-// with its parent. Call this before anything else.
+// when its parent ends. Call this function before anything else.
 void closeInheritedFiles();
 
 // From now on the process cannot use files, the network, other processes or new executable memory.

@@ -1,5 +1,5 @@
 // dipwright-reader: reads one foreign model, or some pictures, in a sandbox and sends the result
-// back. core/import/trusted/ReaderProcess starts it; it is of no use by hand.
+// back. Started by core/import/trusted/ReaderProcess, not by users.
 #include "base/Budgets.h"
 #include "import/sandboxed/PhotoFacts.h"
 #include "import/sandboxed/PictureReader.h"
@@ -20,7 +20,8 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Reader)
 };
 
-// Set by users whose system cannot confine the process and who trust the files.
+// Returns whether the user has allowed reading without a sandbox. Meant for systems without one and
+// for trusted files.
 bool mayReadUnconfined() {
     return qEnvironmentVariableIsSet("DIPWRIGHT_READ_UNCONFINED");
 }
@@ -91,6 +92,6 @@ int main(int argc, char* argv[]) {
                                  "DIPWRIGHT_READ_UNCONFINED=1 for files that you trust"),
                         job.names.value(0)));
     }
-    // Skips all clean-up, which a foreign file may have corrupted.
+    // Skips all clean-up, because a foreign file may have corrupted the memory.
     std::_Exit(EXIT_SUCCESS);
 }

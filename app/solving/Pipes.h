@@ -5,12 +5,12 @@
 
 namespace dipwright {
 
-// Returns the former standard output as a binary stream. From now on, what a module prints goes to
-// standard error. Standard input becomes binary, too.
+// Returns the former standard output as a binary stream. From now on, text that a module prints
+// goes to standard error. Standard input becomes binary, too.
 std::FILE* answerPipe();
 
-// Ignores interrupts. The terminal may send them to this process too, but the program that started
-// it decides when it ends.
+// Ignores interrupts. The terminal may send them to this process too, but the starting program
+// decides when this process ends.
 void leaveInterruptsToStarter();
 
 } // namespace dipwright

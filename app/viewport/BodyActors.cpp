@@ -18,7 +18,7 @@ namespace dipwright {
 
 namespace {
 
-// For the inside of the body, on light and dark backgrounds.
+// The colour of the cut faces, visible on light and dark backgrounds.
 const QColor sectionColour(0x9a, 0xa4, 0xae);
 
 vtkSmartPointer<vtkPolyData> weldedSurface(const TriangleMesh& mesh) {

@@ -24,14 +24,14 @@ public:
 
     void setModel(std::shared_ptr<const TexturedMesh> model);
     void setTransform(const Eigen::Isometry3d& modelToWorld);
-    // One colour for each triangle; empty: the model's own look.
+    // Sets one colour for each triangle. If `colours` is empty, shows the model's own appearance.
     void setTriangleColours(const std::vector<QRgb>& colours);
     void setLines(const std::vector<ViewLine>& lines);
     void setVisible(bool visible);
-    // `kept`: the section plane as a VTK object, or null.
+    // `kept` is the section plane as a VTK object, or null.
     void setSection(const std::optional<SectionPlane>& section, vtkPlane* kept);
     void setLineColours(const QColor& accent, const QColor& ink);
-    BoundingBox worldBox() const;     // empty without a body
+    BoundingBox worldBox() const;     // empty if there is no body
     void setPixelRatio(double ratio); // screen pixels per window pixel
 
 private:
@@ -50,7 +50,7 @@ private:
     std::shared_ptr<const TexturedMesh> model_;
     Eigen::Isometry3d modelToWorld_ = Eigen::Isometry3d::Identity();
     std::vector<Part> parts_;
-    vtkSmartPointer<vtkPolyData> surface_; // welded, for cutting
+    vtkSmartPointer<vtkPolyData> surface_; // with merged vertices, for cutting
     SurfaceCut waterline_, section_;
     vtkSmartPointer<vtkPlane> kept_; // null: the body is not cut
     vtkSmartPointer<vtkPolyData> lineData_;

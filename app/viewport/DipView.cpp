@@ -18,13 +18,13 @@ namespace dipwright {
 
 namespace {
 
-constexpr double clickReach = 4;     // pixels that the cursor may move in a click
-constexpr int wheelStep = 120;       // Qt's units per notch
+constexpr double clickReach = 4;     // pixels that the cursor may move during a click
+constexpr int wheelStep = 120;       // Qt's units per notch of the wheel
 constexpr double wheelFactor = 1.21; // zoom factor of one notch
 
 } // namespace
 
-// The state on the UI thread: requests, the last picture, and the mouse.
+// The state on the UI thread: requests, the last picture, and the mouse state.
 struct DipView::State {
     PictureWindow window;
     QThread thread; // the thread of `scene`
@@ -33,7 +33,7 @@ struct DipView::State {
 
     QTimer timer;
     bool drawing = false; // a picture is being drawn
-    bool again = false;   // another one is needed after it
+    bool again = false;   // another picture is needed after this one
     ViewPicture shown;
     QColor background = Qt::gray, ink = Qt::black;
     std::vector<ViewLegendEntry> legend;
@@ -50,12 +50,14 @@ struct DipView::State {
     MoveArrows arrows;
     int draggedArrow = -1;
     int litArrow = -1;
-    Eigen::Vector3f heldArrow = Eigen::Vector3f::Zero(); // the pressed place, on its axis
+    // The place on the arrow's axis where the mouse was pressed.
+    Eigen::Vector3f heldArrow = Eigen::Vector3f::Zero();
     double draggedWay = 0;
     std::optional<SectionPlane> section;
-    std::optional<Eigen::Vector3f> heldSection; // the held place of its frame during a drag
+    // During a drag: the place on the section's frame where the mouse was pressed.
+    std::optional<Eigen::Vector3f> heldSection;
     bool litSection = false;
-    int wheel = 0; // rotation since the last notch
+    int wheel = 0; // rotation of the wheel since the last notch
 
     bool isOnHandle() const { return litAxis >= 0 || litArrow >= 0; }
 };
@@ -319,7 +321,8 @@ void DipView::paintEvent(QPaintEvent* event) {
     } else if (picture.isNull()) {
         painter.fillRect(rect(), state_->background);
     } else {
-        painter.drawImage(rect(), picture); // may have another size until the next picture is drawn
+        // Until the next picture is drawn, this one may have another size.
+        painter.drawImage(rect(), picture);
     }
     if (isUsable() && !state_->legend.empty()) {
         paintLegend(painter);
@@ -390,7 +393,7 @@ void DipView::mousePressEvent(QMouseEvent* event) {
     sendMouse({MouseAction::Press, event->button(), event->position(), event->modifiers()});
 }
 
-// Holds the handle under the press: an arrow, a ring or the section's frame.
+// Starts dragging the handle under the mouse: an arrow, a ring or the section's frame.
 bool DipView::holdHandle() {
     State& s = *state_;
     const ViewProjection& shown = s.shown.projection;
@@ -481,7 +484,7 @@ void DipView::lightHandles(const QPointF& position) {
     }
 }
 
-// Measured from the held place, so that the plane does not jump.
+// The motion is measured from the place where the drag began, so that the plane does not jump.
 void DipView::dragSection(const QPointF& position) {
     const SectionPlane& section = *state_->section;
     const int axis = section.axis;
@@ -529,16 +532,16 @@ void DipView::mouseReleaseEvent(QMouseEvent* event) {
     }
     sendMouse({MouseAction::Release, event->button(), event->position(), event->modifiers()});
     if (still && event->button() == Qt::RightButton) {
-        emit menuAsked(rayAt(event->position()), event->globalPosition().toPoint());
+        emit menuRequested(rayAt(event->position()), event->globalPosition().toPoint());
     }
 }
 
-// Only for the menu key. The right button opens the menu on release, because a drag moves the
-// camera.
+// Handles only the menu key. The right button opens the menu on release, because a drag with it
+// moves the camera.
 void DipView::contextMenuEvent(QContextMenuEvent* event) {
     if (event->reason() == QContextMenuEvent::Keyboard) {
         const QPoint middle = rect().center();
-        emit menuAsked(rayAt(middle), mapToGlobal(middle));
+        emit menuRequested(rayAt(middle), mapToGlobal(middle));
     }
 }
 
@@ -558,7 +561,7 @@ void DipView::leaveEvent(QEvent* event) {
 }
 
 void DipView::keyPressEvent(QKeyEvent* event) {
-    constexpr double step = 25; // pixels of the equivalent drag
+    constexpr double step = 25; // pixels of the drag that has the same effect
     const auto turn = [this](double right, double up) {
         change([right, up](ViewScene& scene) { scene.turn(right, up); });
     };

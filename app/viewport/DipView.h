@@ -1,7 +1,7 @@
 // The 3D view of a dip: body, film, water and tank, with camera, handles and rays under the cursor.
 //
-// World frame: millimetres, right-handed, Y up; the waterline is the plane y = 0. The view draws
-// what it is given; it knows no project and no solver. UI thread only.
+// World frame: millimetres, right-handed, Y up; the waterline is the plane y = 0. The view only
+// draws the data that it is given; it does not know projects or solvers. UI thread only.
 //
 // Pictures are drawn on the view's own thread, so the window never waits for one.
 #pragma once
@@ -30,7 +30,7 @@ class ViewScene;
 struct ViewMouse;
 struct ViewPicture;
 
-// With Shift held, rings and arrows move the body by these steps.
+// With Shift held, rings and arrows move the body in these steps.
 inline constexpr double ringStep = 15; // degrees
 inline constexpr double arrowStep = 5; // mm
 
@@ -42,9 +42,9 @@ enum class Navigation {
 
 enum class ViewDirection { Front, Back, Left, Right, Top, Bottom, Oblique };
 
-// The topology of the film as drawn. `texture` has one coordinate (u to the right, v down the
-// sheet, 0 … 1) for each point. A triangle with a side longer than `longestSide` (mm) is not drawn:
-// it is torn, or lies between released film and film on the body.
+// The topology of the film as it is drawn. `texture` has one coordinate (u to the right, v down the
+// sheet, 0 … 1) for each point. Triangles with a side longer than `longestSide` (mm) are not drawn:
+// they are torn, or lie between released film and film on the body.
 struct FilmShape {
     std::vector<Eigen::Vector2f> texture;
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -58,7 +58,7 @@ struct ViewColours {
     QColor water;
 };
 
-// The meaning of one of the body's colours.
+// Explains one of the body's colours.
 struct ViewLegendEntry {
     QColor colour;
     QString text;
@@ -71,98 +71,108 @@ public:
     explicit DipView(QWidget* parent = nullptr);
     ~DipView() override;
 
-    // False if no OpenGL 3.2 context could be created; `graphicsDevice` then gives the reason.
+    // Returns false if no OpenGL 3.2 context could be created; `graphicsDevice` then returns the
+    // reason.
     bool isUsable() const;
-    // The renderer's name from the driver.
+    // Returns the renderer's name as the driver reports it.
     QString graphicsDevice() const;
-    // True for a renderer without a GPU: draw less while things move.
+    // Returns whether the renderer works without a GPU. Callers then draw less during motion.
     bool isSoftwareRendered() const;
 
-    // Sets the body, `model` in its own coordinates; null: no body.
+    // Sets the body. `model` has its own coordinates; null means no body.
     void setBody(std::shared_ptr<const TexturedMesh> model);
     void setBodyTransform(const Eigen::Isometry3d& modelToWorld);
-    // One colour for each triangle instead of the texture; empty: the texture.
+    // Sets one colour for each triangle instead of the texture. If `colours` is empty, shows the
+    // texture.
     void setBodyColours(const std::vector<QRgb>& colours);
-    // Lines on the body's surface, drawn over it.
+    // Sets lines on the body's surface. They are drawn over the surface.
     void setBodyLines(const std::vector<ViewLine>& lines);
     void setBodyVisible(bool visible);
-    // Shown in the lower left corner, in this order; empty: none.
+    // Sets the legend in the lower left corner, in this order. If empty, no legend is shown.
     void setLegend(std::vector<ViewLegendEntry> entries);
 
-    // Sets the film. `positions`: x, y, z for each point, taken to the world by setFilmTransform().
+    // Sets the film. `positions` holds x, y, z for each point; setFilmTransform() maps them to the
+    // world.
     void setFilm(FilmShape shape, std::vector<float> positions);
-    void setFilmPositions(std::vector<float> positions); // one for each point of the shape
+    void setFilmPositions(std::vector<float> positions); // x, y, z for each point of the shape
     void setFilmTransform(const Eigen::Isometry3d& filmToWorld);
-    void setFilmPicture(const QImage& picture);     // clears the colours
-    void setFilmColours(std::vector<QRgb> colours); // one for each point; empty: the picture
-    void setFilmOpacity(double share);              // 1: opaque
+    void setFilmPicture(const QImage& picture); // clears the colours
+    // One colour for each point; empty: the picture is shown.
+    void setFilmColours(std::vector<QRgb> colours);
+    void setFilmOpacity(double share); // 1: opaque
 
-    // Cuts body and film open; none: they are whole. Rays then start where something is drawn.
+    // Cuts body and film open, or shows them whole without a section. Rays then start on the drawn
+    // side.
     void setSection(const std::optional<SectionPlane>& section);
 
-    // Draws the tank, and a frame of water around the film. `film`: its floating size; `depth`: of
-    // the tank.
+    // Draws the tank, and a frame of water around the film. `film` is the film's floating size,
+    // `depth` the depth of the tank, in mm.
     void setTank(QSizeF film, double depth);
     void setWaterVisible(bool visible);
 
-    // The three rings that turn the body, around `centre` (world).
+    // Shows the three rings that turn the body, around `centre` (world).
     void setRotationRings(bool visible, const Eigen::Vector3f& centre, double radius);
 
-    // The arrows that move the body along X, Y and Z. They reach from `begin` to `end` mm from
-    // `centre` (world).
+    // Shows the arrows that move the body along X, Y and Z. They reach from `begin` to `end` mm
+    // from `centre` (world).
     void setMoveArrows(const std::array<bool, 3>& visible, const Eigen::Vector3f& centre,
                        double begin, double end);
 
-    // The linked cursor and the measured distance (world); nullopt hides them.
+    // Shows the linked cursor at `position` (world); nullopt hides it.
     void setMarker(const std::optional<Eigen::Vector3f>& position);
+    // Shows a measured distance with its label (world); no points hide it.
     void setMeasure(const std::vector<Eigen::Vector3f>& points, const QString& label);
 
-    // Each press of the left button is offered to the callbacks in order until one returns true.
-    // The drag is then a stroke and does not move the camera.
+    // Adds a callback for presses of the left button. Each press is offered to the callbacks in
+    // order until one returns true. The drag is then a stroke and does not move the camera.
     void addStroke(std::function<bool(const ViewRay&)> begins);
 
-    // Camera.
+    // Sets how a drag with the left button turns the camera.
     void setNavigation(Navigation navigation);
     void setParallelProjection(bool parallel);
-    void look(ViewDirection direction); // and fits
-    // Looks at a place on the body.
+    void look(ViewDirection direction); // also fits the view
+    // Points the camera at a place on the body. `outward` is the direction from the body towards
+    // the camera.
     void lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward);
     void fit();
-    // Whether fit() shows body and film, or only the body. A camera that was placed by fit() is
-    // fitted again.
+    // Sets whether fit() shows body and film, or only the body. If fit() placed the camera last,
+    // the camera is fitted again.
     void setFilmFitted(bool fitted);
     // Places the camera as in another view, see cameraMoved().
     void setCamera(const ViewCamera& camera);
     void setColours(const ViewColours& colours);
-    // In widget coordinates, for the picture that was drawn last.
+    // Returns the ray under a position in widget coordinates, for the last drawn picture.
     ViewRay rayAt(QPointF position) const;
     QPointF positionOf(const Eigen::Vector3f& point) const;
 
-    // The current state at the view's size. Waits until it has been drawn.
+    // Returns a picture of the current state at the view's size. Waits until it has been drawn.
     QImage picture();
-    const QImage& shownPicture() const; // the last drawn picture; null before the first
+    const QImage& shownPicture() const; // the last drawn picture; null before the first picture
     // The drawing time of the last picture, in milliseconds.
     int pictureTime() const;
-    // Requests a new picture. Requests during drawing cause only one more picture.
+    // Requests a new picture. All requests during drawing cause only one more picture.
     void requestPicture();
 
 signals:
     void hovered(const dipwright::ViewRay& ray);
     void hoverLeft();
-    void clicked(const dipwright::ViewRay& ray); // pressed and released at the same place
+    // The left button was pressed and released at the same place.
+    void clicked(const dipwright::ViewRay& ray);
     // The right button was pressed and released at the same place, or the menu key was pressed.
     // `place` is on the screen.
-    void menuAsked(const dipwright::ViewRay& ray, const QPoint& place);
-    void stroked(const dipwright::ViewRay& ray); // at the press and during the stroke
+    void menuRequested(const dipwright::ViewRay& ray, const QPoint& place);
+    void stroked(const dipwright::ViewRay& ray); // emitted at the press and during the stroke
     void strokeFinished();
-    void rotationDragged(int axis, double degrees); // since the press, about the world's X, Y or Z
+    // Angle since the press, about the world's X, Y or Z.
+    void rotationDragged(int axis, double degrees);
     void rotationFinished();
-    void moveDragged(int axis, double millimetres); // since the press, along the world's X, Y or Z
+    // Distance since the press, along the world's X, Y or Z.
+    void moveDragged(int axis, double millimetres);
     void moveFinished();
-    // A picture was drawn with a camera that was moved in this view, not by setCamera(). So linked
-    // views do not answer each other.
+    // A picture was drawn with a camera that the user moved in this view. Not emitted after
+    // setCamera(), so that linked views do not react to each other endlessly.
     void cameraMoved(const dipwright::ViewCamera& camera);
-    void sectionDragged(double place); // mm along its axis
+    void sectionDragged(double place); // `place`: mm along the section's axis
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -178,7 +188,7 @@ protected:
 
 private:
     struct State;
-    // Calls `what` on the drawing thread before the next picture.
+    // Calls `what` on the drawing thread before it draws the next picture.
     void change(std::function<void(ViewScene&)> what);
     void sendMouse(const ViewMouse& mouse);
     void updateSize();

@@ -20,7 +20,7 @@ FilmActor::FilmActor(vtkRenderer* renderer)
     normals_->SetNumberOfComponents(3);
     auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
     mapper->SetInputData(data_);
-    // Draws the film in front of the body that it lies on.
+    // Draws the film in front of the body's surface when both lie in the same place.
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
     mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-1, -4);
     actor_->SetMapper(mapper);

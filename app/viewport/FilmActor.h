@@ -1,4 +1,4 @@
-// Draws the film in the view: fixed triangles over points that move in place.
+// Draws the film in the view. Its triangles are fixed; its points move.
 #pragma once
 
 #include "DipView.h"
@@ -24,7 +24,7 @@ public:
     void setPicture(const QImage& picture);
     void setPointColours(const std::vector<QRgb>& colours);
     void setOpacity(double share);
-    // `kept`: the section plane as a VTK object, or null.
+    // `kept` is the section plane as a VTK object, or null.
     void setSection(const std::optional<SectionPlane>& section, vtkPlane* kept);
     void setCutColour(const QColor& colour);
     void setPixelRatio(double ratio); // screen pixels per window pixel

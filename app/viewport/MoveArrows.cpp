@@ -14,9 +14,9 @@ namespace dipwright {
 namespace {
 
 constexpr double reachPixels = 9;
-constexpr double leastPixels = 12; // shortest arrow that can be dragged
+constexpr double leastPixels = 12; // shorter arrows cannot be dragged
 
-// The distance from `position` to the segment.
+// Returns the distance from `position` to the segment, in pixels.
 double distanceTo(QPointF position, QPointF from, QPointF to) {
     const QPointF along = to - from, away = position - from;
     const double square = QPointF::dotProduct(along, along);
@@ -30,7 +30,7 @@ double distanceTo(QPointF position, QPointF from, QPointF to) {
 
 ArrowActors::ArrowActors(vtkRenderer* renderer) {
     for (int axis = 0; axis < 3; ++axis) {
-        auto arrow = vtkSmartPointer<vtkArrowSource>::New(); // along X, of length 1
+        auto arrow = vtkSmartPointer<vtkArrowSource>::New(); // points along X and has length 1
         arrow->SetTipLength(0.45);
         arrow->SetTipRadius(0.16);
         arrow->SetShaftRadius(0.05);

@@ -1,4 +1,4 @@
-// The arrows along the world's axes beside the rings, which move the body with the mouse.
+// Draws the arrows along the world's axes with which the mouse moves the body.
 #pragma once
 
 #include "ViewProjection.h"
@@ -11,14 +11,14 @@
 
 namespace dipwright {
 
-// The places of the arrows (world), and which one is under the cursor.
+// The places of the arrows (world). Finds the arrow under the cursor.
 struct MoveArrows {
     Eigen::Vector3f centre = Eigen::Vector3f::Zero();
     double begin = 60, end = 80;      // mm from the centre
     std::array<bool, 3> visible = {}; // X, Y, Z
 
-    // The visible arrow within a few pixels of `position`, or nothing. An arrow that points at the
-    // eye cannot be dragged and is ignored.
+    // Returns the axis of the visible arrow within a few pixels of `position`, or nothing. Ignores
+    // an arrow that points at the camera, because it cannot be dragged.
     std::optional<int> axisAt(QPointF position, const ViewProjection& shown) const;
 };
 
@@ -28,7 +28,7 @@ public:
     explicit ArrowActors(vtkRenderer* renderer);
 
     void set(const MoveArrows& arrows);
-    void highlight(int axis); // −1: none
+    void highlight(int axis); // −1: no arrow
 
 private:
     std::array<vtkSmartPointer<vtkActor>, 3> arrows_;

@@ -22,8 +22,8 @@ constexpr double degreesPerPixel = 0.4;
 CameraAngles cameraAngles(vtkCamera& camera) {
     const Eigen::Vector3d from = -Eigen::Vector3d(camera.GetDirectionOfProjection());
     const Eigen::Vector3d up(camera.GetViewUp());
-    // The picture's up direction and the direction to the camera span the vertical plane. Straight
-    // from above, only the up direction gives the azimuth.
+    // The picture's up direction and the direction to the camera span the vertical plane. If the
+    // camera looks straight down, only the up direction gives the azimuth.
     const Eigen::Vector3d level = std::abs(from.y()) < 0.99 ? from
                                   : from.y() > 0            ? Eigen::Vector3d(-up)
                                                             : up;

@@ -1,5 +1,5 @@
-// Moves the camera with the mouse. Left turns; middle, right or Shift with left shifts; the wheel
-// zooms.
+// Moves the camera with the mouse. The left button turns the view. The middle button, the right
+// button, or Shift with the left button shifts it. The wheel zooms.
 #pragma once
 
 #include "DipView.h"
@@ -9,14 +9,14 @@
 
 namespace dipwright {
 
-// The direction that a camera looks from, in degrees. Azimuth 0 is the front (+Z), 90 the right
+// The direction from which a camera looks, in degrees. Azimuth 0 is the front (+Z), 90 the right
 // (+X). Elevation 90 is straight above. Straight above or below, the azimuth defines the picture's
 // up direction.
 struct CameraAngles {
     double azimuth = 0, elevation = 0;
 };
 CameraAngles cameraAngles(vtkCamera& camera);
-// Keeps focal point and distance; the vertical stays vertical.
+// Sets the camera's direction. Keeps its focal point and distance; vertical lines stay vertical.
 void setCameraAngles(vtkCamera& camera, CameraAngles angles);
 
 class NavigationStyle : public vtkInteractorStyleTrackballCamera {
@@ -24,7 +24,7 @@ public:
     static NavigationStyle* New();
 
     void setNavigation(Navigation navigation) { navigation_ = navigation; }
-    // Turns the camera as a drag by these pixels would.
+    // Turns the camera like a drag by these numbers of pixels.
     void turn(double rightPixels, double upPixels);
 
     void OnRightButtonDown() override { OnMiddleButtonDown(); }

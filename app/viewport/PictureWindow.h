@@ -17,13 +17,13 @@ class PictureWindow {
 public:
     PictureWindow();
 
-    // False if no OpenGL 3.2 context could be created.
+    // Returns whether an OpenGL 3.2 context could be created.
     bool isUsable() const { return !device_.isEmpty(); }
     const QString& device() const { return device_; } // the renderer's name
 
-    // Call start() first and finish() last; in between, the window belongs to `thread`.
-    void start(QThread& thread); // UI thread
-    void finish();               // `thread`
+    // Call start() first and finish() last. Between these calls, the window belongs to `thread`.
+    void start(QThread& thread); // call on the UI thread
+    void finish();               // call on `thread`
 
     // Call these on `thread`.
     void open();

@@ -1,4 +1,4 @@
-// The three rings around the body, one for each world axis, which turn it with the mouse.
+// Draws the three rings around the body with which the mouse turns it, one for each world axis.
 #pragma once
 
 #include "ViewProjection.h"
@@ -12,18 +12,20 @@
 
 namespace dipwright {
 
-// Colours for rings and arrows, as in most CAD programs. They also differ in lightness.
+// Returns the colour of an axis for rings and arrows, as in most CAD programs. The colours also
+// differ in lightness.
 QColor axisColour(int axis);
 
-// The places of the rings (world), and which one is under the cursor.
+// The places of the rings (world). Finds the ring under the cursor.
 struct RotationRings {
     Eigen::Vector3f centre = Eigen::Vector3f::Zero();
     double radius = 50;
     bool visible = false;
 
-    // The ring within a few pixels of `position`, or nothing.
+    // Returns the axis of the ring within a few pixels of `position`, or nothing.
     std::optional<int> axisAt(QPointF position, const ViewProjection& shown) const;
-    // The angle in degrees of the point on the ring of `axis` that is drawn nearest to `position`.
+    // Returns the angle, in degrees, of the point on the ring of `axis` that is drawn nearest to
+    // `position`.
     double angleAt(int axis, QPointF position, const ViewProjection& shown) const;
 
 private:
@@ -36,7 +38,7 @@ public:
     explicit RingActors(vtkRenderer* renderer);
 
     void set(const RotationRings& rings);
-    void highlight(int axis); // −1: none
+    void highlight(int axis); // −1: no ring
     void setPixelRatio(double ratio);
 
 private:

@@ -1,4 +1,4 @@
-// Draws the frame of the section plane, by which the user drags the plane.
+// Draws the frame with which the user drags the section plane.
 #pragma once
 
 #include "SectionPlane.h"
@@ -15,7 +15,7 @@ class SectionFrame {
 public:
     explicit SectionFrame(vtkRenderer* renderer);
 
-    void set(const std::optional<SectionPlane>& plane); // none: hidden
+    void set(const std::optional<SectionPlane>& plane); // no plane: the frame is hidden
     void highlight(bool lit);
     void setColour(const QColor& colour);
     void setPixelRatio(double ratio); // screen pixels per window pixel

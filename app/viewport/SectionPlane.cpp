@@ -8,7 +8,7 @@ namespace dipwright {
 namespace {
 
 constexpr double reachPixels = 9;
-constexpr float beyond = 1e6f; // mm, beyond everything
+constexpr float beyond = 1e6f; // mm, farther than any drawn place
 
 } // namespace
 
@@ -40,7 +40,7 @@ ViewRay SectionPlane::shownPart(ViewRay ray) const {
 
 std::optional<Eigen::Vector3f> SectionPlane::frameAt(QPointF position,
                                                      const ViewProjection& shown) const {
-    constexpr int steps = 200; // along a side
+    constexpr int steps = 200; // points along one side of the frame
     const std::array<Eigen::Vector3f, 4> corner = corners();
     std::optional<Eigen::Vector3f> nearest;
     double least = reachPixels;

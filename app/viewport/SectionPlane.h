@@ -9,18 +9,18 @@
 namespace dipwright {
 
 struct SectionPlane {
-    int axis = 2;       // X, Y or Z
+    int axis = 2;       // 0, 1, 2: X, Y, Z
     double place = 0;   // mm along the axis
-    bool after = false; // the side after the plane is drawn, else the side before it
+    bool after = false; // true: the side after the plane is drawn; false: the side before it
     BoundingBox extent; // the frame surrounds this box (world)
 
-    // The normal that points into the drawn side.
+    // Returns the normal that points into the drawn side.
     Eigen::Vector3f inward() const;
-    // The corners of the frame, in order.
+    // Returns the corners of the frame, in order around it.
     std::array<Eigen::Vector3f, 4> corners() const;
-    // The part of a ray on the drawn side.
+    // Returns the part of a ray that lies on the drawn side.
     ViewRay shownPart(ViewRay ray) const;
-    // The frame's point within a few pixels of `position`, or nothing.
+    // Returns the frame's point within a few pixels of `position`, or nothing.
     std::optional<Eigen::Vector3f> frameAt(QPointF position, const ViewProjection& shown) const;
 };
 

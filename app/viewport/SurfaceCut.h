@@ -1,4 +1,4 @@
-// The line in which a world plane cuts a moving surface, and the area inside it.
+// Computes the line in which a world plane cuts a moving surface, and the area inside the line.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -15,14 +15,15 @@ class SurfaceCut {
 public:
     SurfaceCut();
 
-    // Drawn over the surface that it lies in.
+    // Returns the line. It is drawn over the surface that it lies in.
     vtkActor& line() const { return *line_; }
-    // The area inside the line of a closed surface. Invisible until it is shown.
+    // Returns the area inside the line of a closed surface. It is invisible until it is shown.
     vtkActor& area() const { return *area_; }
 
     void setSurface(vtkPolyData* surface);
     void setTransform(const Eigen::Isometry3d& surfaceToWorld);
-    void setPlane(const Eigen::Vector3d& origin, const Eigen::Vector3d& normal); // world
+    // World coordinates.
+    void setPlane(const Eigen::Vector3d& origin, const Eigen::Vector3d& normal);
 
 private:
     void placePlane();
@@ -34,9 +35,9 @@ private:
     vtkSmartPointer<vtkActor> line_, area_;
 };
 
-// Draws lines over the surface that they lie in.
+// Draws lines over the surface in which they lie.
 void showLines(vtkActor& actor, vtkAlgorithmOutput* lines);
-// Draws only the side of `plane` that its normal points to; null: everything.
+// Draws only the side of `plane` to which its normal points; null draws everything.
 void cutOpen(vtkActor& actor, vtkPlane* plane);
 
 } // namespace dipwright

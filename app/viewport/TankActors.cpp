@@ -51,7 +51,7 @@ void TankActors::setSize(QSizeF film, double depth) {
     const double outerX = film.width() / 2 + margin(film);
     const double outerZ = film.height() / 2 + margin(film);
 
-    // Just below the film, so that the film is visible.
+    // The water lies just below the film, so that the film is visible.
     auto waterPoints = vtkSmartPointer<vtkPoints>::New();
     addRectangle(*waterPoints, outerX, -0.1, outerZ);
     auto quad = vtkSmartPointer<vtkCellArray>::New();

@@ -14,7 +14,7 @@ class TankActors {
 public:
     explicit TankActors(vtkRenderer* renderer);
 
-    // Width of the water around a film of this size, in mm.
+    // Returns the width, in mm, of the water around a film of this size.
     static double margin(QSizeF film);
 
     void setSize(QSizeF film, double depth);

@@ -14,8 +14,9 @@ struct ViewRay {
     Eigen::Vector3f direction = -Eigen::Vector3f::UnitY(); // unit length
 };
 
-// The coordinate along the world's X, Y or Z, on the line through `held`, where the ray passes
-// nearest. That of `held` if the ray is parallel to the axis.
+// Returns a coordinate along the world's X, Y or Z. It belongs to the point nearest to the ray on
+// the line through `held` along this axis. Returns the coordinate of `held` if the ray is parallel
+// to the axis.
 double placeAlong(int axis, const Eigen::Vector3f& held, const ViewRay& ray);
 
 // The camera's position, in mm, world frame.
@@ -28,7 +29,7 @@ struct ViewCamera {
 
 struct ViewProjection {
     Eigen::Matrix4d worldToClip = Eigen::Matrix4d::Identity(); // −1 … 1 in the visible part
-    QSizeF size{1, 1}; // of the picture, in widget coordinates
+    QSizeF size{1, 1}; // size of the picture, in widget coordinates
 
     QPointF positionOf(const Eigen::Vector3f& place) const;
     ViewRay rayAt(QPointF position) const;

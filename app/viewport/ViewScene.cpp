@@ -17,16 +17,17 @@ namespace dipwright {
 
 namespace {
 
-// Moves the camera without rotation so that all places are as large as possible and centred.
+// Moves the camera without rotation, so that all places are centred and drawn as large as possible.
 void fitCamera(vtkCamera& camera, const std::vector<Eigen::Vector3d>& places, double aspect) {
-    constexpr double room = 1.06; // margin around the places
+    constexpr double room = 1.06; // a margin of 3 % on each side of the places
     const Eigen::Vector3d view = Eigen::Vector3d(camera.GetDirectionOfProjection()).normalized();
     const Eigen::Vector3d right = view.cross(Eigen::Vector3d(camera.GetViewUp())).normalized();
     const Eigen::Vector3d up = right.cross(view);
     const double down = std::tan(radians(Degrees(camera.GetViewAngle())) / 2) / room;
     const bool parallel = camera.GetParallelProjection() != 0;
-    // Along one axis of the picture: the centre, and the camera's distance from it so that no place
-    // is beyond an edge. In parallel projection, half of the visible size instead.
+    // Returns values along one axis of the picture: the centre, and the camera's distance from it
+    // at which no place is beyond an edge. In parallel projection, the second value is half of the
+    // visible size.
     const auto fitAlong = [&](const Eigen::Vector3d& axis, double slope) {
         double after = -std::numeric_limits<double>::infinity(), before = after;
         for (const Eigen::Vector3d& place : places) {
@@ -73,7 +74,7 @@ unsigned long eventOf(const ViewMouse& mouse) {
 } // namespace
 
 ViewScene::ViewScene(PictureWindow& window, const std::function<void()>& pictureAsked)
-    : window_(window), pictureAsked_(pictureAsked) {
+    : window_(window), pictureRequested_(pictureAsked) {
     window_.open();
     window_.vtk()->AddRenderer(renderer_);
     renderer_->UseFXAAOn(); // smooth edges at low cost, also without a GPU
@@ -87,7 +88,7 @@ ViewScene::ViewScene(PictureWindow& window, const std::function<void()>& picture
     vtkNew<vtkCallbackCommand> asked;
     asked->SetClientData(this);
     asked->SetCallback([](vtkObject*, unsigned long, void* scene, void*) {
-        static_cast<ViewScene*>(scene)->pictureAsked_();
+        static_cast<ViewScene*>(scene)->pictureRequested_();
     });
     interactor_->AddObserver(vtkCommand::RenderEvent, asked);
     orientation_->SetParentRenderer(renderer_);
@@ -181,8 +182,8 @@ void ViewScene::look(ViewDirection direction) {
 }
 
 void ViewScene::lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward) {
-    constexpr double distance = 1.3, half = 0.35; // as a share of the body's size
-    constexpr double steepest = 85;               // straight up and down, the azimuth is undefined
+    constexpr double distance = 1.3, half = 0.35; // both as shares of the body's size
+    constexpr double steepest = 85;               // degrees; the azimuth is undefined at 90°
     const double size = double(body_.worldBox().diagonal().norm());
     const double elevation =
         std::asin(std::clamp(double(outward.normalized().y()), -1.0, 1.0)) * 180 / pi;
@@ -196,7 +197,7 @@ void ViewScene::lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outw
     setCameraAngles(camera(), {azimuth, std::clamp(elevation, -steepest, steepest)});
     renderer_->ResetCameraClippingRange();
     fitted_ = false;
-    steered_ = true;
+    isMovedByUser_ = true;
 }
 
 void ViewScene::fit() {
@@ -216,7 +217,7 @@ void ViewScene::fit() {
     fitCamera(camera(), places, aspect);
     renderer_->ResetCameraClippingRange();
     fitted_ = true;
-    steered_ = true;
+    isMovedByUser_ = true;
 }
 
 void ViewScene::setFilmFitted(bool fitted) {
@@ -228,13 +229,13 @@ void ViewScene::setFilmFitted(bool fitted) {
 
 void ViewScene::turn(double rightPixels, double upPixels) {
     fitted_ = false;
-    steered_ = true;
+    isMovedByUser_ = true;
     style_->turn(rightPixels, upPixels);
 }
 
 void ViewScene::zoom(double factor) {
     fitted_ = false;
-    steered_ = true;
+    isMovedByUser_ = true;
     if (camera().GetParallelProjection()) {
         camera().SetParallelScale(camera().GetParallelScale() / factor);
     } else {
@@ -250,7 +251,7 @@ void ViewScene::zoomAt(const QPointF& place, double factor) {
         own.GetParallelProjection()
             ? own.GetParallelScale()
             : own.GetDistance() * std::tan(radians(Degrees(own.GetViewAngle())) / 2);
-    // From the focal point to the place under the cursor, in the plane across the view.
+    // The vector from the focal point to the place under the cursor, in the plane across the view.
     const QPointF fromMiddle = place - QPointF(size_.size.width() / 2.0, size_.size.height() / 2.0);
     const Eigen::Vector3d aside = 2 * half / std::max(1, size_.size.height()) *
                                   (fromMiddle.x() * right - fromMiddle.y() * right.cross(ahead));
@@ -270,7 +271,7 @@ void ViewScene::mouse(const ViewMouse& mouse) {
     interactor_->InvokeEvent(eventOf(mouse));
     if (cameraNow() != before) {
         fitted_ = false;
-        steered_ = true;
+        isMovedByUser_ = true;
     }
 }
 
@@ -281,7 +282,7 @@ void ViewScene::setCamera(const ViewCamera& wanted) {
     camera().SetParallelScale(wanted.scale);
     camera().SetParallelProjection(wanted.isParallel);
     fitted_ = false;
-    steered_ = false;
+    isMovedByUser_ = false;
 }
 
 ViewCamera ViewScene::cameraNow() {
@@ -299,13 +300,13 @@ ViewPicture ViewScene::draw() {
     const std::lock_guard lock(oneAtATime);
     renderer_->ResetCameraClippingRange();
     if (std::exchange(resized_, false)) {
-        window_.vtk()->Render(); // only now the renderer knows its size
+        window_.vtk()->Render(); // the renderer knows its size only after this
         orientation_->SquareResize();
     }
     QElapsedTimer clock;
     clock.start();
     ViewPicture picture{window_.draw(), projectionOf(*renderer_, size_.size), 0, cameraNow(),
-                        steered_};
+                        isMovedByUser_};
     picture.image.setDevicePixelRatio(size_.pixelRatio);
     picture.milliseconds = int(clock.elapsed());
     return picture;

@@ -1,5 +1,5 @@
-// Everything that VTK draws of a dip, with camera and mouse. It lives on the view's drawing thread;
-// no other thread may touch it.
+// Holds everything that VTK draws of a dip, with camera and mouse. It lives on the view's drawing
+// thread; no other thread may use it.
 #pragma once
 
 #include "BodyActors.h"
@@ -62,13 +62,14 @@ public:
     void setSize(const ViewSize& size);
     void setFilmSize(QSizeF film, double tankDepth);
     void setFilmFitted(bool fitted);
-    void setSection(const std::optional<SectionPlane>& section); // none: nothing is cut open
+    void setSection(const std::optional<SectionPlane>& section); // no section: nothing is cut open
     void setColours(const ViewColours& colours);
-    void look(ViewDirection direction); // and fits
-    // Looks from outside, close enough to show a good part of the body.
+    void look(ViewDirection direction); // also fits the view
+    // Points the camera at a place from outside, close to the body but with a large part of it
+    // visible.
     void lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward);
     void fit();
-    void turn(double rightPixels, double upPixels);   // as a drag by these pixels would
+    void turn(double rightPixels, double upPixels);   // like a drag by these numbers of pixels
     void zoom(double factor);                         // keeps the centre in place
     void zoomAt(const QPointF& place, double factor); // keeps the place under `place`
     void mouse(const ViewMouse& mouse);
@@ -92,11 +93,11 @@ private:
     SectionFrame frame_{renderer_};
     ViewSize size_;
     QSizeF filmSize_{210, 297};
-    std::function<void()> pictureAsked_;
+    std::function<void()> pictureRequested_;
     bool fitsFilm_ = true;
     bool fitted_ = false;  // the camera was placed by fit()
-    bool resized_ = false; // since the last picture
-    bool steered_ = true;
+    bool resized_ = false; // the size has changed since the last picture
+    bool isMovedByUser_ = true;
 };
 
 } // namespace dipwright

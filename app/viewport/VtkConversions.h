@@ -1,4 +1,4 @@
-// Converts the project's values to VTK's.
+// Converts the project's values to VTK objects.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,7 +11,8 @@
 namespace dipwright {
 
 vtkSmartPointer<vtkMatrix4x4> vtkMatrix(const Eigen::Isometry3d& transform);
-// Picture row 0 is at texture coordinate v = 1, as in OBJ.
+// Returns the picture as a texture. As in OBJ, the picture's row 0 is at the texture coordinate v =
+// 1.
 vtkSmartPointer<vtkTexture> vtkTextureOf(const QImage& picture);
 std::array<double, 3> vtkColour(const QColor& colour);
 std::array<unsigned char, 3> vtkBytes(QRgb colour);

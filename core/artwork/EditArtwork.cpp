@@ -44,7 +44,7 @@ ArtworkLayer newLayer(LayerKind kind, const QString& name) {
 }
 
 ArtworkLayer placedOn(const TexturedMesh& model, ArtworkLayer layer) {
-    constexpr double share = 0.4; // of the body's longest side
+    constexpr double share = 0.4; // size as a share of the body's longest side
     const BoundingBox box = boundingBox(model.mesh);
     Eigen::Vector3f place = box.center();
     if (layer.placement == LayerPlacement::Decal) {

@@ -10,13 +10,13 @@
 
 namespace dipwright {
 
-// Returns a new layer with good defaults: a pattern as a box in its usual scale and colours, any
-// other layer as a decal.
+// Returns a new layer with good defaults. A pattern is placed as a box, with its usual scale and
+// colours. Any other layer is placed as a decal.
 ArtworkLayer newLayer(LayerKind kind, const QString& name);
 
 // Returns the layer placed on a model for the first time. A decal goes to the middle of the front,
-// the side that faces +Z. Any other layer goes round the middle of the model. The size is limited
-// to suit the model.
+// the side that faces +Z. Any other layer is placed round the middle of the model. The layer's size
+// is limited to suit the model.
 ArtworkLayer placedOn(const TexturedMesh& model, ArtworkLayer layer);
 
 // Adds a layer above all others. The first layer on a model without a texture also sets the base
@@ -31,7 +31,8 @@ std::array<Millimetres, 2> shownSize(const ArtworkLayer& layer);
 // Returns a sentence for each layer whose font is not installed and is replaced by another. Needs a
 // QGuiApplication.
 QStringList fontWarnings(const Artwork& artwork);
-// Returns a sentence for each picture with a note on how its colours were read (base/ColourNote.h).
+// Returns a sentence for each picture that has a note on how its colours were read
+// (base/ColourNote.h).
 QStringList colourNotes(const Artwork& artwork);
 
 } // namespace dipwright

@@ -16,8 +16,8 @@ namespace {
 
 constexpr float full = 65535;
 constexpr int mostPatternPixels = 1024, mostTextPixels = 8192, leastPixels = 64;
-constexpr double finer = 2;            // pixels per texel side in text and patterns
-constexpr double lettersHeight = 1000; // font size of the outline, in its units
+constexpr double finer = 2;            // pixels per side of a texel in text and patterns
+constexpr double lettersHeight = 1000; // font size at which the outline of a text is made
 
 QPainterPath outlineOf(const ArtworkLayer& layer) {
     QFont font(layer.font);

@@ -9,21 +9,21 @@
 
 namespace dipwright {
 
-// Linear light premultiplied by alpha, and alpha.
+// Red, green and blue in linear light, premultiplied by alpha; then alpha.
 using CoveringLight = Eigen::Array4f;
 
 // A picture in linear light, reduced to the texel size by area filtering. Immutable; any thread may
 // read.
 class LayerPicture {
 public:
-    // `texel` is the size of a result pixel on the body, mm. `wide` gives colours in the primaries
-    // of wide colour (base/WideGamut.h). Text needs a QGuiApplication.
+    // `texel` is the size of a result pixel on the body, mm. If `wide`, colours are in the
+    // primaries of wide colour (base/WideGamut.h). Text needs a QGuiApplication.
     LayerPicture(const ArtworkLayer& layer, double texel, bool wide);
 
-    // Returns the light at a place of the layer's plane, mm to the right and up from its middle.
-    // With `isEndless`, repeats continue past the layer's size.
+    // Returns the light at a place of the layer's plane. `place` is given in mm to the right and up
+    // from the plane's middle. With `isEndless`, repeats continue past the layer's size.
     CoveringLight at(const Eigen::Vector2d& place, bool isEndless) const;
-    // Size of one repeat, or of content that is shown once.
+    // Returns the size of one repeat, or of content that is shown once.
     const Eigen::Vector2d& size() const { return size_; } // mm
 
 private:
@@ -31,7 +31,7 @@ private:
 
     int columns_ = 0, rows_ = 0;
     bool repeats_ = false;
-    Eigen::Vector2d size_, area_; // mm; of one picture, and of the whole layer
+    Eigen::Vector2d size_, area_; // sizes of one picture and of the whole layer, mm
     std::vector<std::array<std::uint16_t, 4>> pixels_;
 };
 

@@ -6,9 +6,9 @@
 namespace dipwright {
 namespace {
 
-// Cosine; a projection does not paint surfaces that are more oblique.
+// Least cosine between a projection and a surface's normal. More oblique surfaces are not painted.
 constexpr double facing = 0.05;
-// Cosine; a surface that faces along the axis more than this is the tube's end.
+// A surface is an end of the tube if the cosine between its normal and the tube's axis is larger.
 constexpr double endOfTube = 0.94;
 constexpr double blendRange = 0.15; // range of cosines over which two sides of a box blend
 
@@ -77,7 +77,8 @@ std::optional<Eigen::Vector2d> LayerPlane::round(const Eigen::Vector3d& place,
     if (std::abs(outward.dot(axis_)) > endOfTube) {
         return std::nullopt;
     }
-    // The picture's middle is in front, seen with the axis pointing up; its sides meet at the back.
+    // Seen with the axis pointing up, the picture's middle is in front and its sides meet at the
+    // back.
     const Eigen::Vector3d front =
         std::abs(axis_.z()) > 0.5 ? Eigen::Vector3d(0, -axis_.z(), 0) : Eigen::Vector3d::UnitZ();
     const Eigen::Vector3d side = axis_.cross(front);
@@ -86,7 +87,7 @@ std::optional<Eigen::Vector2d> LayerPlane::round(const Eigen::Vector3d& place,
     return Eigen::Vector2d(angle / (2 * pi) * lengthOfTurn_, axis_.dot(place));
 }
 
-// Blends sides of the box that a place faces about equally, so that no line shows between them.
+// Blends the sides of the box that a place faces about equally, so that no line shows between them.
 PlanePlaces LayerPlane::boxed(const SurfacePoint& point) const {
     const Eigen::Vector3d place = position(mesh_, point).cast<double>() - place_;
     const Eigen::Vector3d normal = normalAt(normals_, point).cast<double>();

@@ -12,10 +12,10 @@
 
 namespace dipwright {
 
-// A place in a layer's plane, mm to the right and up from its middle, and its weight.
+// A place in a layer's plane, mm to the right and up from the plane's middle, and its weight.
 struct PlanePlace {
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
-    float share = 0; // 0 … 1; 0 is ignored
+    float share = 0; // weight, 0 … 1; 0 is ignored
 };
 using PlanePlaces = std::array<PlanePlace, 3>;
 
@@ -45,12 +45,12 @@ private:
     const TriangleMesh& mesh_;
     LayerPlacement placement_;
     Eigen::Vector3d place_, axis_;
-    Eigen::Matrix2d turn_;    // from the surface's plane to the picture's
+    Eigen::Matrix2d turn_;    // rotation from the surface's plane to the picture's
     double turned_ = 0;       // rotation about a cylinder's axis, radians
     double reach_ = 0;        // a decal's radius, mm
     double lengthOfTurn_ = 0; // circumference of a cylinder in the picture, mm
-    std::unique_ptr<const UnfoldedSurface> unfolded_; // for a decal
-    CornerNormals normals_;                           // for a box
+    std::unique_ptr<const UnfoldedSurface> unfolded_; // used for a decal
+    CornerNormals normals_;                           // used for a box
 };
 
 } // namespace dipwright

@@ -21,8 +21,8 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::PaintArtwork)
 };
 
-// Smallest size of a sheet pixel on the body, relative to its size on the sheet. Gathered film and
-// oblique charts may go below it.
+// Smallest size of a sheet pixel on the body, relative to its size on the sheet. On gathered film
+// and oblique charts, sheet pixels may be smaller.
 constexpr double texelShare = 0.7;
 
 struct Layer {
@@ -72,7 +72,7 @@ std::vector<std::uint32_t> middlesOfDecals(const Artwork& artwork, const Surface
     return triangles;
 }
 
-// What lies below the layers.
+// The colours below all layers.
 class Ground {
 public:
     Ground(const TexturedMesh& model, const Artwork& artwork, bool wide)

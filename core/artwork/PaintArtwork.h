@@ -31,7 +31,7 @@ std::shared_ptr<const TexturedMesh> painted(const std::shared_ptr<const Textured
                                             const Artwork& artwork, double texel,
                                             const Progress& progress, qint64 mostTexels = 0);
 
-// Returns the texel size in mm that loses no detail on a sheet of this resolution.
+// Returns the texel size in mm at which a sheet of this resolution shows no loss of detail.
 double texelFor(DotsPerInch resolution);
 
 } // namespace dipwright

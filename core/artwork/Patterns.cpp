@@ -10,7 +10,7 @@
 namespace dipwright {
 namespace {
 
-constexpr int samplesAcross = 3; // per pixel
+constexpr int samplesAcross = 3; // samples per side of a pixel
 
 // Returns a pseudo-random number 0 … 1 for a lattice point (Jenkins's mixing, in integers).
 double noiseAt(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
@@ -57,8 +57,8 @@ double cloud(double x, double y, int columns, int rows, int octaves, std::uint32
 // Each pattern returns the lightness at a place of the repeat: 0 is the dark colour, 1 the light
 // one. x and y are 0 … 1 to the right and down.
 
-// A 2/2 twill of four threads each way. Each thread passes over two and under two, one step further
-// than its neighbour.
+// A 2/2 twill of four threads in each direction. Each thread passes over two threads and then under
+// two, shifted by one thread from its neighbour.
 double carbon(double x, double y, std::uint32_t seed) {
     constexpr int threads = 4, filaments = 24;
     const int column = std::min(int(x * threads), threads - 1);
@@ -67,7 +67,7 @@ double carbon(double x, double y, std::uint32_t seed) {
     const double along = isWarp ? y : x;
     const double across = (isWarp ? x : y) * threads;
     const double inThread = across - std::floor(across);
-    // Position along the arch of the thread over two others; the arch is lightest in its middle.
+    // Position along the piece of the thread that lies over two others; its middle is lightest.
     double run = along * threads - (isWarp ? -column : threads / 2 - row);
     run -= threads * std::floor(run / threads);
     const double arch = std::sin(pi * std::clamp(run / 2, 0.0, 1.0));
@@ -78,7 +78,7 @@ double carbon(double x, double y, std::uint32_t seed) {
     return std::clamp((0.15 + 0.85 * round) * shine * (0.8 + 0.2 * fibre), 0.0, 1.0);
 }
 
-// Four tones in blots; later ones cover earlier ones.
+// Blots in four tones; blots of later tones cover those of earlier tones.
 double camouflage(double x, double y, std::uint32_t seed) {
     double tone = 1.0;
     constexpr std::array<double, 3> tones{0.62, 0.28, 0.0};
@@ -93,7 +93,7 @@ double camouflage(double x, double y, std::uint32_t seed) {
     return tone;
 }
 
-// Wood grain that runs down: rings cut lengthwise, and fine pores.
+// Wood grain that runs downwards: lengthwise cut rings, and fine pores.
 double wood(double x, double y, std::uint32_t seed) {
     constexpr int rings = 9;
     const double bend = cloud(x, y, 3, 2, 3, seed);

@@ -15,9 +15,10 @@ namespace {
 constexpr double leastCosine = 0.64;
 constexpr double leastFirstCosine = 0.77; // cos 40°, while the chart's mean normal is unknown
 constexpr int margin = 2;                 // texels round a chart
-constexpr int directions = 12;            // tried for a chart, over a quarter turn
-constexpr double texelGrowth = 1.15;      // factor on the texel size if there are too many texels
-constexpr double sameEdge = 1e-4; // weight up to which a place counts as on a triangle's edge
+constexpr int directions = 12; // number of rotations tried for a chart, within a quarter turn
+// Factor by which the texel size grows if there are too many texels.
+constexpr double texelGrowth = 1.15;
+constexpr double sameEdge = 1e-4; // a place with a smaller weight counts as on a triangle's edge
 
 using Place = Eigen::Vector2d;
 
@@ -87,7 +88,7 @@ public:
         texel_ = texel;
         std::vector<std::uint8_t> taken(mesh_.triangles.size());
         const auto begin = [&](std::uint32_t seed) {
-            while (!taken[seed]) { // until its chart contains it
+            while (!taken[seed]) { // until a chart contains the seed
                 progress_.cancelToken.throwIfCancelled();
                 charts_.push_back(grown(seed, taken));
             }
@@ -129,8 +130,8 @@ private:
         return chart;
     }
 
-    // Returns the triangles connected with `first` that belong and are not taken; `first` comes
-    // first.
+    // Returns the free triangles for which `belongs` is true and that are connected with `first`;
+    // `first` comes first.
     template <typename Belongs>
     std::vector<std::uint32_t>
     connected(std::uint32_t first, const std::vector<std::uint8_t>& taken, const Belongs& belongs) {
@@ -193,7 +194,8 @@ private:
         return corners;
     }
 
-    // Removes triangles that contain the middle of a texel that another triangle already contains.
+    // Removes a triangle if it contains the middle of a texel that another triangle already
+    // contains.
     void keepApart(Chart& chart) const {
         if (chart.triangles.size() == 1) {
             return;

@@ -14,10 +14,10 @@ constexpr char context[] = "dipwright::Budgets";
 constexpr double mebi = 1 << 20, gibi = 1 << 30;
 constexpr double notFromTheFile = 0;
 #if defined(DIPWRIGHT_SANITIZED)
-// how much a sanitizer slows reading down; libraries are built without it
-constexpr double slowDown = 3;
+// factor by which a sanitizer slows reading; libraries are built without it
+constexpr double sanitizerFactor = 3;
 #else
-constexpr double slowDown = 1;
+constexpr double sanitizerFactor = 1;
 #endif
 
 // The limit is `always` plus `perByte` for each byte of the file, but at most `ever`.
@@ -52,7 +52,7 @@ constexpr Row table[] = {
     {Budget::Materials, 65536, notFromTheFile, 65536, 1,
      QT_TRANSLATE_NOOP("dipwright::Budgets",
                        "The model has more than %1 materials; reduce their number")},
-    // Meshes are compressed to a tenth of their size at best, pictures hardly at all.
+    // Compression reduces meshes to 10 % of their size at best, and pictures hardly at all.
     {Budget::UnpackedBytes, 32 * mebi, 20, 4 * gibi, mebi,
      QT_TRANSLATE_NOOP("dipwright::Budgets",
                        "The file is not opened, because it would unpack to more than %1 MB, far "
@@ -77,7 +77,7 @@ constexpr Row table[] = {
     {Budget::PictureSide, 32768, notFromTheFile, 32768, 1,
      QT_TRANSLATE_NOOP("dipwright::Budgets",
                        "The texture is more than %1 pixels wide or high; make it smaller")},
-    // Every file may hold one picture of 8192 × 8192 pixels. More pixels need more bytes.
+    // Any file may hold 8192 × 8192 pixels. More pixels are allowed only in larger files.
     {Budget::Pixels, 8192.0 * 8192, 10, 16384.0 * 16384, 1e6,
      QT_TRANSLATE_NOOP("dipwright::Budgets",
                        "The pictures have more than %1 million pixels in total, too many for their "
@@ -86,7 +86,8 @@ constexpr Row table[] = {
      QT_TRANSLATE_NOOP("dipwright::Budgets",
                        "Reading the file takes more than %1 MB of memory, far too much for its "
                        "size; make the file smaller or save it again")},
-    {Budget::Milliseconds, 2e3 * slowDown, 5e-4 * slowDown, 1e6 * slowDown, 1e3,
+    {Budget::Milliseconds, 2e3 * sanitizerFactor, 5e-4 * sanitizerFactor, 1e6 * sanitizerFactor,
+     1e3,
      QT_TRANSLATE_NOOP("dipwright::Budgets",
                        "Reading the file takes more than %1 seconds, far too long for its size; "
                        "make the file smaller or save it again")},

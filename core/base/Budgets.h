@@ -1,6 +1,6 @@
-// Limits on what a file from elsewhere may hold or ask for. They are far above any real model,
-// picture or project, and far below what overloads a computer. Most limits grow with the file's
-// size, so that a small file cannot ask for much.
+// Limits on the contents of files from untrusted sources, and on the cost of reading them. The
+// limits are far above any real model, picture or project, and far below what overloads a computer.
+// Most limits grow with the file's size, so that a small file cannot use much memory or time.
 #pragma once
 
 #include <QString>
@@ -9,28 +9,29 @@ namespace dipwright {
 
 enum class Budget {
     FileBytes,  // size of one file
-    NamedFiles, // other files that a model names
-    Triangles,  // of a model as it is read, copies included
+    NamedFiles, // number of other files that a model refers to
+    Triangles,  // number of triangles of a model; repeated parts count again
     PolygonCorners,
-    Nesting, // how deep parts are nested
+    Nesting, // levels of nested parts in a model
     Materials,
-    UnpackedBytes,  // of an archive
-    Entries,        // of an archive
-    DocumentBytes,  // of project.json
-    DocumentDepth,  // how deep the values of any JSON file are nested
+    UnpackedBytes,  // size of all entries of an archive after unpacking
+    Entries,        // number of entries of an archive
+    DocumentBytes,  // size of project.json
+    DocumentDepth,  // levels of nested values in any JSON file
     DocumentValues, // number of values in any JSON file
     OtherBytes,     // unpacked bytes of all entries of a project file that the program does not use
-    PictureSide,    // pixels
-    // of all pictures of a model or project; repeated use counts again, wide pictures count twice
+    PictureSide,    // width or height of a picture, pixels
+    // Pixels of all pictures of a model or project. A picture that is used twice counts twice; a
+    // wide picture also counts twice.
     Pixels,
-    Memory,      // bytes that the reading process may use
+    Memory,      // bytes of memory that the reading process may use
     Milliseconds // computing time until the file is read
 };
 
-// Returns the limit for files with this total size.
+// Returns the limit for files of `fileBytes` bytes in total.
 qint64 budgetLimit(Budget budget, qint64 fileBytes = 0);
 
-// Throws Error with the budget's message about `where` if `amount` exceeds the limit.
+// Throws Error if `amount` exceeds the limit. The error names `where`.
 void requireWithin(Budget budget, qint64 amount, const QString& where, qint64 fileBytes = 0);
 
 // Returns only the message: which limit was exceeded and what to do.

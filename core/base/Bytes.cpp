@@ -21,7 +21,7 @@ bool writeAll(QFileDevice& file, const QByteArray& bytes) {
         }
         written += more;
     }
-    return file.flush() || file.flush(); // likewise for buffered bytes
+    return file.flush() || file.flush(); // the second flush reports the reason
 }
 
 } // namespace dipwright

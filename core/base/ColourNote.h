@@ -11,8 +11,8 @@ namespace dipwright {
 struct ColourNote {
     // The picture was in CMYK without an ICC profile, so a formula estimated its colours.
     bool assumesInks = false;
-    // Share of its pixels (0 … 1) whose colours lie visibly outside BT.2020 and were moved to its
-    // edge.
+    // Share of the picture's pixels (0 … 1) whose colours lay visibly outside BT.2020. They were
+    // moved to the edge of BT.2020.
     double clipped = 0;
     bool isEmpty() const { return !assumesInks && clipped <= 0; }
 };
@@ -20,10 +20,11 @@ struct ColourNote {
 QImage withColourNote(QImage picture, const ColourNote& note);
 ColourNote colourNote(const QImage& picture);
 
-// The key under which a picture and its files store the note. It has no space, because Qt takes a
-// key with a space for a description.
+// The key under which a picture and its files store the note. The key has no space, because Qt
+// reads a key with a space as a description.
 inline constexpr const char* colourNoteKey = "Dipwright-Colours";
-// The note as it is stored under that key; empty if there is none.
+// Returns the note in the form that is stored under colourNoteKey; empty if the picture has no
+// note.
 QString colourNoteValue(const QImage& picture);
 
 // Returns the note as a sentence for the user; empty if there is no note. `name` is the picture's

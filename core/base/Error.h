@@ -1,4 +1,4 @@
-// The only exception type that is shown to the user: what is wrong, where, and what to do about it.
+// The only exception type that is shown to the user. It says what is wrong, where, and what to do.
 #pragma once
 
 #include <QString>
@@ -7,7 +7,7 @@
 namespace dipwright {
 
 // `what` is one sentence, without a full stop, that names the fault and the remedy. `where` is the
-// file, field or module that has the fault. Shown as "error: <what> (<where>)".
+// file, field or module that has the fault. The user sees "error: <what> (<where>)".
 class Error : public std::runtime_error {
 public:
     Error(const QString& what, const QString& where);

@@ -1,4 +1,4 @@
-// Size checks for JSON from elsewhere, before it is parsed.
+// Checks the size of JSON from untrusted sources before it is parsed.
 #pragma once
 
 #include <QByteArray>
@@ -7,8 +7,9 @@
 namespace dipwright {
 
 // Throws Error about `where` if the text holds more values, or nests them deeper, than Budgets.h
-// allows. Two bytes of JSON can take a hundred bytes of memory once parsed, and thousands when
-// written again with four spaces for each level. Does not check that the text is valid JSON.
+// allows. The limits protect memory: two bytes of JSON can take a hundred bytes once parsed.
+// Written again with four spaces for each level, they can take thousands. Does not check that the
+// text is valid JSON.
 void requireJsonWithinLimits(const QByteArray& text, const QString& where);
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// Makes text from elsewhere safe to show within one line.
+// Makes text from untrusted sources safe to show within one line.
 #pragma once
 
 #include <QString>
@@ -8,17 +8,19 @@
 
 namespace dipwright {
 
-// Whether a character is invisible but changes how its neighbours look, as U+202E does, which
-// reverses their order. Characters that only join or separate letters of a word may stay.
-inline bool isUnseenFormat(QChar letter) {
+// Whether a character is invisible but changes how its neighbours look. U+202E, for example,
+// reverses their order. Returns false for characters that only join or separate the letters of a
+// word.
+inline bool isInvisibleFormat(QChar letter) {
     constexpr char16_t softHyphen = 0x00ad, nonJoiner = 0x200c, joiner = 0x200d;
     return letter.category() == QChar::Other_Format && letter != softHyphen &&
            letter != nonJoiner && letter != joiner;
 }
 
-// Replaces each of these characters by U+FFFD, which is visible.
+// Replaces each character for which isInvisibleFormat() is true by U+FFFD, which is visible.
 inline QString withVisibleFormats(QString text) {
-    std::replace_if(text.begin(), text.end(), isUnseenFormat, QChar(QChar::ReplacementCharacter));
+    std::replace_if(text.begin(), text.end(), isInvisibleFormat,
+                    QChar(QChar::ReplacementCharacter));
     return text;
 }
 

@@ -13,11 +13,12 @@
 namespace dipwright {
 namespace {
 
-constexpr qsizetype bandBytes = qsizetype(1) << 20; // of pixels that are packed together
-constexpr char paethFilter = 4;                     // its number in the file
+constexpr qsizetype bandBytes = qsizetype(1) << 20; // bytes of pixels that are packed together
+constexpr char paethFilter = 4;                     // Paeth's filter type in the file
 
-// A row as its differences from what Paeth's filter expects of the pixels to the left and above
-// (PNG specification, third edition, section 9.4). Both rows begin after one pixel of zeros.
+// Appends a row after Paeth's filter: as differences from values predicted from the pixels to the
+// left and above. See PNG specification, third edition, section 9.4. Both rows begin after one
+// pixel of zeros.
 void appendFiltered(std::vector<uchar>& filtered, const std::vector<uchar>& row,
                     const std::vector<uchar>& above, std::size_t pixelBytes) {
     filtered.push_back(paethFilter);
@@ -40,7 +41,7 @@ void appendFiltered(std::vector<uchar>& filtered, const std::vector<uchar>& row,
 std::vector<uchar> filteredRows(const PixelRows& picture, int begin, int end) {
     const std::size_t pixelBytes = std::size_t(picture.channels * picture.bits / 8);
     const std::size_t rowBytes = std::size_t(picture.size.width()) * pixelBytes;
-    const int first = std::max(begin - 1, 0); // the row above, too
+    const int first = std::max(begin - 1, 0); // includes the row above, which the filter needs
     const QImage image = picture.rows(first, end);
     if (image.isNull()) {
         throw std::bad_alloc();
@@ -58,15 +59,15 @@ std::vector<uchar> filteredRows(const PixelRows& picture, int begin, int end) {
     return filtered;
 }
 
-// A run of rows, packed so that others can follow it.
+// A packed run of rows. More runs can follow in the same stream.
 struct Band {
     QByteArray packed;
-    std::size_t length = 0; // unpacked
-    uLong checksum = 0;     // of what is unpacked
+    std::size_t length = 0; // bytes before packing
+    uLong checksum = 0;     // of the unpacked bytes
 };
 
-// Filtered rows hold little but runs and small numbers: to look for anything else takes three times
-// as long and saves a tenth.
+// Filtered rows consist mainly of runs and small numbers. A search for other repetitions takes
+// three times as long and saves only 10 % of the bytes.
 Band packedBand(const std::vector<uchar>& rows, bool isLast) {
     z_stream stream{};
     constexpr int withoutHeader = -MAX_WBITS, usualMemory = 8;
@@ -75,7 +76,7 @@ Band packedBand(const std::vector<uchar>& rows, bool isLast) {
         throw std::bad_alloc();
     }
     Band band;
-    constexpr uLong endOfBand = 16; // bytes that no bound counts
+    constexpr uLong endOfBand = 16; // bytes at the band's end, which deflateBound() does not count
     band.packed.resize(qsizetype(deflateBound(&stream, uLong(rows.size())) + endOfBand));
     stream.next_in = const_cast<Bytef*>(rows.data()); // zlib only reads it
     stream.avail_in = uInt(rows.size());
@@ -83,6 +84,7 @@ Band packedBand(const std::vector<uchar>& rows, bool isLast) {
     stream.avail_out = uInt(band.packed.size());
     deflate(&stream, isLast ? Z_FINISH : Z_SYNC_FLUSH);
     band.packed.resize(qsizetype(stream.total_out));
+    band.packed.squeeze(); // a blank band needs a thousandth of its bound
     deflateEnd(&stream);
     band.length = rows.size();
     band.checksum = adler32_z(adler32_z(0, nullptr, 0), rows.data(), rows.size());

@@ -18,7 +18,8 @@ struct PixelRows {
     std::function<QImage(int first, int end)> rows;
 };
 
-// A zlib stream (RFC 1950) in parts. Its rows have PNG filters (PDF: FlateDecode, predictor 15).
+// A zlib stream (RFC 1950) in parts. The unpacked rows have PNG filters (in PDF: FlateDecode with
+// predictor 15).
 struct PackedPixels {
     QSize size;
     int channels = 3;
@@ -26,8 +27,8 @@ struct PackedPixels {
     std::vector<QByteArray> parts;
 };
 
-// Compresses some rows at a time, on all cores. The bytes are the same in every run. Throws
-// std::bad_alloc.
+// Compresses the picture in bands of rows, on all cores. The bytes are the same in every run.
+// Throws std::bad_alloc.
 PackedPixels packedPixels(const PixelRows& picture);
 
 } // namespace dipwright

@@ -5,7 +5,7 @@
 
 namespace dipwright {
 
-// Returns bytes; 0 if the system does not tell.
+// Returns the size in bytes; 0 if the system does not report it.
 std::int64_t physicalMemory();
 
 } // namespace dipwright

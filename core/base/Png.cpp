@@ -45,7 +45,7 @@ QByteArray header(const PackedPixels& pixels) {
 }
 
 QByteArray colourProfile(const QColorSpace& space) {
-    // without the length that Qt puts before it
+    // without the length that qCompress() puts first
     const QByteArray packed = qCompress(space.iccProfile()).mid(4);
     return chunk("iCCP", QByteArrayLiteral("ICC profile\0\0") + packed);
 }
@@ -57,7 +57,7 @@ QByteArray resolution(const PngNotes& notes) {
     return chunk("pHYs", bytes.append('\1'));
 }
 
-// Empty if the picture has no colour note.
+// Returns the file's chunk for a colour note; empty if the note is empty.
 QByteArray colourText(const QString& note) {
     return note.isEmpty() ? QByteArray()
                           : chunk("tEXt", QByteArray(colourNoteKey) + '\0' + note.toLatin1());

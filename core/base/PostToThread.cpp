@@ -10,7 +10,7 @@ namespace dipwright {
 
 namespace {
 
-// The last of the two threads to release it deletes it.
+// Shared by two threads. The thread that releases the errand last deletes it.
 struct Errand {
     std::function<void()> work;
     // destroyed before `work`, so that the deleting thread sees what `work` wrote

@@ -1,6 +1,5 @@
-// The name of all the programs, by which the system finds the folders for their settings, profiles
-// and caches. All programs share one name, so that what is saved in the window is there on the
-// command line.
+// The common name of all Dipwright programs. The folders for settings, profiles and caches depend
+// on this name. Because all programs share it, the command line finds what the window has saved.
 #pragma once
 
 #include <QString>
@@ -8,14 +7,14 @@
 namespace dipwright {
 
 // Sets name and version of the running program. Call it once, after the application object is
-// created and before any of those folders is looked up.
+// created and before one of these folders is used.
 void nameProgram();
 
 // Returns the version from the project's CMakeLists.txt, such as "1.0.0". All other code takes the
 // version from here.
 QString programVersion();
 
-// Returns the folder for the user's data that only the command line used up to version 0.1.
+// Returns the folder where the command line kept the user's data up to version 0.1.
 QString earlierDataFolder();
 
 } // namespace dipwright

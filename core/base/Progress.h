@@ -31,9 +31,9 @@ private:
     std::shared_ptr<std::atomic<bool>> flag_ = std::make_shared<std::atomic<bool>>(false);
 };
 
-// Handed to a piece of work. `report` may be empty. It gets the piece's progress (0 … 1) and a text
-// that says what is being done. It is called from the working thread, at most some hundred times a
-// second.
+// A piece of work reports its progress through this object, and checks it for cancellation.
+// `report` may be empty. Its arguments are the progress (0 … 1) and a text that says what is being
+// done. The working thread calls it at most a few hundred times a second.
 struct Progress {
     std::function<void(double, const QString&)> report;
     CancelToken cancelToken;
@@ -45,10 +45,10 @@ struct Progress {
             report(share, text);
         }
     }
-    // Returns a progress that is cancelled together with this one but reports nothing, for work
-    // beside it.
+    // Returns a Progress that shares this one's cancellation but reports nothing. Use it for work
+    // that runs in parallel.
     Progress silent() const { return {nullptr, cancelToken}; }
-    // Returns a progress for a part of this piece, from `begin` to `end` (0 … 1).
+    // Returns a Progress for a part of the work: its 0 … 1 is reported as `begin` … `end`.
     Progress part(double begin, double end) const {
         Progress inner{nullptr, cancelToken};
         if (report) {

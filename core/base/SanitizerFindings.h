@@ -1,5 +1,6 @@
-// Reports what a sanitizer finds in a sandboxed process. That process's output is not read and its
-// crashes are handled, so a finding would otherwise pass for a fault of the file or plugin.
+// Reports what a sanitizer finds in a sandboxed process. The program does not read that process's
+// output, and it survives that process's crashes. Without these functions, a finding would look
+// like a fault of the file or plugin.
 #pragma once
 
 class QProcess;
@@ -10,8 +11,8 @@ namespace dipwright {
 // it for endOnFinding().
 void silence(QProcess& process);
 
-// Call after `process` has ended. In a build with sanitizers, prints what a sanitizer found in it
-// on standard error and aborts this program. Otherwise does nothing.
+// Call after `process` has ended. If a sanitizer found something in `process`, prints the finding
+// to standard error and aborts this program. Does nothing in a build without sanitizers.
 void endOnFinding(QProcess& process);
 
 } // namespace dipwright

@@ -1,5 +1,5 @@
-// SHA-256 by OpenSSL. It uses the processor's SHA instructions and is ten times as fast as Qt's,
-// which matters for sheets of tens of megabytes.
+// Computes SHA-256 with OpenSSL, which uses the processor's SHA instructions. It is ten times as
+// fast as Qt, which matters for sheets of tens of megabytes.
 #pragma once
 
 #include <QByteArray>

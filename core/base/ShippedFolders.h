@@ -1,6 +1,6 @@
-// Finds the files that are installed with the program. They are searched relative to the program,
-// so that an installed tree can be moved. None of the folders has to exist. The build's folder
-// comes before the installed tree's folder.
+// Finds the files that are installed with the program. The functions search relative to the
+// program's own path, so that an installed tree can be moved. The folders may be missing. Folders
+// of a build come before folders of an installed tree.
 #pragma once
 
 #include <QString>
@@ -8,15 +8,16 @@
 
 namespace dipwright {
 
-// Folders with solver plugins (modules and their description files).
+// Returns the folders with solver plugins (modules and their description files).
 QStringList shippedPluginFolders();
 
-// Path of a helper program that only these programs start; empty if it is missing.
+// Returns the path of a helper program that only Dipwright's programs start; empty if it is
+// missing.
 QString shippedProgram(const QString& name);
-// Path of the sandboxed reader for foreign models and pictures.
+// Returns the path of the sandboxed reader for models and pictures from untrusted sources.
 QString readerProgram();
 
-// Folders with sample projects, *.dipw.
+// Returns the folders with sample projects, *.dipw.
 QStringList shippedSampleFolders();
 
 } // namespace dipwright

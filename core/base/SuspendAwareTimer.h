@@ -1,4 +1,4 @@
-// Measures waiting time in a program that may itself be suspended meanwhile.
+// Measures waiting time in a program that may be suspended while it waits.
 #pragma once
 
 #include <algorithm>
@@ -6,25 +6,25 @@
 
 namespace dipwright {
 
-// Call look() repeatedly. At most longestGap counts between two calls. The reason: while this
-// program is suspended (Ctrl-Z, debugger, sleeping machine), the process that it waits for usually
-// stops too. Not thread-safe.
+// Call look() repeatedly. The time between two calls counts up to longestGap. The reason: while
+// this program is suspended (Ctrl-Z, debugger, sleeping machine), the process that it waits for
+// usually stops too. Not thread-safe.
 class SuspendAwareTimer {
 public:
     using Clock = std::chrono::steady_clock;
     static constexpr Clock::duration longestGap = std::chrono::seconds(1);
 
-    explicit SuspendAwareTimer(Clock::time_point now = Clock::now()) : lastLook_(now) {}
+    explicit SuspendAwareTimer(Clock::time_point now = Clock::now()) : lastCall_(now) {}
 
     // Returns the time that has counted until now.
     Clock::duration look(Clock::time_point now = Clock::now()) {
-        waited_ += std::clamp(now - lastLook_, Clock::duration::zero(), longestGap);
-        lastLook_ = now;
+        waited_ += std::clamp(now - lastCall_, Clock::duration::zero(), longestGap);
+        lastCall_ = now;
         return waited_;
     }
 
 private:
-    Clock::time_point lastLook_;
+    Clock::time_point lastCall_;
     Clock::duration waited_{};
 };
 

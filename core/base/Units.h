@@ -1,5 +1,5 @@
-// Quantities that carry their unit in their type. Files, command lines and dialogs hand them over.
-// Bulk data (meshes, grids, films) is plain float or double in millimetres.
+// Quantities that carry their unit in their type. Files, command lines and dialogs pass values in
+// these types. Bulk data (meshes, grids, films) is plain float or double in millimetres.
 #pragma once
 
 #include <compare>
@@ -34,7 +34,7 @@ using Degrees = Quantity<struct DegreesUnit>;
 using DotsPerInch = Quantity<struct DotsPerInchUnit>;
 
 inline constexpr double millimetresPerInch = 25.4;
-// The unit in which lengths are shown to the user. They are stored in millimetres.
+// The unit in which lengths are shown to the user. Lengths are stored in millimetres.
 enum class LengthUnit { Millimetre, Inch };
 constexpr double millimetresIn(LengthUnit unit) {
     return unit == LengthUnit::Inch ? millimetresPerInch : 1;

@@ -54,7 +54,7 @@ QImage inSrgb(const QImage& picture) {
     }
     QImage result = converted(picture, wideSpace(), QColorSpace::SRgb);
     result.convertTo(picture.hasAlphaChannel() ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
-    result.setColorSpace(QColorSpace()); // sRGB pictures carry no colour space here
+    result.setColorSpace(QColorSpace()); // in this program sRGB pictures carry no colour space
     return result;
 }
 
@@ -64,7 +64,7 @@ QImage inWide(const QImage& picture) {
 
 bool fitsInSrgb(const QImage& wide) {
     constexpr double step = 1.0 / 255;
-    const double least = -step / 12.92; // sRGB's curve is straight there
+    const double least = -step / 12.92; // sRGB's curve is a straight line near 0
     const double most = lightOf(1 + step);
     const std::vector<double>& light = lightTable();
     for (int row = 0; row < wide.height(); ++row) {

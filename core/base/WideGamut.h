@@ -1,7 +1,8 @@
-// Colours outside sRGB. Textures and film images are sRGB in eight bits (Format_RGBA8888). Where
-// that would lose colour they are *wide*: the primaries of Rec. ITU-R BT.2020 in sixteen bits
-// (Format_RGBA64; RGBX64 if opaque), with sRGB's white point and transfer curve. Wide pictures hold
-// all of Adobe RGB and Display P3, and nearly all colours of inks. All functions are reentrant.
+// Colours outside sRGB. Textures and film images are sRGB in eight bits (Format_RGBA8888). Pictures
+// that would lose colour in sRGB are *wide*: they use the primaries of Rec. ITU-R BT.2020 in
+// sixteen bits (Format_RGBA64; RGBX64 if opaque), with sRGB's white point and transfer curve. Wide
+// pictures hold all of Adobe RGB and Display P3, and nearly all colours of inks. All functions are
+// reentrant.
 #pragma once
 
 #include <QColorSpace>
@@ -29,8 +30,8 @@ QColorSpace wideSpace();
 QImage inSrgb(const QImage& picture);
 // Converts a picture from sRGB to a wide one (RGBA64). Returns a wide picture unchanged.
 QImage inWide(const QImage& picture);
-// Whether eight-bit sRGB can show every pixel of a wide picture: none is more than one step outside
-// its range.
+// Whether eight-bit sRGB can hold every pixel of a wide picture. A pixel may lie outside the range
+// of sRGB by one step of the eight bits.
 bool fitsInSrgb(const QImage& wide);
 
 } // namespace dipwright

@@ -17,9 +17,10 @@ struct Text {
 
 constexpr double steadyTilt = 5;     // degrees of plate tilt that the body must withstand
 constexpr double steadySlope = 20;   // degrees; a side hold this steep stops the body from sliding
-constexpr double reachGrowth = 1.25; // of the reach, from one trial to the next
-constexpr double piecesPerCell = 2;  // edge of a surface piece, in cells
-constexpr double mostSamples = 24e6; // of the form's grid; a coarser grid is used beyond that
+constexpr double reachGrowth = 1.25; // factor on the reach from one trial to the next
+constexpr double pieceEdgeInCells = 2; // longest edge of a surface piece, in cells
+// Largest number of samples of the form's grid; above it, the grid is made coarser.
+constexpr double mostSamples = 24e6;
 
 std::vector<SeatPiece> above(const std::vector<SeatPiece>& seat, double lowest) {
     std::vector<SeatPiece> result;
@@ -28,8 +29,7 @@ std::vector<SeatPiece> above(const std::vector<SeatPiece>& seat, double lowest) 
     return result;
 }
 
-// Returns the y down to which the cradle reaches. It reaches only as far as it must to hold the
-// body.
+// Returns the y down to which the cradle reaches, which is only as far as needed to hold the body.
 double lowestOf(const std::vector<SeatPiece>& seat, const PosedBody& body, double reach) {
     const Eigen::Vector3d centre = centreOfVolume(body.mesh);
     double best = body.height - reach, bestTilt = -180;
@@ -145,7 +145,7 @@ Cradle makeCradle(const HeldDip& dip, const CradleSettings& settings, const Prog
     const auto paintDistance =
         settings.onPaint ? std::nullopt : std::optional<double>(distances.earlierPaint);
     const FilmSide side =
-        filmSide(dip.film, dip.earlier, dip.process, piecesPerCell * settings.cell.value(),
+        filmSide(dip.film, dip.earlier, dip.process, pieceEdgeInCells * settings.cell.value(),
                  distances.film, paintDistance, progress.part(0, 0.15));
     if (side.seat.empty()) {
         return nothingToHold(dip, settings, side);

@@ -70,7 +70,8 @@ double tiltDegrees(const std::vector<SeatPiece>& seat, const Eigen::Vector3d& ce
         const Eigen::Vector3d& to = hull[(i + 1) % hull.size()];
         const Eigen::Vector2d along = level(to - from);
         const double inside = cross(along, level(centre - from)) / along.norm();
-        // Upside down on the table, the centre is as far above the edge as it is below it here.
+        // The cradle stands upside down on a table. There the body's centre is as far above this
+        // edge as it is below the edge in the pose frame.
         const double height = (from.y() + to.y()) / 2 - centre.y();
         least = std::min(least, std::atan2(inside, std::abs(height)) * 180 / pi);
     }
@@ -93,7 +94,7 @@ double sideHoldDegrees(const std::vector<SeatPiece>& seat) {
     return least;
 }
 
-// Whether the triangles round every position form one ring.
+// Whether the triangles round each position form one ring.
 bool hasOneRingRoundEach(const TriangleMesh& mesh, const std::vector<std::uint32_t>& opposite) {
     std::vector<std::uint32_t> corners(mesh.positions.size(), 0);
     std::vector<std::uint32_t> first(mesh.positions.size(), noEdge);
@@ -107,7 +108,7 @@ bool hasOneRingRoundEach(const TriangleMesh& mesh, const std::vector<std::uint32
             continue;
         }
         std::uint32_t count = 0, edge = first[at];
-        do { // cross the edge that enters the position to the next triangle
+        do { // cross the edge that leads to the position, to the next triangle
             ++count;
             edge = opposite[edge - edge % 3 + (edge + 2) % 3];
         } while (edge != first[at] && count <= corners[at]);

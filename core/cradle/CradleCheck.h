@@ -33,7 +33,7 @@ struct CradleCheck {
     double leastGap = 0;   // smallest gap between cradle and body, mm; negative if they overlap
     double paintGap = 0;   // smallest gap between the cradle and the surface that film reaches, mm
     bool comesOut = false; // the body can move down without touching the cradle
-    double seatArea = 0;   // area of the body that lies on it, mm²
+    double seatArea = 0;   // area of the body that lies on the cradle, mm²
     double paddedArea = 0; // part of seatArea that an earlier dip has painted, mm²
     CradleStability standing;
 };
@@ -43,11 +43,12 @@ bool isClosedSurface(const TriangleMesh& mesh);
 
 // Returns the centre of a closed body's volume.
 Eigen::Vector3d centreOfVolume(const TriangleMesh& body);
+// Returns how firmly a body with this centre of mass rests on the pieces of `seat`.
 CradleStability standingOn(const std::vector<SeatPiece>& seat, const Eigen::Vector3d& centre);
 
-// `seat` holds the pieces that may lie on the cradle. Pieces within `nearest` mm count as lying on
-// it; padded pieces within `nearest` + `padding`. `painted` is the surface that film reaches; may
-// be null.
+// Checks a cradle. `seat` holds the pieces that may lie on the cradle. A piece within `nearest` mm
+// counts as lying on it; a padded piece, within `nearest` + `padding`. `painted` is the surface
+// that film reaches; may be null.
 CradleCheck checkCradle(const TriangleMesh& cradle, const TriangleMesh& body,
                         const SurfaceQuery& bodyQuery, const SurfaceQuery* painted,
                         const std::vector<SeatPiece>& seat, double nearest, double padding,

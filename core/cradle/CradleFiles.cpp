@@ -13,7 +13,7 @@ constexpr qsizetype stlHeader = 80;
 const QString coreNamespace =
     QStringLiteral("http://schemas.microsoft.com/3dmanufacturing/core/2015/02");
 
-// Tells a reader the type of each file in the package, and which file is the model.
+// The type of each kind of file in the package.
 constexpr char contentTypes[] =
     R"(<?xml version="1.0" encoding="UTF-8"?>
 <Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
@@ -21,6 +21,7 @@ constexpr char contentTypes[] =
  <Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/>
 </Types>
 )";
+// Names the file in the package that is the model.
 constexpr char relationships[] =
     R"(<?xml version="1.0" encoding="UTF-8"?>
 <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">

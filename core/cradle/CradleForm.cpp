@@ -16,7 +16,7 @@ struct Text {
 };
 
 constexpr double farAway = 1e3;     // mm; larger than any distance that matters
-constexpr int freeCells = 2;        // free cells round the cradle
+constexpr int freeCells = 2;        // number of free cells round the cradle
 constexpr double leastShare = 1e-3; // in cells: least distance of the surface from a sample
 
 // Computes the distance from a surface and from the space that it sweeps when it moves down. Query
@@ -26,8 +26,8 @@ public:
     SweptDistance(const SurfaceQuery* query, const TriangleMesh* mesh, double within)
         : query_(query), mesh_(mesh), within_(within) {}
 
-    // Returns the distance at the next place down; exact up to `within`. `atLeast` is a known lower
-    // bound of the distance from the surface.
+    // Returns the distance at `place`, which must be the next place down; exact up to `within`.
+    // `atLeast` is a known lower bound of the distance from the surface.
     double next(const Eigen::Vector3f& place, double atLeast, bool isInside) {
         if (!query_ || atLeast >= within_ || least_ < -within_) {
             return least_;
@@ -35,7 +35,8 @@ public:
         const ClosestPoint nearest = query_->closest(place, float(within_));
         if (nearest.point.isValid()) {
             const Eigen::Vector3f there = position(*mesh_, nearest.point) - place;
-            // A point higher up passes this place on its way down, at its horizontal distance.
+            // A point of the surface that is higher up passes this place on its way down; their
+            // distance is then horizontal.
             const double away = isInside         ? -double(nearest.distance)
                                 : there.y() >= 0 ? double(std::hypot(there.x(), there.z()))
                                                  : double(nearest.distance);
@@ -64,7 +65,8 @@ public:
         }
     }
 
-    // Fills `values` with the seat along one column, from the bottom; negative in the seat.
+    // Fills `values` with the distance from the seat along one column, from the bottom; negative in
+    // the seat.
     void fillColumn(const DistanceField& grid, int i, int k, std::vector<double>& values) const {
         SweptDistance body(&body_.query, &body_.mesh, within_);
         SweptDistance film(film_ ? &*film_ : nullptr, &side_.film, distances_.film + grid.spacing);
@@ -84,7 +86,7 @@ public:
                           distances_.earlierPaint - fromPaint, away - distances_.outer,
                           distances_.lowest - place.y()});
         }
-        // All material continues up to the plate, so that it is attached.
+        // All material continues up to the plate, so that no piece is loose.
         for (std::size_t j = 1; j < values.size(); ++j) {
             values[j] = std::min(values[j], values[j - 1]);
         }
@@ -103,7 +105,7 @@ private:
 // One number per column of a grid, at index k·columns + i.
 using OverColumns = std::vector<double>;
 
-// Returns the y at which a column becomes filled, from below; `none` if it stays empty.
+// Returns the lowest y at which a column is filled; `none` if the column stays empty.
 double lowestFilled(const DistanceField& grid, const std::vector<double>& values, double none) {
     for (std::size_t j = 0; j < values.size(); ++j) {
         if (values[j] < 0) {
@@ -114,7 +116,7 @@ double lowestFilled(const DistanceField& grid, const std::vector<double>& values
     return none;
 }
 
-// Returns, per column, the highest number within `reach` columns of it.
+// Returns, per column, the highest of the numbers within `reach` columns of it.
 OverColumns highestRound(const OverColumns& values, int columns, int rows, int reach) {
     OverColumns result(values.size());
     parallelFor(0, rows, [&](int k) {

@@ -10,21 +10,21 @@ namespace dipwright {
 // Distances in mm that a cradle keeps from surfaces. They also apply to the space that a surface
 // sweeps when the body moves down and out.
 struct CradleDistances {
-    double body = 0;         // from the whole body
-    double earlierPaint = 0; // from FilmSide::earlierPaint
-    double film = 0;         // from FilmSide::film
-    double outer = 0;        // from the body, beyond which there is no material
+    double body = 0;         // distance from the whole body
+    double earlierPaint = 0; // distance from FilmSide::earlierPaint
+    double film = 0;         // distance from FilmSide::film
+    double outer = 0;        // farthest distance of material from the body
     double lowest = 0;       // y below which there is no material
 };
 
-// Returns a field that is negative in the cradle. Near the surface its value is about the distance
-// from it, mm. `cell` is the grid's spacing. The grid extends past the cradle on all sides. Uses
-// all cores; deterministic. Throws Cancelled.
+// Returns a field that is negative in the cradle. Near the surface, a value is about the distance
+// from the surface, mm. `cell` is the grid's spacing. The grid extends past the cradle on all
+// sides. Uses all cores; deterministic. Throws Cancelled.
 DistanceField cradleForm(const HeldDip& dip, const CradleSettings& settings, const FilmSide& side,
                          const CradlePlate& plate, const CradleDistances& distances, double cell,
                          const Progress& progress);
 
-// Returns about how many samples that grid has.
+// Returns roughly the number of samples of the grid of cradleForm().
 double formSamples(const CradlePlate& plate, double lowest, double cell);
 
 } // namespace dipwright

@@ -151,7 +151,7 @@ double EngravedArea::inside(const Eigen::Vector2d& place) const {
     if (lines_.empty() || box_.exteriorDistance(place) >= 1) {
         return -1;
     }
-    double nearest = 1; // squared
+    double nearest = 1; // squared distance to the nearest line
     bool isInside = false;
     for (const Line& line : lines_) {
         const Eigen::Vector2d along = line.to - line.from, there = place - line.from;

@@ -1,5 +1,5 @@
-// Lays out the plate over a seat, seen from above: outline, holes and engraving. All in the pose
-// frame, x and z, mm.
+// Lays out the plate over a seat, seen from above: outline, holes and engraving. Positions are
+// x and z in the pose frame, mm.
 #pragma once
 
 #include "cradle/Cradle.h"
@@ -26,7 +26,7 @@ struct CradlePlate {
     // room, or if engraving is switched off.
     QPainterPath engraving;
 
-    // Distance from the outline, mm; negative inside.
+    // Returns the distance from the outline, mm; negative inside.
     double outside(const Eigen::Vector2d& place) const;
 };
 
@@ -39,7 +39,7 @@ CradlePlate cradlePlate(const HeldDip& dip, const CradleSettings& settings,
 class EngravedArea {
 public:
     explicit EngravedArea(const QPainterPath& path);
-    // Returns the distance from the path's outline, mm; positive inside. At least −1.
+    // Returns the distance from the path's outline, mm; positive inside, and at least −1.
     double inside(const Eigen::Vector2d& place) const;
 
 private:

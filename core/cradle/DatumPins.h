@@ -16,8 +16,8 @@ struct Sheet;
 // With three pins instead of four, nothing can be mounted the wrong way round.
 struct DatumPins {
     std::array<Eigen::Vector2d, 3> marks; // registration marks of the floating sheet
-    // On the lines from the film's middle to the marks; closer to the middle if the plate would be
-    // too large.
+    // The pins lie on the lines from the film's middle to the marks. They are closer to the middle
+    // than the marks if the plate would otherwise be too large.
     std::array<Eigen::Vector2d, 3> pins;
     // Distance of the pins from the middle, as a share of the distance of the marks.
     double share = 1;

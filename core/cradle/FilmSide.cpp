@@ -16,7 +16,8 @@ struct Text {
 
 enum class Side : std::uint8_t { Dry, Film, EarlierPaint };
 
-// A piece of a body triangle, similar to it. Its corners are weights in the triangle.
+// A piece of a body triangle, with the triangle's shape. Its corners are barycentric weights in the
+// triangle.
 struct Piece {
     std::uint32_t triangle = 0;
     std::array<Eigen::Vector3f, 3> corners;

@@ -10,19 +10,20 @@
 
 namespace dipwright {
 
-// A body's surface in small pieces, sorted by which dip paints it. In the pose frame of this dip.
+// A body's surface in small pieces, sorted by which dip paints it, in the pose frame of this dip.
 struct FilmSide {
     // The surface that this dip's film reaches or may reach: all that it paints, and every face
     // under the final waterline that turns up by no more than the overhang.
     TriangleMesh film;
     TriangleMesh earlierPaint; // the rest of the surface that earlier dips paint
-    // The pieces that may lie on a cradle: visible from above, and far enough from the two surfaces
-    // above.
+    // The pieces that may lie on a cradle: visible from above, and far enough from `film` and
+    // `earlierPaint`.
     std::vector<SeatPiece> seat;
 };
 
-// `edge` is the longest side of a piece, mm. The seat keeps `filmDistance` from the film and
-// `earlierDistance` from earlier paint, mm; without `earlierDistance` it may touch that paint.
+// Sorts the surface. `edge` is the longest side of a piece, mm. The seat keeps `filmDistance` from
+// the film and `earlierDistance` from earlier paint, mm. Without `earlierDistance` the seat may
+// touch earlier paint.
 FilmSide filmSide(const LaidFilm& film, const std::vector<const LaidFilm*>& earlier,
                   const ProcessSettings& process, double edge, double filmDistance,
                   std::optional<double> earlierDistance, const Progress& progress);

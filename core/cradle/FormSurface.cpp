@@ -13,7 +13,7 @@
 namespace dipwright {
 namespace {
 
-// Shares the form's values, which must outlive the image.
+// Returns an image that refers to the form's values; they must outlive it.
 vtkNew<vtkImageData> imageOf(const DistanceField& form) {
     vtkNew<vtkFloatArray> values;
     values->SetArray(const_cast<float*>(form.distance.data()), vtkIdType(form.distance.size()), 1);
@@ -36,7 +36,7 @@ TriangleMesh meshOf(vtkPolyData& surface) {
         vtkIdType count = 0;
         const vtkIdType* corners = nullptr;
         triangles->GetCurrentCell(count, corners);
-        // The filter takes higher values for the inside; here they are outside.
+        // The filter expects higher values inside; here they are outside.
         mesh.triangles.push_back(
             {std::uint32_t(corners[0]), std::uint32_t(corners[2]), std::uint32_t(corners[1])});
     }

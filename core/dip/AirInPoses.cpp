@@ -11,11 +11,13 @@ namespace dipwright {
 namespace {
 
 constexpr int cells = 40;
-// On a grid that is tilted against the layers, a way up a slope varies by one layer. A chamber of
-// depth 1 may therefore be an artefact.
+// Least depth of a chamber that counts, in layers. The layers are tilted against the grid, so a
+// path along a slope goes up and down by one layer. A chamber of depth 1 may therefore be an
+// artefact.
 constexpr int leastDepth = 2;
 constexpr int leastPoints = 8;
-constexpr float offSurface = 0.02f; // in cells: distance from a face to the air in front of it
+// In cells: distance in front of a face at which the air is looked up.
+constexpr float offSurface = 0.02f;
 constexpr std::uint32_t noPoint = std::numeric_limits<std::uint32_t>::max();
 
 } // namespace

@@ -1,5 +1,5 @@
-// Estimates where a model would trap air in any pose. The estimate is coarse and serves to choose
-// among poses. A dip itself uses AirPockets.h.
+// Estimates where a model would trap air in any pose. The estimate is coarse; it is used to choose
+// between poses. A dip itself uses AirPockets.h.
 #pragma once
 
 #include "geometry/TriangleMesh.h"

@@ -12,11 +12,13 @@ namespace dipwright {
 
 namespace {
 
-constexpr int halvings = 7; // bisection steps within a cell, for a level
-// Points per chamber that decide whether it is inside the body.
+constexpr int halvings = 7; // number of bisection steps that find a level within a cell
+// Largest number of points of a chamber that are tested. The chamber is inside the body if most of
+// them are.
 constexpr std::size_t triedPoints = 33;
 constexpr std::size_t mostPockets = std::numeric_limits<std::uint16_t>::max();
-constexpr float offSurface = 0.02f; // in cells: distance from a face to the air in front of it
+// In cells: distance in front of a face at which the air is looked up.
+constexpr float offSurface = 0.02f;
 
 bool isLargeEnough(const AirChamber& chamber) {
     return chamber.points >= leastPocketPoints && chamber.depth() >= leastPocketDepth;
@@ -61,8 +63,8 @@ std::map<std::uint32_t, AirChamber> hollows(const SpaceGrid& grid, const AirSwee
     return chambers;
 }
 
-// Finds the level of pockets between two layers of the grid by bisection. It moves a test layer up
-// and down between them and checks whether a way leads out in it.
+// Finds the levels of pockets between two layers of the grid by bisection. It moves a test layer up
+// and down between them and checks whether the air finds a way out within the test layer.
 class LevelSearch {
 public:
     // `lower` is the grid layer in which the pockets open, counted from below.
@@ -98,8 +100,8 @@ private:
         }
     }
 
-    // Marks the steps along an axis that cross the surface, in the layer `height` above the lower
-    // one.
+    // Marks the grid edges along an axis that cross the surface. The edges are moved to the layer
+    // `height` above the lower one.
     std::vector<std::uint8_t> crossings(int axis, float height) const {
         std::vector<std::uint8_t> crossed(columns_, 0);
         const auto width = std::size_t(grid_.size()[0]);
@@ -118,7 +120,7 @@ private:
         return crossed;
     }
 
-    // Whether the chamber's air reaches the open in the layer `height` above the lower one.
+    // Whether the chamber's air reaches the open within the layer `height` above the lower one.
     bool leadsOut(std::uint32_t chamber, float height) const {
         enum class Air : std::uint8_t { Unknown, Inside, Open };
         // Numbered from the top, as in AirSweep.
@@ -169,7 +171,7 @@ private:
     const SurfaceQuery& query_;
     int lower_;
     std::size_t columns_;
-    // Per point of the lower layer: the height of the highest surface hit between the two layers.
+    // Per point of the lower layer: height of the highest surface hit between the two layers.
     std::vector<float> ceiling_;
 };
 

@@ -16,15 +16,16 @@ namespace dipwright {
 
 class SpaceGrid;
 
-// Number of cells along the body's longest edge, of the grid on which air is sought.
+// Default number of grid cells along the body's longest edge for the search for air.
 inline constexpr int airCells = 96;
-// A pocket must be at least this many cells deep and contain at least this many grid points.
+// Smallest depth of a pocket, in cells.
 inline constexpr int leastPocketDepth = 2;
+// Smallest number of grid points in a pocket.
 inline constexpr int leastPocketPoints = 32;
 
 struct AirPocket {
-    double level = 0; // y of the water under it, mm
-    BoundingBox box;  // round its grid points, one cell wider on every side
+    double level = 0; // y of the water surface under the pocket, mm
+    BoundingBox box;  // bounding box of its grid points, one cell wider on every side
 };
 
 // The air pockets of a body, in the frame of its mesh; +Y is up. Hollows and ways out narrower than

@@ -8,8 +8,8 @@ namespace dipwright {
 
 namespace {
 
-// Chambers of air, as disjoint sets that merge while the water sinks. A chamber that has opened is
-// no longer merged, so its points remain known.
+// Chambers of air, as disjoint sets of grid points that merge while the water sinks. A chamber that
+// has opened is no longer merged, so its set of points stays known.
 class Chambers {
 public:
     explicit Chambers(std::size_t count) : parent_(count), opensIn_(count, AirSweep::never) {
@@ -41,7 +41,7 @@ public:
 
 private:
     std::vector<std::uint32_t> parent_;
-    std::vector<int> opensIn_; // per root
+    std::vector<int> opensIn_; // per root of a set: the layer in which the chamber opens
 };
 
 // Returns the points in the order of their layers, by counting sort.
@@ -88,7 +88,7 @@ AirSweep sweepAir(const SpaceGrid& grid, const Eigen::Vector3f& up) {
     for (const std::uint32_t point : fromTheTop(sweep.layer, layers)) {
         const int layer = sweep.layer[point];
         if (isOnBorder[point] != 0) {
-            chambers.open(point, layer); // the grid ends outside the body
+            chambers.open(point, layer); // points on the grid's border are outside the body
         }
         // Stepping past the grid's end from a border point wraps round to another border point.
         // That is harmless, since all border points are open.

@@ -9,15 +9,17 @@
 namespace dipwright {
 
 // The grid points are divided into horizontal layers, one cell high and numbered from the top. The
-// sweep lowers the water layer by layer. Air at a point "opens" in the first layer at which it has
-// a way out that goes no lower.
+// sweep lowers the water layer by layer. Air at a point "opens" in the first layer for which it has
+// a way out that goes no lower than that layer.
 struct AirSweep {
     static constexpr int never = 0x7fffffff;
 
-    std::vector<int> layer;   // per point: the layer that it is in
-    std::vector<int> opensIn; // per point; `never` inside the body and its closed voids
-    // Per point: points with the same value are connected through air down to the layer in which
-    // they open.
+    std::vector<int> layer; // per grid point: its layer
+    // Per grid point: the layer in which its air opens; `never` inside the body and in closed
+    // voids.
+    std::vector<int> opensIn;
+    // Per grid point: the number of its chamber. The air of a chamber is connected above the bottom
+    // of the layer in which the chamber opens.
     std::vector<std::uint32_t> chamber;
     // A point that opens below its own layer is in a pocket.
     bool isTrapped(std::size_t point) const {
@@ -25,17 +27,17 @@ struct AirSweep {
     }
 };
 
-// `up` is a unit vector in the grid's coordinates.
+// Sweeps the grid. `up` is a unit vector in the grid's coordinates.
 AirSweep sweepAir(const SpaceGrid& grid, const Eigen::Vector3f& up);
 
 // The trapped points of one chamber.
 struct AirChamber {
     int points = 0;
-    int top = AirSweep::never; // its highest layer
+    int top = AirSweep::never; // its highest layer, which has the smallest number
     int opensIn = 0;
     int depth() const { return opensIn - top; } // layers
 };
-// Keyed by AirSweep::chamber.
+// Returns the chambers with trapped air, keyed by AirSweep::chamber.
 std::map<std::uint32_t, AirChamber> trappedChambers(const AirSweep& sweep);
 
 } // namespace dipwright

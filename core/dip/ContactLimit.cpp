@@ -8,12 +8,13 @@ namespace dipwright {
 
 namespace {
 
-// In cells: largest distance from the body of film between two places on it.
-constexpr float offBody = 0.1f;
+// In cells: film between two places on the body counts as held up to this distance from the body.
+constexpr float largestGap = 0.1f;
 constexpr int stepsOfACell = 8;
-// The limit keeps this share of a side away from the corners, so that every triangle has one.
+// The limit keeps at least this share of a side's length away from the side's ends. Thus the linear
+// function limit() exists for every triangle.
 constexpr float leastShare = 1e-3f;
-// The solver's contact ends up to this many cells before the limit.
+// The contact that the solver reports ends up to this many cells before the limit.
 constexpr int rings = 2;
 constexpr int triedPlaces = 8;
 constexpr int halvings = 10;
@@ -71,9 +72,10 @@ private:
         }
     }
 
-    // Returns where a floating point would lie if the film continued past its last two points on
-    // the body. This is the mean over all directions that lead to it. Returns nothing if no
-    // direction does, or if the film is near that place without touching the body.
+    // Returns where a floating film point would lie if the film continued past its last two points
+    // on the body. If several grid directions lead to the point, returns the mean of their results.
+    // Returns nothing if no direction does, or if the point floats near that place without touching
+    // the body.
     std::optional<Eigen::Vector3f> continuedPlace(std::uint32_t point) const {
         if (film_.states[point] != solver::PointState::Free || state_[point] != Reach::None ||
             contact_.surface[point].isValid()) {
@@ -111,8 +113,8 @@ private:
         return hangs ? std::optional(place) : std::nullopt;
     }
 
-    // Continues the step from `before` to `near` by the same length along the body; straight on
-    // where the body ends.
+    // Returns the place one step past `near` along the body. The step is as long as the distance
+    // from `before` to `near`. Where the body ends, the rest of the step goes straight on.
     Eigen::Vector3f continued(const Eigen::Vector3f& before, const Eigen::Vector3f& near) const {
         const float step = (near - before).norm() / stepsOfACell;
         Eigen::Vector3f place = near;
@@ -151,7 +153,7 @@ private:
                !principalStretch(film_.grid, triangle, {a, b, c}).isTorn(mostStretch_);
     }
 
-    // Returns corner values of a linear function that is zero where the limit crosses the
+    // Returns the corner values of a linear function that is zero where the limit crosses the
     // triangle's sides.
     Eigen::Vector3f limit(const FilmTriangle& triangle) const {
         const auto isPast = [&](std::size_t corner) {
@@ -179,7 +181,7 @@ private:
         return result;
     }
 
-    // Returns which share of the way from a point on the body to a point past the limit is on the
+    // Returns which share of the line from a held point to a point past the limit is held by the
     // body.
     float shareOnBody(std::uint32_t from, std::uint32_t past) const {
         const Eigen::Vector3f& start = contact_.places[from];
@@ -201,10 +203,11 @@ private:
         return std::clamp(held, leastShare, 1 - leastShare);
     }
 
-    // Whether the body holds film at `place`, if the film continues towards `point`.
+    // Whether the body holds the film at `place` if the film continues towards `point`.
     bool isHeld(const Eigen::Vector3f& place, std::uint32_t point) const {
         const float water = film_.positions[point].y();
-        const ClosestPoint under = query_.closest(place, offBody * cellOfPoint(film_.grid, point));
+        const ClosestPoint under =
+            query_.closest(place, largestGap * cellOfPoint(film_.grid, point));
         return under.point.isValid() && position(mesh_, under.point).y() <= water &&
                normal(under.point).y() <= steepest_ && !body_.isDry(under.point);
     }

@@ -12,15 +12,16 @@ namespace dipwright {
 namespace {
 
 constexpr double samplesPerFilmCell = 4;
-constexpr int mostPieces = 64; // per side of a triangle, so its square limits the samples
+// Number of samples along a side of a triangle; its square limits the samples per triangle.
+constexpr int mostPieces = 64;
 constexpr int samplesOfBody = 40'000;
 
 // Result of the samples of one body triangle.
 struct TriangleCover {
     double painted = 0; // mm²
     MarkedArea marked;
-    std::uint8_t marks = 0; // that apply to at least half of the painted area
-    bool isCovered = false; // at least half of it is painted
+    std::uint8_t marks = 0; // the marks that apply to at least half of the painted area
+    bool isCovered = false; // at least half of the triangle is painted
 };
 
 TriangleCover triangleCover(const LaidFilm& laid, std::size_t triangle, double sampleArea) {

@@ -15,7 +15,7 @@ struct Coverage {
     double paintedArea = 0; // mm²
     MarkedArea marked;      // the part of paintedArea that marked film paints
     double share = 0;       // painted share of the surface, 0 … 1
-    TrappedAir trappedAir;  // film cannot reach the surface there
+    TrappedAir trappedAir;  // air pockets, whose walls film cannot reach
 };
 
 // Computes the coverage of one dip from samples: about four per film cell area, at least one per

@@ -17,8 +17,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Interval between calls of the observer, and the minimum number of calls in a short dip.
+// Interval between calls of the observer.
 constexpr auto observerInterval = std::chrono::milliseconds(33);
+// Least number of calls of the observer in a short dip.
 constexpr int leastObservations = 24;
 
 struct Text {
@@ -118,8 +119,8 @@ private:
         seconds_ += seconds;
         return seconds;
     }
-    // Takes as many steps at once as last about a millisecond. Calling a GPU for every single step
-    // would cost more than the step.
+    // Takes a batch of steps that lasts about a millisecond. Calling a GPU for every single step
+    // would cost more time than the step itself.
     void advance() {
         constexpr int mostSteps = 1024;
         constexpr double shortest = 0.5e-3, longest = 2e-3; // s
@@ -206,7 +207,8 @@ solver::DipSetup dipSetup(const PosedBody& body, const FilledField& field,
 
 namespace {
 
-// Assumes that each point was touched when its place on the body reached the water.
+// Returns, per film point, how much the film had grown when the point was touched. Assumes that
+// this happened when the point's place on the body reached the water.
 std::vector<float> grownWhenTouched(const DippedFilm& film, const solver::DipSetup& setup,
                                     const Immersion& immersion) {
     std::vector<float> grown;

@@ -13,12 +13,12 @@
 
 namespace dipwright {
 
-// Builds the solver's input. The first overload chooses the film's points by filmUnderBody(); the
-// second uses `grid`, which must be of the same film. `field` must be of the body and outlive the
-// dip.
+// Builds the solver's input. filmUnderBody() chooses the film's points. `field` must be of the body
+// and outlive the dip.
 solver::DipSetup dipSetup(const PosedBody& body, const FilledField& field,
                           const Immersion& immersion, const FilmSettings& film,
                           const ProcessSettings& process);
+// Builds the solver's input with the film points of `grid`, which must be of the same film.
 solver::DipSetup dipSetup(const PosedBody& body, const FilledField& field,
                           const Immersion& immersion, const FilmSettings& film,
                           const solver::FilmGrid& grid, const ProcessSettings& process);
@@ -35,8 +35,8 @@ bool isStable(const DippedFilm& film, double travel);
 
 // Runs the dip on `module`. `field` is the distance field of the body. The working thread calls
 // `observer` (may be empty) about thirty times a second, and more often in very short dips. Throws
-// Error if the solver fails or the body does not meet the film. Throws Cancelled within one step,
-// or within a few milliseconds of steps.
+// Error if the solver fails or the body does not meet the film. When cancelled, finishes the
+// running batch of steps (a few milliseconds, or one step) and throws Cancelled.
 DippedFilm simulateDip(const PosedBody& body, const DistanceField& field,
                        const Immersion& immersion, const FilmSettings& film,
                        const ProcessSettings& process, const solver::SolverModule& module,

@@ -12,7 +12,7 @@ namespace {
 
 // Depth in the filled body up to which distances are computed, in cells.
 constexpr int exactCells = 5;
-// Distances spread by one sample per iteration; the rest lets them settle.
+// Each iteration spreads distances by one sample. The remaining iterations let them converge.
 constexpr int iterations = 2 * exactCells + 2;
 // In cells: a new distance replaces the body's own one only if it is larger by this much.
 constexpr float clearlyMore = 0.25f;
@@ -76,7 +76,7 @@ private:
         });
     }
 
-    // Returns the range of samples in the pockets, round them and below them down to the field's
+    // Returns the range of samples in and round the pockets, and from there down to the field's
     // end.
     Eigen::AlignedBox<std::ptrdiff_t, 3> changedBox() const {
         const double bottom = -(own_.size[0] + own_.size[1] + own_.size[2]) * own_.spacing;
@@ -104,9 +104,9 @@ private:
         return box;
     }
 
-    // Returns the distance from the filled body for a place outside the body. `own` is its distance
-    // from the body. The result is negative in a pocket. Below a pocket it is at most the distance
-    // to its level.
+    // Returns how far a place outside the body is from the filled body. `own` is the place's
+    // distance from the body itself. The result is negative in a pocket. Below a pocket it is at
+    // most the distance to the pocket's level.
     float filledOver(float own, const Eigen::Vector3f& place) const {
         if (body_.air.at(place, body_.query)) {
             return -deepest_;

@@ -1,5 +1,5 @@
-// Makes the distance field for a solver: the body together with its air pockets, since both keep
-// film away.
+// Makes the distance field for a solver. The field covers the body together with its air pockets,
+// since both keep film away.
 #pragma once
 
 #include "dip/Pose.h"
@@ -10,8 +10,8 @@ namespace dipwright {
 // A body's distance field in which every sample in an air pocket counts as inside. Film floats on
 // the water under a pocket, at the pocket's level; the filled body has a flat face there. Only
 // samples in the pockets, in the walls round them and below their levels differ from the body's own
-// field. Near the surface they are exact outside the filled body. In walls and air they are
-// first-order accurate in the field's cell size. A body without pockets keeps its own field.
+// field. Outside the filled body, such samples are exact near the surface. In walls and air pockets
+// they are first-order accurate in the cell size. A body without pockets keeps its own field.
 class FilledField {
 public:
     // `own` is the body's field in model coordinates. It must outlive this object if the body has

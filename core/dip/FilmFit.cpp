@@ -16,7 +16,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Dip)
 };
 
-// Returns the length of a printed film that extends past both places on the water.
+// Returns the length of a printed film that extends past both `low` and `high` after swelling, mm.
 double lengthFor(double low, double high, double swell) {
     constexpr double step = 10, rim = 10; // mm
     return step * std::ceil(2 * (std::max(std::abs(low), std::abs(high)) + rim) / (swell * step));

@@ -10,17 +10,18 @@
 
 namespace dipwright {
 
-// Returns the smallest printed film that extends at least 10 mm past the body, in steps of 10 mm.
-// `outline` is the body's outline on the water, its offset included. Returns nothing if that film
-// would be larger than largestFilm.
+// Size of a printed film, mm.
 struct FilmSize {
     double width = 0, height = 0;
 };
+// Returns the smallest printed film that extends at least 10 mm past the body, in steps of 10 mm.
+// `outline` is the body's outline on the water, its offset included. Returns nothing if that film
+// would be larger than largestFilm.
 std::optional<FilmSize> smallestFilm(const Eigen::AlignedBox2d& outline, const FilmSettings& film);
 
 inline constexpr double largestFilm = 3000; // mm along each side; limit of film.size_mm
 
-// Returns the advice to use such a film, as the last clause of a sentence.
+// Returns the advice to use a film of that size, as the last clause of a sentence.
 QString adviceOnFilm(const Eigen::AlignedBox2d& outline, const FilmSettings& film);
 
 // Throws Error if the body reaches past the film on all four sides, because no film could then wrap

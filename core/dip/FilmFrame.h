@@ -15,7 +15,7 @@ struct FilmFrame {
     // Coordinates x, y, z of each point in the world frame (waterline y = 0), mm.
     std::span<const float> positions;
     std::span<const solver::PointState> states;
-    double descent = 0; // mm; the body's lowest point is at startHeight − descent
+    double descent = 0; // of the body, mm; its lowest point is at startHeight − descent
     std::int64_t steps = 0;
 };
 using FilmObserver = std::function<void(const FilmFrame&)>;

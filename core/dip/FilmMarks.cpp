@@ -18,7 +18,7 @@ QString squareMillimetres(double area) {
 
 } // namespace
 
-std::optional<solver::PointMark> gravestMark(std::uint8_t marks) {
+std::optional<solver::PointMark> mostSeriousMark(std::uint8_t marks) {
     const auto* gravest = std::find_if(filmMarks.begin(), filmMarks.end(),
                                        [&](solver::PointMark mark) { return has(marks, mark); });
     return gravest == filmMarks.end() ? std::nullopt : std::optional(*gravest);

@@ -11,19 +11,20 @@
 
 namespace dipwright {
 
-// The most serious first.
+// The marks that count, the most serious first.
 inline constexpr std::array<solver::PointMark, 3> filmMarks{
     solver::PointMark::Torn, solver::PointMark::Unbalanced, solver::PointMark::LetGo};
 
 // Returns the most serious of the marks in these solver::PointMark bits; nothing if there are none.
-std::optional<solver::PointMark> gravestMark(std::uint8_t marks);
+std::optional<solver::PointMark> mostSeriousMark(std::uint8_t marks);
 // Returns the bitwise or of the marks of all film that paints.
 std::uint8_t paintedMarks(const LaidFilm& laid);
 
 // The area of the body that marked film paints, mm².
 struct MarkedArea {
-    double any = 0;
-    // In the order of filmMarks; may overlap, as film can have several marks.
+    double any = 0; // area of film with at least one mark
+    // Area of each mark, in the order of filmMarks. The areas may overlap, as film can have several
+    // marks.
     std::array<double, filmMarks.size()> each{};
 
     void add(std::uint8_t marks, double area);

@@ -9,11 +9,11 @@ namespace dipwright {
 
 namespace {
 
-// Cosine between the film's normal, which points into the body, and the body's outward normal.
-// Above it, the film lies on another side of the body.
+// Film lies on another side of the body if the cosine between its normal and the body's outward
+// normal is larger than this. The film's normal points into the body.
 constexpr float otherSide = -0.05f;
 
-// Weights up to this count as zero: the place is on an edge or in a corner.
+// Barycentric weights up to this count as zero; the place is then on an edge or in a corner.
 constexpr float noWeight = 1e-5f;
 
 // Share of reach_ that is searched first. Film on the body is usually that close, and a short
@@ -30,7 +30,8 @@ std::vector<std::uint32_t> reachedTriangles(const FilmContact& contact) {
     return reached;
 }
 
-// Uses places on the body itself, since film may stop one contact distance before it.
+// Returns a mesh of the film that paints. It uses the places on the body, since film points may
+// stop one contact distance before the body.
 TriangleMesh paintedMesh(const FilmContact& contact, const std::vector<FilmTriangle>& triangles,
                          const std::vector<std::uint32_t>& reached) {
     TriangleMesh painted{contact.places, {}};
@@ -94,7 +95,7 @@ float FilmOnBody::cell(const SurfacePoint& onFilm) const {
     return cellOfTriangle(grid_, filmTriangle_[onFilm.triangle]);
 }
 
-// Whether film at `distance` from a place covers it.
+// Whether film covers a place of the body that is `distance` away.
 bool FilmOnBody::fits(const SurfacePoint& onFilm, float distance,
                       const Eigen::Vector3f& outward) const {
     return onFilm.isValid() && distance <= cell(onFilm) &&
@@ -114,7 +115,7 @@ bool FilmOnBody::isOnBorder(const SurfacePoint& onFilm) const {
     return false;
 }
 
-// Whether the nearest place of the film is on its border and the queried place is beyond it.
+// Whether the nearest place of the film is on the film's border and the queried place is beyond it.
 bool FilmOnBody::isBeyondBorder(const SurfacePoint& onFilm, const Eigen::Vector3f& offset,
                                 const Eigen::Vector3f& outward) const {
     const float sideways = (offset - offset.dot(outward) * outward).norm();

@@ -28,10 +28,12 @@ private:
     const solver::FilmGrid& grid_;
     const FilmContact& contact_;
     const TriangleMesh& body_;
-    std::vector<std::uint32_t> filmTriangle_; // per triangle of painted_
+    std::vector<std::uint32_t> filmTriangle_; // per triangle of painted_: the film triangle
     TriangleMesh painted_;
-    std::vector<Eigen::Vector3f> bodyNormals_, paintedNormals_; // per triangle
-    std::vector<std::uint32_t> opposite_;     // per edge of painted_; noEdge at the border
+    // Per triangle of body_ and of painted_.
+    std::vector<Eigen::Vector3f> bodyNormals_, paintedNormals_;
+    // Per edge of painted_: the opposite edge; noEdge at the border.
+    std::vector<std::uint32_t> opposite_;
     std::vector<std::uint8_t> isBorderPoint_; // per film point
     SurfaceQuery query_;                      // of painted_
     float reach_;                             // size of the largest film cell that paints, mm

@@ -11,23 +11,23 @@ namespace dipwright {
 
 namespace {
 
-// Largest distance of an edge's middle from the surface, as a share of the edge's length. Outside
-// the body, the edge spans a hollow that the film does not follow; a longer edge does not make it
-// shallower. Inside, the edge cuts off an edge of the body; at the limit it would pass through the
-// body.
+// Film spans a hollow if the middle of its edge is farther outside the body than this share of the
+// edge's length. A longer edge does not make a hollow shallower.
 constexpr float spannedHollow = 0.15f;
+// The middle of a painted film triangle is closer to the surface than this share of the triangle's
+// longest edge. At this limit the film would pass through the body.
 constexpr float cutEdge = 0.5f;
-// Twice the area over the longest edge squared. Below this, film is folded so flat that its side is
-// unknown.
+// Least ratio of a film triangle's doubled area to its longest edge squared. Below it, the film is
+// folded so flat that its normal is unknown.
 constexpr float flat = 1e-3f;
 // In cells: film closer to the body than this touches it, even under an air pocket.
 constexpr float touching = 0.05f;
-// In cells: largest height of an air pocket above film that floats under it. In a displaced dip,
-// film may float that far below the level computed for the nominal pose.
+// In cells: film that is closer than this below an air pocket's level floats under the pocket. In a
+// displaced dip, film may float that far below the level computed for the nominal pose.
 constexpr float underAir = 2;
-// Cosines between the film's and the body's outward normals.
-constexpr float turnedAway = 0.1f;    // between film and the face that it lies on
-constexpr float foldedAcross = -0.9f; // between two faces under one film triangle
+// Cosines between outward normals.
+constexpr float turnedAway = 0.1f; // least value between painted film and the face that it lies on
+constexpr float foldedAcross = -0.9f; // least value between two faces under one film triangle
 
 // Whether film floats on the water under an air pocket. There is then air above it before any
 // surface.
@@ -43,8 +43,8 @@ bool isUnderAir(const Eigen::Vector3f& position, const PosedBody& body, float ce
     return false;
 }
 
-// Returns where a point lies that the solver reports as touching, possibly at a contact distance.
-// Invalid if the point touches air.
+// Returns the place on the body of a film point that the solver reports as touching. The point may
+// be a contact distance away from the body. Invalid if the point touches an air pocket.
 SurfacePoint surfacePoint(const Eigen::Vector3f& position, const Eigen::Vector3f& filmNormal,
                           const PosedBody& body, float cell) {
     const SurfaceQuery& query = body.query;
@@ -105,7 +105,7 @@ public:
         : mesh_(body.mesh), normals_(normals), query_(body.query), surface_(surface),
           steepest_(float(std::sin(radians(process.overhang)))) {}
 
-    // `cell` is the size of the triangle's cell.
+    // `cell` is the size of the film cell that contains the triangle, mm.
     bool isPainted(const FilmTriangle& triangle, float cell) const {
         return std::all_of(triangle.begin(), triangle.end(),
                            [&](std::uint32_t point) { return surface_[point].isValid(); }) &&
@@ -148,8 +148,8 @@ private:
                !spansHollow((c + a) / 2, intoBody, (a - c).norm(), deepest);
     }
     // Whether film spans a hollow at `place`, a mean of two or three places on the body that are
-    // `length` apart. It does if `place` is farther outside than `deepest` or than a share of
-    // `length`.
+    // `length` apart. Film spans one if `place` is farther outside the body than `deepest` or than
+    // spannedHollow · `length`.
     bool spansHollow(const Eigen::Vector3f& place, const Eigen::Vector3f& intoBody, float length,
                      float deepest) const {
         const ClosestPoint under = query_.closest(place, length);

@@ -11,15 +11,15 @@ namespace dipwright {
 
 // Finds the contact of a film with the body, in four steps:
 // - Each adhered film point gets the nearest point of the surface along the film's normal. If that
-//   ray misses, it gets the closest point. It gets none if it floats under an air pocket, or if its
-//   place is in one.
-// - A point without a place is interpolated if its neighbours on both sides have one, along its row
-//   and its column.
+//   ray misses, the film point gets the closest point. It gets none if it floats under an air
+//   pocket, or if its place is in one.
+// - A point without a place is interpolated from its neighbours along its row and its column. All
+//   four must have a place.
 // - A film triangle is painted if all its corners are on the body and it is not torn. It must not
 //   span a hollow, fold across the body, or lie on a face that turns up by more than
 //   `process.overhang`.
-// - These points end about one cell before the limit of contact. Isotropic film is extended to the
-//   limit; see ContactLimit.h.
+// - The painted film found so far ends about one cell before the limit of contact. Isotropic film
+//   is extended to the limit; see ContactLimit.h.
 // `film` is in the body's pose frame. Uses all cores; deterministic.
 FilmContact findFilmContact(const DippedFilm& film, const PosedBody& body,
                             const ProcessSettings& process);

@@ -18,18 +18,21 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Dip)
 };
 
-// Number of cells that a film needs across the body's narrow parts. The narrowest tenth of the
-// surface that meets the film may have fewer.
+// Number of cells that a film needs across the body's narrow parts.
 constexpr double cellsAcross = 8;
+// Share of the surface that meets the film; its narrowest parts, up to this share, may have fewer
+// cells across.
 constexpr double narrowestShare = 0.1;
-// Number of cells along the longest side of the body's shadow, whatever its thickness.
+// Least number of cells along the longest side of the body's shadow, whatever the body's thickness.
 constexpr double leastCellsAlong = 60;
 constexpr double mostCellsAlong = 150;
 constexpr double mostPoints = 500'000;
 constexpr int fewestLines = 8;
 constexpr double wantedSamples = 4'000;
-constexpr float steepest = 0.01f;   // faces that turn down by less count as upright
-constexpr double cellsOfMargin = 4; // beyond the film that is expected to be drawn in
+// Faces whose normals point down by less than this count as upright.
+constexpr float steepest = 0.01f;
+// Number of fine cells beyond the film that is expected to be drawn in.
+constexpr double cellsOfMargin = 4;
 
 double narrowest(std::vector<float> thickness) {
     if (thickness.empty()) {
@@ -40,7 +43,7 @@ double narrowest(std::vector<float> thickness) {
     return double(*nth);
 }
 
-// Returns how much of the body goes under water, mm from its lowest point.
+// Returns up to which height above its lowest point the body goes under water, mm.
 double wetHeight(const TriangleMesh& mesh, const Eigen::Isometry3f& toPose,
                  const ProcessSettings& process) {
     if (process.depth) {
@@ -93,8 +96,8 @@ Underside undersideOf(const PosedBody& body, const ProcessSettings& process) {
     return undersideOf(body.mesh, body.query, Eigen::Isometry3d::Identity(), process);
 }
 
-// Assumes that the extra film (the faces' area minus their shadow's) comes evenly from all sides of
-// a disc as large as the shadow.
+// The extra film is the difference between the faces' area and their shadow's area. The estimate
+// assumes that it comes evenly from all sides of a disc as large as the shadow.
 double drawIn(const Underside& underside) {
     const double round = 2 * std::sqrt(pi * underside.shadowArea);
     return round > 0 ? (underside.area - underside.shadowArea) / round : 0;
@@ -105,8 +108,8 @@ Millimetres automaticCell(const Underside& underside, const FilmSettings& film) 
     const double coarsest = longest / leastCellsAlong;
     const double wanted = underside.thickness > 0 ? underside.thickness / cellsAcross : coarsest;
     const solver::FilmGrid whole = filmGrid(film);
-    // Fine cell size at which a film that is as coarse as possible everywhere has mostPoints
-    // points.
+    // Smallest fine cell size that mostPoints allows: with it, a film with the coarsest allowed
+    // cells everywhere has mostPoints points.
     const double affordable = std::sqrt(whole.width * whole.depth / mostPoints) / coarsestCell;
     return Millimetres(
         std::max(std::clamp(wanted, longest / mostCellsAlong, coarsest), affordable));

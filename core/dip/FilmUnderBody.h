@@ -13,16 +13,18 @@ namespace dipwright {
 // The faces of a body that meet the film in a pose: they face down, no other face is below them,
 // and they go under water.
 struct Underside {
-    // Bounding box on the water of everything that goes under, mm; without the offset.
+    // Bounding box of the shadow on the water of everything that goes under, mm; without the
+    // offset.
     Eigen::AlignedBox2d shadow;
-    double area = 0;       // of the faces, mm²
-    double shadowArea = 0; // of their shadow on the water, mm²
-    // Thickness of the body that 90 % of the samples on these faces exceed, mm; 0 if there are
-    // none.
+    double area = 0;       // area of the faces, mm²
+    double shadowArea = 0; // area of the faces' shadow on the water, mm²
+    // Thickness of the body that 90 % of the samples on these faces exceed, mm; 0 if there are no
+    // samples.
     double thickness = 0;
 };
 
-// `query` must be of `mesh`. `toPose` maps coordinates of `mesh` to the pose frame.
+// Finds the underside of a body. `query` must be of `mesh`. `toPose` maps coordinates of `mesh` to
+// the pose frame.
 Underside undersideOf(const TriangleMesh& mesh, const SurfaceQuery& query,
                       const Eigen::Isometry3d& toPose, const ProcessSettings& process);
 Underside undersideOf(const PosedBody& body, const ProcessSettings& process);
@@ -30,19 +32,19 @@ Underside undersideOf(const PosedBody& body, const ProcessSettings& process);
 // Returns the cell size that a film needs over the body.
 Millimetres automaticCell(const Underside& underside, const FilmSettings& film);
 
-// Whether the grid of a film is adapted to the body. The paper's film never is.
+// Whether the grid of a film is adapted to the body. For the paper's film model it never is.
 bool isGraded(const FilmSettings& film);
 
-// Returns how far beyond its shadow a body is expected to draw film in, mm.
+// Returns how far beyond the body's shadow film is expected to be drawn in, mm.
 double drawIn(const Underside& underside);
 // Returns a graded film. Its cells have the size `cell` over the body's shadow, over the film drawn
-// in round it and over a margin of a few cells. `shadow` is Underside::shadow. Throws Error if it
-// would have more than maximumFilmGrid points.
+// in round the shadow, and over a margin of a few cells. `shadow` is Underside::shadow. Throws
+// Error if the film would have more than maximumFilmGrid points.
 solver::FilmGrid gradedFilm(const FilmSettings& film, const Eigen::AlignedBox2d& shadow,
                             double drawIn, Millimetres cell,
                             const std::array<Millimetres, 2>& offset);
-// Returns the film for a dip with the body at an offset; filmGrid() if it is not graded. Throws
-// like gradedFilm().
+// Returns the film for a dip with the body at an offset; filmGrid() if the film is not graded.
+// Throws like gradedFilm().
 solver::FilmGrid filmUnderBody(const FilmSettings& film, const Underside& underside,
                                const std::array<Millimetres, 2>& offset);
 

@@ -13,13 +13,14 @@ namespace dipwright {
 
 struct JigPart {
     std::shared_ptr<const TexturedMesh> model;
-    // Its name, rotation and the position of its middle on the jig, x and z.
+    // Name and rotation of the part, and the position of its middle on the jig (x and z).
     Immersion placed;
-    Millimetres height{0}; // of its lowest point above the lowest point of all parts
+    Millimetres height{0}; // height of its lowest point above the lowest point of all parts
 };
 
-// Names each material "PART: MATERIAL". Throws Error if there is no part, if there are more
-// materials than a model may have, or if the bounding boxes of parts overlap.
+// Returns all parts as one model, with materials named "PART: MATERIAL". Throws Error if there is
+// no part, if there are more materials than a model may have, or if the bounding boxes of parts
+// overlap.
 TexturedMesh jigModel(const std::vector<JigPart>& parts);
 
 } // namespace dipwright

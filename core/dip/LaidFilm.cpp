@@ -11,7 +11,7 @@ namespace dipwright {
 
 namespace {
 
-constexpr float rounding = 1e-4f; // tolerance of weights
+constexpr float rounding = 1e-4f; // tolerance of barycentric weights
 
 } // namespace
 

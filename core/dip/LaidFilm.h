@@ -38,14 +38,14 @@ public:
     const FilmContact& contact() const { return contact_; }
     // filmTriangles() of the grid.
     const std::vector<FilmTriangle>& triangles() const { return triangles_; }
-    // Per film triangle, painted or not.
+    // Principal stretches of each film triangle, painted or not.
     const std::vector<PrincipalStretch>& stretches() const { return stretches_; }
     const PaintedStretch& painted() const { return painted_; }
     // paintedPointAreas(), computed on first use because only ink compensation needs it.
     const std::vector<float>& pointAreas() const;
-    // Returns the solver::PointMark bits of a film triangle: the bitwise or of its corners that are
-    // on the body. Paint of marked film depends on a law that was never measured, or on film that
-    // did not converge.
+    // Returns the solver::PointMark bits of a film triangle: the bitwise or of the marks of its
+    // corners that are on the body. Paint of marked film is uncertain: it depends on a law that was
+    // never measured, or on film that did not converge.
     std::uint8_t marks(std::uint32_t triangle) const;
 
     // Returns the place on the flat film that paints `point` of the body; nothing if no film does.
@@ -79,9 +79,10 @@ std::shared_ptr<const LaidFilm> layFilm(std::shared_ptr<const PosedBody> body, D
 // itself near the edge.
 bool edgeIsOnBody(const LaidFilm& laid);
 
-// Returns the bounding box of the flat film that paints, in restPosition()'s frame, mm; empty if
-// none does. usedShare() returns its area as a share of the film, 0 … 1.
+// Returns the bounding box of the flat film that paints, in restPosition()'s frame, mm; empty if no
+// film paints.
 Eigen::AlignedBox2f usedFilm(const LaidFilm& laid);
+// Returns the area of usedFilm() as a share of the film's area, 0 … 1.
 double usedShare(const LaidFilm& laid);
 
 } // namespace dipwright

@@ -12,8 +12,9 @@ namespace dipwright {
 
 namespace {
 
-// Rings of triangles that the fit uses at the rim of painted film, and beyond it. Farther out the
-// fit needs a wider base, or one triangle's error would tilt it.
+// Number of rings of triangles that the fit uses at the rim of painted film (rimRings) and beyond
+// the rim (beyondRings). Beyond the rim the fit needs more triangles, or the error of one triangle
+// would tilt it.
 constexpr int rimRings = 2, beyondRings = 3;
 
 // A constraint along a side of a painted triangle: its ends and its stretch.
@@ -22,7 +23,7 @@ struct PaintedConstraint {
     float stretch;
 };
 
-// In the order of constraintStretches().
+// Returns the constraints of painted film in the order of constraintStretches().
 std::vector<PaintedConstraint> paintedConstraints(const DippedFilm& film,
                                                   const std::vector<FilmTriangle>& triangles,
                                                   const FilmContact& contact) {
@@ -112,7 +113,8 @@ std::vector<std::uint8_t> paintedPoints(const std::vector<FilmTriangle>& triangl
 
 // Fits J of painted film as a linear function of the flat film round a point. A plain mean over the
 // triangles round the point has no first-order error if they lie on all sides. If they lie on one
-// side only, it is off by half a cell. That is the case at the rim, where J grows fastest.
+// side only, the mean is the value half a cell away from the point. That is the case at the rim,
+// where J grows fastest.
 class StretchAtRim {
 public:
     StretchAtRim(const DippedFilm& film, const std::vector<FilmTriangle>& triangles,
@@ -173,8 +175,9 @@ private:
         }
         return painted;
     }
-    // Least-squares fit. The result exceeds the range of the triangles by at most the width of that
-    // range. It is blended with `mean` by the share of the variation that the fit explains.
+    // Returns a least-squares fit of the triangles' J at `point`. The fit exceeds the range of
+    // their values by at most the width of that range. It is blended with `mean`; the weight of the
+    // fit is its correlation coefficient.
     float linear(const std::set<std::uint32_t>& patch, std::uint32_t point, float mean) const {
         const Eigen::Vector2d origin = restPosition(film_.grid, point).cast<double>();
         Eigen::MatrixX3d places(Eigen::Index(patch.size()), 3);
@@ -202,7 +205,8 @@ private:
     const std::vector<FilmTriangle>& triangles_;
     const std::vector<PrincipalStretch>& stretches_;
     const FilmContact& contact_;
-    std::vector<std::uint32_t> first_; // per point, and one more: start in trianglesAtPoints_
+    // Per point, plus one entry: start of its triangles in trianglesAtPoints_.
+    std::vector<std::uint32_t> first_;
     std::vector<std::uint32_t> trianglesAtPoints_; // the triangles at each point
 };
 
@@ -250,7 +254,8 @@ Wrinkling wrinkling(const DippedFilm& film, const std::vector<FilmTriangle>& tri
     };
     Wrinkling result;
     result.pointStretches = meanOfTriangles(triangles, contact, compressionOf);
-    // Areas are counted in units of the first triangle, so that sums over an even film are exact.
+    // Areas are in units of the first triangle's area, so that sums over a film of equal cells are
+    // exact.
     const double unit = restArea(film.grid, 0);
     double painted = 0, wrinkled = 0;
     for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {

@@ -14,31 +14,32 @@ struct Wrinkling {
     // Per film point: mean λ2 of its painted triangles; 1 if none.
     std::vector<float> pointStretches;
     double area = 0;  // mm² of flat film with λ2 below wrinkledBelow
-    double share = 0; // of the film that paints
+    double share = 0; // this area as a share of the film that paints, 0 … 1
     double least = 1; // the smallest λ2
 };
-inline constexpr float wrinkledBelow = 0.99f; // film profiles are known to about 1 %
+inline constexpr float wrinkledBelow = 0.99f; // a value of λ2; film profiles are known to about 1 %
 
 struct PaintedStretch {
     std::vector<std::uint8_t> points; // per film point: 1 if it belongs to a painted triangle
-    // `constraints`: final over rest length of the horizontal and vertical constraints along sides
-    // of painted triangles. `pointMeans`: per film point, the mean over its constraints; 1 if it
-    // has none.
+    // `constraints` holds the final length over the rest length of each horizontal and vertical
+    // constraint along sides of painted triangles. `pointMeans` holds, per film point, the mean
+    // over its constraints; 1 if it has none.
     std::vector<float> constraints, pointMeans;
     std::vector<float> areas; // area stretch J of each painted film triangle
     Wrinkling wrinkling;
 };
 
-// `triangles` and `stretches` are filmTriangles() and principalStretches() of the film.
+// Measures the painted film. `triangles` and `stretches` are filmTriangles() and
+// principalStretches() of the film.
 PaintedStretch paintedStretch(const DippedFilm& film, const std::vector<FilmTriangle>& triangles,
                               const std::vector<PrincipalStretch>& stretches,
                               const FilmContact& contact);
 
-// Returns J per film point: the mean over the painted triangles round it. Ink density uses it, so
-// that the density does not jump between triangles. At rim points and past the limit of contact, a
-// linear fit through nearby painted triangles replaces the mean (patch recovery, Zienkiewicz & Zhu
-// 1992). Its weight is how well it explains those triangles. The result is 1 where no film that
-// paints is near.
+// Returns J per film point: the mean over the painted triangles round it. Ink density uses these
+// means, so that the density does not jump between triangles. At rim points and past the limit of
+// contact, a linear fit through nearby painted triangles replaces the mean (patch recovery,
+// Zienkiewicz & Zhu 1992). The better the fit explains those triangles, the more weight it has. The
+// result is 1 where no painted film is near.
 std::vector<float> paintedPointAreas(const DippedFilm& film,
                                      const std::vector<FilmTriangle>& triangles,
                                      const std::vector<PrincipalStretch>& stretches,

@@ -9,7 +9,7 @@ namespace dipwright {
 
 namespace {
 
-// |cos| of the angle about Y below which the X and Z axes coincide.
+// If the |cos| of the angle about Y is smaller than this, the X and Z axes coincide.
 constexpr double sameAxis = 1e-6;
 
 } // namespace
@@ -24,7 +24,7 @@ Eigen::Matrix3d rotationMatrix(const std::array<Degrees, 3>& angles) {
 std::array<Degrees, 3> rotationAngles(const Eigen::Matrix3d& rotation,
                                       const std::array<Degrees, 3>& near) {
     const Eigen::Vector3d aim(radians(near[0]), radians(near[1]), radians(near[2]));
-    // The same rotation, with each angle within ±180° of the aim.
+    // Returns the same rotation, with each angle within ±180° of the aim.
     const auto nearAim = [&](const Eigen::Vector3d& angles) -> Eigen::Vector3d {
         return aim + (angles - aim).unaryExpr([](double a) { return std::remainder(a, 2 * pi); });
     };
@@ -40,7 +40,7 @@ std::array<Degrees, 3> rotationAngles(const Eigen::Matrix3d& rotation,
     const Eigen::Vector3d nearest = nearAim(otherIsNearer ? other : one);
     const auto rounded = [](double angle) {
         const double turn = std::abs(angle) > 2 * pi ? std::remainder(angle, 2 * pi) : angle;
-        return Degrees(std::round(turn * 1800 / pi) / 10 + 0.0); // 0 for −0
+        return Degrees(std::round(turn * 1800 / pi) / 10 + 0.0); // + 0.0 turns −0 into 0
     };
     return {rounded(nearest.x()), rounded(nearest.y()), rounded(nearest.z())};
 }

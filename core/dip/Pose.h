@@ -16,10 +16,10 @@
 
 namespace dipwright {
 
-// rotationMatrix() returns the rotation by angles about X, then Y, then Z. rotationAngles() returns
-// such angles for a rotation, rounded to 0.1°. Of all solutions it returns the one nearest to
-// `near`, within ±360°.
+// Returns the rotation by angles about X, then Y, then Z.
 Eigen::Matrix3d rotationMatrix(const std::array<Degrees, 3>& angles);
+// Returns the angles about X, then Y, then Z of a rotation, rounded to 0.1°. If several sets of
+// angles within ±360° give the rotation, returns the set nearest to `near`.
 std::array<Degrees, 3> rotationAngles(const Eigen::Matrix3d& rotation,
                                       const std::array<Degrees, 3>& near = {});
 
@@ -29,11 +29,12 @@ Eigen::Isometry3d poseTransform(const TriangleMesh& body, const Immersion& immer
 // The shape of a body in the pose frame of one dip, with its surface query and its air pockets. It
 // depends neither on the offset on the water nor on the body's appearance.
 struct PosedBody {
-    TriangleMesh mesh;             // the model's mesh in the pose frame
-    Eigen::Isometry3d modelToPose; // from model coordinates, in which the distance field is, too
-    double height = 0;             // from the lowest to the highest point, mm
-    SurfaceQuery query;            // of mesh
-    AirPockets air;                // of mesh
+    TriangleMesh mesh; // the model's mesh in the pose frame
+    // Maps model coordinates, in which the distance field is given, to the pose frame.
+    Eigen::Isometry3d modelToPose;
+    double height = 0;  // from the lowest to the highest point, mm
+    SurfaceQuery query; // searches `mesh`
+    AirPockets air;     // air pockets of `mesh`
     // Whether an air pocket keeps film off a place on the body.
     bool isDry(const SurfacePoint& point) const;
 };

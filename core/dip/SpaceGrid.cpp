@@ -11,14 +11,14 @@ namespace {
 
 // Shift of the grid in cells. Models often have edges and faces in the middle or at the sides of
 // their bounding box. A ray along them may slip between two triangles.
-const Eigen::Vector3f aside(0.37f, 0.29f, 0.43f);
+const Eigen::Vector3f gridShift(0.37f, 0.29f, 0.43f);
 
 } // namespace
 
 SpaceGrid::SpaceGrid(const TriangleMesh& mesh, const SurfaceQuery& query, int resolution) {
     const BoundingBox box = boundingBox(mesh);
     spacing_ = box.sizes().maxCoeff() / float(resolution);
-    origin_ = box.min() - spacing_ * (Eigen::Vector3f::Ones() + aside);
+    origin_ = box.min() - spacing_ * (Eigen::Vector3f::Ones() + gridShift);
     for (int axis = 0; axis < 3; ++axis) {
         size_[axis] = int(std::ceil(box.sizes()[axis] / spacing_)) + 4;
     }

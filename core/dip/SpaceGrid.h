@@ -9,8 +9,8 @@
 
 namespace dipwright {
 
-// Extends at least one cell past the body on every side. `resolution` is the number of cells along
-// the body's longest edge. Immutable.
+// The grid extends at least one cell past the body on every side. `resolution` is the number of
+// cells along the body's longest edge. Immutable.
 class SpaceGrid {
 public:
     // `query` must be of `mesh`. The grid is in the coordinates of `mesh`. Uses all cores;
@@ -39,7 +39,7 @@ public:
             ((place - origin_) / spacing_).array().floor().cast<int>().matrix();
         return cell.cwiseMax(0).cwiseMin(size_ - Eigen::Vector3i::Constant(2));
     }
-    // Offset of one of the eight corners of a cell from its first.
+    // Returns the offset of one of a cell's eight corners from the first corner.
     static Eigen::Vector3i corner(int number) { return {number & 1, number >> 1 & 1, number >> 2}; }
     // Whether no edge of the cell crosses the surface.
     bool isClear(const Eigen::Vector3i& cell) const {
@@ -56,6 +56,7 @@ public:
     bool isOnBorder(const Eigen::Vector3i& cell) const {
         return (cell.array() == 0).any() || (cell.array() == size_.array() - 1).any();
     }
+    // Whether the grid edge from a point to the next point along an axis crosses the surface.
     bool isCrossed(std::size_t index, int axis) const {
         return crossed_[std::size_t(axis)][index] != 0;
     }

@@ -8,11 +8,12 @@
 namespace dipwright {
 
 struct TrappedAir {
-    double area = 0;              // surface of the body in trapped air, mm²
-    std::optional<double> height; // lowest water level in it, above the body's lowest point, mm
+    double area = 0; // surface of the body in trapped air, mm²
+    // Lowest level of a pocket above the body's lowest point, mm; none without pockets.
+    std::optional<double> height;
 };
 
-// Sums over the body's air pockets (AirPockets.h). Uses all cores; deterministic.
+// Adds up the body's air pockets (AirPockets.h). Uses all cores; deterministic.
 TrappedAir trappedAir(const PosedBody& body);
 
 } // namespace dipwright

@@ -70,7 +70,7 @@ QString AtomicFile::open() {
     if (target.isSymLink()) {
         return Text::tr("its links form a loop");
     }
-    if (target.exists() && !target.isFile()) { // a pipe or a device, which others have open
+    if (target.exists() && !target.isFile()) { // a pipe or a device, which other programs have open
         return Text::tr("it is not a regular file");
     }
     if (target.exists() && !target.isWritable()) {
@@ -111,7 +111,7 @@ QString AtomicFile::commit() {
 }
 
 QString replaceFile(const QString& path, const QByteArray& bytes,
-                    const std::function<void()>& lastLook) {
+                    const std::function<void()>& beforeReplacing) {
     AtomicFile file(path);
     if (QString failure = file.open(); !failure.isEmpty()) {
         return failure;
@@ -119,8 +119,8 @@ QString replaceFile(const QString& path, const QByteArray& bytes,
     if (!writeAll(file.device(), bytes)) {
         return file.device().errorString();
     }
-    if (lastLook) {
-        lastLook();
+    if (beforeReplacing) {
+        beforeReplacing();
     }
     return file.commit();
 }

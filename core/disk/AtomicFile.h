@@ -2,9 +2,9 @@
 // crashes.
 //
 // The new contents are written to a temporary file beside the old one, flushed to disk and renamed
-// over it. Then the folder is flushed. Each target has one fixed name for its temporary file, which
-// is locked while it is written. So two writers of one file cannot mix their contents, and a file
-// that a crashed writer left behind is recognised.
+// over it. Then the folder is flushed. The temporary file of a target always has the same name, and
+// is locked while it is written. Therefore two writers of one target cannot mix their contents, and
+// the temporary file of a crashed writer is recognised.
 #pragma once
 
 #include "disk/LockedFile.h"
@@ -18,12 +18,15 @@ namespace dipwright {
 
 class AtomicFile {
 public:
-    // Follows a link: the file that it points to is replaced.
+    // If `path` is a link, the file that the link points to is replaced.
     explicit AtomicFile(const QString& path);
-    ~AtomicFile(); // without a commit the target is unchanged and the temporary file is removed
+    // Without commit(), leaves the target unchanged and removes the temporary file.
+    ~AtomicFile();
 
-    // Both return an empty string on success, else the system's error message.
+    // Creates and locks the temporary file. Returns an empty string on success, else the reason,
+    // worded as part of a sentence.
     QString open();
+    // Replaces the target. Returns an empty string on success, else the reason.
     QString commit();
     QFile& device() { return file_.device(); } // for writing between open() and commit()
 
@@ -33,24 +36,25 @@ private:
     LockedFile file_;
 };
 
-// Replaces a file. Returns an empty string on success, else the system's error message. `lastLook`
-// is called when everything is written and nobody else can replace the file any more. It may throw
-// to abandon the write.
+// Replaces a file. Returns an empty string on success, else the reason, worded as part of a
+// sentence. `beforeReplacing` is called after everything is written, while no other writer can
+// replace the file. If it throws, the file is not replaced.
 QString replaceFile(const QString& path, const QByteArray& bytes,
-                    const std::function<void()>& lastLook = {});
+                    const std::function<void()>& beforeReplacing = {});
 // Replaces a file by what `write` writes to its device. Throws Error.
 void writeAtomically(const QString& path, const std::function<void(QIODevice&)>& write);
 // Throws Error if the file cannot be replaced now. Call it before long work.
 void checkWritable(const QString& path);
 
-// The hidden files beside a file while a program works on it.
+// The kinds of hidden files that lie beside a file while a program works on it.
 enum class Beside { NewContents, Lock };
-// Returns the path of such a hidden file, always the same for one file. Its name is a fixed prefix
-// and the file's name, or a hash of that name where it would be too long.
+// Returns the path of the hidden file of kind `what` beside `path`, which is always the same. The
+// hidden file's name is a fixed prefix and the file's name. If that is too long, a hash replaces
+// the file's name.
 QString hiddenFilePath(const QString& path, Beside what);
-// Whether the file's name has such a prefix.
+// Whether the file's name begins with the prefix of a hidden file.
 bool isHiddenFile(const QString& path);
-// Removes a temporary file unless somebody is writing it.
+// Removes a temporary file unless a process is writing it.
 void removeAbandoned(const QString& temporary);
 
 } // namespace dipwright

@@ -17,13 +17,13 @@ struct Text {
 
 constexpr qint64 longestLock = 1024; // bytes
 
-// A file that several links reach has one lock.
+// All links to one file share one lock.
 QString lockPath(const QString& path) {
     const QString canonical = QFileInfo(path).canonicalFilePath();
     return hiddenFilePath(canonical.isEmpty() ? path : canonical, Beside::Lock);
 }
 
-// Lines: process, program, machine.
+// Returns the three lines of the lock file: process, program, machine.
 QByteArray ownLines() {
     return QStringLiteral("%1\n%2\n%3\n")
         .arg(QCoreApplication::applicationPid())

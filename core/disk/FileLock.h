@@ -25,9 +25,9 @@ public:
     FileLock(const FileLock&) = delete;
     FileLock& operator=(const FileLock&) = delete;
 
-    // Releases the lock held before, then takes the lock of `path`. Nothing is locked if `path` is
-    // empty or if its folder cannot be written; in the latter case the file cannot be replaced
-    // either.
+    // Releases the lock held before, then takes the lock of `path`. Locks nothing if `path` is
+    // empty or its folder cannot be written. In a folder that cannot be written, nobody can replace
+    // the file either.
     LockState acquire(const QString& path);
     void release();
     bool isHeld() const { return file_ != nullptr; }

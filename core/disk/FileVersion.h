@@ -1,4 +1,4 @@
-// Identifies the contents of a file, to tell later whether somebody else has written it since.
+// Identifies the contents of a file, so that later changes by other programs are detected.
 #pragma once
 
 #include <QByteArray>
@@ -6,8 +6,8 @@
 
 namespace dipwright {
 
-// Compares contents only, no times or dates. A file that is missing or unreadable has a version of
-// its own. Take the version before you read the file, so that later changes are noticed.
+// Compares contents only, not dates. All missing or unreadable files have one common version. Take
+// the version before you read the file, so that later changes are noticed.
 class FileVersion {
 public:
     FileVersion() = default; // the version of a missing file

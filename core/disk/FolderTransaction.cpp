@@ -26,27 +26,29 @@ struct Text {
 // Names inside the hidden folder.
 const QString newFiles = QStringLiteral("new/");
 const QString oldFiles = QStringLiteral("old/");
-const QString journalName = QStringLiteral("journal.json"); // while it exists, the new files count
-const QString undoName = QStringLiteral("undo.json");       // while it exists, the old files count
+// While it exists, the new files are valid.
+const QString journalName = QStringLiteral("journal.json");
+// While it exists, the old files are valid.
+const QString undoName = QStringLiteral("undo.json");
 constexpr qint64 longestJournal = 1 << 20;
-// Limits for a journal, many times larger than what the program writes.
+// Limits for a journal, many times larger than any journal that the program writes.
 constexpr qsizetype mostNames = 10'000;
 constexpr qsizetype longestName = 1024;
-constexpr qsizetype mostFolders = 16; // nested in one name
+constexpr qsizetype mostFolders = 16; // folders in one name
 
 QString folderOf(const QString& name) {
     return QFileInfo(name).path();
 }
 
-// Which files were written, and which existed before. Paths relative to the target.
+// The files that were written, and the files that existed before. Paths are relative to the target.
 struct Journal {
-    QStringList written; // to be moved into place
-    QStringList there;   // set aside first, to be restored if moving fails
+    QStringList written;  // new files, which are moved into place
+    QStringList existing; // old files: set aside first, and restored if moving fails
 };
 
 QByteArray bytesOf(const Journal& journal) {
     return QJsonDocument(QJsonObject{{"written", QJsonArray::fromStringList(journal.written)},
-                                     {"there", QJsonArray::fromStringList(journal.there)}})
+                                     {"there", QJsonArray::fromStringList(journal.existing)}})
         .toJson();
 }
 
@@ -58,7 +60,7 @@ QStringList textsOf(const QJsonValue& value) {
     return texts;
 }
 
-// Empty if it cannot be read.
+// Returns nothing if the journal cannot be read.
 std::optional<Journal> journalOf(const QString& path) {
     QFile file(path);
     if (!openToRead(file).isEmpty()) {
@@ -82,7 +84,7 @@ bool isBelow(const QString& name) {
            !name.contains(QChar(0));
 }
 
-// Whether one of the folders in a name is a link, which could lead anywhere.
+// Whether one of the folders in a name is a link, which could point anywhere.
 bool isLinked(const QDir& target, const QString& name) {
     for (auto end = name.indexOf(u'/'); end >= 0; end = name.indexOf(u'/', end + 1)) {
         if (QFileInfo(target.filePath(name.left(end))).isSymLink()) {
@@ -92,49 +94,52 @@ bool isLinked(const QDir& target, const QString& name) {
     return false;
 }
 
-// The hidden folder of a target, and the moves between the two. Every step can be repeated, even if
-// it or a later step was already done.
+// The hidden folder of a target. Moves files between the hidden folder and the target. Every step
+// can be repeated, even if it or a later step was already done.
 class Work {
 public:
-    // `mayGoOn` is asked between two operations. If it is empty, nothing stops the work.
-    explicit Work(const QString& target, std::function<bool()> mayGoOn = {})
+    // `shouldContinue` is called between two operations; the work stops if it returns false.
+    explicit Work(const QString& target, std::function<bool()> shouldContinue = {})
         : target_(target), work_(target_.filePath(FolderTransaction::workName())),
-          mayGoOn_(std::move(mayGoOn)) {}
+          mayGoOn_(std::move(shouldContinue)) {}
 
     QString path(const QString& name) const { return work_.filePath(name); }
     bool has(const QString& name) const { return work_.exists(name); }
     // Sets aside the existing files, and moves the written ones into place.
     bool forward(const Journal& journal) const {
         const QSet<QString> written(journal.written.begin(), journal.written.end());
-        for (const QString& name : journal.there) {
+        for (const QString& name : journal.existing) {
             const bool isDue = has(newFiles + name) || !written.contains(name);
-            if (!mayGoOn() || (isDue && !has(oldFiles + name) && target_.exists(name) &&
-                               !moveOver(target_.filePath(name), path(oldFiles + name)))) {
+            if (!shouldContinue() || (isDue && !has(oldFiles + name) && target_.exists(name) &&
+                                      !moveOver(target_.filePath(name), path(oldFiles + name)))) {
                 return false;
             }
         }
-        return std::all_of(
-            journal.written.begin(), journal.written.end(), [&](const QString& name) {
-                return mayGoOn() && (!has(newFiles + name) || bring(path(newFiles + name), name));
-            });
+        return std::all_of(journal.written.begin(), journal.written.end(),
+                           [&](const QString& name) {
+                               return shouldContinue() &&
+                                      (!has(newFiles + name) || bring(path(newFiles + name), name));
+                           });
     }
     // Restores the files that were set aside, and removes new files that came into place.
     bool backward(const Journal& journal) const {
-        const QSet<QString> there(journal.there.begin(), journal.there.end());
+        const QSet<QString> existing(journal.existing.begin(), journal.existing.end());
         for (const QString& name : journal.written) {
-            if (!mayGoOn()) {
+            if (!shouldContinue()) {
                 return false;
             }
-            if (!there.contains(name) && !has(newFiles + name)) {
+            if (!existing.contains(name) && !has(newFiles + name)) {
                 QFile::remove(target_.filePath(name));
             }
         }
-        return std::all_of(journal.there.begin(), journal.there.end(), [&](const QString& name) {
-            return mayGoOn() && (!has(oldFiles + name) || bring(path(oldFiles + name), name));
-        });
+        return std::all_of(journal.existing.begin(), journal.existing.end(),
+                           [&](const QString& name) {
+                               return shouldContinue() &&
+                                      (!has(oldFiles + name) || bring(path(oldFiles + name), name));
+                           });
     }
-    // Restores the old files wherever forward() failed. Returns false if the journal stays for the
-    // next start.
+    // Restores the old files after a failure. Returns false if that is not possible now; the
+    // journal then stays for the next start.
     bool undo(const Journal& journal) {
         const bool isUndone =
             !has(journalName) || (moveOver(path(journalName), path(undoName)) && backward(journal));
@@ -147,7 +152,7 @@ public:
     // Flushes the folders to disk and removes empty ones.
     void settle(const Journal& journal) const {
         QSet<QString> folders;
-        for (const QString& name : journal.written + journal.there) {
+        for (const QString& name : journal.written + journal.existing) {
             folders.insert(folderOf(name));
         }
         folders.remove(QStringLiteral("."));
@@ -157,7 +162,7 @@ public:
         }
         syncFolder(target_.path());
     }
-    // Removes the journal first: without it there is nothing left to complete.
+    // Removes the journal first: without a journal there is nothing to complete.
     void remove() {
         QFile::remove(path(journalName));
         QFile::remove(path(undoName));
@@ -167,13 +172,14 @@ public:
         }
     }
     bool isThere() const { return work_.exists(); }
-    // Somebody who shares the folder may have put a link there. What it leads to must not be
-    // emptied.
+    // Another user of a shared folder may have put a link there. The folder that the link points to
+    // must not be emptied.
     bool isLink() const { return QFileInfo(work_.path()).isSymLink(); }
     bool isUnderWay() const { return has(journalName) || has(undoName); }
-    // Completes what a crashed process left of files with these names; empty: of any files. Returns
-    // false, with nothing touched, if its journal cannot be read or names other files.
-    bool putRight(const QStringList& names = {}) {
+    // Completes the transaction of a crashed process. If `names` is not empty, the journal may name
+    // only these files. Returns false and changes nothing if the journal cannot be read or names
+    // other files.
+    bool completeTransaction(const QStringList& names = {}) {
         const bool isBack = has(undoName);
         if (isBack || has(journalName)) {
             const auto journal = journalOf(path(isBack ? undoName : journalName));
@@ -181,7 +187,7 @@ public:
                 return false;
             }
             const bool done = isBack ? backward(*journal) : forward(*journal);
-            if (!mayGoOn()) {
+            if (!shouldContinue()) {
                 return false;
             }
             settle(*journal);
@@ -194,19 +200,19 @@ public:
     }
 
 private:
-    bool mayGoOn() const { return !mayGoOn_ || mayGoOn_(); }
-    // Removes the hidden folder with everything in it, whoever put it there.
+    bool shouldContinue() const { return !mayGoOn_ || mayGoOn_(); }
+    // Removes the hidden folder with everything in it, including files of other programs.
     void removeAll(const QString& folder) const {
         QDirIterator entries(folder,
                              QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot);
-        while (entries.hasNext() && mayGoOn()) {
+        while (entries.hasNext() && shouldContinue()) {
             const QString entry = entries.next();
             const QFileInfo info(entry);
             info.isDir() && !info.isSymLink() ? removeAll(entry) : void(QFile::remove(entry));
         }
         QDir().rmdir(folder); // fails unless it is empty
     }
-    // Removes the folders that were created in the target for files that never came.
+    // Removes the folders that were created in the target for files that were then not moved there.
     void removeEmptyFolders() const {
         for (const QString& folder :
              QDir(path(newFiles)).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
@@ -217,13 +223,13 @@ private:
     bool bring(const QString& from, const QString& name) const {
         return target_.mkpath(folderOf(name)) && moveOver(from, target_.filePath(name));
     }
-    // A folder from elsewhere may hold a journal that names files that are no results, to have them
-    // removed or replaced.
+    // Whether a journal names only our own results. A folder from an untrusted source may hold a
+    // journal that makes the program remove or replace other files.
     bool isOurs(const Journal& journal, const QStringList& names) const {
-        const QStringList all = journal.written + journal.there;
+        const QStringList all = journal.written + journal.existing;
         return all.size() <= 2 * mostNames &&
                std::all_of(all.begin(), all.end(), [&](const QString& file) {
-                   return mayGoOn() && isBelow(file) && !isLinked(target_, file) &&
+                   return shouldContinue() && isBelow(file) && !isLinked(target_, file) &&
                           !isLinked(work_, newFiles + file) && !isLinked(work_, oldFiles + file) &&
                           (names.isEmpty() || names.contains(file));
                });
@@ -295,7 +301,7 @@ void FolderTransaction::lockTarget() {
                     target_);
     }
     Work work(target_);
-    if (!work.putRight(names_)) {
+    if (!work.completeTransaction(names_)) {
         throw Error(
             Text::tr("Earlier results in this folder are incomplete and cannot be completed now; "
                      "close the programs that have files there open, or move %1 out of the folder")
@@ -326,14 +332,15 @@ FolderTransaction::~FolderTransaction() {
     }
 }
 
-bool FolderTransaction::putRight(const QString& target, const std::function<bool()>& mayGoOn) {
+bool FolderTransaction::completeTransaction(const QString& target,
+                                            const std::function<bool()>& shouldContinue) {
     FileLock lock;
     const QFileInfo work(target + QLatin1Char('/') + workName());
     if (!work.isDir() || work.isSymLink()) {
         return true; // no transaction
     }
     return lock.acquire(lockedName(target)).acquired && lock.isHeld() &&
-           Work(target, mayGoOn).putRight() && !Work(target).isThere();
+           Work(target, shouldContinue).completeTransaction() && !Work(target).isThere();
 }
 
 void FolderTransaction::write(const QString& name, const QByteArray& contents) const {
@@ -360,7 +367,7 @@ QByteArray FolderTransaction::written(const QString& name) const {
     return file.readAll();
 }
 
-// Never removes a file or folder that is in the way of a result or its folder.
+// Throws Error if a file or folder is in the way of a result or its folder; never removes it.
 void FolderTransaction::refuseOthers() const {
     const auto refuse = [this](const QString& name) {
         throw Error(Text::tr("%1 is in the way of the results; move it, or choose another folder")
@@ -399,14 +406,14 @@ void FolderTransaction::commit() {
             journal.written << name;
         }
         if (isThere) {
-            journal.there << name;
+            journal.existing << name;
         }
         if (isWritten || isThere) {
             folders.insert(folderOf(name));
         }
     }
     bool good = true;
-    // before the journal counts, because this takes disk space
+    // before the journal takes effect, because creating folders can fail on a full disk
     for (const QString& folder : folders) {
         good = good && target.mkpath(folder) && QDir().mkpath(work.path(oldFiles + folder));
         syncFolder(work.path(newFiles + folder));

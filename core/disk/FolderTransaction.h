@@ -2,9 +2,10 @@
 // or the computer crashes.
 //
 // The new files are written into a hidden folder inside the user's folder, which is locked. When
-// all are on disk, a journal is renamed into place there. From that moment the new files count.
-// Before it nothing outside has changed; after it the next program that comes by completes the
-// renaming (docs/files-and-commands.md, "Atomic writes").
+// all are on disk, a journal is renamed into place there. From that moment the transaction is
+// committed. Before it, nothing outside the hidden folder has changed. After a later crash, the
+// next program that uses the folder completes the renaming (docs/files-and-commands.md, "Atomic
+// writes").
 #pragma once
 
 #include "disk/FileLock.h"
@@ -25,9 +26,9 @@ class FolderTransaction {
 public:
     // `names` are the files, relative to the target, that are replaced together. Creates the
     // target, and completes a transaction of these files that a crashed process left there. Throws
-    // Error if the target cannot be written, if another program is writing it, or if something else
-    // is in the way of a result. Also throws Error, with nothing touched, if a journal there cannot
-    // be read or names other files.
+    // Error if the target cannot be written or another program is writing to it. Throws Error if a
+    // file or folder is in the way of a result. Also throws Error, and changes nothing, if a
+    // journal in the target cannot be read or names other files.
     FolderTransaction(const QString& target, const QStringList& names);
     ~FolderTransaction();
     FolderTransaction(const FolderTransaction&) = delete;
@@ -35,19 +36,22 @@ public:
 
     // Writes one of the files. Thread-safe. Throws Error, for example when the disk is full.
     void write(const QString& name, const QByteArray& contents) const;
-    // Returns what was written to one of the files; empty if nothing was. Throws Error if it cannot
-    // be read.
+    // Returns the new contents of one of the files; empty if the file was not written. Throws Error
+    // if they cannot be read.
     QByteArray written(const QString& name) const;
     // Replaces the target's files by the written ones, and removes the files of `names` that were
-    // not written. Leaves other files alone. Throws Error, with the target unchanged. Call once.
+    // not written. Leaves other files alone. If it throws Error, the target is unchanged, or the
+    // error says that only some files were moved. Call once.
     void commit();
 
-    // Completes what a crashed process left in the folder `target`: moves all new files into place
-    // if they were complete, else removes them. Does nothing while somebody writes there. Returns
-    // false if something is left to do. Call it only for folders that this user's own programs have
-    // noted as theirs, because it trusts a journal there whatever results it names. `mayGoOn` is
-    // asked between two operations; when it returns false, the next call continues.
-    static bool putRight(const QString& target, const std::function<bool()>& mayGoOn = {});
+    // Completes the transaction that a crashed process left in the folder `target`: moves all new
+    // files into place if they were complete, else removes them. Does nothing while another process
+    // writes there. Returns false if work remains. Call it only for folders in this user's notes
+    // (UnfinishedWrites.h), because it trusts the folder's journal, whatever files the journal
+    // names. `shouldContinue` is called between two operations. If it returns false, the work
+    // stops, and the next call continues it.
+    static bool completeTransaction(const QString& target,
+                                    const std::function<bool()>& shouldContinue = {});
     // The name of the hidden folder.
     static QString workName();
 

@@ -27,7 +27,7 @@ struct Handle {
 
 #ifdef _WIN32
 
-// Other processes may read and delete it, but not write it.
+// Other processes may read and delete the file, but not write to it.
 Handle lockedHandle(const QString& path) {
     const HANDLE handle = CreateFileW(
         QFileInfo(path).filesystemAbsoluteFilePath().c_str(), GENERIC_READ | GENERIC_WRITE | DELETE,
@@ -42,7 +42,8 @@ Handle lockedHandle(const QString& path) {
 
 #else
 
-// Between opening and locking, the process that owned the file may have renamed or removed it.
+// Whether the open file still has this name. Between opening and locking, the process that owned
+// the file may have renamed or removed it.
 bool isStillAt(const QByteArray& path, int handle) {
     struct stat opened {};
     struct stat named {};
@@ -55,25 +56,25 @@ bool isPlainFile(int handle) {
     return fstat(handle, &opened) == 0 && S_ISREG(opened.st_mode) && opened.st_nlink <= 1;
 }
 
-// Another user's file can perhaps only be opened for reading, which is enough to see whether it is
-// locked. Removes the file if it is abandoned and may be removed.
-enum class Left { Held, Removed, Stays };
-Left othersFile(const QByteArray& name) {
+// Checks another user's file, which this user can perhaps only read. Reading is enough to find out
+// whether it is locked. Removes the file if it is abandoned and may be removed.
+enum class OthersFile { Held, Removed, Stays };
+OthersFile othersFile(const QByteArray& name) {
     const int handle = open(name.constData(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (handle < 0) {
-        return Left::Stays;
+        return OthersFile::Stays;
     }
-    Left left = Left::Stays;
+    OthersFile outcome = OthersFile::Stays;
     if (isPlainFile(handle)) {
         if (flock(handle, LOCK_EX | LOCK_NB) == 0) {
             const bool isRemoved = isStillAt(name, handle) && unlink(name.constData()) == 0;
-            left = isRemoved ? Left::Removed : Left::Stays;
+            outcome = isRemoved ? OthersFile::Removed : OthersFile::Stays;
         } else if (errno == EWOULDBLOCK) {
-            left = Left::Held;
+            outcome = OthersFile::Held;
         }
     }
     close(handle);
-    return left;
+    return outcome;
 }
 
 Handle lockedHandle(const QString& path) {
@@ -82,13 +83,13 @@ Handle lockedHandle(const QString& path) {
         const int handle =
             open(name.constData(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
         if (handle < 0 && errno == EACCES) {
-            const Left left = othersFile(name);
-            if (left == Left::Removed) {
+            const OthersFile outcome = othersFile(name);
+            if (outcome == OthersFile::Removed) {
                 continue;
             }
             errno = EACCES;
-            return {-1, left == Left::Held ? LockedFile::Outcome::HeldByAnother
-                                           : LockedFile::Outcome::Failed};
+            return {-1, outcome == OthersFile::Held ? LockedFile::Outcome::HeldByAnother
+                                                    : LockedFile::Outcome::Failed};
         }
         if (handle < 0) {
             return {};

@@ -7,24 +7,24 @@
 
 namespace dipwright {
 
-// The lock belongs to the operating system: it ends with the process, so its age never has to be
-// judged. On a file system without locks every file counts as locked.
+// The operating system releases the lock when the process ends, so no lock is ever outdated. On a
+// file system without locks, open() returns Opened although nothing is locked.
 class LockedFile {
 public:
     enum class Outcome {
-        Opened,        // and locked; contents that another process left are still in it
-        HeldByAnother, // by a living process, this one or another
+        Opened,        // opened and locked; contents from an earlier process are still in the file
+        HeldByAnother, // locked by a running process, perhaps by this one
         Failed,        // errorString() says why
     };
 
     LockedFile() = default;
     ~LockedFile() = default; // closes and unlocks; the file stays
-    // Opens the file and creates it if it is missing. Refuses a link, anything but a plain file,
-    // and a file with a second name, because they belong to somebody else.
+    // Opens the file and creates it if it is missing. Refuses links, files with several hard links,
+    // and everything that is not a regular file, because such files belong to somebody else.
     Outcome open(const QString& path);
     bool isOpen() const { return file_.isOpen(); }
-    // Whether the system really locked the file; false on a file system without locks. Only then is
-    // it certain that no process owns what the file stands for.
+    // Whether the system really locked the file; false on a file system without locks. Only a real
+    // lock proves that no other process is doing the work that the file stands for.
     bool isLocked() const { return isLocked_; }
     QFile& device() { return file_; }
     QString errorString() const;
@@ -45,8 +45,7 @@ private:
 
 // Flushes the file to disk. When it returns true, the contents are on the disk itself.
 bool syncToDisk(QFile& file);
-// Flushes the names in a folder to disk, if the file system can do that; it is no failure if it
-// cannot.
+// Flushes a folder's list of names to disk. Does nothing if the file system cannot do that.
 void syncFolder(const QString& path);
 // Renames a file or folder. A file at `to` is replaced atomically.
 bool moveOver(const QString& from, const QString& to);

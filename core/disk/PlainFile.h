@@ -1,4 +1,4 @@
-// Opens files for reading. All paths that a user or another file names go through here.
+// Opens files for reading. Every path that a user or another file names is opened here.
 #pragma once
 
 #include <QFile>

@@ -9,13 +9,13 @@ namespace dipwright {
 
 struct UnfinishedNote {
     QString work;     // the temporary file, or the hidden folder of results; absolute path
-    QStringList made; // folders that were created for it and contain it, the innermost last
+    QStringList made; // folders that were created to contain `work`, the innermost last
     bool operator==(const UnfinishedNote&) const = default;
 };
 
 QByteArray bytesOf(const UnfinishedNote& note);
-// Returns nothing if the bytes are no note, or name something that no Dipwright program would clean
-// up.
+// Returns nothing if the bytes are not a valid note, or if the note names paths that no Dipwright
+// program would clean up.
 std::optional<UnfinishedNote> noteOf(const QByteArray& bytes);
 
 } // namespace dipwright

@@ -22,14 +22,14 @@ QDir noteFolder() {
             QStringLiteral("/unfinished")};
 }
 
-// Returns false if something is left to do.
-bool putRight(const UnfinishedNote& note, const std::function<bool()>& mayGoOn) {
+// Completes the work that a note names. Returns false if work remains.
+bool completeTransaction(const UnfinishedNote& note, const std::function<bool()>& shouldContinue) {
     bool done = true;
     if (isHiddenFile(note.work)) {
         removeAbandoned(note.work);
         done = !QFileInfo::exists(note.work);
     } else {
-        done = FolderTransaction::putRight(QFileInfo(note.work).path(), mayGoOn);
+        done = FolderTransaction::completeTransaction(QFileInfo(note.work).path(), shouldContinue);
     }
     for (auto folder = note.made.rbegin(); folder != note.made.rend(); ++folder) {
         QDir().rmdir(*folder); // fails unless it is empty
@@ -38,13 +38,13 @@ bool putRight(const UnfinishedNote& note, const std::function<bool()>& mayGoOn) 
 }
 
 // Cleans up after a dead process, then removes its note.
-void settle(const QString& path, const std::function<bool()>& mayGoOn) {
+void settle(const QString& path, const std::function<bool()>& shouldContinue) {
     LockedFile file;
     if (file.open(path) != LockedFile::Outcome::Opened || !file.isLocked()) {
         return;
     }
     const auto note = noteOf(file.device().read(longestNote));
-    if (!note || putRight(*note, mayGoOn)) {
+    if (!note || completeTransaction(*note, shouldContinue)) {
         file.remove();
     }
 }
@@ -71,12 +71,12 @@ void UnfinishedWrite::leave() {
 void recoverUnfinishedWrites(const CancelToken& cancelToken) {
     QElapsedTimer clock;
     clock.start();
-    const auto mayGoOn = [&] {
+    const auto shouldContinue = [&] {
         return !cancelToken.isCancelled() && !clock.hasExpired(longestRecovery);
     };
     QDirIterator notes(noteFolder().path(), QDir::Files);
-    while (notes.hasNext() && mayGoOn()) {
-        settle(notes.next(), mayGoOn);
+    while (notes.hasNext() && shouldContinue()) {
+        settle(notes.next(), shouldContinue);
     }
 }
 

@@ -1,5 +1,5 @@
-// Notes about files that are being written. With them the next start of the program cleans up what
-// a killed process left behind.
+// Notes about files that are being written. From these notes, the next start of the program cleans
+// up after a killed process.
 #pragma once
 
 #include "base/Progress.h"
@@ -15,13 +15,14 @@ namespace dipwright {
 class UnfinishedWrite {
 public:
     // `work` is the temporary file, or the folder of results that is being written. `made` are
-    // folders that were created for it, the innermost last; they are removed if they stay empty.
+    // folders that were created to contain `work`, the innermost last; they are removed if they
+    // stay empty.
     explicit UnfinishedWrite(const QString& work, const QStringList& made = {});
     ~UnfinishedWrite();
     UnfinishedWrite(const UnfinishedWrite&) = delete;
     UnfinishedWrite& operator=(const UnfinishedWrite&) = delete;
 
-    // Releases the note without removing it, as a dying process does: the next start has to clean
+    // Unlocks the note without removing it, as if the process had died. The next start then cleans
     // up.
     void leave();
 
@@ -30,9 +31,9 @@ private:
 };
 
 // Call before the program's own work. Removes the temporary files of dead processes and completes
-// their folders of results (FolderTransaction). Leaves living processes alone. Never fails, takes
-// at most two seconds if the disk responds, and can be cancelled. The rest is left to the next
-// start or the next writer.
+// their folders of results (FolderTransaction). Leaves the files of running processes alone. Never
+// fails. Takes at most two seconds if the disk responds, and can be cancelled; the next start or
+// the next writer does the rest.
 void recoverUnfinishedWrites(const CancelToken& cancelToken = {});
 
 } // namespace dipwright

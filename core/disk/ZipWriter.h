@@ -20,7 +20,7 @@ public:
     void add(const QString& name, const QByteArray& contents, Packing packing);
     // Size of all contents before compression.
     qint64 unpackedBytes() const { return unpackedBytes_; }
-    // Returns the archive. Throws Error unless it is complete.
+    // Returns the archive. Throws Error if it is not complete.
     QByteArray finish();
 
 private:

@@ -15,13 +15,13 @@ namespace dipwright {
 // film point, in the film's order.
 struct DippedFilm {
     solver::FilmGrid grid;
-    bool isotropic = true; // the lattice, which determines the constraints
+    bool isotropic = true; // whether the lattice is isotropic, which determines the constraints
     std::vector<Eigen::Vector3f> positions;
     std::vector<solver::PointState> states;
     std::vector<std::uint8_t> marks; // solver::PointMark bits; empty: none
-    // Length of freely floating film when the point was touched, relative to its length at the
-    // start of the dip. Meaningless for points that were not touched. Empty if the film does not
-    // grow.
+    // How much freely floating film had grown when the body touched the point: its length divided
+    // by its length at the start of the dip. Meaningless for points that were not touched. Empty if
+    // the film does not grow.
     std::vector<float> grown;
     std::int64_t steps = 0;
     solver::EquilibriumAccount equilibrium;
@@ -40,17 +40,21 @@ Eigen::Vector2f restPosition(const solver::FilmGrid& grid, std::size_t point);
 std::vector<FilmTriangle> filmTriangles(const solver::FilmGrid& grid);
 // Returns the area of a film triangle in the flat film, mm².
 double restArea(const solver::FilmGrid& grid, std::size_t triangle);
-// Returns the longer side, mm, of the cell that contains a triangle, or of the largest cell at a
-// point. It is the measure of what is short or long near there.
+// Returns the longer side of the cell that contains a triangle, mm. Use it as the length scale
+// there.
 float cellOfTriangle(const solver::FilmGrid& grid, std::size_t triangle);
+// Returns the longer side of the largest cell at a point, mm.
 float cellOfPoint(const solver::FilmGrid& grid, std::size_t point);
-// Converts a place on the flat film to cells from its left or upper edge. `share` is the place as a
-// share of the width or depth. The integer part of the result is the column or row before the
-// place, the fraction the way to the next. Beyond the film its outermost cells continue.
+// Returns the column at a place on the flat film, as a real number. `share` is the place's distance
+// from the left edge as a share of the film's width. The integer part of the result is the column
+// to the left of the place. The fraction is the share of the way to the next column. Outside the
+// film, the outermost cells are continued.
 double columnAt(const solver::FilmGrid& grid, double share);
+// Returns the row in the same way. `share` is the distance from the upper edge as a share of the
+// film's depth.
 double rowAt(const solver::FilmGrid& grid, double share);
-// The number of distance constraints: columns·(rows−1) + rows·(columns−1), plus two for each cell
-// of an isotropic lattice (docs/film-model.md, "The paper's model").
+// Returns the number of distance constraints: columns·(rows−1) + rows·(columns−1), plus two for
+// each cell of an isotropic lattice (docs/film-model.md, "The paper's model").
 std::size_t constraintCount(const solver::FilmGrid& grid, bool isotropic);
 
 // Principal stretches of a film triangle from its deformation gradient (docs/film-model.md,
@@ -59,7 +63,8 @@ struct PrincipalStretch {
     float larger = 1;                               // λ1
     float smaller = 1;                              // λ2
     float area() const { return larger * smaller; } // J
-    // Film that is stretched in one direction tears, however much it shrinks across.
+    // Film tears if one direction is stretched too far, even if the film shrinks across that
+    // direction.
     bool isTorn(double limit) const { return std::max(larger, area()) > float(limit); }
 };
 // `places` are the positions of the triangle's corners.
@@ -67,14 +72,15 @@ PrincipalStretch principalStretch(const solver::FilmGrid& grid, const FilmTriang
                                   const std::array<Eigen::Vector3f, 3>& places);
 // Returns one entry for each film triangle.
 std::vector<PrincipalStretch> principalStretches(const DippedFilm& film);
-// The smaller principal stretch of a film triangle, relative to the floating film when the triangle
-// was touched. Below 1 the film is compressed. For growing film it is smaller than λ2.
+// Returns the smaller principal stretch of a film triangle. It is relative to the floating film at
+// the time when the body touched the triangle. Below 1 the film is compressed. If the film grows,
+// the result is smaller than λ2.
 float compression(const DippedFilm& film, const FilmTriangle& triangle,
                   const PrincipalStretch& stretch);
-// Final over rest length of every horizontal and vertical constraint: first the rows·(columns−1)
-// horizontal ones, then the columns·(rows−1) vertical ones.
+// Returns the final length divided by the rest length of each horizontal and vertical constraint:
+// first the rows·(columns−1) horizontal ones, then the columns·(rows−1) vertical ones.
 std::vector<float> constraintStretches(const DippedFilm& film);
-// Mean stretch of the constraints that meet at each point.
+// Returns for each point the mean stretch of the constraints that meet there.
 std::vector<float> pointStretches(const DippedFilm& film);
 
 struct Distribution {

@@ -7,9 +7,9 @@ namespace dipwright {
 
 namespace {
 
-// Counts cells beyond the fine part. At d mm from it the spacing is c + g·d, with g the logarithm
-// of the growth, up to the coarsest cell. The number of cells up to there is the integral of the
-// inverse spacing.
+// Counts cells outside the fine part. At d mm from the fine part, the spacing is c + g·d, up to the
+// coarsest cell. Here c is the finest cell, and g the logarithm of mostCellGrowth. The number of
+// cells within d is the integral of 1 / spacing.
 class CoarseningCells {
 public:
     explicit CoarseningCells(double cell) : cell_(cell) {}
@@ -24,9 +24,10 @@ public:
     }
 
 private:
-    double cell_; // mm, of the finest cells
+    double cell_; // size of the finest cells, mm
     double growth_ = std::log(mostCellGrowth);
-    double reach_ = cell_ * (coarsestCell - 1) / growth_; // mm to where the coarsest cells begin
+    // Distance at which the coarsest cells begin, mm.
+    double reach_ = cell_ * (coarsestCell - 1) / growth_;
     double cellsInReach_ = std::log(coarsestCell) / growth_;
 };
 
@@ -41,8 +42,8 @@ std::vector<double> gradedLines(double length, double from, double to, double ce
     const double before = beyond.countTo(from + half);
     const double fine = (to - from) / cell;
     const double all = before + fine + beyond.countTo(half - to);
-    // Use whole cells, none larger than requested. Their number before refinement is even, so that
-    // a film with half as many cells has every second line of this one.
+    // Use whole cells, none larger than requested. Before refinement their number is even. Then a
+    // film with half as many cells has every second line of this one.
     const double whole = 2 * std::ceil(all / 2 * (1 - 1e-12));
     const int count = std::max(int(std::lround(refinement * whole)), fewest - 1);
     std::vector<double> lines;

@@ -5,9 +5,10 @@
 
 namespace dipwright {
 
+// Whether floating film grows with these settings.
 bool grows(const solver::Settings& settings);
-// Length of freely floating film after `seconds`, relative to its length at the start of the dip; 1
-// if it does not grow.
+// Returns the length of freely floating film after `seconds`, relative to its length at the start
+// of the dip; 1 if the film does not grow.
 double grownLength(double seconds, const solver::Settings& settings);
 
 } // namespace dipwright

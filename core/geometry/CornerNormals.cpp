@@ -16,7 +16,7 @@ const auto creaseCosine = float(std::cos(radians(Degrees(35))));
 CornerNormals cornerNormals(const TriangleMesh& mesh) {
     std::vector<Eigen::Vector3f> faces(mesh.triangles.size());
     std::vector<float> areas(mesh.triangles.size());
-    std::vector<std::uint32_t> first(mesh.positions.size() + 1, 0); // into `around`, by position
+    std::vector<std::uint32_t> first(mesh.positions.size() + 1, 0); // start in `around`
     for (std::size_t i = 0; i < faces.size(); ++i) {
         faces[i] = triangleNormal(mesh, i);
         areas[i] = float(triangleArea(mesh, i));

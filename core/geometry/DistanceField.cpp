@@ -31,8 +31,8 @@ std::size_t sampleIndex(const DistanceField& field, int i, int j, int k) {
 
 // Computes the unsigned distance, from coarse to fine. A level holds the samples whose indices are
 // multiples of its stride. Each new sample lies between samples of the coarser level, which bound
-// its distance from below and above. If the lower bound says that the surface is many strides away,
-// it is kept. Elsewhere the distance is measured.
+// its distance from below and above. If the lower bound is many strides, it is kept as the sample's
+// distance. Otherwise the distance is measured.
 class DistanceSweep {
 public:
     DistanceSweep(DistanceField& field, const SurfaceQuery& query) : field_(field), query_(query) {}
@@ -86,8 +86,8 @@ private:
             }
         }
         const double step = stride * field_.spacing, away = step * std::sqrt(odd);
-        // Near the surface the coarser level is measured. Farther away it is a lower bound and
-        // gives no upper one.
+        // Near the surface, the coarser level's distances are measured. Farther away they are only
+        // lower bounds, which give no upper bound.
         const bool isMeasured = nearest <= exactCells * 2 * step;
         // The factors keep float rounding from making either bound too tight.
         return {(farthest - away) * (1 - 1e-6), isMeasured
@@ -173,7 +173,7 @@ private:
 
     // Returns on which side of the edge the row at (u, v) passes, as twice the signed area. An edge
     // is always measured in the same direction, so that both its triangles get the same answer. A
-    // row that meets an edge is shifted by an infinitesimal amount (ε, ε²), so that no row slips
+    // row that meets an edge is shifted by an infinitesimal amount (ε, ε²). Then no row passes
     // between two triangles or hits both.
     double side(int axis, std::uint32_t from, std::uint32_t to, int u, int v) const {
         if (from > to) {
@@ -244,7 +244,8 @@ private:
     }
 
     const DistanceField& field_;
-    std::vector<Eigen::Vector3d> corners_; // in cells from the field's first sample
+    // The body's corners, in cells from the field's first sample.
+    std::vector<Eigen::Vector3d> corners_;
     std::vector<std::uint8_t> votes_;
 };
 
@@ -276,8 +277,8 @@ double DistanceField::sample(const Eigen::Vector3d& position) const {
     const double inside = layer(0) + share.z() * (layer(1) - layer(0));
 
     const double beyond = (cells - inGrid).norm() * spacing;
-    // Seen from the nearest point of the grid, the body and `position` are at an obtuse angle, so
-    // the hypotenuse is never too large.
+    // At the nearest point of the grid, the directions to the body and to `position` form an obtuse
+    // angle. So the hypotenuse is never too large.
     return beyond > 0 ? std::hypot(beyond, std::max(inside, 0.0)) : inside;
 }
 

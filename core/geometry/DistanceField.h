@@ -9,7 +9,7 @@
 
 namespace dipwright {
 
-// Sample (i, j, k) has the index (k·size.y + j)·size.x + i; mm.
+// Distances are in mm. Sample (i, j, k) has the index (k·size.y + j)·size.x + i.
 struct DistanceField : FieldGrid {
     std::vector<float> distance;
 
@@ -21,7 +21,7 @@ struct DistanceField : FieldGrid {
 };
 
 // Builds the field on cubeGrid(). It is exact (up to float rounding) within three cells of the
-// surface. Farther away its magnitude is a bound that is never too large. Uses all cores;
+// surface. Farther away its magnitude is a lower bound of the distance. Uses all cores;
 // deterministic; throws Cancelled.
 DistanceField buildDistanceField(const TriangleMesh& body, int resolution,
                                  const Progress& progress);
@@ -30,9 +30,9 @@ DistanceField buildDistanceField(const TriangleMesh& body, int resolution,
 DistanceField buildDistanceField(const TriangleMesh& body, const SurfaceQuery& query,
                                  const FieldGrid& grid, const Progress& progress);
 
-// Builds the field on fieldGrid(), whose cells are finer where the body's thinnest part needs it.
-// Uses a cache on disk, keyed by the content of the mesh and the resolution. If the cache is
-// damaged or cannot be written, the field is computed.
+// Builds the field on fieldGrid(), whose cells are finer for bodies with thin parts. Uses a cache
+// on disk, keyed by the content of the mesh and the resolution. If the cache is damaged or cannot
+// be written, the field is computed.
 std::shared_ptr<const DistanceField> cachedDistanceField(const TriangleMesh& body, int resolution,
                                                          const Progress& progress);
 

@@ -72,7 +72,7 @@ void store(const QString& path, const DistanceField& field) {
     }
 }
 
-// The file was read before, so it is not a pipe.
+// Updates the file's time. The file was read before, so it cannot be a pipe.
 void markUsed(const QString& path) {
     QFile file(path);
     if (file.open(QIODevice::ReadWrite)) {

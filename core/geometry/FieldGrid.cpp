@@ -13,10 +13,10 @@ namespace dipwright {
 namespace {
 
 constexpr int paddingCells = 3;
-// A plate is resolved with certainty if at least this many cells go across it. Then one of its
-// samples lies inside, and no sample beyond its middle determines its surface.
+// A plate is always resolved if at least this many cells lie across its thickness. Then a sample
+// lies inside the plate, and no sample beyond its middle determines its surface.
 constexpr double leastCellsAcross = 2;
-// A plate with fewer gets this many, to allow for plates that are oblique in the grid.
+// A plate with fewer cells gets this many, because plates may lie obliquely in the grid.
 constexpr double cellsAcross = 4;
 constexpr double thinShare = 0.01;
 constexpr double opposite = -0.8; // cosine between the normals of a plate's faces
@@ -71,7 +71,7 @@ FieldGrid cubeGrid(const TriangleMesh& body, int resolution) {
 }
 
 double thinnestPart(const TriangleMesh& body, const SurfaceQuery& query) {
-    // so that the ray misses the face itself
+    // distance from the face at which the ray starts, so that it misses the face
     const float clear = 1e-5F * boundingBox(body).diagonal().norm();
     const std::vector<SurfacePoint> samples = evenSamples(body, surfaceArea(body) / wantedSamples);
     std::vector<float> thicknesses;

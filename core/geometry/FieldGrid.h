@@ -1,5 +1,5 @@
-// The sample positions of a body's distance field. The user sets their number. A body with parts
-// too thin for that number gets as many samples as its thinnest parts need (docs/film-model.md,
+// The sample positions of a body's distance field. The user sets the number of samples along each
+// edge. A body with thinner parts gets as many samples as these parts need (docs/film-model.md,
 // "The distance field's cells").
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace dipwright {
 
-// Sample (i, j, k) lies at origin + spacing·(i, j, k); mm.
+// Sample (i, j, k) lies at origin + spacing·(i, j, k), in mm.
 struct FieldGrid {
     std::array<int, 3> size{};
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -20,10 +20,10 @@ struct FieldGrid {
 // around the body. Throws Error on another resolution or a body without extent.
 FieldGrid cubeGrid(const TriangleMesh& body, int resolution);
 
-// Returns the thickness of the body's thinnest parts, mm: one hundredth of its surface lies on
-// thinner plates. Infinite if less than that lies on plates. A plate has faces on both sides that
-// are parallel to within 37°, so a taper to an edge is not a plate. `query` must have been built
-// from `body`.
+// Returns the thickness of the body's thinnest parts, mm: 1 % of the body's surface lies on plates
+// that are thinner. Infinite if less than 1 % of the surface lies on plates. A plate has faces on
+// both sides that are parallel to within 37°, so a part that tapers to an edge is not a plate.
+// `query` must have been built from `body`.
 double thinnestPart(const TriangleMesh& body, const SurfaceQuery& query);
 
 // Whether a field on this grid resolves plates of this thickness.
@@ -33,6 +33,7 @@ bool isFineEnough(const FieldGrid& grid, double thinnest);
 // finer cells, as fine as the parts need or mostFieldSamples allows.
 FieldGrid fieldGrid(const TriangleMesh& body, int resolution, double thinnest);
 
-inline constexpr std::size_t mostFieldSamples = std::size_t(1) << 25; // in a box: 128 MiB
+// The largest number of samples in a box; they take 128 MiB.
+inline constexpr std::size_t mostFieldSamples = std::size_t(1) << 25;
 
 } // namespace dipwright

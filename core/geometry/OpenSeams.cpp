@@ -8,7 +8,7 @@
 namespace dipwright {
 namespace {
 
-constexpr float apart = 1e-5f; // relative to the mesh's longest side
+constexpr float largestGap = 1e-5f; // relative to the mesh's longest side
 
 // Returns the positions on edges that only one triangle has, in ascending order.
 std::vector<std::uint32_t> onOpenEdges(const TriangleMesh& mesh) {
@@ -48,11 +48,13 @@ TriangleMesh withClosedSeams(const TriangleMesh& mesh) {
     for (const Eigen::Vector3f& position : mesh.positions) {
         box.extend(position);
     }
-    const float near = apart * box.sizes().maxCoeff();
+    const float near = largestGap * box.sizes().maxCoeff();
     // Sweep in an oblique direction, because seams and rims run along the axes and share
     // coordinates.
-    const Eigen::Vector3f aslant = Eigen::Vector3f(0.53f, 0.62f, 0.58f).normalized();
-    const auto along = [&](std::uint32_t position) { return aslant.dot(mesh.positions[position]); };
+    const Eigen::Vector3f sweepDirection = Eigen::Vector3f(0.53f, 0.62f, 0.58f).normalized();
+    const auto along = [&](std::uint32_t position) {
+        return sweepDirection.dot(mesh.positions[position]);
+    };
     std::stable_sort(open.begin(), open.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return along(a) < along(b); });
     std::vector<std::uint32_t> one(mesh.positions.size());

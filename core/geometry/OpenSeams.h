@@ -1,4 +1,4 @@
-// Closes meshes that are open along seams that look closed. Files often store the vertices of a
+// Closes the seams of a mesh that look closed but are open. Files often store the vertices of a
 // texture seam twice, with positions that differ by rounding. Welding by position does not close
 // such a seam.
 #pragma once
@@ -7,8 +7,9 @@
 
 namespace dipwright {
 
-// Returns the mesh with positions on open edges merged if they are less than 10⁻⁵ of its size
-// apart. The triangles and their order stay; only their corners change. Wide openings stay open.
+// Returns the mesh with positions on open edges merged if the gap is less than 10⁻⁵ of the mesh's
+// longest side. The triangles and their order stay; only their corners change. Wide openings stay
+// open.
 TriangleMesh withClosedSeams(const TriangleMesh& mesh);
 
 } // namespace dipwright

@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint32_t noMiddle = 0xffffffffu;
 
 using Triangle = std::array<std::uint32_t, 3>;
-using Line = std::array<std::uint32_t, 2>; // between two points
+using Line = std::array<std::uint32_t, 2>; // the indices of its two ends
 
 // Midpoints of the edges that were cut.
 class Middles {
@@ -22,7 +22,7 @@ public:
 
     // Returns the midpoint of an edge. Creates it if the edge is too long and has none.
     std::uint32_t of(std::uint32_t from, std::uint32_t to) {
-        const auto [low, high] = std::minmax(from, to); // the same from both sides
+        const auto [low, high] = std::minmax(from, to); // in one order for both triangles
         const Eigen::Vector3f a = positions_[low];
         const Eigen::Vector3f b = positions_[high];
         if (!isTooLong_(a, b)) {
@@ -43,8 +43,8 @@ private:
 };
 
 // Returns the triangles into which a triangle is cut. Points 0, 1, 2 are its corners; point 3 + e
-// is the midpoint of edge e, if that edge has one. `isShorter` compares lines where there is a
-// choice.
+// is the midpoint of edge e, if that edge has one. If two edges have midpoints, there are two ways
+// to cut; `isShorter` chooses the shorter line.
 std::vector<Triangle> cut(const Triangle& middles, const auto& isShorter) {
     std::vector<std::uint32_t> edges;
     for (std::uint32_t edge = 0; edge < 3; ++edge) {

@@ -8,7 +8,8 @@
 
 namespace dipwright {
 
-// Returns the longest edge, mm, with which about `triangles` triangles of one size cover the mesh.
+// Returns the longest edge, in mm, of about `triangles` triangles of equal size that cover the
+// mesh.
 float edgeForTriangles(const TriangleMesh& mesh, double triangles);
 
 // Immutable after construction; any thread may read.
@@ -17,8 +18,8 @@ public:
     // Bisects the edges of `coarse` until none is longer than `longestEdge` (> 0), mm. Both
     // triangles of an edge are cut at the same point.
     RefinedMesh(const TriangleMesh& coarse, float longestEdge);
-    // Bisects edges while `isTooLong` says so. The answer may depend on where the ends lie, but
-    // must be no for short edges.
+    // Bisects each edge for which `isTooLong` returns true. The result may depend on the positions
+    // of the edge's ends, but must be false for short edges.
     using TooLong = std::function<bool(const Eigen::Vector3f& from, const Eigen::Vector3f& to)>;
     RefinedMesh(const TriangleMesh& coarse, const TooLong& isTooLong);
 
@@ -37,8 +38,9 @@ private:
     // A coarse triangle, or a part of one that may be cut again.
     struct Part {
         Corners corners;
-        std::uint32_t first = 0; // first part it was cut into; if not cut, its fine triangle
-        std::uint32_t count = 0; // number of parts; 0 if not cut
+        // Index of its first part, or of its fine triangle if it is not cut.
+        std::uint32_t first = 0;
+        std::uint32_t count = 0; // number of parts; 0 if it is not cut
     };
 
     TriangleMesh mesh_;

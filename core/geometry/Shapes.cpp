@@ -119,7 +119,7 @@ TriangleMesh torusMesh(double circleRadius, double tubeRadius, int rings, int se
     TriangleMesh mesh;
     const Index count = Index(segments);
     for (int ring = 0; ring < rings; ++ring) {
-        // 0 at the outermost ring, increasing over the top
+        // angle around the tube: 0 at the outermost ring, increasing over the top
         const double round = ringAngle(ring, rings);
         const double distance = circleRadius + tubeRadius * std::cos(round);
         for (int segment = 0; segment < segments; ++segment) {
@@ -138,7 +138,7 @@ TriangleMesh torusMesh(double circleRadius, double tubeRadius, int rings, int se
 TriangleMesh tetrahedronMesh(double edge) {
     TriangleMesh mesh;
     const double height = edge * std::sqrt(2.0 / 3);
-    const double circumradius = edge / std::sqrt(3.0); // of the face
+    const double circumradius = edge / std::sqrt(3.0); // circumradius of a face
     for (int corner = 0; corner < 3; ++corner) {
         const double angle = ringAngle(corner, 3);
         mesh.positions.push_back(

@@ -1,17 +1,17 @@
-// Meshes of simple shapes for the benchmark, the physics validation and the tests. All are closed,
-// centred on the origin unless stated otherwise, in mm, Y up.
+// Meshes of simple shapes for the benchmark, the physics validation and the tests. All meshes are
+// closed, in mm and with Y up. They are centred on the origin unless stated otherwise.
 #pragma once
 
 #include "geometry/TriangleMesh.h"
 
 namespace dipwright {
 
-// Divided into rings of latitude and segments of longitude. The poles are single points on the Y
-// axis. Has 2 + (rings − 1)·segments positions.
+// A sphere, divided into rings of latitude and segments of longitude. The poles are single points
+// on the Y axis. The mesh has 2 + (rings − 1)·segments positions.
 TriangleMesh sphereMesh(double radius, int rings, int segments);
 TriangleMesh ellipsoidMesh(const Eigen::Vector3d& radii, int rings, int segments);
-// The apex points down at y = 0, the flat top lies at y = height, the axis is Y. The half-angle is
-// between axis and side.
+// A cone about the Y axis. Its apex is at y = 0 and points down; its flat top is at y = height. The
+// half-angle is the angle between the axis and the side.
 TriangleMesh coneMesh(double halfAngleRadians, double height, int segments);
 TriangleMesh boxMesh(const Eigen::Vector3d& size);
 // A horizontal cylinder along Z with flat ends.

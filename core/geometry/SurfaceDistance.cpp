@@ -12,9 +12,9 @@ namespace {
 constexpr float far = std::numeric_limits<float>::infinity();
 
 // The triangles around each position.
-class Rounds {
+class TrianglesAround {
 public:
-    explicit Rounds(const TriangleMesh& mesh) : first_(mesh.positions.size() + 1) {
+    explicit TrianglesAround(const TriangleMesh& mesh) : first_(mesh.positions.size() + 1) {
         for (const auto& triangle : mesh.triangles) {
             for (const std::uint32_t corner : triangle) {
                 ++first_[corner + 1];
@@ -79,7 +79,7 @@ float arrival(const Eigen::Vector3f& a, float atA, const Eigen::Vector3f& b, flo
 
 std::vector<float> surfaceDistance(const TriangleMesh& mesh, std::vector<float> begin, float limit,
                                    const UnfoldedTriangles& measured) {
-    const Rounds rounds(mesh);
+    const TrianglesAround around(mesh);
     std::vector<float> distance = std::move(begin);
     using Entry = std::pair<float, std::uint32_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
@@ -96,7 +96,7 @@ std::vector<float> surfaceDistance(const TriangleMesh& mesh, std::vector<float> 
             continue;
         }
         done[position] = 1;
-        rounds.forEach(position, [&](std::uint32_t triangle) {
+        around.forEach(position, [&](std::uint32_t triangle) {
             const auto& corners = mesh.triangles[triangle];
             const std::array<Eigen::Vector3f, 3> places =
                 measured.empty() ? cornersOf(mesh, triangle) : measured[triangle];

@@ -13,8 +13,8 @@ namespace dipwright {
 
 namespace {
 
-// Returns the weights of the point of triangle abc nearest to p, by the Voronoi regions of its
-// corners and edges (Ericson, Real-Time Collision Detection, section 5.1.5).
+// Returns the weights of the point of triangle abc nearest to p. Uses the Voronoi regions of the
+// triangle's corners and edges (Ericson, Real-Time Collision Detection, section 5.1.5).
 Eigen::Vector3d closestWeights(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                                const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
     const Eigen::Vector3d ab = b - a, ac = c - a;
@@ -55,8 +55,8 @@ Eigen::Vector3d closestWeights(const Eigen::Vector3d& p, const Eigen::Vector3d& 
 struct ClosestSearch {
     const TriangleMesh& mesh;
     Eigen::Vector3d position;
-    double slack; // mm by which Embree's float distances to boxes may be too large
-    double limit; // mm²; farther points do not count
+    double slack; // largest error of Embree's float distances to boxes, mm
+    double limit; // largest squared distance that counts, mm²
     double squaredDistance = std::numeric_limits<double>::infinity();
     std::uint32_t triangle = SurfacePoint::noTriangle;
     Eigen::Vector3d weights = Eigen::Vector3d::Zero();
@@ -100,14 +100,14 @@ RTCRay makeRay(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, 
     return ray;
 }
 
-// Embree's context comes first, so that a filter can find what else the query carries.
+// Embree's context is the first member, so that a filter can reach the other members.
 struct FirstHit {
     RTCIntersectContext context;
     float distance = std::numeric_limits<float>::infinity();
     std::uint32_t triangle = RTC_INVALID_GEOMETRY_ID;
 };
 
-// If triangles are hit at the same distance (on a shared edge), the first one counts, so that the
+// If triangles are hit at the same distance (on a shared edge), the first one counts. Then the
 // order of traversal does not matter.
 void keepFirstTriangle(const RTCFilterFunctionNArguments* arguments) {
     auto& best = *reinterpret_cast<FirstHit*>(arguments->context);

@@ -9,12 +9,12 @@
 namespace dipwright {
 
 struct ClosestPoint {
-    SurfacePoint point; // invalid: nothing within the asked distance
+    SurfacePoint point; // invalid if no surface is within the requested distance
     float distance = std::numeric_limits<float>::infinity(); // mm, unsigned
 };
 
 struct RayHit {
-    SurfacePoint point;                                      // invalid: nothing was hit
+    SurfacePoint point;                                      // invalid if the ray hits nothing
     float distance = std::numeric_limits<float>::infinity(); // in units of the direction's length
 };
 
@@ -31,14 +31,14 @@ public:
     ClosestPoint closest(const Eigen::Vector3f& position,
                          float within = std::numeric_limits<float>::infinity()) const;
     // Returns the nearest surface point at any distance. Searches within `likely` mm first, which
-    // is faster if that was a good guess.
+    // is faster if the point is that near.
     ClosestPoint closestNear(const Eigen::Vector3f& position, float likely) const;
-    // Returns the first hit of the ray from `origin` along `direction`, up to `reach` times its
-    // length.
+    // Returns the first hit of the ray from `origin` along `direction`, up to `reach` times the
+    // direction's length.
     RayHit hit(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
                float reach = std::numeric_limits<float>::infinity()) const;
-    // Whether `position` is inside: for most of several rays the exits and entries do not balance.
-    // Overlapping parts count as one body, and small holes do not change the answer.
+    // Whether `position` is inside: most of several rays from it have different numbers of exits
+    // and entries. Overlapping parts count as one body, and small holes do not change the answer.
     bool isInside(const Eigen::Vector3f& position) const;
 
 private:

@@ -9,7 +9,8 @@
 namespace dipwright {
 namespace {
 
-constexpr double faceAngle = 15; // degrees, largest difference between the normals of one face
+// The largest angle between the normals of the first triangle and any other, degrees.
+constexpr double faceAngle = 15;
 
 } // namespace
 
@@ -36,7 +37,7 @@ std::vector<std::uint32_t> trianglesWithin(const TriangleMesh& mesh, const Surfa
     return found;
 }
 
-std::vector<std::uint32_t> faceRound(const TriangleMesh& mesh, std::uint32_t triangle) {
+std::vector<std::uint32_t> faceAround(const TriangleMesh& mesh, std::uint32_t triangle) {
     const Eigen::Vector3f normal = triangleNormal(mesh, triangle);
     const auto least = float(std::cos(faceAngle * std::numbers::pi / 180));
     std::vector<std::uint8_t> seen(mesh.triangles.size());

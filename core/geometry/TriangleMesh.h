@@ -19,7 +19,7 @@ struct TriangleMesh {
 };
 
 BoundingBox boundingBox(const TriangleMesh& mesh);
-// Returns mm³, by the divergence theorem; meaningful for a closed mesh.
+// Returns the volume in mm³, by the divergence theorem. It is meaningful only for a closed mesh.
 double volume(const TriangleMesh& mesh);
 double surfaceArea(const TriangleMesh& mesh);                        // mm²
 double triangleArea(const TriangleMesh& mesh, std::size_t triangle); // mm²

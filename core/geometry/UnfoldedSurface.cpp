@@ -13,10 +13,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double edgesInRadius = 40; // edges of the refined mesh within the radius
-// least weight of each corner at the middle: directly at a corner there is no direction
-constexpr double inside = 1e-3;
-constexpr double nearer = 1 - 1e-9; // a path must be shorter by more than this factor
-constexpr double alike = 2;         // a triangle distorted by more than this factor is torn
+// least weight of each corner at the middle, because directions are undefined at a corner itself
+constexpr double leastWeight = 1e-3;
+// a path counts as shorter if its length is below this share of the other's
+constexpr double shorterShare = 1 - 1e-9;
+constexpr double mostDistortion = 2; // a triangle distorted by more than this factor is torn
 
 double segmentDistance(const Eigen::Vector3d& place, const Eigen::Vector3d& from,
                        const Eigen::Vector3d& to) {
@@ -100,7 +101,7 @@ private:
     }
 
     void take(std::uint32_t point, const Eigen::Vector2d& place) {
-        if (place.norm() < nearer * places_[point].norm() ||
+        if (place.norm() < shorterShare * places_[point].norm() ||
             !std::isfinite(places_[point].norm())) {
             places_[point] = place;
             open_.push({place.norm(), point});
@@ -158,8 +159,8 @@ private:
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
 };
 
-// Returns a triangle's corners in the plane. If paths from different sides reach it, its shape
-// there is wrong; it is then laid flat next to the edge that fits best.
+// Returns a triangle's corners in the plane. If paths from different sides reach it, its shape in
+// the plane is wrong. The triangle is then laid flat next to the edge that fits best.
 std::array<Eigen::Vector2d, 3> fitted(std::array<Eigen::Vector2d, 3> places,
                                       const std::array<Eigen::Vector3f, 3>& corners) {
     std::array<double, 3> lengths{}, misfits{};
@@ -170,7 +171,8 @@ std::array<Eigen::Vector2d, 3> fitted(std::array<Eigen::Vector2d, 3> places,
     }
     const Eigen::Vector2d u = places[1] - places[0], v = places[2] - places[0];
     const bool isTurnedOver = u.x() * v.y() - u.y() * v.x() < 0;
-    if (!isTurnedOver && *std::max_element(misfits.begin(), misfits.end()) < std::log(alike)) {
+    if (!isTurnedOver &&
+        *std::max_element(misfits.begin(), misfits.end()) < std::log(mostDistortion)) {
         return places;
     }
     const auto best =
@@ -198,7 +200,7 @@ UnfoldedSurface::UnfoldedSurface(const TriangleMesh& mesh, const SurfacePoint& m
     const TriangleMesh& fine = fine_.mesh();
     const SurfacePoint place = fine_.onFine(middle);
     const std::array<Eigen::Vector3f, 3> corners = cornersOf(fine, place.triangle);
-    Eigen::Vector3d weights = place.weights.cast<double>().cwiseMax(inside);
+    Eigen::Vector3d weights = place.weights.cast<double>().cwiseMax(leastWeight);
     weights /= weights.sum();
     Eigen::Vector3d source = Eigen::Vector3d::Zero(), wanted = Eigen::Vector3d::Zero();
     for (std::size_t k = 0; k < 3; ++k) {

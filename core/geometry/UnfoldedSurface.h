@@ -1,8 +1,8 @@
-// Lays a surface flat around a place on it, so that distances from the place and directions at it
-// are kept: the inverse of the exponential map. On a developable surface, such as a cylinder or the
-// faces on both sides of an edge, all lengths are kept and straight lines stay straight. On a
-// doubly curved surface, lengths across become too short or too long with the distance from the
-// place, as its curvature dictates.
+// Lays a surface flat around a place on it, so that distances from the place and directions at the
+// place are kept. This is the inverse of the exponential map. On a developable surface, such as a
+// cylinder or the faces on both sides of an edge, all lengths are kept, and straight lines stay
+// straight. On a doubly curved surface, lengths across these directions become too short or too
+// long. This error grows with the distance from the place and with the curvature.
 #pragma once
 
 #include "geometry/RefinedMesh.h"
@@ -18,17 +18,18 @@ struct SurfaceFrame {
 };
 
 // Returns the frame in which a picture is upright for a viewer who looks along −`outward`, with the
-// model's +Y up. If the view is straight down (or up), upright is −Z (or +Z), away from the viewer.
+// model's +Y up. If the viewer looks straight down, the picture's up is −Z; if straight up, it is
+// +Z.
 SurfaceFrame uprightFrame(const Eigen::Vector3d& outward);
 
 // Uses discrete geodesic polar coordinates (Melvær & Reimers 2012, "Geodesic polar coordinates on
-// polygonal meshes") in double precision, on the mesh refined around the place. Immutable, any
-// thread may read; the same answer in every run.
+// polygonal meshes"). Computes in double precision on the mesh refined around the place. Immutable,
+// any thread may read; the same answer in every run.
 class UnfoldedSurface {
 public:
-    // Unfolds everything within `radius` (> 0) mm of `middle` along the surface. It crosses seams
-    // whose sides differ only by rounding. Right and up of the plane are those of uprightFrame()
-    // for the middle's triangle.
+    // Unfolds everything within `radius` (> 0) mm of `middle` along the surface. Unfolding
+    // continues across seams whose sides differ only by rounding. Right and up of the plane are
+    // those of uprightFrame() for the middle's triangle.
     UnfoldedSurface(const TriangleMesh& mesh, const SurfacePoint& middle, double radius);
 
     // Returns where a place of the mesh lies in the plane, mm to the right and up from the middle;
@@ -41,7 +42,7 @@ private:
 
     RefinedMesh fine_;
     double radius_;
-    std::vector<Corners> corners_; // of each fine triangle; NaN if not reached
+    std::vector<Corners> corners_; // places of each fine triangle's corners; NaN if not reached
 };
 
 } // namespace dipwright

@@ -20,12 +20,12 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::BuiltPlaces)
 };
 
-constexpr double step = 0.25;          // mm on the sheet, to either side
-constexpr int rounds = 8;              // of Newton's method
-constexpr double close = 1e-3;         // pixels: converged
-constexpr double farthest = 20;        // mm on the sheet
+constexpr double step = 0.25;          // mm on the sheet to either side, for derivatives
+constexpr int rounds = 8;              // iterations of Newton's method
+constexpr double close = 1e-3;         // pixels: a smaller residual counts as converged
+constexpr double farthest = 20;        // mm on the sheet: largest offset that is searched
 constexpr double leastFromFront = 0.2; // least ratio of the axes of a circle as seen
-constexpr double samePlace = 0.01;     // mm on the model: the same place
+constexpr double samePlace = 0.01;     // mm on the model: nearer places count as one place
 
 // Tells where places of one film's sheet appear in the photos.
 class SeenFilm {
@@ -69,7 +69,7 @@ private:
 
 struct Found {
     Eigen::Vector2d off;
-    double pixels = 0; // least pixels per mm of the sheet
+    double pixels = 0; // pixels per mm of the sheet, in the direction with the fewest
 };
 
 std::optional<Found> sheetOffset(const PrintedPlace& place, const SeenFilm& film) {

@@ -10,7 +10,7 @@ namespace dipwright {
 namespace {
 
 constexpr std::size_t leastCorners = 12;
-constexpr int mostSeeds = 400; // tried per picture
+constexpr int mostSeeds = 400; // number of first corners that are tried per picture
 constexpr int mostReach = 80;  // columns and rows from the first corner
 
 class Grower {
@@ -61,7 +61,7 @@ private:
     }
 
     void grow() {
-        // A corner without a neighbour now may get one when the corners beside it have been placed.
+        // Repeats, because a newly placed corner can help its neighbours to find the next corners.
         for (std::size_t before = 0; before != place_.size();) {
             before = place_.size();
             for (const auto& [at, saddle] : place_) {
@@ -93,7 +93,8 @@ private:
         }
     }
 
-    // Returns the step before this one on the same line, or the step beside it.
+    // Returns the previous step on the same line if it is known, otherwise the same step on a
+    // neighbouring line.
     std::optional<Eigen::Vector2d> expectedStep(GridPlace from, int dx, int dy) const {
         const auto [i, j] = from;
         const auto stepFrom = [&](int column, int row) -> std::optional<Eigen::Vector2d> {
@@ -125,7 +126,7 @@ private:
         return best;
     }
 
-    // Returns the nearest saddle in a narrow cone to which an edge runs.
+    // Returns the nearest saddle that lies in a narrow cone and to which an edge runs.
     std::optional<std::size_t> nextAlong(std::size_t from, const Eigen::Vector2d& along) const {
         constexpr double cone = 0.25;   // sine of its half angle
         constexpr double leastStep = 8; // pixels

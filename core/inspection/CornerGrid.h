@@ -1,4 +1,4 @@
-// Sorts corners between squares into columns and rows. Private to this folder.
+// Sorts the corners of chessboard squares into columns and rows. Private to this folder.
 #pragma once
 
 #include "inspection/Saddles.h"
@@ -11,8 +11,8 @@
 
 namespace dipwright {
 
-// Column and row, counted from a corner near the middle. They may be negative, and the axes may
-// point in any direction.
+// Column and row of a corner, counted from a corner near the middle. Both may be negative, and the
+// axes may point in any direction.
 using GridPlace = std::pair<int, int>;
 
 // Steps to the next corner in the row and in the column, estimated from the neighbours that exist.
@@ -24,9 +24,9 @@ struct CornerGrid {
     std::map<GridPlace, Eigen::Vector2d> corners;
 
     const Eigen::Vector2d* at(int column, int row) const;
-    // steps() needs a neighbour in the corner's column and one in its row; hasSteps() tells whether
-    // both exist.
+    // Tells whether the corner has a neighbour in its column and a neighbour in its row.
     bool hasSteps(GridPlace place) const;
+    // Needs hasSteps().
     GridSteps steps(GridPlace place) const;
 };
 

@@ -20,9 +20,11 @@ struct Text {
 };
 
 constexpr int mostRounds = 16;
-constexpr double settledShare = 0.05; // of its interval: largest move of an unknown at the end
-constexpr double worse = 1.02; // growth of the residual at which a round goes back half its way
-constexpr double surelyUnknown = 6; // times the interval that counts as known, before the end
+constexpr double settledShare =
+    0.05;                      // share of its interval that an unknown may move in the last round
+constexpr double worse = 1.02; // factor of residual growth above which a step is halved
+// Before the end, an unknown is left out if its interval is this many times the widest known one.
+constexpr double clearlyUnknown = 6;
 
 std::vector<FitUnknown> unknownsOf(const Project& project, const FittedDips& dips,
                                    const std::vector<PrintedPlace>& printed, const FitRequest& wish,
@@ -66,8 +68,8 @@ PartView firstCamera(const FitPairs& pairs, const std::optional<Lens>& lens) {
     return fitPartCamera(meant, pairs.photos, pairs.picture, pairs.where, lens);
 }
 
-// Returns the free unknown with the largest ratio of its 95 % interval to what counts as known, and
-// that ratio.
+// Returns the free unknown whose 95 % interval is the largest multiple of its widestKnownInterval.
+// Also returns that multiple.
 std::pair<std::size_t, double> leastKnown(const JointSolution& solution,
                                           const std::vector<FitUnknown>& unknowns,
                                           const std::vector<bool>& isFree) {
@@ -82,7 +84,8 @@ std::pair<std::size_t, double> leastKnown(const JointSolution& solution,
     return worst;
 }
 
-// The search alternates between rounds of dips and a fit that treats the places as moving linearly.
+// Alternates between simulated dips and a fit. The fit assumes that the places move linearly with
+// the unknowns.
 class Search {
 public:
     Search(const Project& project, const DistanceField& field, const FitPairs& pairs,
@@ -122,9 +125,9 @@ public:
 
 private:
     JointSolution solve(const std::vector<bool>& isFree) const {
-        const CameraFit camera = wish_.keepsBodyPairsCamera ? CameraFit::Held
-                                 : wish_.lens               ? CameraFit::KnownLens
-                                                            : CameraFit::Whole;
+        const CameraFit camera = wish_.keepsBodyCamera ? CameraFit::Held
+                                 : wish_.lens          ? CameraFit::KnownLens
+                                                       : CameraFit::Whole;
         return fitJointly(near_, seen_, camera_, isFree, camera, pairs_.where);
     }
 
@@ -141,7 +144,8 @@ private:
         pixels_ = held.pixels;
         settled_ = centre_;
         solution_ = solve(isFree_);
-        while (dropLeastKnown(std::min(1.0, 2 / std::max(solution_.pixels, 1e-9)), surelyUnknown)) {
+        while (
+            dropLeastKnown(std::min(1.0, 2 / std::max(solution_.pixels, 1e-9)), clearlyUnknown)) {
             solution_ = solve(isFree_);
         }
         if (moves()) {
@@ -153,7 +157,7 @@ private:
                                  "pairs, all round the part"),
                         pairs_.where);
         }
-        if (!isDone_) { // go on from the result, without the unknowns that were left out
+        if (!isDone_) { // continue from the result, without the unknowns that were left out
             solution_ = solve(isFree_);
             moves();
         }
@@ -161,8 +165,8 @@ private:
 
     bool isDone() const { return isDone_; }
 
-    // A place that was once off the body is left out for good. Otherwise the rounds would be
-    // compared by different places.
+    // A place that was off the body in one round stays left out in all later rounds. Otherwise the
+    // residuals of the rounds would come from different places.
     void excludePlacesOffBody() {
         isOut_.resize(near_.places.size(), false);
         for (std::size_t i = 0; i < isOut_.size(); ++i) {
@@ -181,9 +185,9 @@ private:
         }
     }
 
-    // Leaves out the least known unknown if it does not count as known, and tells whether it did.
-    // `share` is the share of its interval that counts. Throws if the quantity was named by the
-    // user.
+    // Leaves out the least known unknown if its interval, multiplied by `share`, exceeds `limit`
+    // times its widestKnownInterval. Returns whether it left out an unknown. Throws Error if the
+    // user named the quantity.
     bool dropLeastKnown(double share, double limit) {
         const auto [worst, off] = leastKnown(solution_, unknowns_, isFree_);
         if (!(off * share > limit)) {
@@ -191,7 +195,7 @@ private:
         }
         if (!wish_.quantities.empty()) {
             throw Error(
-                whyUnknown(solution_, unknowns_, isFree_, worst, near_, !pairs_.body.empty()),
+                whyNotDetermined(solution_, unknowns_, isFree_, worst, near_, !pairs_.body.empty()),
                 pairs_.where);
         }
         isFree_[worst] = false;
@@ -201,7 +205,8 @@ private:
         return true;
     }
 
-    // Moves to the solution, within the largest step, and tells whether that is a move.
+    // Moves to the solution by at most the largest step. Returns whether an unknown moved
+    // noticeably.
     bool moves() {
         bool isMoved = settled_.size() == 0;
         for (std::size_t i = 0; i < unknowns_.size(); ++i) {
@@ -224,8 +229,8 @@ private:
     SimulatedPlaces places_;
     std::vector<FitUnknown> unknowns_;
     std::vector<bool> isFree_;
-    Eigen::VectorXd centre_;  // for the next dips
-    Eigen::VectorXd settled_; // of the last dips that were not worse; empty: none
+    Eigen::VectorXd centre_;  // values for the next dips
+    Eigen::VectorXd settled_; // values of the last dips that were not worse; empty: none
     PlacesNear near_;
     std::vector<bool> isOut_; // one per printed place
     std::optional<JointSolution> before_;
@@ -258,8 +263,8 @@ void fillDistances(FilmFit& fit, const Search& search, const FitPairs& pairs) {
             continue;
         }
         const double scale = perPixel(fit.view, pairs, pairs.printed[i], *lies);
-        off.before = search.before().seenOff[i];
-        off.after = search.after().seenOff[i];
+        off.before = search.before().seenDistances[i];
+        off.after = search.after().seenDistances[i];
         off.millimetres = off.after.norm() * scale;
         before.push_back(off.before.norm());
         after.push_back(off.after.norm());
@@ -320,7 +325,7 @@ FilmFit fitFilm(const Project& project, const DistanceField& field, const FitPai
     fit.depth = project.process.depth;
     fillDistances(fit, search, pairs);
     const FittedDips& dips = search.places().dips();
-    std::vector<FitUnknown> unknowns; // the fitted ones
+    std::vector<FitUnknown> unknowns; // the fitted unknowns
     std::vector<double> values;
     for (std::size_t i = 0; i < search.unknowns().size(); ++i) {
         const FitUnknown& unknown = search.unknowns()[i];

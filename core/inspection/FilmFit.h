@@ -17,7 +17,8 @@ namespace dipwright {
 
 struct Project;
 
-// What photos of one dipped part show. The photos are from one camera and have one size.
+// The places that were found in photos of one dipped part. All photos are from one camera and have
+// the same size.
 struct FitPairs {
     std::vector<PrintedPlace> printed;
     // Places on the body itself, independent of the print; they separate the camera from the film.
@@ -31,11 +32,11 @@ struct FitPairs {
 struct FitRequest {
     // Empty: the usualQuantities() that the pairs determine.
     std::vector<FitQuantity> quantities;
-    bool keepsBodyPairsCamera = false; // keeps the camera that fits the body's places alone
-    std::optional<Lens> lens;          // known from an earlier measurement of the camera
+    bool keepsBodyCamera = false; // keeps the camera that fits the body's places alone
+    std::optional<Lens> lens;     // known from an earlier measurement of the camera
 };
 
-// Values have the quantity's own unit. Shifts are offsets on the water; a turn counts from the
+// A fitted quantity, in its own unit. Shifts are offsets on the water; a turn counts from the
 // project's pose.
 struct FittedQuantity {
     FitUnknown unknown;
@@ -43,23 +44,25 @@ struct FittedQuantity {
     double low = 0, high = 0; // 95 % interval
 };
 
-// The distance of one printed place, seen minus expected. `before` uses the camera that fits best
-// without the fitted quantities.
+// The distance of one printed place, seen minus expected. `before` is measured with the project's
+// quantities and the camera that fits them best.
 struct FitDistance {
-    bool isOnBody = false; // in the fitted simulation; if false, the other members have no meaning
+    bool isOnBody =
+        false; // whether the fitted simulation paints the place; if not, ignore the rest
     Eigen::Vector2d before{0, 0}, after{0, 0}; // pixels
     double millimetres = 0;                    // `after` in mm, across the line of sight
 };
 
 struct FilmFit {
     std::vector<FittedQuantity> quantities;
-    Eigen::MatrixXd correlation; // of `quantities`
-    // Quantities that the pairs do not determine; they keep their values. Only if none were named.
+    Eigen::MatrixXd correlation; // correlations between `quantities`
+    // Quantities that the pairs do not determine; they keep their values. Empty if the user named
+    // quantities.
     std::vector<FitUnknown> left;
-    // Why relaxation is not known to a tenth, and what to photograph; empty if it is known.
+    // Why relaxation is not known to within 10 %, and what to photograph; empty if it is.
     QString doubt;
     std::vector<FitDistance> off;             // one per printed place
-    PartView view;                            // without figures
+    PartView view;                            // camera; its `figures` are not set
     double beforePixels = 0, afterPixels = 0; // root mean square distances
     double beforeMillimetres = 0, afterMillimetres = 0;
     int dips = 0, rounds = 0;
@@ -70,9 +73,9 @@ struct FilmFit {
 };
 
 // Simulates dips near the project's settings, moves the quantities to the best match with the
-// pairs, and repeats. It ends when no quantity moves by more than a twentieth of its 95 % interval.
-// Uses all cores; deterministic. Throws Cancelled. Throws Error if the pairs do not determine a
-// named quantity; the message says what they cannot separate and what to photograph.
+// pairs, and repeats. Ends when no quantity moves by more than 5 % of its 95 % interval. Uses all
+// cores; deterministic. Throws Cancelled. Throws Error if the pairs do not determine a named
+// quantity; the message says which quantities the pairs cannot separate and what to photograph.
 FilmFit fitFilm(const Project& project, const DistanceField& field, const FitPairs& pairs,
                 const FitRequest& wish, const solver::SolverModule& module,
                 const Progress& progress);

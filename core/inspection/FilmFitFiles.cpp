@@ -24,7 +24,7 @@ struct Text {
 
 const QString jsonName = QStringLiteral("fit.json");
 const QString tableName = QStringLiteral("fit-places.csv");
-constexpr double strong = 0.9; // correlation that is reported
+constexpr double strong = 0.9; // correlations from this value on are reported
 
 // Elastic film has an infinite time.
 QJsonValue numberOrNull(double value) {
@@ -131,7 +131,7 @@ const FittedQuantity* found(const FilmFit& fit, FitQuantity quantity) {
     return at == fit.quantities.end() ? nullptr : &*at;
 }
 
-// Photos do not determine more digits.
+// Rounds to the digits that photos can determine.
 QString digits(double value, int decimals) {
     return QString::number(value, 'f', decimals);
 }
@@ -231,8 +231,8 @@ FilmProfile withFit(FilmProfile profile, const FilmFit& fit, const std::vector<F
     if (swellX && swellY) {
         measured.swellX = film.swellX;
         measured.swellY = film.swellY;
-        measured.swellOffX = (swellX->high - swellX->low) / 2;
-        measured.swellOffY = (swellY->high - swellY->low) / 2;
+        measured.swellErrorX = (swellX->high - swellX->low) / 2;
+        measured.swellErrorY = (swellY->high - swellY->low) / 2;
     }
     if (growth) {
         measured.growthRate = film.growthRate;

@@ -15,7 +15,7 @@ struct FittedPhoto {
     QString where, sha256;
 };
 
-// Replaces fit.json and fit-places.csv in `folder` together. Throws Error.
+// Replaces fit.json and fit-places.csv in `folder`, both or neither. Throws Error.
 void writeFilmFit(const FilmFit& fit, const FitPairs& pairs, const std::vector<FittedPhoto>& photos,
                   const WatchNotes& notes, const QString& folder);
 
@@ -29,9 +29,9 @@ QStringList fitSentences(const FilmFit& fit);
 FilmProfile withFit(FilmProfile profile, const FilmFit& fit, const std::vector<FittedPhoto>& photos,
                     const WatchNotes& notes);
 
-// Returns the project with everything that was found: placement, depth, and a measured film profile
-// with the project's current film. The profile is the project's own, or else a new one with the
-// name `newProfile`. Throws Error as withFit() and withPlacement() do.
+// Returns the project with the fitted placement, depth and film. The film becomes a measured film
+// profile of the project. It updates the project's own film profile; if there is none, it makes one
+// named `newProfile`. Throws Error as withFit() and withPlacement() do.
 Project withFit(const Project& project, const FilmFit& fit, const std::vector<FittedPhoto>& photos,
                 const WatchNotes& notes, const QString& newProfile);
 

@@ -48,10 +48,10 @@ double secondsOf(const WatchedPhoto& photo, double begin) {
     return photo.seconds.value_or(begin);
 }
 
-// Growth measured at three or more times says nothing about a dip that begins long before or after
-// them.
+// Growth measured at three or more times is not valid for a dip that begins long before the first
+// or after the last of them.
 void requireBeginSeen(const FilmWatch& watch) {
-    constexpr double beyond = 0.25; // of the time from the first photo to the last
+    constexpr double beyond = 0.25; // share of the time from the first photo to the last
     std::set<double> moments;
     for (const WatchedPhoto& photo : watch.photos) {
         moments.insert(secondsOf(photo, watch.begin));
@@ -71,8 +71,9 @@ void requireBeginSeen(const FilmWatch& watch) {
 }
 
 QStringList noGrowthSentences(const FilmWatch& watch) {
-    QStringList sentences{Text::tr("Growth is not measured; this needs photos at three or more "
-                                   "times, from before the dip begins until after it ends")};
+    QStringList sentences{
+        Text::tr("Growth is not measured; this measurement needs photos at three or more "
+                 "times, from before the dip begins until after it ends")};
     const auto away = [&](const WatchedPhoto& photo) {
         return std::abs(secondsOf(photo, watch.begin) - watch.begin);
     };
@@ -81,7 +82,7 @@ QStringList noGrowthSentences(const FilmWatch& watch) {
         [&](const WatchedPhoto& a, const WatchedPhoto& b) { return away(a) < away(b); });
     if (nearest != watch.photos.end() && away(*nearest) >= 1) {
         sentences << Text::tr("The swell was measured after %1 s, but the dip begins after %2 s; "
-                              "it does not include the growth in between")
+                              "this swell does not include the growth in between")
                          .arg(number(secondsOf(*nearest, watch.begin), 0), number(watch.begin, 0));
     }
     return sentences;
@@ -90,17 +91,17 @@ QStringList noGrowthSentences(const FilmWatch& watch) {
 QStringList growthSentences(const FilmWatch& watch) {
     const GrowthFit& growth = watch.growth;
     switch (growth.known) {
-    case GrowthKnown::No:
+    case GrowthKnowledge::No:
         return noGrowthSentences(watch);
-    case GrowthKnown::None:
+    case GrowthKnowledge::None:
         return {Text::tr("The photos show no measurable growth of the film")};
-    case GrowthKnown::RateOnly:
+    case GrowthKnowledge::RateOnly:
         return {Text::tr("Growth: %1 ± %2 % per second")
                     .arg(number(100 * growth.rate.value, 4), number(100 * growth.rate.off, 4)),
                 Text::tr("The film still grew at the same rate in the last photo. Its limit is "
                          "therefore unknown, and the profile keeps its own growth. Take photos "
                          "until the film grows no more")};
-    case GrowthKnown::Both:
+    case GrowthKnowledge::Both:
         break;
     }
     return {Text::tr("Growth: %1 ± %2 % per second when the dip begins; %3 ± %4 % in total after a "
@@ -196,13 +197,14 @@ FilmWatch evaluatedFilmWatch(std::vector<WatchedPhoto> photos, double begin, dou
 FilmProfile withMeasurement(FilmProfile profile, const FilmWatch& watch, const WatchNotes& notes) {
     const GrowthFit& growth = watch.growth;
     Profile result = profile;
-    // Photos do not determine more digits.
+    // Rounds to the digits that photos can determine.
     const auto digits = [](const Measured& measured, int decimals) {
         return QString::number(measured.value, 'f', decimals);
     };
     setByPath(result, QStringLiteral("swell"),
               digits(growth.swellX, 5) + u'x' + digits(growth.swellY, 5));
-    const bool growthKnown = growth.known == GrowthKnown::Both || growth.known == GrowthKnown::None;
+    const bool growthKnown =
+        growth.known == GrowthKnowledge::Both || growth.known == GrowthKnowledge::None;
     if (growthKnown) {
         setByPath(result, QStringLiteral("growth_per_s"), digits(growth.rate, 7));
         setByPath(result, QStringLiteral("growth_limit"), digits(growth.limit, 6));

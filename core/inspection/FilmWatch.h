@@ -20,7 +20,7 @@ FlatSettings flatSettings(const FilmOnWater& told, const std::optional<double>& 
                           const QString& where);
 
 // Finds the film's chessboard and the card in a photo and measures the film. Throws Error, naming
-// `where`, if one of them is missing, mirrored or visible only in small part.
+// `where`, if a board is missing or mirrored, or if too little of it is visible.
 FlatFilm measureFlatFilm(const QImage& photo, const FlatSettings& settings, const QString& where);
 
 struct WatchedPhoto {
@@ -34,13 +34,13 @@ struct FilmWatch {
     std::vector<WatchedPhoto> photos; // in order of time
     GrowthFit growth;
     double begin = 0;      // when the dip begins, in seconds
-    double rulerError = 0; // mm, 95 %, of each ruler
+    double rulerError = 0; // reading error of each ruler, mm (95 % interval)
 };
 
-// Evaluates the photos together; at least one. Photos without a time count as taken when the dip
-// begins. The swell's interval includes the error of reading the rulers. Growth does not depend on
-// that error, because all photos share one scale. Throws Error if there are three or more times,
-// all too far from the start of the dip.
+// Evaluates all photos together; needs at least one photo. Photos without a time count as taken
+// when the dip begins. The swell's interval includes the error of reading the rulers. Growth does
+// not depend on that error, because all photos share one scale. Throws Error if there are three or
+// more times and the dip begins too long before or after them.
 FilmWatch evaluatedFilmWatch(std::vector<WatchedPhoto> photos, double begin, double rulerError = 0);
 
 // What the user noted when the photos were taken.
@@ -50,12 +50,13 @@ struct WatchNotes {
     std::optional<double> waterTemperature;
 };
 
-// Returns the profile with the measured values. Growth is replaced if rate and limit are known or
-// if there is no growth; otherwise the profile keeps its own. Throws Error if the swell is outside
-// the profile's limits.
+// Returns the profile with the measured values. Replaces the growth if rate and limit are known or
+// if there is no growth; otherwise the profile keeps its own growth. Throws Error if the swell is
+// outside the profile's limits.
 FilmProfile withMeasurement(FilmProfile profile, const FilmWatch& watch, const WatchNotes& notes);
 
-// Returns the result as sentences, one per line. The last ones say what to photograph to know more.
+// Returns the result as sentences, one per line. The last sentences say which further photos would
+// improve the result.
 QStringList watchSentences(const FilmWatch& watch);
 
 } // namespace dipwright

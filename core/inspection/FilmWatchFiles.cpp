@@ -49,15 +49,15 @@ QJsonObject toJson(const WatchedPhoto& photo) {
             {"lens", pair(film.lens.k1, film.lens.k2)}};
 }
 
-QString wordOf(GrowthKnown known) {
+QString wordOf(GrowthKnowledge known) {
     switch (known) {
-    case GrowthKnown::No:
+    case GrowthKnowledge::No:
         return QStringLiteral("not_measured");
-    case GrowthKnown::None:
+    case GrowthKnowledge::None:
         return QStringLiteral("none");
-    case GrowthKnown::RateOnly:
+    case GrowthKnowledge::RateOnly:
         return QStringLiteral("rate_only");
-    case GrowthKnown::Both:
+    case GrowthKnowledge::Both:
         return QStringLiteral("measured");
     }
     return {};
@@ -166,7 +166,7 @@ private:
         painter.restore();
     }
 
-    // Limits the longest arrow to one square, and does not enlarge noise.
+    // Returns the arrows' enlargement: no arrow is longer than one square, and noise stays small.
     double enlarged() const {
         constexpr double least = 0.17; // mm
         const double times = boardSquare(BoardKind::Film) / std::max(farthest_, least);
@@ -212,10 +212,10 @@ private:
     }
 
     const FlatFilm& film_;
-    double unit_; // pixels per hundredth of the height
+    double unit_; // pixels in 1 % of the picture's height
     QRectF box_;  // mm on the sheet
     double scale_ = 1, mean_ = 1, farthest_ = 0;
-    double most_ = 0.001; // half the colours' range, at least this: noise does not show
+    double most_ = 0.001; // half the range of the colours; the least value keeps noise invisible
 };
 
 } // namespace

@@ -8,7 +8,7 @@ namespace dipwright {
 // Returns the names film-watch.json, unevenness.csv and unevenness.png.
 QStringList filmWatchFiles();
 
-// Replaces these files in `folder` together. Needs a QGuiApplication. Throws Error.
+// Replaces these files in `folder`, all or none. Needs a QGuiApplication. Throws Error.
 void writeFilmWatch(const FilmWatch& watch, const WatchNotes& notes, const QString& folder);
 
 // Returns the photo, at most `longest` pixels wide and high, with the corners that were found: the

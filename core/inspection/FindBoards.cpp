@@ -18,10 +18,12 @@ namespace {
 // The photo is searched at several sizes, because a board may be small in it, or blurred.
 constexpr std::array<int, 3> lengths{900, 1800, 3600}; // pixels of the longer side
 
-// Removes corners that are not in line with their neighbours; they were mistaken for corners.
+// Removes points that are not in line with their neighbours and are therefore not corners.
 CornerGrid inLine(CornerGrid grid) {
-    constexpr double mostBend = 0.1;                  // of a step, from one to the next
-    std::map<GridPlace, std::pair<int, int>> triples; // per corner: all, and bent
+    constexpr double mostBend =
+        0.1; // largest change from one step to the next, as a share of the step
+    std::map<GridPlace, std::pair<int, int>>
+        triples; // per corner: number of all lines, of bent lines
     for (const auto& [at, place] : grid.corners) {
         for (const auto& [dx, dy] : {GridPlace{1, 0}, {0, 1}}) {
             const auto [i, j] = at;
@@ -44,7 +46,7 @@ CornerGrid inLine(CornerGrid grid) {
     return grid;
 }
 
-// Moves corners to their exact places in the photo and drops those that it does not show.
+// Moves corners to their exact places in the photo and drops corners that the photo does not show.
 CornerGrid refined(const GreyLevels& grey, const CornerGrid& grid) {
     std::vector<GridPlace> places;
     for (const auto& [at, place] : grid.corners) {

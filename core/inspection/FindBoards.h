@@ -10,7 +10,7 @@
 
 namespace dipwright {
 
-// A point where four squares meet: the upper left corner of the square in that column and row.
+// A point where four squares meet. It has the column and row of the square to its lower right.
 struct SeenCorner {
     int column = 0, row = 0;
     Eigen::Vector2d place; // pixels, as in Lens.h
@@ -18,7 +18,7 @@ struct SeenCorner {
 
 struct SeenBoard {
     BoardKind kind = BoardKind::Film;
-    bool mirrored = false;           // seen from behind, or in a flipped photo
+    bool mirrored = false;           // the board is seen from behind, or the photo is flipped
     std::vector<SeenCorner> corners; // row by row
 };
 

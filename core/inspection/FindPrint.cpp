@@ -23,18 +23,18 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::PartCamera)
 };
 
-constexpr double leastFacing = 0.3; // cosine between line of sight and body normal
-constexpr double leastStep = 8;     // pixels to the next corner
-constexpr double leastSine = 0.25;  // sine of the angle between the two steps in the photo
-constexpr double firstReach = 0.6;  // steps in every direction, within which a corner is searched
-constexpr double nearReach = 0.35;  // the same beside a corner that was found
-constexpr double leastAlike = 0.75; // correlation with the pattern of four squares
-constexpr double neighbours = 1.6;  // squares within which corners are neighbours
-constexpr double mostAstray = 0.35; // steps from the place that the neighbours suggest
-constexpr double leastShare = 0.25; // of the corners that a photo should show
-constexpr int rounds = 3;           // of finding corners and fitting the camera to them
+constexpr double leastFacing = 0.3;    // cosine between line of sight and body normal
+constexpr double leastStep = 8;        // pixels to the next corner
+constexpr double leastSine = 0.25;     // sine of the angle between the two steps in the photo
+constexpr double firstReach = 0.6;     // steps: radius within which the first corners are searched
+constexpr double nearReach = 0.35;     // steps: search radius beside a corner that was found
+constexpr double leastAlike = 0.75;    // correlation with the pattern of four squares
+constexpr double neighbours = 1.6;     // squares within which corners are neighbours
+constexpr double mostDeviation = 0.35; // steps from the place that the neighbours suggest
+constexpr double leastShare = 0.25;    // share of the expected corners that a photo must show
+constexpr int rounds = 3; // repetitions of finding corners and fitting the camera to them
 
-// A corner as the camera should see it.
+// A corner at the place where the camera should see it.
 struct Expected {
     std::size_t corner = 0;
     Eigen::Vector2d pixel, right, down; // `right` and `down`: steps to the next corners
@@ -42,11 +42,12 @@ struct Expected {
 
 struct Alike {
     double correlation = 0;
-    Eigen::Vector2d steps = Eigen::Vector2d::Zero(); // from the start of the search
+    Eigen::Vector2d steps =
+        Eigen::Vector2d::Zero(); // offset from the start of the search, in steps
 };
 
-// Returns how much the photo looks like four squares that meet at a place, dark and light in turn:
-// at most 1, and −1 if black and white are swapped.
+// Returns the correlation of the photo with four squares, alternately dark and light, that meet at
+// a place. 1 is a perfect match; −1 means that black and white are swapped.
 double alike(const cv::Mat& grey, const Expected& at, const Eigen::Vector2d& place, bool isDark) {
     constexpr std::array<double, 8> samples{-0.4, -0.3, -0.2, -0.1, 0.1, 0.2, 0.3, 0.4};
     double sum = 0, squares = 0, product = 0;
@@ -59,7 +60,7 @@ double alike(const cv::Mat& grey, const Expected& at, const Eigen::Vector2d& pla
         }
     }
     constexpr double count = samples.size() * samples.size();
-    constexpr double leastDeviation = 0.01; // of white; smaller deviations are noise
+    constexpr double leastDeviation = 0.01; // share of white; smaller deviations are noise
     const double deviation = std::sqrt(std::max(0.0, squares / count - std::pow(sum / count, 2)));
     return (isDark ? 1 : -1) * product / count / std::max(deviation, leastDeviation);
 }
@@ -72,7 +73,7 @@ public:
         cv::GaussianBlur(grey_.front(), blurred_, {}, 1);
     }
 
-    // Returns the corners that face the camera and that the body does not hide.
+    // Returns the corners that face the camera and are not hidden by the body.
     std::vector<Expected> expected(const PartView& view, int photo,
                                    const SurfaceQuery& body) const {
         const PartPose& pose = view.photos[std::size_t(photo)];
@@ -211,7 +212,7 @@ private:
         }
     }
 
-    // Returns the median distance of the neighbours from their expected places, in steps.
+    // Returns the median offset of the found neighbours from their expected places, in steps.
     std::optional<Eigen::Vector2d> moved(std::size_t which) const {
         const PrintedCorner& here = corners_[expected_[which].corner];
         const double most = neighbours * std::max(here.right.norm(), here.down.norm());
@@ -243,14 +244,13 @@ private:
         return steps.inverse() * (*found_[which] - at.pixel);
     }
 
-    // Drops corners that do not fit their neighbours or stand alone; they were mistaken for
-    // corners.
+    // Drops points that do not fit their neighbours or have none; they are not corners.
     void dropStrays() {
         std::vector<std::size_t> strays;
         for (std::size_t i = 0; i < expected_.size(); ++i) {
             if (found_[i]) {
                 const auto beside = moved(i);
-                if (!beside || (*beside - inSteps(i)).norm() > mostAstray) {
+                if (!beside || (*beside - inSteps(i)).norm() > mostDeviation) {
                     strays.push_back(i);
                 }
             }
@@ -266,7 +266,7 @@ private:
     std::vector<std::optional<Eigen::Vector2d>> found_; // per expected corner
 };
 
-// Returns the sentence for a photo that does not show what it should.
+// Returns the error text for a photo that does not show the expected corners.
 QString notSeen(const PhotoSearch& search, const PhotoCorners& corners, int photo) {
     std::size_t mirrored = 0;
     for (const Expected& at : corners.expected()) {
@@ -342,7 +342,7 @@ FoundPrint findPrint(const std::vector<QImage>& photos, const TriangleMesh& mode
             print.view = fitPartCamera(pairsOf(print.places), count, size, where, settings.lens);
             print.followsPrint = true;
         } catch (const Error&) {
-            break; // for example, all corners lie on one face
+            break; // the corners do not determine a camera, for example if all lie on one face
         }
     }
     print.view = viewOf(print.view, pairsOf(print.places), size);

@@ -13,9 +13,9 @@
 namespace dipwright {
 
 struct FindPrintSettings {
-    // Keeps the camera of the clicked pairs. This suits pairs on the body itself, its tips and
-    // edges, because then a shift of the whole print shows. Otherwise the camera is fitted to the
-    // found corners, as far as they alone determine it.
+    // If true, keeps the camera of the clicked pairs. Use this if the pairs lie on tips and edges
+    // of the body itself: a shift of the whole print is then measured. If false, the camera is
+    // fitted to the found corners if they determine it.
     bool keepsCamera = false;
     std::optional<Lens> lens; // known from an earlier measurement of the camera
 };
@@ -24,11 +24,12 @@ struct FoundPrint {
     std::vector<PrintedPlace> places; // photo by photo
     std::vector<int> expected;        // per photo: the number of corners that should be visible
     bool followsPrint = false;        // whether the camera is fitted to the found places
-    PartView view;                    // its `off` is that of the found places
+    PartView view;                    // camera; its `off` belongs to the found places
 };
 
-// `clicked` holds at least six pairs per photo. Uses all cores; the result does not depend on their
-// number. Throws Cancelled, and Error if a photo does not show the print, or shows it mirrored.
+// Returns the corners of the print that the photos show. `clicked` holds at least six pairs per
+// photo. Uses all cores; the result does not depend on their number. Throws Cancelled, and Error if
+// a photo does not show the print, or shows it mirrored.
 FoundPrint findPrint(const std::vector<QImage>& photos, const TriangleMesh& model,
                      const std::vector<PrintedCorner>& corners,
                      const std::vector<PlacePair>& clicked, const FindPrintSettings& settings,

@@ -16,7 +16,7 @@ struct Text {
 constexpr double exchangeable = 0.8; // correlation above which two unknowns are named together
 constexpr double leastEffect = 0.02; // mm: a smaller effect counts as none
 
-// Returns the largest movement of any place, in mm, for a change of the unknown by `of`.
+// Returns the largest movement of a place, in mm, when the unknown changes by `of`.
 double farthest(const PlacesNear& near, std::size_t unknown, double of) {
     double most = 0;
     for (std::size_t i = 0; i < near.places.size(); ++i) {
@@ -57,9 +57,9 @@ QString hasNoEffectSentence(FitQuantity quantity) {
                      .arg(fitQuantityText(quantity));
 }
 
-QString whyUnknown(const JointSolution& solution, const std::vector<FitUnknown>& unknowns,
-                   const std::vector<bool>& isFree, std::size_t unknown, const PlacesNear& near,
-                   bool hasBodyPairs) {
+QString whyNotDetermined(const JointSolution& solution, const std::vector<FitUnknown>& unknowns,
+                         const std::vector<bool>& isFree, std::size_t unknown,
+                         const PlacesNear& near, bool hasBodyPairs) {
     const QString name = fitQuantityText(unknowns[unknown].quantity);
     if (farthest(near, unknown, fitScale(unknowns[unknown].quantity).widestKnownInterval) <
         leastEffect) {
@@ -83,10 +83,10 @@ QString whyUnknown(const JointSolution& solution, const std::vector<FitUnknown>&
         }
     }
     const QLocale locale;
-    if (solution.withCamera[row] > std::max(most, exchangeable)) {
+    if (solution.cameraCorrelation[row] > std::max(most, exchangeable)) {
         return Text::tr(
                    "The pairs cannot separate %1 from the camera's position (correlation %2); %3")
-            .arg(name, locale.toString(solution.withCamera[row], 'f', 2),
+            .arg(name, locale.toString(solution.cameraCorrelation[row], 'f', 2),
                  hasBodyPairs
                      ? Text::tr("give more pairs on the part itself, farther apart")
                      : Text::tr(
@@ -109,7 +109,7 @@ QString whyRelaxationIsUncertain(const JointSolution& solution, std::size_t unkn
         return {};
     }
     const QLocale locale;
-    return Text::tr("%1 is known only to about %2 %: a change by a tenth moves none of the places "
+    return Text::tr("%1 is known only to about %2 %: a change by 10 % moves none of the places "
                     "by more than %3 mm; give more pairs, or %4")
         .arg(fitQuantityText(FitQuantity::Relaxation),
              locale.toString(100 * std::expm1(off), 'f', 0),

@@ -7,16 +7,17 @@
 
 namespace dipwright {
 
-// Explains that a quantity has no effect on a film like the project's.
+// Explains that a quantity has no effect on the project's kind of film.
 QString hasNoEffectSentence(FitQuantity quantity);
 
-// Explains why the free unknown `unknown` is not determined: which other unknown, or the camera,
-// has the same effect. `hasBodyPairs` says whether some pairs are places on the body itself.
-QString whyUnknown(const JointSolution& solution, const std::vector<FitUnknown>& unknowns,
-                   const std::vector<bool>& isFree, std::size_t unknown, const PlacesNear& near,
-                   bool hasBodyPairs);
+// Explains why the free unknown `unknown` is not determined, for example because another unknown or
+// the camera has the same effect. `hasBodyPairs` says whether some pairs are places on the body
+// itself.
+QString whyNotDetermined(const JointSolution& solution, const std::vector<FitUnknown>& unknowns,
+                         const std::vector<bool>& isFree, std::size_t unknown,
+                         const PlacesNear& near, bool hasBodyPairs);
 
-// Explains how well relaxation is known if it is known to no better than a tenth; otherwise empty.
+// Explains how well relaxation is known; empty if it is known to within 10 %.
 QString whyRelaxationIsUncertain(const JointSolution& solution, std::size_t unknown,
                                  const PlacesNear& near);
 

@@ -19,9 +19,11 @@ struct Text {
 };
 
 constexpr double percent = 0.01;
-// A viscous film has no relaxation time. Its fit starts with this share of the dip's duration.
+// A viscous film has no relaxation time. Its fit starts with a time of this share of the dip's
+// duration.
 constexpr double viscousStart = 0.03;
-constexpr double farthestRelaxation = 300; // limits: this many dips, and a dip divided by it
+// Relaxation times from 1/300 of the dip's duration to 300 times that duration are tried.
+constexpr double farthestRelaxation = 300;
 
 struct Described {
     const char* key;
@@ -33,14 +35,17 @@ struct Described {
 const Described& described(FitQuantity quantity) {
     static const std::array<Described, fitQuantityCount> all{{
         {"shift_x",
-         QT_TRANSLATE_NOOP("dipwright::FilmFit", "Part along X"),
+         QT_TRANSLATE_NOOP("dipwright::FilmFit", "Position of the part along X"),
          "mm",
          {0.3, 5, 2, 0.01}},
         {"shift_z",
-         QT_TRANSLATE_NOOP("dipwright::FilmFit", "Part along Z"),
+         QT_TRANSLATE_NOOP("dipwright::FilmFit", "Position of the part along Z"),
          "mm",
          {0.3, 5, 2, 0.01}},
-        {"turn", QT_TRANSLATE_NOOP("dipwright::FilmFit", "Part about Y"), "°", {0.5, 5, 3, 0.02}},
+        {"turn",
+         QT_TRANSLATE_NOOP("dipwright::FilmFit", "Rotation of the part about Y"),
+         "°",
+         {0.5, 5, 3, 0.02}},
         {"swell_x",
          QT_TRANSLATE_NOOP("dipwright::FilmFit", "Swell along X"),
          "",

@@ -12,11 +12,12 @@ namespace dipwright {
 struct Project;
 
 enum class FitQuantity : std::uint8_t {
-    ShiftX, // of the body relative to the film, mm
-    ShiftZ,
-    Turn, // of the body about the vertical axis through the centre of its bounding box, degrees
-    SwellX,
-    SwellY,
+    ShiftX, // shift of the body relative to the film along X, mm
+    ShiftZ, // the same along Z, mm
+    // Rotation of the body about the vertical axis through the centre of its bounding box, degrees.
+    Turn,
+    SwellX,          // floating length over printed length, along X
+    SwellY,          // the same along Y
     Relaxation,      // s
     Growth,          // 1/s
     ContactDistance, // mm
@@ -24,13 +25,13 @@ enum class FitQuantity : std::uint8_t {
 };
 inline constexpr std::size_t fitQuantityCount = 9;
 
-// Returns placement, swell and relaxation. Contact distance can hardly be separated from swell;
-// depth and growth are better measured at the tank.
+// Returns the quantities of placement, swell and relaxation. Contact distance is left out because
+// it can hardly be separated from swell; depth and growth are better measured at the tank.
 std::vector<FitQuantity> usualQuantities();
 // Tells whether a quantity belongs to a single dip. Otherwise it belongs to the film and is the
 // same in all dips.
 bool isOfDip(FitQuantity quantity);
-// Return the name and unit for the user, for example "Part along X" and "mm".
+// Return the name and unit for the user, for example "Position of the part along X" and "mm".
 QString fitQuantityText(FitQuantity quantity);
 QString fitQuantityUnit(FitQuantity quantity);
 // Returns the key for files and the command line, for example "shift_x".
@@ -44,13 +45,14 @@ struct FitUnknown {
     int dip = 0;
 };
 
-// The scale of an unknown. In a fit, an unknown is a number of the order of 1 that starts at 0: mm,
-// degrees, per cent of the swell, or the logarithm of relaxation or growth over its start.
+// The scale of an unknown. In a fit, an unknown is a number of the order of 1 that starts at 0. It
+// counts mm, degrees, or per cent of the swell; for relaxation and growth it is the logarithm of
+// value over start value.
 struct FitScale {
-    double step;                // to either side, for the derivatives
-    double most;                // largest change in one round
-    double widestKnownInterval; // 95 % interval above which it does not count as known
-    double least;               // smallest change that needs another round
+    double step;                // change to either side, for the derivatives
+    double most;                // largest change in one round of the fit
+    double widestKnownInterval; // with a wider 95 % interval, the unknown does not count as known
+    double least;               // smallest change that makes another round necessary
 };
 FitScale fitScale(FitQuantity quantity);
 
@@ -63,22 +65,22 @@ public:
     const solver::DipSetup& setup(int dip) const { return setups_[std::size_t(dip)]; }
     // Tells whether the quantity has any effect on the dips.
     bool matters(FitQuantity quantity) const;
-    // Clamps an unknown to what a dip can be.
+    // Clamps an unknown to the range that a dip allows.
     double within(FitQuantity quantity, double unknown) const;
     ChangedDip dip(int dip, const std::vector<FitUnknown>& unknowns,
                    const std::vector<double>& values) const;
     // Returns a value in the quantity's own unit. Shifts are offsets on the water; turns count from
     // the project's pose.
     double told(const FitUnknown& unknown, double value) const;
-    // Returns the project's value.
+    // Returns the value in the project, in the same unit.
     double before(const FitUnknown& unknown) const;
 
 private:
-    double duration() const; // of the first dip, s
+    double duration() const; // duration of the first dip, s
 
     const Project& project_;
     std::vector<solver::DipSetup> setups_;
-    double relaxation_ = 0; // at the start, s
+    double relaxation_ = 0; // relaxation time at the start of the fit, s
 };
 
 } // namespace dipwright

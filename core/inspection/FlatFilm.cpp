@@ -24,14 +24,16 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::FilmWatch)
 };
 
-constexpr double sure95 = 1.959964; // standard deviations to either side
-// Share of half the picture's diagonal. A card is flat, and corners are found to a tenth of this.
+constexpr double sure95 = 1.959964; // half the 95 % interval, in standard deviations
+// Largest residual of a flat card, as a share of half the picture's diagonal. Corners are found ten
+// times as accurately.
 constexpr double mostCardOff = 0.001;
-constexpr double mm = 100; // mm per unit of the fit, so that its numbers are near 1
+constexpr double mm = 100; // mm per unit of the fit, so that the fit's numbers are near 1
 
 using Places = std::vector<Eigen::Vector2d>;
 
-// Returns the places on the printed page from the board's upper left corner, in units of the fit.
+// Returns the corners' places on the printed page, from the board's upper left corner, in units of
+// the fit.
 Places printedPlaces(const SeenBoard& board, const std::array<double, 2>& scale) {
     Places places;
     for (const SeenCorner& corner : board.corners) {
@@ -53,8 +55,8 @@ Eigen::Map<const Eigen::Matrix2Xd> columnsOf(const Places& places) {
     return {places.front().data(), 2, Eigen::Index(places.size())};
 }
 
-// Parameters: the homography of the water (8), the film on the water (a 2 × 2 matrix by columns,
-// then its shift), and k1 and k2 if no camera is known.
+// Parameters: the homography of the water (8 numbers), the film on the water (a 2 × 2 matrix by
+// columns, then its shift), and k1 and k2 if no lens is known.
 class FlatFit {
 public:
     FlatFit(const SeenBoard& film, const SeenBoard& card, QSize picture,
@@ -106,8 +108,8 @@ public:
         return settings_.lens.value_or(p.size() > 14 ? Lens{p[14], p[15]} : Lens{});
     }
 
-    // The film's corners in units of the fit: where they were printed, where an evenly swollen film
-    // has them, and where they lie.
+    // The film's corners, in units of the fit. Three places of each: printed, on an evenly swollen
+    // film, and as it lies.
     const Places& printed() const { return film_; }
     static Eigen::Vector2d onWater(const Eigen::VectorXd& p, const Eigen::Vector2d& printed) {
         return {p[8] * printed.x() + p[10] * printed.y() + p[12],
@@ -116,7 +118,7 @@ public:
     Eigen::Vector2d seenOnWater(const Eigen::VectorXd& p, std::size_t corner) const {
         return projected(waterOf(p).inverse(), undistorted(filmSeen_[corner], lensOf(p)));
     }
-    double pixels() const { return plane_.unit(); } // per unit of the residuals
+    double pixels() const { return plane_.unit(); } // pixels per unit of the residuals
     // Returns the root mean square residual of the card's corners, in units of the fit.
     double cardOff(const Eigen::VectorXd& residuals) const {
         const double count = double(card_.size());
@@ -130,9 +132,9 @@ private:
         return water;
     }
 
-    // Returns the homography of the plane `cardAbove` over the water. Its third column changes by a
-    // step along the plane's normal: the camera's matrix times the normal. The normal is
-    // perpendicular to the other two columns after removal of the focal length.
+    // Returns the homography of the plane that lies `cardAbove` over the water. Only its third
+    // column differs, by the camera's matrix times a step along the normal. Without the focal
+    // length, the normal is perpendicular to the first two columns.
     Eigen::Matrix3d raised(const Eigen::Matrix3d& water) const {
         if (settings_.cardAbove == 0 || !settings_.focalLength) {
             return water;
@@ -153,7 +155,7 @@ private:
     Places film_, card_, filmSeen_, cardSeen_;
 };
 
-// Returns the length of one of the film's two steps, p[first] and p[first + 1], with its
+// Returns the length of the step (p[first], p[first + 1]), the swell along one axis, with its
 // uncertainty.
 Measured swellOf(const LeastSquaresFit& fit, Eigen::Index first, double sigma) {
     const Eigen::Vector2d step = fit.parameters.segment<2>(first);
@@ -162,7 +164,8 @@ Measured swellOf(const LeastSquaresFit& fit, Eigen::Index first, double sigma) {
     return {step.norm(), sure95 * sigma * std::sqrt(std::max(0.0, variance))};
 }
 
-// Fills in the mean swell of both directions, over one square to each side if there are corners.
+// Fills in each corner's swell: the mean over its neighbours in both directions, if they were
+// found.
 void fillSwell(std::vector<FilmCorner>& corners) {
     std::map<std::pair<int, int>, const FilmCorner*> at;
     for (const FilmCorner& corner : corners) {
@@ -210,7 +213,8 @@ void requireDetermined(const LeastSquaresFit& fit, const QString& where) {
     }
 }
 
-// The data on camera and card may be wrong without any scatter of the film's corners.
+// Wrong data on camera or card need not show as scatter of the film's corners, but they do show on
+// the card.
 void requireFlatCard(const FlatFit& problem, const LeastSquaresFit& fit, const QString& where) {
     const double off = problem.cardOff(fit.residuals);
     if (!(off < mostCardOff)) {
@@ -237,7 +241,8 @@ void requireBoth(const SeenBoard& film, const SeenBoard& card, const QString& wh
 
 FlatFilm fitFlatFilm(const SeenBoard& film, const SeenBoard& card, QSize picture,
                      const FlatSettings& settings, const QString& where) {
-    // Median distance of points that scatter by a standard deviation of 1 in both directions.
+    // Median distance from the centre if points scatter with standard deviation 1 in both
+    // directions.
     constexpr double medianOfDistances = 1.17741;
     requireBoth(film, card, where);
     const FlatFit problem(film, card, picture, settings);

@@ -1,5 +1,5 @@
-// Measures how much a flat floating film has grown over its print, from one photo of it and of a
-// card beside it (docs/inspection.md, "From corners to swell").
+// Measures how much a flat floating film has grown since it was printed, from one photo of the film
+// and of a card beside it (docs/inspection.md, "From corners to swell").
 #pragma once
 
 #include "inspection/FindBoards.h"
@@ -13,34 +13,36 @@
 namespace dipwright {
 
 struct FlatSettings {
-    // Known from an earlier measurement of the camera; none: k1 and k2 are fitted to the boards in
+    // Lens from an earlier measurement of the camera. None: k1 and k2 are fitted to the boards in
     // the photo.
     std::optional<Lens> lens;
-    // Measured over nominal length of the rulers on the card and on the dry film, across and down.
+    // Measured length over nominal length of the rulers on the card and on the dry film, across and
+    // down.
     std::array<double, 2> cardScale{1, 1}, filmScale{1, 1};
-    // Height of the card's print above the film, mm. Only if it is not 0, the fit needs the focal
-    // length of the camera's lens, in half diagonals of the picture.
+    // Height of the card's print above the film, mm.
     double cardAbove = 0;
+    // Focal length of the camera's lens, in half diagonals of the picture. Needed only if
+    // `cardAbove` is not 0.
     std::optional<double> focalLength;
 };
 
-// A number and its 95 % interval, to either side. It contains the scatter of the corners, but no
-// error of the reference lengths.
+// A number and half the width of its 95 % interval. The interval includes the scatter of the
+// corners, but no error of the reference lengths.
 struct Measured {
     double value = 0, off = 0;
 };
 
 struct FilmCorner {
-    int column = 0, row = 0;     // of the board
+    int column = 0, row = 0;     // on the board
     Eigen::Vector2d seen;        // pixels of the photo
     Eigen::Vector2d printed;     // mm on the sheet, from the board's upper left corner
     Eigen::Vector2d lies;        // mm on the water, in the card's frame
     Eigen::Vector2d off;         // `lies` minus the place on an evenly swollen film, mm
-    std::optional<double> swell; // mean of both directions; none at the edge of the visible part
+    std::optional<double> swell; // mean of both directions; none at the edge of the visible board
 };
 
 struct FlatFilm {
-    Measured swellX, swellY; // wetted over printed length, along the board's rows and columns
+    Measured swellX, swellY; // floating over printed length, along the board's rows and columns
     double shearDegrees = 0; // deviation of the board's right angle
     std::vector<FilmCorner> corners;
     std::vector<Eigen::Vector2d> cardCorners; // pixels of the photo

@@ -12,10 +12,9 @@ namespace dipwright {
 namespace {
 
 constexpr double sure95 = 1.959964;
-constexpr double leastOff = 1e-6; // of a swell, so that a perfect photo also has a finite weight
-constexpr double surelyGrows = 3; // standard deviations by which growth exceeds 0
-// Share of the limit, at 95 %. With a larger interval it is not known, nor whether there is a
-// limit.
+constexpr double leastOff = 1e-6; // least interval of a swell; keeps all weights finite
+constexpr double surelyGrows = 3; // standard deviations by which growth must exceed 0
+// The limit counts as known if its 95 % interval is at most this share of the limit.
 constexpr double mostLimitOff = 0.5;
 
 double deviation(const Measured& measured) {
@@ -44,11 +43,11 @@ GrowthFit nearest(const std::vector<SwellAt>& moments, double begin) {
             y.push_back(moment.y);
         }
     }
-    return {meanOf(x), meanOf(y), GrowthKnown::No, {}, {}};
+    return {meanOf(x), meanOf(y), GrowthKnowledge::No, {}, {}};
 }
 
-// Parameters: swell along X and Y when the dip begins, and those of the growth law `grown`. Seconds
-// count from the start of the dip.
+// Parameters: swell along X and Y when the dip begins, then the parameters of the growth law
+// `grown`. Seconds count from the start of the dip.
 class Growing {
 public:
     using Grown = double (*)(double seconds, double span, const Eigen::VectorXd& parameters);
@@ -88,14 +87,15 @@ double grownSteadily(double seconds, double span, const Eigen::VectorXd& p) {
     return 1 + p[2] * seconds / span;
 }
 
-// p[2] is rate times span; p[3] is the logarithm of the span over the growth's own time.
+// p[2] is rate times span; p[3] is the logarithm of the span divided by the time constant of the
+// growth.
 double grownToLimit(double seconds, double span, const Eigen::VectorXd& p) {
     const double times = std::exp(std::clamp(p[3], -20.0, 20.0));
     return 1 - p[2] / times * std::expm1(-times * seconds / span);
 }
 
-// Returns a parameter's deviation from the photos' own uncertainty, enlarged if the photos scatter
-// more about the law than that.
+// Returns a parameter's standard deviation. It follows from the photos' own uncertainty and is
+// enlarged if the photos scatter more than that about the law.
 double deviationOf(const LeastSquaresFit& fit, Eigen::Index parameter) {
     const auto freedom = fit.residuals.size() - fit.parameters.size();
     const double excess =
@@ -107,8 +107,8 @@ Measured measuredOf(const LeastSquaresFit& fit, Eigen::Index parameter, double u
     return {fit.parameters[parameter] / unit, sure95 * deviationOf(fit, parameter) / unit};
 }
 
-// Returns the best fit of several starts, from almost straight to sharply bent. `steady` gives the
-// swell's start.
+// Returns the best fit from several start values, from an almost straight to a sharply bent curve.
+// `steady` gives the start values of the swell.
 std::optional<LeastSquaresFit> bestToLimit(const Growing& growing, const LeastSquaresFit& steady,
                                            double range) {
     std::optional<LeastSquaresFit> best;
@@ -124,7 +124,7 @@ std::optional<LeastSquaresFit> bestToLimit(const Growing& growing, const LeastSq
     return best;
 }
 
-// Returns how much longer the film was at the last time than at the first, as a share.
+// Returns how much the film grew from the first time to the last, as a share of its length.
 double rangeOf(const std::vector<SwellAt>& moments) {
     const auto [first, last] =
         std::minmax_element(moments.begin(), moments.end(), [](const SwellAt& a, const SwellAt& b) {
@@ -165,16 +165,16 @@ GrowthFit fitGrowth(const std::vector<SwellAt>& moments, double begin) {
     const auto bent = bestToLimit(growing, steady, rangeOf(moments));
     const Measured limit = bent ? limitOf(*bent) : Measured{};
     if (bent && bent->parameters[2] > 0 && limit.off < mostLimitOff * limit.value) {
-        return {measuredOf(*bent, 0), measuredOf(*bent, 1), GrowthKnown::Both,
+        return {measuredOf(*bent, 0), measuredOf(*bent, 1), GrowthKnowledge::Both,
                 measuredOf(*bent, 2, growing.span()), limit};
     }
     result.swellX = measuredOf(steady, 0);
     result.swellY = measuredOf(steady, 1);
     if (steady.parameters[2] < surelyGrows * deviationOf(steady, 2)) {
-        result.known = GrowthKnown::None;
+        result.known = GrowthKnowledge::None;
         return result;
     }
-    result.known = GrowthKnown::RateOnly;
+    result.known = GrowthKnowledge::RateOnly;
     result.rate = measuredOf(steady, 2, steadily.span());
     return result;
 }

@@ -13,24 +13,24 @@ struct SwellAt {
     Measured x, y;
 };
 
-enum class GrowthKnown {
-    No,       // fewer than three times
-    None,     // no growth that the photos can show
-    RateOnly, // it grew at the same rate until the last time
-    Both
+enum class GrowthKnowledge {
+    No,       // not measured: fewer than three times
+    None,     // the photos show no growth
+    RateOnly, // the film grew at the same rate until the last time
+    Both      // rate and limit are known
 };
 
-// The swell when the dip begins, and the growth from then on: t seconds later the film is longer by
-// the factor 1 + limit · (1 − exp(−rate · t / limit)). Rate and limit are 0 if they are not known.
+// The swell when the dip begins, and the growth from then on. After t more seconds the film is
+// longer by the factor 1 + limit · (1 − exp(−rate · t / limit)). An unknown rate or limit is 0.
 struct GrowthFit {
     Measured swellX, swellY;
-    GrowthKnown known = GrowthKnown::No;
-    Measured rate, limit; // 1/s, and a share of the length
+    GrowthKnowledge known = GrowthKnowledge::No;
+    Measured rate, limit; // rate in 1/s, limit as a share of the length
 };
 
-// `begin` is the time at which the dip begins, in seconds. `moments` has at least one entry. With
-// fewer than three times, the swell is that of the time nearest to `begin`, or the mean of equally
-// near ones.
+// Fits swell and growth. `begin` is the time at which the dip begins, in seconds. `moments` has at
+// least one entry. With fewer than three times, the swell comes from the moment nearest to `begin`,
+// or from the mean of equally near moments.
 GrowthFit fitGrowth(const std::vector<SwellAt>& moments, double begin);
 
 } // namespace dipwright

@@ -16,9 +16,10 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::FilmFit)
 };
 
-// A spring has a residual of one pixel at this many times the interval that counts as known.
+// A spring's residual is one pixel if the unknown is this many times its widestKnownInterval from
+// 0.
 constexpr double springLength = 10;
-constexpr double cameraSpring = 1; // for the camera's unknowns, which are of the order of 1
+constexpr double cameraSpring = 1; // spring length of the camera's unknowns
 
 // Returns the two-sided 95 % quantile of Student's distribution (M. Abramowitz and I. Stegun,
 // "Handbook of Mathematical Functions", 26.7.5).
@@ -28,8 +29,8 @@ double sure95(double freedom) {
     return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom);
 }
 
-// Parameters: the free unknowns, then the camera's. Residuals: two per place on the body and per
-// place of the body itself, in pixels, and then the springs.
+// Parameters: the free unknowns, then the camera's. Residuals: in pixels, two per printed place and
+// two per place on the body itself; then the springs.
 class Joint {
 public:
     Joint(const PlacesNear& near, const SeenPlaces& seen, const PartView& start,
@@ -101,7 +102,7 @@ public:
         }
     }
 
-    std::vector<Eigen::Vector2d> seenOff(const Eigen::VectorXd& numbers) const {
+    std::vector<Eigen::Vector2d> seenDistances(const Eigen::VectorXd& numbers) const {
         const PartView view = this->view(numbers);
         const Eigen::VectorXd moved = unknowns(numbers) - near_.centre;
         std::vector<Eigen::Vector2d> off(seen_.printed.size(), Eigen::Vector2d::Zero());
@@ -135,12 +136,13 @@ void fillIntervals(JointSolution& solution, const Joint& joint, const Eigen::Mat
     const Eigen::MatrixXd all = deviations.cwiseInverse().asDiagonal() * covariance *
                                 deviations.cwiseInverse().asDiagonal();
     solution.correlation = all.topLeftCorner(count, count);
-    solution.withCamera = Eigen::VectorXd::Zero(count);
+    solution.cameraCorrelation = Eigen::VectorXd::Zero(count);
     solution.off = Eigen::VectorXd::Zero(solution.unknowns.size());
     for (Eigen::Index i = 0; i < count; ++i) {
         solution.off[joint.freeAt(i)] = sure95(freedom) * solution.pixels * deviations[i];
         if (all.cols() > count) {
-            solution.withCamera[i] = all.row(i).tail(all.cols() - count).cwiseAbs().maxCoeff();
+            solution.cameraCorrelation[i] =
+                all.row(i).tail(all.cols() - count).cwiseAbs().maxCoeff();
         }
     }
 }
@@ -180,7 +182,7 @@ JointSolution fitJointly(const PlacesNear& near, const SeenPlaces& seen, const P
         solution.pixels = std::sqrt(values.head(2 * joint.points()).squaredNorm() / freedom);
     }
     solution.view = joint.view(numbers);
-    solution.seenOff = joint.seenOff(numbers);
+    solution.seenDistances = joint.seenDistances(numbers);
     return solution;
 }
 

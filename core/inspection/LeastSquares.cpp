@@ -10,9 +10,9 @@ namespace dipwright {
 
 namespace {
 
-constexpr double step = 1e-6; // for derivatives, times the parameter or 1
+constexpr double step = 1e-6; // step of the derivatives, relative to the parameter or to 1
 constexpr int mostEvaluations = 200;
-constexpr double leastCondition = 1e-11; // of the R factor's diagonal, smallest over largest
+constexpr double leastCondition = 1e-11; // smallest over largest diagonal entry of the R factor
 
 struct Functor {
     using Scalar = double;
@@ -37,8 +37,7 @@ struct Functor {
 
 void judge(LeastSquaresFit& fit, const Eigen::MatrixXd& jacobian) {
     const auto parameters = jacobian.cols();
-    // All columns get the same length, so that units do not decide whether parameters are
-    // separated.
+    // Gives all columns the same length, so that the choice of units does not affect the rank test.
     const Eigen::VectorXd scale = jacobian.colwise().norm().cwiseMax(1e-300);
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian *
                                                          scale.cwiseInverse().asDiagonal());
@@ -60,7 +59,8 @@ Eigen::VectorXd lengthsOf(const Eigen::VectorXd& residuals, Eigen::Index points)
     return Eigen::Map<const Eigen::Matrix2Xd>(residuals.data(), 2, points).colwise().norm();
 }
 
-// Returns the square roots of Huber's weights for the points, and 1 for the other residuals.
+// Returns the square root of each residual's weight: Huber's weight for the points, 1 for the
+// others.
 Eigen::VectorXd huberRoots(const Eigen::VectorXd& residuals, Eigen::Index points) {
     const Eigen::VectorXd lengths = lengthsOf(residuals, points);
     const double far = 2.5 * std::max(medianLength(residuals, points), 1e-12);

@@ -8,7 +8,7 @@
 
 namespace dipwright {
 
-// Computes the residuals for the parameters. `residuals` already has its length.
+// Computes the residuals for the parameters. The caller has set the length of `residuals`.
 using Residuals =
     std::function<void(const Eigen::VectorXd& parameters, Eigen::VectorXd& residuals)>;
 
@@ -24,9 +24,9 @@ struct LeastSquaresFit {
 // Fits the parameters. Derivatives are central differences: parameters should be of the order of 1.
 LeastSquaresFit leastSquares(const Residuals& residuals, int count, Eigen::VectorXd start);
 
-// Fits robustly. Residuals 2 i and 2 i + 1 belong to point i. Points more than 2.5 times as far out
-// as the median count less, by Huber's weights. `points` is the number of points; the residuals
-// after them count in full. The covariance is that of the weighted residuals.
+// Fits robustly. Residuals 2 i and 2 i + 1 belong to point i. Points whose residual is more than
+// 2.5 times the median get Huber's smaller weights. `points` is the number of points; the residuals
+// after them have full weight. The covariance belongs to the weighted residuals.
 LeastSquaresFit robustLeastSquares(const Residuals& residuals, int count, Eigen::VectorXd start,
                                    int points);
 LeastSquaresFit robustLeastSquares(const Residuals& residuals, int count, Eigen::VectorXd start);
@@ -34,7 +34,7 @@ LeastSquaresFit robustLeastSquares(const Residuals& residuals, int count, Eigen:
 // Returns the median length of the first `points` pairs of residuals.
 double medianLength(const Eigen::VectorXd& residuals, Eigen::Index points);
 
-// Returns the derivatives of `residuals` by the parameters, as central differences.
+// Returns the derivatives of `residuals` with respect to the parameters, as central differences.
 Eigen::MatrixXd derivatives(const Residuals& residuals, int count, const Eigen::VectorXd& at);
 
 } // namespace dipwright

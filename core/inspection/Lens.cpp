@@ -28,7 +28,7 @@ Eigen::Vector2d undistorted(const Eigen::Vector2d& seen, const Lens& lens) {
         const double square = r * r;
         const double slope = 1 + square * (3 * lens.k1 + 5 * square * lens.k2);
         if (slope < 0.1) {
-            return seen; // beyond the fold of the distortion
+            return seen; // beyond the radius at which the distortion folds back
         }
         const double change = (r * (1 + square * (lens.k1 + square * lens.k2)) - target) / slope;
         r -= change;

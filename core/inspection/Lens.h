@@ -10,8 +10,8 @@ namespace dipwright {
 // Places in a picture are in pixels from its upper left corner, to the right and down: the middle
 // of the first pixel is (½, ½).
 struct Lens {
-    // A place at q appears at q (1 + k1 q² + k2 q⁴). Both are distances from the picture's middle,
-    // divided by half its diagonal.
+    // A place at the distance q from the picture's middle appears at q (1 + k1 q² + k2 q⁴).
+    // Distances are divided by half the picture's diagonal.
     double k1 = 0, k2 = 0;
 };
 
@@ -29,9 +29,9 @@ private:
     double unit_;
 };
 
-// Returns where a place appears. Arguments and results here are in units of LensPlane.
+// Returns where the lens shows a place. Places here and below are in units of LensPlane.
 Eigen::Vector2d distorted(const Eigen::Vector2d& place, const Lens& lens);
-// Returns the place that appears at `seen`; `seen` itself if there is none nearby.
+// Returns the place that the lens shows at `seen`; `seen` itself if there is none nearby.
 Eigen::Vector2d undistorted(const Eigen::Vector2d& seen, const Lens& lens);
 
 } // namespace dipwright

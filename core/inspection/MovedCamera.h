@@ -1,4 +1,5 @@
-// Describes a part's camera near another one by parameters to fit. Private to this folder.
+// Describes a camera near a given start camera by parameters that can be fitted. Private to this
+// folder.
 #pragma once
 
 #include "inspection/PartCamera.h"
@@ -15,9 +16,9 @@ inline int fittableDistortions(std::size_t pairs) {
     return int(std::min<std::size_t>(2, pairs / pairsForDistortion));
 }
 
-// The parameters start at 0: the logarithm of the focal length, `distortions` of k1 and k2, and for
-// each photo a rotation vector and a shift relative to the distance. A held camera has no
-// parameters.
+// The parameters are changes of the start camera. They are the logarithm of the focal length's
+// factor, the first `distortions` of k1 and k2, and for each photo a rotation vector and a shift,
+// relative to the distance. A held camera has no parameters.
 class MovedCamera {
 public:
     MovedCamera(const PartView& start, int distortions, bool isHeld = false)

@@ -23,7 +23,7 @@ struct Text {
 
 constexpr double sure95 = 1.959964;
 constexpr double leastDepth = 1e-3;  // least thickness of the pairs, as a share of their extent
-constexpr double mostFocalOff = 0.6; // of the focal length, at 95 %
+constexpr double mostFocalOff = 0.6; // largest 95 % interval, as a share of the focal length
 
 [[noreturn]] void refuse(const QString& sentence, const QString& where) {
     throw Error(sentence, where);

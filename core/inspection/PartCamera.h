@@ -17,7 +17,7 @@ namespace dipwright {
 // A place in a photo and the place on the model that appears there.
 struct PlacePair {
     int photo = 0;         // index of the photo
-    Eigen::Vector2d pixel; // as in Lens.h
+    Eigen::Vector2d pixel; // place in the photo, as in Lens.h
     Eigen::Vector3d model; // mm, in the project's model coordinates
 };
 
@@ -34,20 +34,20 @@ struct PairDistance {
     double millimetres = 0; // across the line of sight, at the place
 };
 
-// Statistics of the distances between seen and expected: those in the paper's Table II, and two in
-// mm.
+// Statistics of the distances between seen and expected places: the figures of the paper's Table
+// II, and two in mm.
 struct PartFigures {
     int count = 0;
     double meanPixels = 0, deviationPixels = 0;
-    double shareOfDiagonal = 0; // mean over the picture's diagonal
+    double shareOfDiagonal = 0; // mean distance divided by the picture's diagonal
     double percentile95 = 0;    // mm
     double worst = 0;           // mm
-    std::size_t worstPair = 0;  // the pair with `worst`
+    std::size_t worstPair = 0;  // index of the pair with the largest distance
 };
 
 struct PartView {
     std::vector<PartPose> photos;
-    Measured focalLength; // half diagonals; the same lens for all photos
+    Measured focalLength; // in half diagonals; the same for all photos
     Lens lens;
     std::vector<PairDistance> off; // one per pair
     PartFigures figures;
@@ -55,20 +55,19 @@ struct PartView {
 
 // Least number of pairs per photo.
 inline constexpr int leastPairs = 6;
-// Number of pairs in all photos from which k1 is fitted; k2 needs twice as many.
+// Number of pairs, in all photos together, from which on k1 is fitted; k2 needs twice as many.
 inline constexpr int pairsForDistortion = 30;
 
-// Fits one camera to photos of one size. If `lens` is given, it is used. Otherwise k1 and k2 are
-// fitted if there are enough pairs; else they are 0. Throws Error, naming `where`, if the pairs are
-// too few or do not determine the camera, for example if all lie in one plane or the photo is
-// mirrored.
+// Fits one camera to photos of one size. Uses `lens` if it is given. Otherwise fits k1 and k2 if
+// there are enough pairs, or leaves them 0. Throws Error, naming `where`, if the pairs are too few
+// or do not determine the camera, for example if all lie in one plane or the photo is mirrored.
 PartView fitPartCamera(const std::vector<PlacePair>& pairs, int photos, QSize picture,
                        const QString& where, const std::optional<Lens>& lens = {});
 
-// Returns the same camera with the figures of other pairs in its photos.
+// Returns the same camera with the distances and figures of other pairs in the same photos.
 PartView viewOf(const PartView& camera, const std::vector<PlacePair>& pairs, QSize picture);
 
-// Returns the figures of one photo's pairs; `view` belongs to all pairs.
+// Returns the figures of one photo. `view` and `pairs` include all photos.
 PartFigures figuresOfPhoto(const PartView& view, const std::vector<PlacePair>& pairs, int photo,
                            QSize picture);
 

@@ -34,8 +34,8 @@ QString photoName(std::size_t index) {
     return QStringLiteral("part-photo-%1.png").arg(index + 1);
 }
 
-// Returns the numbers of a table's lines: first a whole number from 1 to `photos`, then two columns
-// in pixels, then millimetres. `kind` says what a line must contain.
+// Returns the numbers in each line of a table. A line has a whole number from 1 to `photos`, two
+// numbers in pixels, and numbers in millimetres. `kind` describes a line in error messages.
 std::vector<std::vector<double>> numbersOf(const QByteArray& table, const QByteArray& header,
                                            int photos, const QString& kind, const QString& where) {
     const QByteArray mark = "\xef\xbb\xbf"; // byte order mark that some spreadsheets write
@@ -271,7 +271,7 @@ void writePartView(const std::vector<PartPhoto>& photos, const std::vector<Place
     const QString found = QStringLiteral("part-places.csv");
     QStringList names{json, figures, table, found};
     for (std::size_t i = 0; i < std::size_t(mostPhotos); ++i) {
-        names << photoName(i); // removes those of an earlier run with more photos
+        names << photoName(i); // removes the pictures of an earlier run with more photos
     }
     FolderTransaction files(folder, names);
     files.write(json, jsonOf(photos, view));

@@ -25,21 +25,22 @@ struct PartPhoto {
     std::optional<QDateTime> taken = std::nullopt;
 };
 
-// All photos of one part are in memory at once, with 4 bytes per pixel.
+// Limit for the pixels of all photos of one part. They are in memory together, with 4 bytes per
+// pixel.
 inline constexpr qint64 mostPartPixels = 400'000'000;
 
 // Adds a photo of the part. Throws Error, without changing `photos`, if its size differs from the
 // others' or if all together exceed mostPartPixels.
 void addPartPhoto(std::vector<PartPhoto>& photos, PartPhoto photo);
 
-// Returns the photo with a line from each expected place to the seen place, enlarged `times`, as in
-// the paper's Figure 8.
+// Returns the photo with a line from each expected place towards the seen place, as in the paper's
+// Figure 8. The lines are `times` as long as the distances.
 QImage pairsPicture(const PartPhoto& photo, int index, const std::vector<PlacePair>& pairs,
                     const PartView& view, double times);
 
-// Replaces part-view.json, part-figures.csv, part-pairs.csv and part-photo-N.png in `folder`
-// together. Also replaces part-places.csv, which is written only if there are found places; `pairs`
-// are then those places. Needs a QGuiApplication. Throws Error.
+// Replaces part-view.json, part-figures.csv, part-pairs.csv and part-photo-N.png in `folder`, all
+// or none. If `places` is not empty, also writes part-places.csv; `pairs` must then be the same
+// places. Needs a QGuiApplication. Throws Error.
 void writePartView(const std::vector<PartPhoto>& photos, const std::vector<PlacePair>& pairs,
                    const PartView& view, const std::vector<PrintedPlace>& places,
                    const QString& folder);

@@ -20,14 +20,14 @@ namespace dipwright {
 
 namespace {
 
-constexpr double reach = 0.25; // of a square to each side, to see how the film runs
+constexpr double reach = 0.25; // squares to each side, for the directions of the film
 
 // Tells where the places of a film's sheet lie at the end of the dip.
 class SheetOnBody {
 public:
     SheetOnBody(const LaidFilm& laid, QSizeF sheet) : laid_(laid), sheet_(sheet) {}
 
-    // Returns the place in the body's pose frame; none if no film adheres there.
+    // Returns where the film adheres to the body, in its pose frame; none if it does not adhere.
     std::optional<SurfacePoint> at(const Eigen::Vector2d& place) const {
         const solver::FilmGrid& grid = laid_.film().grid;
         const Eigen::Vector2d share(place.x() / sheet_.width() + 0.5,
@@ -91,7 +91,8 @@ struct TextureCorner {
     bool isDark = false; // whether the square below and to the right is dark
 };
 
-// Tells whether the square between `right` and `down` is dark, by the squares that touch there.
+// Tells whether the square between `right` and `down` is dark, by comparing the squares at the
+// corner.
 bool isDarkBetween(const cv::Mat& grey, const TextureCorner& corner) {
     double opposite = 0;
     for (const double right : {-0.25, 0.25}) {
@@ -104,7 +105,7 @@ bool isDarkBetween(const cv::Mat& grey, const TextureCorner& corner) {
 }
 
 std::vector<TextureCorner> cornersIn(const QImage& texture) {
-    constexpr int longest = 4096; // texels per side; more do not improve the corners
+    constexpr int longest = 4096; // texels of the longer side; more do not improve the corners
     const cv::Mat full = greyOf(texture);
     const cv::Mat grey = shortened(full, longest);
     const Eigen::Vector2d scale(double(full.cols) / grey.cols, double(full.rows) / grey.rows);
@@ -132,7 +133,7 @@ std::vector<TextureCorner> cornersIn(const QImage& texture) {
     return corners;
 }
 
-// Finds the places of the model that show a corner: triangles whose texture coordinates enclose it.
+// Finds the places of the model that show a corner of the texture.
 class ModelCorners {
 public:
     ModelCorners(const TexturedMesh& model, int texture, std::vector<TextureCorner> corners)

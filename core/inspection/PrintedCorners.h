@@ -17,21 +17,20 @@ struct PrintedCorner {
     Eigen::Vector2d sheet; // mm, like PrintedPlace::sheet
     Eigen::Vector3d model;
     Eigen::Vector3d outward; // unit normal of the body
-    // Steps on the body to the next corners to the right and down the sheet, as surface and film
-    // run here.
+    // Steps on the body to the next corners on the sheet, rightwards and downwards.
     Eigen::Vector3d right, down;
     bool isDark = false; // whether the square below and to the right is dark
 };
 
 // Returns corners of the job's own chessboard (texture/Chessboard.h) with squares of `square` mm on
-// a sheet of `sheet` mm, where the film carries them. Includes only corners around which film
-// adheres to the body for a quarter of a square. Row by row. Any thread.
+// a sheet of `sheet` mm, row by row. Includes a corner only if film adheres to the body within 0.25
+// squares around it. Any thread.
 std::vector<PrintedCorner> chessboardCorners(const LaidFilm& laid, int dip, QSizeF sheet,
                                              double square);
 
-// Returns the corners of chess squares in the model's own texture, if at least a dozen are side by
-// side. They lie in places that one of `dips` paints with a sheet of size `sheet`; the first such
-// dip counts. Any thread.
+// Returns the corners of chess squares in the model's own texture; empty if fewer than twelve are
+// side by side. Includes a corner only if one of `dips` paints it; the first such dip is its `dip`.
+// `sheet` is the size of the sheets. Any thread.
 std::vector<PrintedCorner> textureCorners(const TexturedMesh& model,
                                           const std::vector<std::shared_ptr<const LaidFilm>>& dips,
                                           QSizeF sheet);

@@ -8,14 +8,14 @@ namespace dipwright {
 
 namespace {
 
-constexpr std::size_t leastKnown = 40; // squares
-constexpr double mostWrong = 0.12;     // of the squares, at the best place
-constexpr double leastAhead = 0.15;    // of the squares, ahead of any other place
+constexpr std::size_t leastKnown = 40; // squares whose colour must be known
+constexpr double mostWrong = 0.12;     // share of squares that may be wrong at the best place
+constexpr double leastAhead = 0.15;    // share of squares by which any other place must be worse
 
 // A square of the grid, between the corners (column, row) and (column + 1, row + 1).
 struct Square {
     int column = 0, row = 0;
-    double ring = 0, middle = 0; // its grey values outside and inside a possible dot
+    double ring = 0, middle = 0; // grey values outside and inside a possible dot
     bool black = false, dot = false;
 };
 
@@ -29,7 +29,7 @@ struct Lie {
         return {turn[0] * place.first + turn[1] * place.second + column,
                 turn[2] * place.first + turn[3] * place.second + row};
     }
-    // The board numbers a square by its corner that is up and left on the board.
+    // On the board, a square has the column and row of its upper left corner.
     GridPlace square(int i, int j) const {
         const GridPlace a = corner({i, j}), b = corner({i + 1, j + 1});
         return {std::min(a.first, b.first), std::min(a.second, b.second)};
@@ -73,8 +73,8 @@ std::vector<Square> squaresOf(const cv::Mat& grey, const CornerGrid& grid) {
     return squares;
 }
 
-// Decides black or white by comparison with neighbouring squares. Squares that do not differ from
-// them are dropped.
+// Decides by comparison with neighbouring squares whether a square is black or white. Drops squares
+// that do not differ from their neighbours.
 std::vector<Square> judged(std::vector<Square> squares, const std::vector<Square>& all) {
     std::map<GridPlace, double> rings;
     for (const Square& square : all) {
@@ -134,8 +134,7 @@ std::size_t wrongSquares(const std::vector<Square>& squares, const Pattern& patt
     return wrong;
 }
 
-// Tries all shifts of one kind of board at one turn. `best` holds the two best matches of all
-// tries.
+// Tries all shifts of one kind of board at one turn. Updates `best`, the two best matches so far.
 void tryShifts(const std::vector<Square>& squares, BoardKind kind, const Pattern& pattern,
                const std::array<int, 4>& turn, std::array<Match, 2>& best) {
     Lie lie{turn};
@@ -200,7 +199,7 @@ std::optional<SeenBoard> readBoard(const cv::Mat& blurred, const CornerGrid& gri
     SeenBoard board{best[0].kind, isLeftHanded(grid) != lie.isLeftHanded(), {}};
     for (const auto& [place, corner] : grid.corners) {
         const auto [column, row] = lie.corner(place);
-        // Four squares do not meet on the board's own edge.
+        // Corners on the board's own edge are left out, because four squares do not meet there.
         if (column > 0 && row > 0) {
             board.corners.push_back({column, row, corner});
         }

@@ -1,4 +1,4 @@
-// Identifies the board, and the place on it, that a grid of corners shows. Private to this folder.
+// Identifies which board, and which part of it, a grid of corners shows. Private to this folder.
 #pragma once
 
 #include "inspection/CornerGrid.h"
@@ -8,8 +8,8 @@
 
 namespace dipwright {
 
-// Compares the colours of the squares and their dots with the boards. Returns none if they match no
-// place, or more than one.
+// Compares the colours of the squares and their dots with the boards' patterns. Returns none if
+// they match no place of a board, or more than one.
 std::optional<SeenBoard> readBoard(const cv::Mat& blurred, const CornerGrid& grid);
 
 } // namespace dipwright

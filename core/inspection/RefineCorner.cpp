@@ -13,21 +13,21 @@ namespace dipwright {
 
 namespace {
 
-constexpr double reach = 0.36;    // of the steps in every direction: does not reach the dots
-constexpr double farthest = 15;   // pixels to each side
-constexpr double mostMoved = 0.7; // of that reach
+constexpr double reach = 0.36;    // share of the steps that is used; does not reach the dots
+constexpr double farthest = 15;   // pixels to each side that are used
+constexpr double mostMoved = 0.7; // how far a corner may move, as a share of `reach` and `farthest`
 constexpr std::size_t leastPixels = 30;
-constexpr double mostMisfit = 0.2; // of the contrast, root mean square
+constexpr double mostMisfit = 0.2; // root mean square misfit, as a share of the contrast
 constexpr Eigen::Index bends = 7;  // index of the first of the two bends
 constexpr double bendUnit = 100;   // pixels: a bend of 1 is half the inverse of this radius
 
 struct Window {
-    Eigen::Matrix2d inverse;             // of the map from a unit circle to the window's ellipse
+    Eigen::Matrix2d inverse;             // maps the window's ellipse to a unit circle
     std::vector<Eigen::Vector2d> places; // relative to the corner's first place
     std::vector<double> values;
 };
 
-// Returns the pixels whose middle lies in the ellipse that shows a circle on the board.
+// Returns the pixels around a corner whose middles lie in the picture of a circle on the board.
 Window windowRound(const cv::Mat& grey, const Eigen::Vector2d& place, const Eigen::Vector2d& right,
                    const Eigen::Vector2d& down) {
     Eigen::Matrix2d steps;
@@ -71,7 +71,7 @@ private:
         return {std::cos(p[2 + which]), std::sin(p[2 + which]),
                 p.size() > bends ? p[bends + which] / bendUnit : 0};
     }
-    // Returns −1 on one side of the edge to 1 on the other.
+    // Returns a value that changes from −1 on one side of the edge to 1 on the other.
     double across(const Edge& line, const Eigen::Vector2d& from) const {
         const double along = line.x * from.x() + line.y * from.y();
         return std::erf((line.x * from.y() - line.y * from.x() - line.bend * along * along) /
@@ -83,8 +83,8 @@ private:
     std::array<Edge, 2> edges_;
 };
 
-// Returns half the difference between the two dark and the two light quarters, with the model's
-// sign.
+// Returns the first contrast: half the difference between the two light and the two dark quarters,
+// with the model's sign.
 double firstContrast(const Window& window, const Eigen::VectorXd& start) {
     double sum = 0, weight = 1e-9;
     Eigen::VectorXd one = start;
@@ -152,7 +152,8 @@ std::optional<Eigen::Vector2d> refinedCorner(const GreyLevels& levels, Eigen::Ve
         if (level == 0) {
             return found;
         }
-        if (found) { // otherwise the larger picture, which shows less around it, may succeed
+        if (found) { // if not, the next larger picture may succeed: its window shows less around
+                     // the corner
             place = found->cwiseQuotient(scale);
         }
     }

@@ -10,12 +10,14 @@ namespace dipwright {
 // Fits two crossing blurred edges to the grey values round a corner,
 //   grey = m + c · erf(d₁/s) · erf(d₂/s),   d the distances from the two edges.
 // Place, both directions, m, c and s are free; on a bent board, also the bend of each edge. No
-// slope of the light is fitted: near a blurred corner it looks like a shift, and light changes far
-// less across a few pixels.
-// `right` and `down` are the steps to the next corners and give the first directions. Only pixels
-// within a good third of the steps, and within 15 pixels, are used. For larger squares the smaller
-// pictures are used first. Returns none if the picture does not fit the model, or if the place
-// would move by more than a quarter of the steps, or 10 pixels.
+// brightness gradient is fitted. Near a blurred corner a gradient cannot be told from a shift, and
+// real gradients across a few pixels are small.
+//
+// `right` and `down` are the steps to the next
+// corners and give the start directions. Only pixels within 36 % of the steps, and within 15
+// pixels, are used. For larger squares the reduced pictures are used first. Returns none if the
+// picture does not fit the model. Also returns none if the place would move by more than about 25 %
+// of the steps or 10 pixels.
 enum class BoardShape { Flat, Bent };
 std::optional<Eigen::Vector2d> refinedCorner(const GreyLevels& levels, Eigen::Vector2d place,
                                              const Eigen::Vector2d& right,

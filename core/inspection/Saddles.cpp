@@ -16,7 +16,7 @@ namespace {
 constexpr double leastStrength = 0.02;
 constexpr double leastContrast = 0.02;
 constexpr double saddleBlur = 2; // pixels
-constexpr int ringRadius = 5;    // pixels: squares need at least twice this
+constexpr int ringRadius = 5;    // pixels; squares must be at least twice as large
 constexpr int ringPlaces = 48;
 constexpr std::size_t mostSaddles = 20'000;
 
@@ -67,7 +67,8 @@ std::optional<Ring> ringRound(const cv::Mat& grey, const Eigen::Vector2d& place)
     return found == 4 && ring.contrast > leastContrast ? std::optional(ring) : std::nullopt;
 }
 
-// Finds the two edges, if opposite changes lie on one line each and the lines cross clearly.
+// Finds the two edges. Each joins two opposite changes in a straight line, and the two lines must
+// cross at a clear angle.
 bool findEdges(const Ring& ring, Saddle& saddle) {
     constexpr double bent = 0.6, leastAngle = 0.3; // radians
     for (std::size_t i = 0; i < 2; ++i) {

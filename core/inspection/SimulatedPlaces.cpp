@@ -104,7 +104,8 @@ PlacesNear SimulatedPlaces::near(const std::vector<FitUnknown>& unknowns,
                 near.places[i] = found[number][i];
             }
         }
-        // Each unknown has up to two sides. If one is missing, the slope is taken from the centre.
+        // A slope comes from the simulations on both sides of the centre. If one side is missing,
+        // the centre replaces it.
         for (std::size_t unknown = 0; near.places[i] && unknown < unknowns.size(); ++unknown) {
             std::vector<std::pair<double, Eigen::Vector3d>> known;
             for (std::size_t number = printing.size(); number < tried.size(); ++number) {
@@ -161,11 +162,11 @@ SimulatedPlaces::Places SimulatedPlaces::placesOn(const LaidFilm& laid, int dip)
         }
         const Eigen::Vector2d rest = printed_[i].sheet.array() * swell;
         const std::optional<FilmPlace> place = laid.flat(rest.cast<float>());
-        // Places past the paint's end are left out, and so is marked film, whose place follows from
-        // an unmeasured law.
-        const bool isSure = place && laid.contact().painted[place->triangle] != 0 &&
-                            laid.marks(place->triangle) == 0;
-        const auto lies = isSure ? laid.onBody(*place) : std::nullopt;
+        // Leaves out places outside the painted area. Also leaves out marked film, because its
+        // place follows from a law that was not measured.
+        const bool isPaintedUnmarked = place && laid.contact().painted[place->triangle] != 0 &&
+                                       laid.marks(place->triangle) == 0;
+        const auto lies = isPaintedUnmarked ? laid.onBody(*place) : std::nullopt;
         if (lies) {
             places[i] = toModel * lies->cast<double>();
         }

@@ -1,5 +1,5 @@
-// Simulates where printed places lie on the body in a dip and in dips near it. Private to this
-// folder.
+// Simulates where printed places lie on the body, in one dip and in dips with slightly changed
+// unknowns. Private to this folder.
 #pragma once
 
 #include "base/Progress.h"

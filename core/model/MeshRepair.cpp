@@ -23,19 +23,19 @@ struct Text {
 };
 
 constexpr std::uint32_t unused = 0xffffffffu;
-// The distance that rounding puts between the sides of a seam, relative to the model's longest
-// edge: files have six or seven digits.
+// The largest gap that rounding leaves between the sides of a seam, relative to the model's longest
+// edge. Files store six or seven digits.
 constexpr double seamTolerance = 1e-5;
 
 // Finds positions by their exact value, with a hash table with open addressing that is at most half
 // full. The hash differs in every run, so that no file can make all its positions collide. The
-// results do not differ.
+// results do not depend on the hash.
 class PositionIndex {
 public:
     explicit PositionIndex(const std::vector<Eigen::Vector3f>& positions)
         : positions_(positions), slots_(std::bit_ceil(2 * positions.size() + 1), unused) {}
 
-    // Returns the first requested position that equals this one.
+    // Returns the first position passed to this function that equals this one.
     std::uint32_t firstEqual(std::uint32_t position) {
         for (std::size_t slot = hash(positions_[position]);; ++slot) {
             std::uint32_t& found = slots_[slot & (slots_.size() - 1)];
@@ -194,7 +194,7 @@ void forEachDoubled(const std::vector<CornerSet>& sets, const Use& use) {
     }
 }
 
-// Groups of positions that triangles connect; each group is named by one of its positions.
+// Groups of positions that triangles connect; each group is identified by one of its positions.
 class JoinedPositions {
 public:
     explicit JoinedPositions(const TriangleMesh& mesh) : parent_(mesh.positions.size()) {
@@ -235,7 +235,8 @@ std::vector<bool> areAllChosen(const TriangleMesh& mesh, const std::vector<bool>
     return areAll;
 }
 
-// A connected piece of a mesh, and which of its triangles run against its first one.
+// A connected piece of a mesh, and which of its triangles have the opposite orientation of its
+// first one.
 struct Piece {
     std::vector<std::uint32_t> triangles, against;
     bool isOrientable = true;
@@ -243,7 +244,7 @@ struct Piece {
 };
 
 // Returns the piece that contains the triangle `first`. `sense` holds for each triangle: 0 unknown,
-// 1 the same way as its piece's first, −1 against it.
+// 1 oriented like the first triangle of its piece, −1 oppositely.
 Piece gatherPiece(const TriangleMesh& mesh, const std::vector<std::uint32_t>& opposite,
                   std::uint32_t first, std::vector<std::int8_t>& sense) {
     Piece piece;
@@ -347,7 +348,7 @@ double voteOfRays(const SurfaceQuery& query, const Eigen::Vector3f& place,
     return odd[1] / std::max(all[1], 1.0) - odd[0] / std::max(all[0], 1.0);
 }
 
-// Whether rays from `places` places of the piece say that it faces inwards.
+// Whether rays from `places` places on the piece show that it faces inwards.
 bool facesInwards(const SurfaceQuery& query, const TriangleMesh& mesh, const Piece& piece,
                   std::size_t places, float clear, const std::function<void()>& goOn) {
     constexpr double decided = 0.5;
@@ -383,7 +384,7 @@ std::vector<Piece> insideOutOf(std::vector<Piece> open, const TriangleMesh& mesh
     const std::size_t places = std::min(mostPlaces / open.size(), placesOfPiece);
     const TriangleMesh body = centred(mesh);
     const SurfaceQuery query(body);
-    // so that rays miss the place itself
+    // distance from the place at which rays start, so that they miss the surface there
     const float clear = 1e-4F * boundingBox(body).diagonal().norm();
     std::erase_if(open, [&](const Piece& piece) {
         return !facesInwards(query, body, piece, places, clear, goOn);
@@ -403,7 +404,7 @@ QStringList sentencesOf(const ModelRepairs& repairs) {
     add(Text::tr("Points merged along seams that rounding had opened: %1"), repairs.joinedPoints);
     add(Text::tr("Triangles without area that were removed: %1"), repairs.removedTriangles);
     add(Text::tr("Duplicate triangles that were removed: %1"), repairs.mergedTriangles);
-    add(Text::tr("Triangles flipped because they faced the other way than their neighbours: %1"),
+    add(Text::tr("Triangles flipped to face the same way as their neighbours: %1"),
         repairs.turnedTriangles);
     add(Text::tr("Parts of the surface flipped because they were inside out: %1"),
         repairs.turnedParts);
@@ -494,7 +495,7 @@ std::size_t removeDegenerateTriangles(TexturedMesh& mesh) {
     if (std::find(flat.begin(), flat.end(), true) == flat.end()) {
         return removed;
     }
-    // A degenerate triangle may be what connects its neighbours.
+    // A degenerate triangle may be the only connection between its neighbours.
     const TexturedMesh without = withoutTriangles(mesh, flat);
     if (isClosed(mesh.mesh) && !isClosed(without.mesh)) {
         return removed;

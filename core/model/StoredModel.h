@@ -7,7 +7,7 @@
 
 namespace dipwright {
 
-// A model as stored, with its pictures still encoded.
+// A model as it is stored, with encoded pictures.
 struct StoredModel {
     TexturedMesh model;               // without textures; its materials refer to them by index
     std::vector<QByteArray> pictures; // PNG files, not validated

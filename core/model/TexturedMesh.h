@@ -12,7 +12,7 @@ namespace dipwright {
 
 struct Material {
     QString name;
-    QColor colour = QColor(200, 200, 200); // used without a texture
+    QColor colour = QColor(200, 200, 200); // colour where the material has no texture
     int texture = -1;                      // index into TexturedMesh::textures; −1: none
 };
 

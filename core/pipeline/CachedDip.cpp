@@ -25,7 +25,7 @@ public:
         in_.setVersion(QDataStream::Qt_6_0);
     }
 
-    // Refuses NaN.
+    // Reads one value; refuses NaN.
     template <typename Value>
     Value value(Value least, Value most) {
         Value value{};
@@ -33,7 +33,7 @@ public:
         require(value >= least && value <= most);
         return value;
     }
-    // Accepts NaN only if `mayLack`.
+    // Reads `count` values; accepts NaN only if `mayLack` is true.
     std::vector<float> floats(std::size_t count, double least, double most, bool mayLack = false) {
         requireLeft(count * sizeof(float));
         in_.setFloatingPointPrecision(QDataStream::SinglePrecision);
@@ -139,7 +139,7 @@ DippedFilm readFilm(Reader& stored, const solver::FilmGrid& grid, bool isotropic
     return film;
 }
 
-// Visits all numbers, so that reading and writing use the same order.
+// Calls `use` for all numbers of an estimate, so that reading and writing use the same order.
 template <typename Use>
 void eachFigure(SheetChange& change, const Use& use) {
     for (double* figure :

@@ -1,7 +1,7 @@
 // Encodes and decodes one dip for the project's dip cache. Private to this folder.
 #pragma once
 
-#include "accuracy/numericalError/NumericalErrorEstimate.h"
+#include "accuracy/error/NumericalErrorEstimate.h"
 #include "base/Error.h"
 #include "film/DippedFilm.h"
 
@@ -20,7 +20,7 @@ struct CachedDip {
 // Encodes a dip.
 QByteArray cachedDip(const CachedDip& dip);
 // Decodes a dip with the film points of `grid`. Checks every value against its range and never
-// reads beyond the bytes. Throws Error if they are not a dip of such a film.
+// reads beyond the bytes. Throws Error if the bytes are not a dip of such a film.
 CachedDip readCachedDip(const QByteArray& bytes, const solver::FilmGrid& grid, bool isotropic,
                         const QString& where);
 // Returns the error for a damaged cache file `where`.

@@ -6,12 +6,12 @@
 
 namespace dipwright {
 
-// The additional depth at most: it stands for an error at the tank.
+// The largest additional depth, which stands for an error at the tank.
 inline constexpr Millimetres mostDeeper{10};
 
-// Dips an immersion of the job again with the same film cells, deeper by mostDeeper or until the
-// whole body is dipped. The process must have a depth; otherwise the whole body is dipped already.
-// If a GPU solver fails, the best CPU solver takes over. Throws Error or Cancelled.
+// Simulates a dip of the job again with the same film cells, deeper by mostDeeper or until the
+// whole body is under water. The process must have a depth; without a depth the whole body is
+// already dipped. If a GPU solver fails, the best CPU solver takes over. Throws Error or Cancelled.
 std::shared_ptr<const LaidFilm> deeperDip(const JobResult& result, std::size_t immersion,
                                           const SolverRegistry& registry, const Progress& progress);
 

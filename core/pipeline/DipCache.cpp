@@ -26,17 +26,19 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(DipCache)
 };
 
-// Raised when the dips or their storage format change within one version of the program.
+// Version of the cache. Raise it if the dips or their storage format change within one version of
+// the program.
 constexpr quint32 keptVersion = 2;
 constexpr int mostDips = 1000;
-constexpr qint64 entryBytes = 256; // upper limit of the zip's overhead for an entry
+constexpr qint64 entryBytes = 256; // upper limit of the zip's overhead per entry
 
 template <typename Value>
 QByteArrayView bytesOf(const std::vector<Value>& values) {
     return {reinterpret_cast<const char*>(values.data()), qsizetype(values.size() * sizeof(Value))};
 }
 
-// Hashes all that a dip depends on (DipInputs), and the versions of program and solver.
+// Computes each dip's key: a hash of everything that the dip depends on (DipInputs), including the
+// versions of program and solver.
 class DipKeys {
 public:
     explicit DipKeys(const Project& project) {
@@ -45,7 +47,8 @@ public:
         hash.add(bytesOf(project.model->mesh.triangles));
         const QJsonObject values = toJson(project);
         QJsonObject process = values[QLatin1String("process")].toObject();
-        process.remove(QStringLiteral("solver")); // it may be "auto"
+        process.remove(
+            QStringLiteral("solver")); // this may be "auto"; the key has the chosen solver
         common_ = {{QStringLiteral("kept"), int(keptVersion)},
                    {QStringLiteral("program"), programVersion()},
                    {QStringLiteral("mesh"), QString::fromLatin1(hash.result().toHex())},
@@ -72,7 +75,7 @@ private:
     QJsonObject common_;
 };
 
-// Entries are NUMBER-KEY.dip, numbered by age.
+// Returns the key in an entry's name, NUMBER-KEY.dip. Entries are numbered by age.
 QString keyOf(const QString& entry) {
     static const QRegularExpression pattern(QStringLiteral("^\\d{4}-([0-9a-f]{64})\\.dip$"));
     return pattern.match(entry).captured(1);
@@ -119,14 +122,14 @@ std::vector<std::pair<QString, QByteArray>> readAll(const QString& path) {
     return dips;
 }
 
-// Returns the cached dips of the project's immersions; empty if one is missing. Every fault of the
-// archive is reported as damage.
+// Returns the cached dips of the project's immersions; empty if one is missing. Reports every fault
+// of the archive as damage.
 std::vector<QByteArray> readWanted(const QString& path, const DipKeys& keys, const Project& project,
                                    const SolverInfo& solver) {
     std::vector<QByteArray> dips;
     try {
         ZipReader archive(path);
-        QMap<QString, QString> entries; // by key
+        QMap<QString, QString> entries; // entry of each key
         for (const QString& entry : archive.names()) {
             entries.insert(keyOf(entry), entry);
         }
@@ -183,7 +186,7 @@ void cacheDips(const JobResult& result, const QString& project, qint64 most) {
     }
     dips.erase(dips.begin(), oldest);
     if (dips.empty()) {
-        return; // there is no room even for one
+        return; // not even one dip fits
     }
     ZipWriter archive;
     for (std::size_t number = 0; number < dips.size(); ++number) {

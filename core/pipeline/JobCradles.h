@@ -1,4 +1,4 @@
-// Makes the cradles of a job: one for each dip, which avoids the area that earlier dips painted.
+// Makes the cradles of a job, one for each dip. A cradle avoids the area that earlier dips painted.
 #pragma once
 
 #include "base/Progress.h"
@@ -7,7 +7,7 @@
 namespace dipwright {
 
 // Returns the cradles in the order of the dips. A cradle that cannot hold the body has no mesh, and
-// its notes say why. All cores; deterministic. Throws Error or Cancelled.
+// its notes say why. Uses all cores; deterministic. Throws Error or Cancelled.
 std::vector<Cradle> jobCradles(const JobResult& result, const Progress& progress);
 
 } // namespace dipwright

@@ -11,23 +11,24 @@ namespace dipwright {
 struct ImmersionResult;
 
 struct JobOptions {
-    QString solver;          // replaces the project's; empty: the project's
-    QImage filmImage;        // replaces the reverse texture; null: reverse texture
-    bool chessboard = false; // the built-in chessboard as film image
-    // Estimates the numerical error of each sheet by coarser dips. They take at most as long as the
-    // dips and run beside them where cores are free.
+    QString solver;          // replaces the project's solver; empty: uses the project's
+    QImage filmImage;        // replaces the reverse texture; null: uses the reverse texture
+    bool chessboard = false; // uses the built-in chessboard as film image
+    // Estimates the numerical error of each sheet from coarser dips. The coarser dips take at most
+    // as long as the job's dips and run at the same time if cores are free.
     bool estimatesNumericalError = true;
-    // Varies the assumed laws to tell how much each sheet depends on them: eight more dips for each
+    // Measures how much each sheet depends on the assumed laws. Takes eight more dips for each
     // immersion (LawChanges.h).
     bool variesLaws = false;
-    // Makes a cradle for each dip (JobCradles.h): some seconds each.
+    // Makes a cradle for each dip (JobCradles.h). Takes some seconds per cradle.
     bool makesCradles = false;
     // Computes how far colours may land from their places within the project's tolerances. Takes
     // dozens of dips (JobTolerances.h).
     bool computesTolerances = false;
-    // Template of the motion files; replaces motionTemplate() (traveller/Motion.h).
+    // Template of the motion files; none: motionTemplate() (traveller/Motion.h).
     std::optional<MotionTemplate> motion;
-    // Called from the working thread with the immersion's number. Has no effect on the result.
+    // Called on the working thread with the immersion's number and each frame of its film. Has no
+    // effect on the result.
     std::function<void(std::size_t, const FilmFrame&)> observer;
     // Called with an immersion's number and result as soon as its sheet is made. Any thread; other
     // dips may still be running.

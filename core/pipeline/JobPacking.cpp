@@ -21,7 +21,7 @@ QString filmFile(std::size_t number, const char* suffix) {
     return QStringLiteral("film-%1.%2").arg(number + 1).arg(QLatin1String(suffix));
 }
 
-// All files that an earlier run may have written.
+// Returns the names of all files that an earlier run may have written.
 QStringList filmFiles() {
     QStringList files{reportFile};
     for (int number = 0; number < mostFilms; ++number) {

@@ -9,19 +9,20 @@ namespace dipwright {
 struct PackSettings {
     PackingFilm film;
     FeedDirection feed = FeedDirection::ShortEdgeFirst; // for cut film, not for a roll
-    bool mayTurn = false; // allows turning if the film swells equally both ways
+    bool mayTurn = false; // allows turning if the film swells equally in both directions
 };
 
-// Returns whether a project's piece is turned. A film swells more along its web, and each picture
-// is made for that. A piece is turned if its own web runs across the web of this film, and never if
-// both run the same way. If its film swells equally both ways, `mayTurn` decides.
+// Returns whether a project's piece must, may or must not be turned. A film swells more along its
+// web, and each picture is made for one direction of the web. A piece is turned if its web runs
+// across the web of this film, and not turned if both webs have the same direction. If its film
+// swells equally in both directions, `mayTurn` decides.
 Turning turningOf(const Project& project, const PackSettings& settings);
 
 // Returns the sheets of a finished job as pieces, each `copies` times.
 std::vector<PieceToPack> piecesOf(const JobResult& result, int copies,
                                   const PackSettings& settings);
 
-// Pieces and their places on the films.
+// The pieces and their places on the films.
 struct PackedFilms {
     std::vector<PieceToPack> pieces;
     PackSettings settings;
@@ -29,13 +30,13 @@ struct PackedFilms {
 };
 // Places the pieces on films. Throws Error as planFilms() does.
 PackedFilms packedFilms(std::vector<PieceToPack> pieces, const PackSettings& settings);
-// Returns the sheet of a film, counted from 0.
+// Returns the sheet of film `number`, counted from 0.
 Sheet sheetOf(const PackedFilms& films, std::size_t number);
 
 // Describes each film in one sentence: size, number of pieces and used share.
 QStringList filmsText(const PackedFilms& films);
 
-// Throws Error if writeFilms() could not write into `folder`. Call it before the work.
+// Throws Error if writeFilms() cannot write into `folder`. Call it before the work begins.
 void checkFilmsFolder(const QString& folder);
 // Writes film-N.pdf, .png and .tif for each film, and films.json, into `folder`
 // (docs/files-and-commands.md, "Packed films"). Replaces all earlier files or none

@@ -21,7 +21,7 @@ bool isWhitePrinted(const Project& project) {
     return project.sheet.white != WhiteLayer::None;
 }
 
-// Hashes all that the dips of a search depend on, except the poses.
+// Returns a hash of everything that the dips of a search depend on, except the poses.
 QByteArray identityOf(const Project& project, const QString& solver) {
     const QJsonObject whole = toJson(project);
     QJsonObject counting;
@@ -37,7 +37,8 @@ QByteArray identityOf(const Project& project, const QString& solver) {
     return sha256(QJsonDocument(counting).toJson(QJsonDocument::Compact));
 }
 
-// Coarse texels suffice: the search only asks where the artwork has ink.
+// Size of a texel. Coarse texels suffice, because the search only needs to know where the artwork
+// has ink.
 constexpr double texel = 0.5; // mm
 
 } // namespace

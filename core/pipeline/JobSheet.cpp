@@ -19,7 +19,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Pipeline)
 };
 
-constexpr int hashLetters = 12; // 48 bits: enough to tell sheets apart, short enough to compare
+constexpr int hashLetters = 12; // 48 bits: distinguishes sheets and is easy to compare
 
 QString plain(double number) {
     return QString::number(number, 'g', 6);
@@ -44,12 +44,12 @@ void addPixels(Sha256& hash, const QImage& image) {
     }
 }
 
-// Hashes the film's pictures and all settings behind them. The project's location does not count.
-// Nor does the solver's name: the pictures show which solver was used, named or found by "auto".
+// Returns a hash of the film's pictures and of all their settings. Neither the project's location
+// nor the solver's name has an effect: another solver's pictures differ anyway.
 QString jobHash(const Project& project, const Immersion& immersion, const PrintedFilm& film) {
     Project anonymous = project;
     anonymous.process.solver = ProcessSettings().solver;
-    anonymous.baseColour.clear(); // it is not printed
+    anonymous.baseColour.clear(); // this colour is not printed
     QJsonObject settings = countedSettings(anonymous);
     for (const char* key : {"model", "immersions", "name", "cradle", "tolerance", "verdict",
                             "inspection", "pose_search"}) {
@@ -70,7 +70,7 @@ QString jobHash(const Project& project, const Immersion& immersion, const Printe
     hash.add(QJsonDocument(settings).toJson(QJsonDocument::Compact));
     addPixels(hash, film.colours);
     for (const QImage& image : {film.white, film.wanted, film.stretch}) {
-        addPixels(hash, image); // null where there is none
+        addPixels(hash, image); // the image may be null
     }
     for (const QImage& tints : film.spots) {
         addPixels(hash, tints);
@@ -116,7 +116,7 @@ Sheet jobSheet(const Project& project, const Immersion& immersion, const Printed
         sheet.plates.push_back({layer.spot, film.spots[spot], layer.spotFirst, layer.spotColour});
     }
     if (!film.white.isNull()) {
-        const double pixels = film.white.width() / project.film.width.value(); // per mm
+        const double pixels = film.white.width() / project.film.width.value(); // pixels per mm
         user.throwIfCancelled();
         sheet.plates.push_back({project.sheet.whiteName,
                                 choked(film.white, project.sheet.whiteChoke.value() * pixels),

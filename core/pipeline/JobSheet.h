@@ -9,7 +9,7 @@ namespace dipwright {
 struct Project;
 struct Immersion;
 
-// The images printed on a film; all except the colours may be null.
+// The images printed on a film. All except `colours` may be null.
 struct PrintedFilm {
     QImage colours;
     QImage white = {};                // tints of the white layer, Grayscale8, before choking
@@ -17,7 +17,8 @@ struct PrintedFilm {
     std::vector<QImage> spots = {};   // tints of the artwork's spot colours, in their order
 };
 
-// Throws Error if two plates of a sheet would have the same name, or the artwork has too many.
+// Throws Error if two plates of a sheet would have the same name, or if the artwork has too many
+// spot colours.
 void checkSpots(const Project& project);
 
 // Makes the sheet. Throws Cancelled.

@@ -49,7 +49,8 @@ QJsonObject filmTicket(const Project& project) {
             {"profile", named(project.profiles.film, {"lot", "expiry", "feed"})}};
 }
 
-// Waiting times of the film; null where there is no film profile or it does not give the time.
+// Returns the film's waiting times. A time is null if there is no film profile or the profile does
+// not give it.
 QJsonObject dwellTicket(const std::optional<FilmProfile>& film) {
     if (!film) {
         return {{"soak_s", {}}, {"activator_s", {}}, {"flash_s", {}}, {"drying_s", {}}};

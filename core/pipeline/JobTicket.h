@@ -15,8 +15,8 @@ namespace dipwright {
 using ResultContents = std::function<QByteArray(const QString&)>;
 
 // Returns the contents of ticket.json (docs/files-and-commands.md, "ticket.json";
-// resources/schemas/ticket.schema.json). `files`: for each immersion, the names of its sheet and
-// motion files. Does not depend on the clock.
+// resources/schemas/ticket.schema.json). `files` holds, for each immersion, the names of its sheet
+// and motion files. The result does not depend on the clock.
 QJsonObject jobTicket(const JobResult& result, const std::vector<QStringList>& files,
                       const ResultContents& contents);
 

@@ -6,7 +6,7 @@ namespace dipwright {
 namespace {
 
 constexpr double fieldDone = 0.05;
-constexpr float mostColour = 0.5f; // from this share on, a dip's colour dominates
+constexpr float mostColour = 0.5f; // share from which on a place counts for the dip
 
 } // namespace
 

@@ -1,5 +1,5 @@
-// Computes how far the colours of a job may land from their places within the tolerances, and
-// whether the zones keep their limits.
+// Computes how far handling errors within the tolerances may move the colours of a job, and whether
+// the zones keep their limits.
 #pragma once
 
 #include "base/Progress.h"
@@ -8,10 +8,10 @@
 
 namespace dipwright {
 
-// `settings` may differ from those that the job was run with, because they do not change its dips.
-// If two dips share the body, a place counts for the dip that gives at least half of the colour. If
-// a GPU solver fails, the best CPU solver takes over. All cores; deterministic. Throws Error or
-// Cancelled.
+// Computes the tolerances of all dips. `settings` may differ from the settings of the job's run,
+// because they do not change its dips. If two dips share the body, a place counts for each dip that
+// gives at least half of its colour. If a GPU solver fails, the best CPU solver takes over. Uses
+// all cores; deterministic. Throws Error or Cancelled.
 JobTolerances jobTolerances(const JobResult& result, const ToleranceSettings& settings,
                             const SolverRegistry& registry, const Progress& progress);
 

@@ -9,7 +9,7 @@ namespace dipwright {
 
 // Returns the motion of a dip.
 DipMotion jobMotion(const JobResult& result, std::size_t immersion);
-// Draws the traveller's pictures. All cores; deterministic. Throws Cancelled.
+// Returns the traveller with its pictures. Uses all cores; deterministic. Throws Cancelled.
 Traveller jobTraveller(const JobResult& result, const Progress& progress);
 
 } // namespace dipwright

@@ -18,7 +18,7 @@ struct Text {
 
 using Kind = VerdictReason::Kind;
 
-constexpr double bareSamples = 20'000; // on the body
+constexpr double bareSamples = 20'000; // number of points on the body
 
 // Returns the share of each zone that no dip paints, 0 … 1.
 std::array<double, zoneCount> bareZones(const JobResult& result, const ZonedBody& zones) {
@@ -42,8 +42,8 @@ std::array<double, zoneCount> bareZones(const JobResult& result, const ZonedBody
     return bare;
 }
 
-// Marked zones should be painted. The rest of the body is judged by Kind::Unreached.
-void objectToBareZones(ReasonList& found, const JobResult& result, const ZonedBody& zones) {
+// Adds reasons for marked zones that are not painted. Kind::Unreached judges the rest of the body.
+void addBareZoneReasons(ReasonList& found, const JobResult& result, const ZonedBody& zones) {
     const std::array<double, zoneCount> bare = bareZones(result, zones);
     for (const Zone zone : {Zone::A, Zone::B}) {
         found.addShare(Kind::ZoneBare, bare[std::size_t(zone)], result.project.verdict.zoneBare,
@@ -51,7 +51,7 @@ void objectToBareZones(ReasonList& found, const JobResult& result, const ZonedBo
     }
 }
 
-void objectToHandling(ReasonList& found, const JobTolerances& tolerances) {
+void addHandlingReasons(ReasonList& found, const JobTolerances& tolerances) {
     for (const ZoneVerdict& zone : tolerances.zones) {
         if (zone.area > 0 && !zone.holds()) {
             found.add({Kind::ZoneExceeded,
@@ -70,7 +70,7 @@ double unreached(const JobResult& result) {
                         : 1 - result.coverageTotal;
 }
 
-// Whether the model shows only one colour.
+// Tells whether the model shows only one colour.
 bool isPlain(const Project& project) {
     const std::vector<Material>& materials = project.model->materials;
     return project.artwork.isEmpty() && project.model->textures.empty() &&
@@ -79,8 +79,8 @@ bool isPlain(const Project& project) {
            });
 }
 
-// Adds reasons that have no limit; the project sets their weight.
-void objectToOrigins(ReasonList& found, const JobResult& result) {
+// Adds reasons that have no limit; the project's settings give the advice for them.
+void addOriginReasons(ReasonList& found, const JobResult& result) {
     const Project& project = result.project;
     if (result.immersions.front().inputs.texture.isReversed() && isPlain(project)) {
         found.add({Kind::NoPicture, project.verdict.noPicture});
@@ -121,12 +121,12 @@ Verdict allDipsVerdict(const JobResult& result, const ZonedBody* zones) {
         found.addShare(Kind::Narrow, result.share->narrow, limits.narrow);
     }
     if (zones) {
-        objectToBareZones(found, result, *zones);
+        addBareZoneReasons(found, result, *zones);
     }
     if (result.tolerances) {
-        objectToHandling(found, *result.tolerances);
+        addHandlingReasons(found, *result.tolerances);
     }
-    objectToOrigins(found, result);
+    addOriginReasons(found, result);
     return std::move(found).verdict();
 }
 

@@ -8,23 +8,26 @@ namespace dipwright {
 // Returns the zones marked in the project; null if there are none.
 std::shared_ptr<const ZonedBody> markedZones(const Project& project);
 
-// Judges a dip whose film is laid and measured and whose sheet is made. `zones`: markedZones().
+// Returns the verdict on a dip. Its film must be laid and measured, and its sheet made. `zones` is
+// the result of markedZones().
 Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const ZonedBody* zones);
 
-// Judges all dips together, for JobResult::verdict. `zones`: markedZones().
+// Returns the verdict on all dips together, for JobResult::verdict. `zones` is the result of
+// markedZones().
 Verdict allDipsVerdict(const JobResult& result, const ZonedBody* zones);
 
-// A reason and the dip that it is about; without a dip it is about all.
+// A reason and the dip that it is about. Without a dip, the reason is about all dips together.
 struct JobReason {
     std::optional<std::size_t> dip;
     VerdictReason reason;
 };
 
-// Returns the worst verdict of the dips and of all together, and all reasons, the worst first.
+// Returns the worst advice of all dips and of all dips together.
 Advice adviceOf(const JobResult& result);
+// Returns all reasons, the worst first.
 std::vector<JobReason> reasonsOf(const JobResult& result);
 
-// A sentence for the user: "Top: Trapped air keeps …". `length` formats mm.
+// Returns a sentence for the user: "Top: Trapped air keeps …". `length` formats mm.
 QString reasonText(const JobReason& reason, const JobResult& result, const LengthText& length);
 
 } // namespace dipwright

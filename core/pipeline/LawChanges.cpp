@@ -45,7 +45,7 @@ std::vector<LawChange> lawChanges(const Project& project, const Immersion& immer
                                   const CancelToken& cancelToken) {
     const FilledField filled(*body, field);
     std::vector<LawChange> changes;
-    std::vector<Project> jobs; // two for each law: less and more
+    std::vector<Project> jobs; // two for each law: with a smaller and with a larger value
     std::vector<solver::BatchItem> dips;
     for (const QString& setting : lawSettings()) {
         const Field<Project>& law = fieldOf(setting);

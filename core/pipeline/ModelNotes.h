@@ -10,12 +10,12 @@ namespace dipwright {
 
 struct Project;
 
-// Warns if parts of the model are too thin for the distance field; otherwise empty. `mesh`: the
-// project's mesh in any pose; `query` belongs to it.
+// Returns a warning if parts of the model are too thin for the distance field; otherwise empty.
+// `mesh` is the project's mesh in any pose; `query` belongs to `mesh`.
 QString thinPartNote(const Project& project, const TriangleMesh& mesh, const SurfaceQuery& query);
 
-// Whether parts of the model face inwards. The import turns such parts; older projects may still
-// have them. Takes seconds for models with many open parts.
+// Tells whether parts of the model face inwards. The import turns such parts, but older projects
+// may still contain them. Takes seconds for models with many open parts.
 bool isInsideOut(const TexturedMesh& model);
 // Returns the warning for such a model.
 QString insideOutNote();

@@ -38,15 +38,16 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Pipeline)
 };
 
-// Fractions of a job's time, roughly as measured on a film of 120 × 170 points.
+// Progress at which each step begins or ends, as a fraction of the job's time. Measured roughly on
+// a film of 120 × 170 points.
 constexpr double fieldDone = 0.1;
 constexpr double lawsBegin = 0.3;        // if laws are varied
 constexpr double tolerancesBegin = 0.15; // if tolerances are computed
 constexpr double cradlesBegin = 0.6;
-constexpr double dipsDone = 0.7; // of the time after the field
+constexpr double dipsDone = 0.7; // as a fraction of the time after the field
 constexpr double sharesDone = 0.75;
 constexpr double proofDone = 0.97;
-constexpr int coverageTile = 560; // pixels of each side of the body
+constexpr int coverageTile = 560; // pixels along the side of one view
 constexpr double picturesDone = 0.8;
 
 // The context that all steps of one run share.
@@ -68,13 +69,13 @@ bool hasDipped(const ImmersionResult* earlier, const DipInputs& inputs) {
     return earlier && earlier->inputs.texture.dip == inputs;
 }
 
-// Whether the numerical error has to be estimated by coarser dips.
+// Tells whether the numerical error has to be estimated from coarser dips.
 bool isToBeJudged(const Run& run, const ImmersionResult* earlier, const DipInputs& inputs) {
     return run.options.estimatesNumericalError &&
            !(hasDipped(earlier, inputs) && earlier->numericalError);
 }
 
-// Returns null if nothing has to be dipped and the earlier result has no field.
+// Returns the body's distance field; null if no dip needs it and the earlier result has none.
 std::shared_ptr<const DistanceField> fieldOf(const Run& run, const std::vector<SheetInputs>& inputs,
                                              const Progress& progress) {
     const FieldInputs wanted = fieldInputs(run.project);
@@ -111,7 +112,7 @@ std::shared_ptr<const PosedBody> bodyOf(const Run& run, std::size_t number,
         posedBody(inputs.model->mesh, run.project.immersions[number]));
 }
 
-// Fills in the laid film.
+// Simulates the dip and fills in the laid film.
 void dip(ImmersionResult& result, const Run& run, std::size_t number, const DistanceField& field,
          SolverChoice& solver, const Progress& progress) {
     FilmObserver observer;
@@ -128,8 +129,8 @@ void dip(ImmersionResult& result, const Run& run, std::size_t number, const Dist
     result.laid = layFilm(result.body, std::move(film), run.project.process);
 }
 
-// Measures the coverage of a newly dipped or cached film. Measures the read-back error of such a
-// film, and after the body's appearance has changed.
+// Measures coverage and read-back error of a newly dipped or cached film. If only the body's
+// appearance has changed, measures the read-back error alone.
 void measure(ImmersionResult& result, const ImmersionResult* earlier, const CancelToken& user) {
     const bool isLaidAnew = !result.coverage;
     user.throwIfCancelled();
@@ -149,7 +150,8 @@ QImage chessboardOf(const FilmSettings& film, QSize pixels) {
     return chessboard(printed, chessSquare, pixels);
 }
 
-// Returns a white layer of one tint under all ink of a picture that was not made for a body.
+// Returns a white layer of even tint under all ink of a picture. For pictures that were not made
+// for a body.
 QImage evenWhite(const QImage& picture, double tint) {
     const QImage pixels = picture.convertToFormat(QImage::Format_RGBA8888);
     QImage white(pixels.size(), QImage::Format_Grayscale8);
@@ -164,8 +166,8 @@ QImage evenWhite(const QImage& picture, double tint) {
     return white;
 }
 
-// Returns the body's appearance in each of the artwork's spot colours. Keeps references to its
-// arguments.
+// Returns functions that make the body's appearance in each of the artwork's spot colours. They
+// keep references to the arguments.
 std::vector<SpotAppearance> spotPlates(const TextureInputs& inputs, const Progress& progress) {
     std::vector<SpotAppearance> plates;
     for (const ArtworkLayer& layer : inputs.paint.artwork.spots()) {
@@ -177,7 +179,8 @@ std::vector<SpotAppearance> spotPlates(const TextureInputs& inputs, const Progre
     return plates;
 }
 
-// Returns the picture for the film: the reverse texture, or the picture that replaces it.
+// Returns the picture for the film: the reverse texture, or the picture that replaces the reverse
+// texture.
 ReverseTexture textureOf(const LaidFilm& laid, const SurfaceAppearance& appearance,
                          const TextureInputs& inputs, std::optional<PaintShare> share,
                          const Progress& progress) {
@@ -210,12 +213,13 @@ struct Comparison {
     bool isWanted = false;
 };
 
-// Starts the comparison. Keeps references to all arguments except the result and the solver's id.
+// Starts the coarser dips. Keeps references to all arguments except the result and the solver's id.
 void compare(Comparison& comparison, const Run& run, const ImmersionResult& result,
              const DistanceField& field, const QString& solver, const CancelToken& left) {
     comparison.dips.run([&, solver, body = result.body, immersion = result.immersion] {
         const auto isCancelled = [&] { return left.isCancelled() || run.user.isCancelled(); };
-        // Without this, its own loops might take over the task that waits for it.
+        // Without runIsolated(), a parallel loop of this task could start another task that waits
+        // for this task.
         runIsolated([&] {
             comparison.films =
                 coarserFilms(body, field, immersion, run.project.film, run.project.process,
@@ -224,8 +228,8 @@ void compare(Comparison& comparison, const Run& run, const ImmersionResult& resu
     });
 }
 
-// The first part of an immersion's work: up to the laid film. On a CPU the coarser films are dipped
-// in parallel; on a GPU, which they would have to share, afterwards.
+// Does the first part of an immersion's work, up to the laid film. On a CPU the coarser dips run at
+// the same time. On a GPU they run afterwards, because one GPU cannot run both at the same time.
 ImmersionResult dippedImmersion(const Run& run, std::size_t number, const SheetInputs& inputs,
                                 const JobResult& job, SolverChoice& solver, Comparison& comparison,
                                 const CancelToken& left, const Progress& progress) {
@@ -254,7 +258,7 @@ ImmersionResult dippedImmersion(const Run& run, std::size_t number, const SheetI
     return now;
 }
 
-// Returns how the dips share the body; null if they do not share it.
+// Returns how the dips share the body; null if they do not share the body.
 std::shared_ptr<const BodyShare> shareOf(const Run& run, const TexturedMesh& model,
                                          const std::vector<ImmersionResult>& immersions,
                                          const Progress& progress) {
@@ -270,7 +274,7 @@ std::shared_ptr<const BodyShare> shareOf(const Run& run, const TexturedMesh& mod
         model, {immersions[0].laid, immersions[1].laid}, inputs->settings, inputs->ink, progress));
 }
 
-// The second part: the picture on the film. `share`: null if the dips do not share the body.
+// Does the second part: the picture on the film. `share` is null if the dips do not share the body.
 void paint(ImmersionResult& now, const Run& run, std::size_t number, const BodyShare* share,
            const Progress& progress) {
     const ImmersionResult* earlier = run.earlier(number);
@@ -320,7 +324,7 @@ std::optional<double> shortfallOf(const Sheet& sheet,
     return colour.isCmyk() ? std::optional(inkShortfall(sheet, correction)) : std::nullopt;
 }
 
-// The last part: measurements of the film, its sheet, and the verdict.
+// Does the last part: measurements of the film, its sheet, and the verdict.
 void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison& comparison) {
     const ImmersionResult* earlier = run.earlier(number);
     Tasks measuring;
@@ -382,7 +386,7 @@ bool hasProofOf(const JobResult* previous, const std::vector<SheetInputs>& input
                                   });
 }
 
-// Whether the earlier coverage picture shows other names of the dips.
+// Tells whether the dips have been renamed since the earlier coverage picture was drawn.
 bool hasOldNames(const JobResult* previous, const std::vector<SheetInputs>& inputs) {
     return previous && previous->share &&
            !std::equal(inputs.begin(), inputs.end(), previous->immersions.begin(),
@@ -392,7 +396,7 @@ bool hasOldNames(const JobResult* previous, const std::vector<SheetInputs>& inpu
                        });
 }
 
-// `white`: draws the proof with the white layer; otherwise without it.
+// Returns the proof, with the white layer if `white` is true.
 QImage proofOf(const ProofStage& stage, const std::vector<ImmersionResult>& immersions, bool white,
                const Progress& progress) {
     const SheetInputs& inputs = immersions.front().inputs;
@@ -402,7 +406,7 @@ QImage proofOf(const ProofStage& stage, const std::vector<ImmersionResult>& imme
     return proofPicture(stage, filmAppearances(immersions, white), options, progress);
 }
 
-// Returns null if the dips do not share the body.
+// Returns the coverage picture; null if the dips do not share the body.
 QImage coverageOf(const ProofStage& stage, const JobResult& result, const Progress& progress) {
     if (!result.share) {
         return {};
@@ -414,13 +418,13 @@ QImage coverageOf(const ProofStage& stage, const JobResult& result, const Progre
     return coveragePicture(stage, *result.share, films, coverageTile, progress);
 }
 
-// Whether the proof would look different without the white layer.
+// Tells whether the proof would look different without the white layer.
 bool showsWhite(const SheetInputs& inputs) {
     return inputs.texture.white > 0 && !inputs.baseColour.isEmpty();
 }
 
-// Fills in the proofs and the coverage picture. Takes over those that the earlier result already
-// has; `stage` may be null if it has all.
+// Fills in the proofs and the coverage picture. Takes over the pictures that the earlier result
+// already has; `stage` may be null if it has all of them.
 void showTogether(JobResult& result, const Run& run, const ProofStage* stage, bool hasProof,
                   bool hasCoverage, const Progress& progress) {
     const std::vector<ImmersionResult>& immersions = result.immersions;
@@ -434,22 +438,23 @@ void showTogether(JobResult& result, const Run& run, const ProofStage* stage, bo
                                   : coverageOf(*stage, result, progress.part(proofDone, 1));
 }
 
-// Fills in the immersions and the results about all of them together. The films are dipped one
-// after the other. The work after a dip runs beside the next dip, whose solver does not need, or
-// cannot use, the whole processor. If the dips share the body, the pictures wait for the last dip.
-// The proof waits for the pictures, not for the sheets.
+// Fills in the immersions and the results about all of them together. Dips run one after the other.
+// The work after a dip runs at the same time as the next dip, because a solver leaves some cores
+// idle. If the dips share the body, the pictures are made after the last dip. The proof is made
+// after the pictures; it does not wait for the sheets.
 void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInputs>& inputs,
                    SolverChoice& solver, const Progress& progress) {
     std::vector<ImmersionResult>& immersions = result.immersions;
     immersions.resize(inputs.size());
     const bool hasProof = hasProofOf(run.previous, inputs);
     const bool hasCoverage = hasProof && !hasOldNames(run.previous, inputs);
-    // Declared before the tasks that use them: after an exception the tasks are waited for first.
+    // Declared before the tasks that use them, so that after an exception the tasks end before
+    // these variables are destroyed.
     CancelToken left; // cancelled on an exception, so that the comparisons stop
     std::shared_ptr<const ProofStage> stage;
     std::vector<Comparison> comparisons(inputs.size());
     Tasks sheets;
-    Tasks pictures; // each starts a sheet
+    Tasks pictures; // each picture starts the task of its sheet
     const auto leave = qScopeGuard([&left] { left.cancel(); });
     if (!hasProof || !hasCoverage) {
         pictures.run([&] {
@@ -502,8 +507,8 @@ QStringList notesOf(const JobResult& result) {
     if (const QString note = thinPartNote(result.project, body.mesh, body.query); !note.isEmpty()) {
         notes.append(note);
     }
-    constexpr double hardlyAnything = 0.01; // of the body
-    if (result.coverageTotal < hardlyAnything && isInsideOut(*result.project.model)) {
+    constexpr double negligibleShare = 0.01; // share of the body
+    if (result.coverageTotal < negligibleShare && isInsideOut(*result.project.model)) {
         notes.append(insideOutNote());
     }
     notes += fontWarnings(result.project.artwork);

@@ -1,5 +1,5 @@
-// Runs the main job: model → field → dip → texture → sheet. After an edit, only the affected steps
-// are computed again.
+// Runs the main job: model → distance field → dip → texture → sheet. After an edit, computes only
+// the affected steps again.
 #pragma once
 
 #include "base/Progress.h"

@@ -6,11 +6,12 @@
 
 namespace dipwright {
 
-// Returns the film of each dip with its picture and spot colours, and its white layer if `white`.
+// Returns the film of each dip with its picture and spot colours. Includes the white layer if
+// `white` is true.
 std::vector<FilmAppearance> filmAppearances(const std::vector<ImmersionResult>& immersions,
                                             bool white);
 
-// Returns the ground below the ink. `baseColour`: the body's own colour "#rrggbb", or empty.
+// Returns the surface below the ink. `baseColour` is the body's own colour as "#rrggbb", or empty.
 Ground groundOf(const SheetSettings& sheet, const QString& baseColour);
 
 } // namespace dipwright

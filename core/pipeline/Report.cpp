@@ -51,7 +51,7 @@ QJsonArray sentencesOf(const Verdict& verdict) {
     return sentences;
 }
 
-// The reasons of the whole job, the worst first.
+// Returns the reasons of the whole job, the worst first.
 QJsonArray reasonsJson(const JobResult& result) {
     QJsonArray json;
     for (const JobReason& reason : reasonsOf(result)) {
@@ -73,7 +73,7 @@ QJsonArray reasonsJson(const JobResult& result) {
     return json;
 }
 
-// All plates in addition to the four process inks, in the order of printing.
+// Returns all plates in addition to the four process inks, in the order of printing.
 QJsonArray spotsJson(const ImmersionResult& result) {
     QJsonArray spots;
     for (const SheetPlate& plate : result.sheet.plates) {
@@ -209,7 +209,8 @@ QJsonObject immersionJson(const ImmersionResult& result) {
         {"marked", markedJson(*result.coverage)},
         {"marked_area_mm2", result.coverage->marked.any}, // as in earlier versions
         {"read_back_mm", toJson(result.readBack)},
-        {"registration_mm", toJson(result.readBack)}, // its name in earlier versions
+        {"registration_mm",
+         toJson(result.readBack)}, // name of the read-back error in earlier versions
         {"ink", inkJson(result)},
         {"job", result.sheet.job.hash}};
     if (const QJsonArray spots = spotsJson(result); !spots.isEmpty()) {
@@ -310,7 +311,7 @@ QJsonObject filmJson(const Project& project) {
             {"ink", word(hasMeasuredInk(project.ink, project.profiles))}};
 }
 
-// The used share of the film, and a smaller format that would suffice.
+// Returns the used share of the film, and a smaller format that would suffice.
 QJsonObject filmUseJson(const JobResult& result) {
     QJsonObject json{{"used", filmUsed(result)}};
     if (const std::optional<SmallerFilm> smaller = smallerFilm(result)) {
@@ -320,7 +321,8 @@ QJsonObject filmUseJson(const JobResult& result) {
     return json;
 }
 
-// For each dip: the repeating error of earlier parts, and whether the sheet was corrected for it.
+// Returns, for each dip, the repeating error of earlier parts and whether the sheet was corrected
+// for it.
 QJsonObject asBuiltJson(const JobResult& result) {
     const AsBuilt& built = result.project.asBuilt;
     QJsonArray dips;

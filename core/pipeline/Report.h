@@ -1,4 +1,4 @@
-// Reports a job's figures to other programs.
+// Makes a report of a job's figures for other programs.
 #pragma once
 
 #include "pipeline/JobResult.h"

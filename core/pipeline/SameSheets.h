@@ -5,8 +5,8 @@ namespace dipwright {
 
 struct Project;
 
-// Compares the inputs of a default run of each (StepInputs.h). Values that no step depends on, such
-// as snapshots, may differ.
+// Tells whether runs of both projects with default options would have equal inputs (StepInputs.h).
+// Values that no step depends on, such as snapshots, may differ.
 bool makeSameSheets(const Project& first, const Project& second);
 
 } // namespace dipwright

@@ -15,12 +15,12 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Pipeline)
 };
 
-// Peak memory for each pixel of the film's picture; measured (docs/speed.md, "Memory").
-constexpr double bytesOfPixel = 8;    // once
+// Measured peak memory per pixel of the film's picture (docs/speed.md, "Memory").
+constexpr double bytesOfPixel = 8;    // once per job
 constexpr double bytesOfSheet = 10.5; // for each immersion
 constexpr double bytesOfPlate = 8;    // for each further plate of an immersion
 constexpr double gigabyte = 1e9;
-constexpr double told = 1 * gigabyte; // from here on the user is told
+constexpr double noteFrom = 1 * gigabyte; // from this size on, the user gets a note
 
 QString gigabytes(double bytes) {
     return QLocale().toString(bytes / gigabyte, 'f', 1);
@@ -40,9 +40,9 @@ double sheetMemory(const Project& project) {
 
 QString memoryNote(const Project& project) {
     const double bytes = sheetMemory(project);
-    return bytes < told ? QString()
-                        : Text::tr("The run needs about %1 GB of memory for the sheets")
-                              .arg(gigabytes(bytes));
+    return bytes < noteFrom ? QString()
+                            : Text::tr("The run needs about %1 GB of memory for the sheets")
+                                  .arg(gigabytes(bytes));
 }
 
 void checkMemory(const Project& project) {

@@ -7,8 +7,8 @@ namespace dipwright {
 
 struct Project;
 
-// Returns the peak memory of a run in bytes. The sheets' pictures take nearly all of it; measured
-// per pixel (docs/speed.md, "Memory").
+// Returns the peak memory of a run in bytes, estimated from measured bytes per pixel of the sheets'
+// pictures (docs/speed.md, "Memory"). Other data hardly count.
 double sheetMemory(const Project& project);
 
 // Returns a sentence for the user if the sheets need 1 GB or more; otherwise empty.

@@ -29,12 +29,12 @@ struct Text {
 
 constexpr int mapEdge = 1600; // pixels
 
-// Fractions of the time: the field, then the first two films of an immersion. The third film has
-// twice as many points per side and takes most of the time.
+// Progress as a fraction of the time: after the field, then after the first and the second film of
+// an immersion. The third film has twice as many points per side and takes most of the time.
 constexpr double fieldDone = 0.02;
 constexpr double ownDone = 0.1;
 constexpr double halfStepDone = 0.3;
-constexpr double dipDone = 0.9; // within one film
+constexpr double dipDone = 0.9; // as a fraction of one film's time
 
 Project withHalfStep(Project project) {
     project.process.contactTravel /= 2;
@@ -42,7 +42,7 @@ Project withHalfStep(Project project) {
     return project;
 }
 
-// The steps of the production film are given in cells, so they become shorter too.
+// Smaller cells also shorten the steps, because the production film's steps are given in cells.
 Project withHalfSpacing(Project project) {
     FilmSettings& film = project.film;
     film.refinement *= 2;
@@ -72,7 +72,7 @@ DipNumericalError numericalError(const Project& project, const Immersion& immers
                                  const Progress& progress) {
     const auto body = std::make_shared<const PosedBody>(posedBody(project.model->mesh, immersion));
     const std::vector<SurfacePoint> places = comparedPlaces(body->mesh);
-    // The changes at all places, and at the unmarked ones.
+    // Returns the change at all places and the change at the unmarked places.
     const auto changes = [&](const LaidFilm& own, const LaidFilm& finer) {
         const std::vector<float> moves = sheetMoves(own, finer, places);
         return std::pair(sheetChange(moves), sheetChange(unmarkedMoves(moves, own, places)));
@@ -140,8 +140,8 @@ std::vector<DipNumericalError> sheetNumericalError(const Project& project,
 
 namespace {
 
-// Both names, so that no second map of an earlier check remains beside the map of a single
-// immersion.
+// Returns the names of both maps. A check of a single immersion also removes the second map of an
+// earlier check.
 QStringList mapNames() {
     return {QStringLiteral("certainty-1.png"), QStringLiteral("certainty-2.png")};
 }

@@ -1,7 +1,7 @@
 // Measures the numerical error of a job's sheets by repeating the dips with finer cells and steps.
 #pragma once
 
-#include "accuracy/numericalError/SheetChange.h"
+#include "accuracy/error/SheetChange.h"
 #include "base/Units.h"
 #include "settings/Immersion.h"
 #include "solver/SolverRegistry.h"
@@ -19,31 +19,32 @@ struct DipNumericalError {
     Immersion immersion;
     SheetChange halfStep;    // with steps half as long
     SheetChange halfSpacing; // with film cells and steps half as long
-    // The same without marked film (solver::PointMark): torn, released or without equilibrium.
+    // The same changes without marked film (solver::PointMark): torn, released or not converged.
     SheetChange unmarkedHalfStep, unmarkedHalfSpacing;
-    std::shared_ptr<const LaidFilm> laid; // with the project's settings
-    std::vector<float> moves; // of its points with half the spacing, mm; NaN: only one dip paints
-    QStringList notes;        // sentences for the user if another solver took over
+    std::shared_ptr<const LaidFilm> laid; // film with the project's settings
+    // How far each point of `laid` moves with half the spacing, mm; NaN: only one dip paints it.
+    std::vector<float> moves;
+    QStringList notes; // sentences for the user if another solver took over
 };
 
-// Draws how far the film moves: numericalErrorMap() in Results.h.
+// Draws how far the film moves, by numericalErrorMap() in Results.h.
 QImage mapOf(const DipNumericalError& numericalError, LengthUnit unit = LengthUnit::Millimetre);
 
-// Whether both changes keep their limits; false if nothing is painted.
+// Tells whether both changes are within their limits; false if nothing is painted.
 bool isAccurateEnough(const DipNumericalError& numericalError);
 
 // Simulates each immersion three times with one solver: the project's, or the best CPU solver if
 // the project's needs a GPU that is missing or fails. Any thread; touches no file except the field
-// cache; the maps need a QGuiApplication. Throws Error (no model, no such solver, no contact, too
-// many film points with half the spacing) or Cancelled.
+// cache; the maps need a QGuiApplication. Throws Cancelled. Throws Error if there is no model, no
+// such solver, no contact, or too many film points with half the spacing.
 std::vector<DipNumericalError> sheetNumericalError(const Project& project,
                                                    const SolverRegistry& registry,
                                                    const Progress& progress);
 
-// Writes the maps into `folder` as certainty-N.png for immersion N. Replaces the maps of an earlier
-// check, all or none (disk/FolderTransaction.h); other files stay. Throws Error. checkMapFolder
-// throws Error if the maps could not be written; call it before the work.
+// Throws Error if the maps cannot be written into `folder`. Call it before the work begins.
 void checkMapFolder(const QString& folder);
+// Writes the maps into `folder` as certainty-N.png for immersion N. Replaces the maps of an earlier
+// check, all or none (disk/FolderTransaction.h); other files stay. Throws Error.
 void writeNumericalErrorMaps(const std::vector<DipNumericalError>& numericalError,
                              const QString& folder);
 

@@ -9,7 +9,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Pipeline)
 };
 
-// Returns the available CPU solver of the highest priority; nothing if `solver` needs no GPU.
+// Returns the available CPU solver of the highest priority; none if `solver` needs no GPU.
 std::optional<SolverInfo> cpuInPlaceOf(const SolverInfo& solver, const SolverRegistry& registry,
                                        const CancelToken& cancelToken) {
     std::optional<SolverInfo> best;

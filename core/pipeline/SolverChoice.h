@@ -1,5 +1,5 @@
-// Chooses the solver, and the CPU solver that takes over if a GPU is missing or fails. Runs, checks
-// before a run, and all other work with solvers use this.
+// Chooses the solver, and the CPU solver that takes over if a GPU is missing or fails. All work
+// with solvers uses this file.
 #pragma once
 
 #include "base/Error.h"
@@ -7,20 +7,21 @@
 
 namespace dipwright {
 
-// The chosen solver and why it was chosen.
+// The chosen solver and notes on solvers that were replaced.
 struct SolverChoice {
     SolverInfo solver;
-    QStringList notes;            // one sentence for the user for each take-over
-    CancelToken cancelToken = {}; // cancels waiting for a solver to load
+    QStringList notes;            // for the user: one sentence for each replaced solver
+    CancelToken cancelToken = {}; // cancels the wait while a solver loads
 };
 
-// Returns the solver `wanted`, an id or "auto". If it needs a GPU and has none, the best CPU solver
-// takes its place. Throws Error if there is no such solver and none to replace it, or Cancelled.
+// Returns the solver `wanted`, an id or "auto". If this solver needs a GPU and finds none, returns
+// the best CPU solver. Throws Error if there is no such solver and no replacement. Throws
+// Cancelled.
 SolverChoice chooseSolver(const QString& wanted, const SolverRegistry& registry,
                           const CancelToken& cancelToken = {});
 
 // Replaces a GPU solver that failed with `error` by the best CPU solver. Returns false and changes
-// nothing if it was not a GPU solver or there is no replacement.
+// nothing if the failed solver needs no GPU or there is no replacement.
 bool takeOver(SolverChoice& choice, const SolverRegistry& registry, const Error& error);
 
 // Returns work(module) for the chosen solver's module. If a GPU solver fails, repeats the work on

@@ -1,6 +1,6 @@
-// Holds the inputs of each step of the job as one value. Only comparing these values decides
-// whether a step must be computed again: runJob() takes over results with equal inputs, and the
-// workbench marks results with other inputs as out of date.
+// Holds the inputs of each step of the job as one value. A step is computed again only if this
+// value has changed: runJob() takes over results with equal inputs, and the workbench marks results
+// with other inputs as out of date.
 //
 // The inputs of a step include the inputs of the steps before it. Equal inputs mean equal results.
 #pragma once
@@ -28,8 +28,8 @@ namespace dipwright {
 struct Project;
 struct TexturedMesh;
 
-// Inputs of the body in its pose. Models are equal if they are the same object; versions of a
-// project share it.
+// Inputs of the body in its pose. Models are equal only if they are the same object; versions of a
+// project share that object.
 struct BodyInputs {
     std::shared_ptr<const TexturedMesh> model;
     std::array<Degrees, 3> rotation{};
@@ -43,11 +43,12 @@ struct FieldInputs {
     bool operator==(const FieldInputs&) const = default;
 };
 
-// Inputs of the body's appearance. No dip depends on it, so moving a layer does not repeat a dip.
+// Inputs of the body's appearance. No dip depends on the appearance, so moving a layer does not
+// repeat a dip.
 struct PaintInputs {
     std::shared_ptr<const TexturedMesh> model;
     Artwork artwork;
-    DotsPerInch resolution{0}; // of the sheet; 0 without artwork, because nothing depends on it
+    DotsPerInch resolution{0}; // resolution of the sheet; 0 without artwork
     bool operator==(const PaintInputs&) const = default;
 };
 
@@ -57,7 +58,7 @@ struct DipInputs {
     FieldInputs field;
     std::array<Millimetres, 2> offset{};
     FilmSettings film;
-    ProcessSettings process; // its `solver` is empty, because it may be "auto"
+    ProcessSettings process; // with an empty `solver`, which could be "auto"
     QString solver;          // the id of the chosen solver
     bool operator==(const DipInputs&) const = default;
 };
@@ -75,7 +76,7 @@ struct ShareInputs {
 struct TextureInputs {
     DipInputs dip;
     PaintInputs paint;
-    std::optional<ShareInputs> share; // none: the dip paints all that it reaches
+    std::optional<ShareInputs> share; // none: the dip paints every place that it reaches
     DotsPerInch resolution{0};
     Millimetres bleed{0};
     InkSettings ink;
@@ -83,9 +84,11 @@ struct TextureInputs {
     bool chessboard = false;
     QImage filmImage;
     bool isReversed() const { return !chessboard && filmImage.isNull(); }
-    // Whether each ink is compensated by itself when printed; more of the film is then kept.
+    // Tells whether each ink is compensated separately when printed. The result then also keeps the
+    // wanted colours and the film's stretch.
     bool isPerInk() const { return isReversed() && ink.isPerInk(); }
-    // How the ink was compensated; a given picture's ink is not compensated.
+    // Returns the settings by which the ink was compensated; the ink of a given picture is not
+    // compensated.
     InkSettings printedInk() const;
     bool operator==(const TextureInputs&) const = default;
 };
@@ -95,27 +98,28 @@ struct SheetInputs {
     TextureInputs texture;
     QString project, date, immersion; // names
     SheetSettings settings;
-    QString baseColour; // of the body; shown in the proof
+    QString baseColour; // colour of the body; shown in the proof
     ProjectProfiles profiles;
-    QJsonObject unknown;               // unknown keys of the project file; part of the job's hash
+    QJsonObject unknown; // unknown keys of the project file, which are part of the job's hash
     std::optional<AsBuilt> correction; // none: the sheet is not corrected
     bool operator==(const SheetInputs&) const = default;
 };
 
-// Return the inputs of immersion `number`. `solver`: the id of the chosen solver (SolverChoice.h).
+// Return the inputs of the steps of immersion `number`. `solver` is the id of the chosen solver
+// (SolverChoice.h).
 BodyInputs bodyInputs(const Project& project, std::size_t number);
 FieldInputs fieldInputs(const Project& project);
 PaintInputs paintInputs(const Project& project);
 DipInputs dipInputs(const Project& project, std::size_t number, const QString& solver);
-// Nothing if every dip paints all that it reaches, or if a picture replaces the texture.
+// None if every dip paints every place that it reaches, or if a picture replaces the texture.
 std::optional<ShareInputs> shareInputs(const Project& project, const JobOptions& options,
                                        const QString& solver);
 TextureInputs textureInputs(const Project& project, const JobOptions& options, std::size_t number,
                             const QString& solver);
-// Whether the dips of `project` share the body.
+// Tells whether the dips of `project` share the body.
 bool isShared(const Project& project);
-// Whether the sheet is corrected for the repeating error of earlier parts. A chessboard or a given
-// picture is never corrected, as it may be used for measuring.
+// Tells whether the sheet is corrected for the repeating error of earlier parts. A chessboard or a
+// given picture is never corrected, because it may be used for measuring.
 bool isSheetCorrected(const Project& project, const JobOptions& options, std::size_t number);
 SheetInputs sheetInputs(const Project& project, const JobOptions& options, std::size_t number,
                         const QString& solver);

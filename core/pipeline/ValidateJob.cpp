@@ -53,7 +53,7 @@ QString beside() {
                     "film");
 }
 
-// `query`: of the project's mesh.
+// `query` belongs to the project's mesh.
 void checkImmersion(const Project& project, const Immersion& immersion, const SurfaceQuery& query,
                     QStringList& warnings) {
     const TriangleMesh& mesh = project.model->mesh;

@@ -10,8 +10,8 @@ namespace dipwright {
 struct Project;
 struct Immersion;
 
-// Throws Error for the first fault that would stop the job: no model, no such solver, a body not
-// over its film, a sheet larger than its paper. Returns warnings as sentences.
+// Returns warnings as sentences. Throws Error for the first fault that would stop the job: no
+// model, no such solver, a body not over its film, or a sheet larger than its paper.
 QStringList validateJob(const Project& project, const SolverRegistry& registry);
 
 // Returns a sentence (without the immersion's name) if the body lies beside the film, past its

@@ -47,8 +47,8 @@ QStringList cradleFiles() {
     return {cradleFile(1, "stl"), cradleFile(1, "3mf"), cradleFile(2, "stl"), cradleFile(2, "3mf")};
 }
 
-// All files that a run may write. Includes both immersions, so that no second immersion of an
-// earlier run remains beside the results of a single one.
+// Returns the names of all files that a run may write. Includes both immersions, so that a run with
+// a single immersion also removes an earlier run's files of the second.
 QStringList resultFiles() {
     QStringList files = cradleFiles();
     files += {QStringLiteral("proof.png"),    QStringLiteral("proof-without-white.png"),
@@ -66,7 +66,8 @@ QStringList resultFiles() {
     return files;
 }
 
-// One of the tasks that write in parallel; compressing pictures takes far longer than the disk.
+// A task that writes some of the files. Tasks run in parallel, because compressing pictures takes
+// far longer than writing to the disk.
 struct Piece {
     QString text;
     std::function<void()> write;
@@ -100,7 +101,7 @@ void addSheet(std::vector<Piece>& pieces, const ImmersionResult& result, const Q
                       }});
 }
 
-// `allowedError`: limit of the numerical error map, mm.
+// Adds the tasks for the film's files. `allowedError` is the limit of the numerical error map, mm.
 void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QString& prefix,
              double allowedError, const FolderTransaction& folder) {
     pieces.push_back(
@@ -131,7 +132,8 @@ void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QS
     }
 }
 
-// Returns the tasks for one immersion, `number` from 0. Keeps references to all other arguments.
+// Returns the tasks for immersion `number`, counted from 0. They keep references to all other
+// arguments.
 std::vector<Piece> immersionPieces(const Project& project, const ImmersionResult& result,
                                    std::size_t number, const FolderTransaction& folder) {
     const QString prefix = immersionFolder(int(number) + 1) + QLatin1Char('/');
@@ -141,7 +143,7 @@ std::vector<Piece> immersionPieces(const Project& project, const ImmersionResult
     return pieces;
 }
 
-// Returns the tasks for the cradles that have a mesh. Keeps references to all arguments.
+// Returns the tasks for the cradles that have a mesh. They keep references to all arguments.
 std::vector<Piece> cradlePieces(const JobResult& result, const std::vector<Cradle>& cradles,
                                 const FolderTransaction& folder) {
     std::vector<Piece> pieces;
@@ -161,7 +163,8 @@ std::vector<Piece> cradlePieces(const JobResult& result, const std::vector<Cradl
     return pieces;
 }
 
-// Adds the traveller and the motion of each dip. Keeps references to all but the template.
+// Adds the tasks for the traveller and the motion of each dip. They keep references to all
+// arguments but the template.
 void addTraveller(std::vector<Piece>& pieces, const JobResult& result, const MotionTemplate& motion,
                   const FolderTransaction& folder, const CancelToken& cancelToken) {
     pieces.push_back({Text::tr("Writing the traveller"), [&result, &folder, cancelToken] {
@@ -178,8 +181,8 @@ void addTraveller(std::vector<Piece>& pieces, const JobResult& result, const Mot
                       }});
 }
 
-// Adds the tolerance map of each immersion if tolerances were computed. Keeps references to all
-// arguments.
+// Adds the tasks for the tolerance map of each immersion if tolerances were computed. They keep
+// references to all arguments.
 void addToleranceMaps(std::vector<Piece>& pieces, const JobResult& result,
                       const FolderTransaction& folder) {
     for (std::size_t i = 0; result.tolerances && i < result.tolerances->dips.size(); ++i) {
@@ -224,7 +227,8 @@ std::vector<Piece> jobPieces(const Project& project, const JobResult& result,
     return pieces;
 }
 
-// Call when all files that the ticket names are written: it contains their hashes.
+// Writes the ticket. Call this after all files that the ticket names are written, because it
+// contains their hashes.
 void writeTicket(const JobResult& result, const FolderTransaction& folder) {
     std::vector<QStringList> files;
     for (int number = 1; number <= int(result.immersions.size()); ++number) {
@@ -275,8 +279,12 @@ JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
                       const JobOptions& options, const QString& folder, const Progress& progress) {
     FolderTransaction results(folder, resultFiles());
     const MotionTemplate motion = options.motion ? *options.motion : motionTemplate();
-    filledTemplate({}, motion.text, motion.where); // throws before the job
-    pageSize(Sheet{{}, project.film.width, project.film.height, project.sheet, {}}); // likewise
+    filledTemplate({}, motion.text, motion.where); // throws Error before the job
+    pageSize(Sheet{{},
+                   project.film.width,
+                   project.film.height,
+                   project.sheet,
+                   {}}); // throws Error before the job
     Tasks writing;
     JobOptions watched = options;
     watched.finished = [&](std::size_t number, const ImmersionResult& immersion) {
@@ -296,10 +304,10 @@ JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
 
 QStringList resultFolders(const QStringList& projects, const QString& folder) {
     QStringList folders;
-    QSet<QString> taken; // in lower case, for file systems that ignore case
+    QSet<QString> taken; // names in lower case, for file systems that ignore case
     for (const QString& project : projects) {
         const QString base = QFileInfo(project).completeBaseName();
-        // "." and ".." would not be folders within this one.
+        // The names "." and ".." would not be folders within this folder.
         const bool isNone = base.count(u'.') == base.size();
         const QString name = isNone ? QStringLiteral("project") : base;
         QString own = name;

@@ -16,12 +16,12 @@ void writeResults(const Project& project, const JobResult& result, const QString
 // another project has the same name.
 QStringList resultFolders(const QStringList& projects, const QString& folder);
 
-// Writes only the cradles, in the same way, and returns them. Makes them if the result has none.
+// Writes only the cradles, all or none, and returns them. Makes the cradles if the result has none.
 std::vector<Cradle> writeCradles(const JobResult& result, const QString& folder,
                                  const Progress& progress);
 
 // Runs the job (runJob) and writes its results (writeResults). Writes the files of one immersion
-// while the next is dipped. Throws Error before the job if the folder cannot be written.
+// while the next dip runs. Throws Error before the job if the folder cannot be written.
 JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
                       const JobOptions& options, const QString& folder, const Progress& progress);
 

@@ -51,7 +51,7 @@ void setField(Owner& owner, const Field<Owner>& field, const QJsonValue& value) 
 void checkValue(const FieldRule& rule, const QJsonValue& value, const QString& path,
                 const QString& file);
 
-// Parses a value from the command line: parts joined by x or ;, "null", "true" or "false". The
+// Parses a value from the command line: parts separated by x or ;, "null", "true" or "false". The
 // result keeps the rule. Throws Error naming `path`.
 QJsonValue parseValue(const FieldRule& rule, const QString& text, const QString& path);
 

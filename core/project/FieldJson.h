@@ -9,14 +9,14 @@
 namespace dipwright {
 
 // Returns the value at a dotted path; undefined if there is none. Throws Error if a value on the
-// way is not an object.
+// path is not an object.
 QJsonValue valueAt(const QJsonObject& json, const QString& path, const QString& file);
 void insertAt(QJsonObject& json, const QString& path, const QJsonValue& value);
-// Removes the value, and every object on the way that becomes empty.
+// Removes the value, and every object on the path that becomes empty.
 void removeAt(QJsonObject& json, const QString& path);
 
-// Checks and sets the values that are in `json`; other values of the owner stay. `prefix`: the
-// owner's path, for errors.
+// Checks and sets the values that are in `json`; other values of the owner stay. `prefix` is the
+// owner's path, for error messages.
 template <typename Owner>
 void readFields(Owner& owner, const std::vector<Field<Owner>>& fields, const QJsonObject& json,
                 const QString& prefix, const QString& file) {

@@ -17,9 +17,9 @@ namespace dipwright {
 
 struct Project;
 
-// The highest growth that may be entered or measured.
+// The highest growth rate and growth limit that may be entered or measured.
 inline constexpr double mostGrowthRate = 1; // 1/s
-inline constexpr double mostGrowth = 1;
+inline constexpr double mostGrowth = 1;     // share of the length
 
 // The file's words for false and true in FilmEdges.
 inline QStringList edgeWords() {
@@ -117,8 +117,8 @@ Field<Owner> fieldOf(const QString& prefix, const Field<Part>& field, Access acc
             field.notHashedIfDefault};
 }
 
-// Does the same for an optional value of the owner. `access` returns the optional value; `member`
-// is the part's member.
+// Turns a field of a part into a field of an owner whose value is optional. `access` returns the
+// optional value; `member` is the part's member.
 template <typename Owner, typename Part, typename Value, typename Access>
 Field<Owner> optionalFieldOf(const Field<Part>& field, Value Part::*member, Access access) {
     FieldRule rule = field.rule;
@@ -142,7 +142,7 @@ Field<Owner> optionalFieldOf(const Field<Part>& field, Value Part::*member, Acce
             field.notHashedIfDefault};
 }
 
-// Several numbers of one unit. `access` takes the index of a number.
+// Several numbers of one unit. `access` takes the owner and the index of a number.
 template <typename Owner = Project, typename Access>
 Field<Owner> numbers(const char* path, int parts, double minimum, double maximum, Access access) {
     using Value = std::remove_cvref_t<decltype(access(std::declval<Owner&>(), 0))>;
@@ -173,7 +173,7 @@ Field<Owner> text(const char* path, int maximumLength, Access access) {
             }};
 }
 
-// A text of any characters, line breaks included. It is not shown within a line.
+// A text of any characters, line breaks included. Not for texts that are shown within a line.
 template <typename Owner = Project, typename Access>
 Field<Owner> textOfLines(const char* path, int maximumLength, Access access) {
     Field<Owner> field = text<Owner>(path, maximumLength, access);

@@ -14,7 +14,7 @@ struct Text {
 
 using Film = FilmBehaviour;
 
-// Below 2/3 the gathered plane film has no equilibrium of its own; at 1 nothing keeps it flat.
+// Below 2/3, gathered flat film has no equilibrium by itself; at 1, nothing keeps the film flat.
 constexpr double leastGathering = 0.67, mostGathering = 0.98;
 
 QStringList widthAndHeight() {
@@ -81,7 +81,7 @@ void addLaws(std::vector<MaterialField<Film>>& fields) {
     fields.push_back(
         {notHashedIfDefault(number<Film>(
              "grip_fade_deg", 0.1, 45, [](auto& f) -> auto& { return f.gripFade; })),
-         {.label = Text::tr("Grip fades over"),
+         {.label = Text::tr("Grip fade range"),
           .help = Text::tr("Range of angles before the overhang over which the part loses its grip "
                            "on the film. This value is a guess; no film was measured."),
           .unit = Unit::Angle,
@@ -90,7 +90,7 @@ void addLaws(std::vector<MaterialField<Film>>& fields) {
         {notHashedIfDefault(number<Film>(
              "gathering_stretch", leastGathering, mostGathering,
              [](auto& f) -> auto& { return f.gatheringStretch; })),
-         {.label = Text::tr("Gathers below"),
+         {.label = Text::tr("Gathering stretch"),
           .help = Text::tr("Compressed film gathers where its mean stretch falls below this value; "
                            "there it hardly resists. This value is a guess; no film was measured."),
           .unit = Unit::Ratio,
@@ -151,7 +151,7 @@ FilmLimitFields filmLimitFields() {
     const QString project = Text::tr("As in the project");
     return {{number<ProcessSettings>(
                  "tear_stretch", 1, 100, [](auto& p) -> auto& { return p.tearStretch; }),
-             {.label = Text::tr("Tears at"),
+             {.label = Text::tr("Tear stretch"),
               .help = Text::tr("Film tears where its length or its area is stretched by more than "
                                "this factor. Torn film is marked and does not paint."),
               .unit = Unit::Ratio,

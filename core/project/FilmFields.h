@@ -1,6 +1,6 @@
-// Declares the fields of a film's material that a project and a film profile share. Project file,
-// profile file, `--set`, the window, the job number and the check of docs/files-and-commands.md
-// take path, unit, limits and texts from here.
+// Declares the fields of a film's material that a project and a film profile share. All users take
+// path, unit, limits and texts from here: project file, profile file, `--set`, the window, the job
+// number and the check of docs/files-and-commands.md.
 //
 // Paths are relative to the part's own object. A project uses them as "film.swell", "ink.exponents"
 // and "process.overhang_deg"; a profile as "swell", "ink_exponents" and "overhang_deg".
@@ -25,7 +25,7 @@ struct FieldWords {
     QStringList parts = {};            // short names of several numbers: "X", "Y"
     QMap<QString, QString> words = {}; // the choices
     QString absent = {};               // shown for an optional value that is not set: "Elastic"
-    double whenPresent = 1;            // first value when the user sets an optional value
+    double whenPresent = 1;            // initial value when the user switches an optional value on
     bool linked = false;               // the parts are usually equal
     bool isOfProductionFilm = false;   // does not apply to the paper's film
 };

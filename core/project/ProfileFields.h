@@ -8,12 +8,12 @@
 
 namespace dipwright {
 
-// Returns a profile without a name, with the values for “nothing measured yet”.
+// Returns a profile without a name, with the values that apply before anything is measured.
 Profile newProfile(ProfileKind kind);
 
 // Returns the paths in the order of the file, the name first.
 QStringList profilePaths(ProfileKind kind);
-// The following throw Error for a path that this kind of profile does not have.
+// The following functions throw Error for a path that this kind of profile does not have.
 FieldRule profileRule(ProfileKind kind, const QString& path);
 QJsonValue profileValue(const Profile& profile, const QString& path);
 // Throws Error if the value breaks the rule; the profile then does not change.

@@ -108,7 +108,7 @@ void addMeasurement(std::vector<Field<FilmProfile>>& fields) {
         }));
     fields.push_back(numbers<P>(
         "measured.swell_off", 2, 0, 2, [](auto& p, int part) -> auto& {
-            return part == 0 ? p.measured.swellOffX : p.measured.swellOffY;
+            return part == 0 ? p.measured.swellErrorX : p.measured.swellErrorY;
         }));
     fields.push_back(numberOrNone<P>(
         "measured.growth_per_s", 0, mostGrowthRate,

@@ -72,7 +72,8 @@ void take(FileLock& lock, const QString& path) {
     }
 }
 
-// Otherwise a project, a newer version's profile, or one with a user's typing error would be lost.
+// Throws Error if the existing file is no readable profile. Otherwise a project, a profile of a
+// newer version or a profile with a typing error would be lost.
 void requireReadable(const QString& path) {
     const QFileInfo file(path);
     if (!file.exists() || (file.isFile() && file.size() == 0)) {

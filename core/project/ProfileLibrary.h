@@ -32,12 +32,12 @@ public:
     // Throws Error if there is no profile of that name, or its file is damaged.
     Profile profile(ProfileKind kind, const QString& name) const;
 
-    // Nothing if there is no profile of that name. Throws Error if its file is damaged.
+    // Returns nothing if there is no profile of that name. Throws Error if its file is damaged.
     std::optional<Profile> found(ProfileKind kind, const QString& name) const;
 
-    // Writes a user's profile by an atomic write and replaces one of the same name. `known`: the
-    // result of found() when the profile was read. If another program has changed it since, throws
-    // ChangedFile and writes nothing. Throws Error.
+    // Writes a user's profile by an atomic write and replaces one of the same name. `known` is the
+    // result of found() when the profile was read. If another program has changed the profile since
+    // then, throws ChangedFile and writes nothing. Throws Error if it cannot be written.
     void save(const Profile& profile, const std::optional<Profile>& known) const;
     // Writes the profile without comparing it with the present one.
     void replace(const Profile& profile) const;
@@ -50,8 +50,9 @@ private:
     QString folder_;
 };
 
-// Read and write one profile as a file of its own, for another computer. Throw Error.
+// Reads a profile from a file that exportProfile() wrote. Throws Error.
 Profile importProfile(const QString& path);
+// Writes a profile to a separate file, for another computer. Throws Error.
 void exportProfile(const Profile& profile, const QString& path);
 
 } // namespace dipwright

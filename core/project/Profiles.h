@@ -11,9 +11,9 @@
 
 namespace dipwright {
 
-// "printer", "film" or "tank", in files and on the command line.
+// Returns "printer", "film" or "tank", as in files and on the command line.
 QString profileKindName(ProfileKind kind);
-// Throws Error for another word.
+// Returns the kind with this name. Throws Error for any other word.
 ProfileKind profileKindOf(const QString& name);
 ProfileKind kindOf(const Profile& profile);
 const QString& nameOf(const Profile& profile);
@@ -26,8 +26,8 @@ void applyProfile(Project& project, const Profile& profile);
 // film values. Values that a profile may leave to the project stay as in the profile.
 FilmProfile filmProfileOf(const Project& project);
 
-// Whether the film's swell, growth or relaxation equals the measured one. Otherwise it is guessed:
-// it was not measured, or it was changed since.
+// The next three say whether the film's swell, growth or relaxation is the measured one. If not, it
+// is a guess: it was never measured, or was changed afterwards.
 bool hasMeasuredSwell(const FilmSettings& film, const ProjectProfiles& profiles);
 bool hasMeasuredGrowth(const FilmSettings& film, const ProjectProfiles& profiles);
 bool hasMeasuredRelaxation(const FilmSettings& film, const ProjectProfiles& profiles);
@@ -37,9 +37,9 @@ bool hasMeasuredInk(const InkSettings& ink, const ProjectProfiles& profiles);
 // Returns a sentence if the film has expired; otherwise empty.
 QString expiryWarning(const std::optional<FilmProfile>& film);
 
-// Sets one value by its path in the file ("scale", "edges.left"), parts of an array joined by x or
-// ;. Throws Error naming the path if it is unknown or the value is out of range; the profile then
-// does not change.
+// Sets one value by its path in the file ("scale", "edges.left"), parts of an array separated by x
+// or ;. Throws Error naming the path if it is unknown or the value is out of range; the profile
+// then does not change.
 void setByPath(Profile& profile, const QString& path, const QString& value);
 
 // A profile file: {"format":"dipwright-profile","version":1,"kind":…,"name":…,…}. Unknown keys are

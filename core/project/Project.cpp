@@ -31,7 +31,7 @@ constexpr const char* floatingPath = "inspection.film.photos";
 constexpr const char* artworkPath = "artwork";
 constexpr const char* layersPath = "artwork.layers";
 
-// Reads a list of objects that have fields of their own. `path`: of the list.
+// Reads a list of objects that have fields of their own. `path` is the list's path.
 template <typename Item>
 std::vector<Item> readList(const QJsonArray& array, const std::vector<Field<Item>>& fields,
                            const QString& path, const QString& file) {
@@ -48,7 +48,7 @@ std::vector<Item> readList(const QJsonArray& array, const std::vector<Field<Item
     return items;
 }
 
-// `unknown`: unknown keys of the file's list, by position.
+// Writes a list of objects. `unknown` holds the unknown keys of the file's list, by position.
 template <typename Item>
 QJsonArray writeList(const std::vector<Item>& items, const std::vector<Field<Item>>& fields,
                      const QJsonArray& unknown) {

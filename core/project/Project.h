@@ -54,8 +54,8 @@ struct Project {
     std::vector<Immersion> immersions{Immersion{}}; // one or two
     SheetSettings sheet;
     InkSettings ink;
-    // Colour of the bare part, "#rrggbb". Empty: proofs show the part light grey, and ink as on
-    // white.
+    // Colour of the bare part, "#rrggbb". Empty: soft proofs show the part light grey, and ink as
+    // on white.
     QString baseColour;
     ShareSettings share; // of two immersions
     CradleSettings cradle;
@@ -81,17 +81,18 @@ QString projectName(const QString& path);
 void applyPreset(Project& project, const QString& preset);
 
 // Sets one value by its path in the schema ("film.points", "immersions[0].rotation_deg"), parts of
-// an array joined by x or ;. Throws Error naming the path if it is unknown or the value is out of
-// range; the project then does not change.
+// an array separated by x or ;. Throws Error naming the path if it is unknown or the value is out
+// of range; the project then does not change.
 void setByPath(Project& project, const QString& path, const QString& value);
 
-// Returns the values that make up the job number: project.json of version 1 without newer fields
-// that have their default value (Field::notHashedIfDefault).
+// Returns the values that make up the job number. They are project.json of version 1, without newer
+// fields that have their default value (Field::notHashedIfDefault).
 QJsonObject countedSettings(const Project& project);
 
-// Convert to and from project.json. `fromJson` checks the range of every value and throws Error
-// naming its path.
+// Converts a project to project.json.
 QJsonObject toJson(const Project& project);
+// Converts project.json to a project. Checks the range of every value and throws Error naming the
+// value's path.
 Project fromJson(const QJsonObject& json, const QString& where);
 
 } // namespace dipwright

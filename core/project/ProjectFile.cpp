@@ -13,7 +13,8 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(ProjectFile)
 };
 
-// A missing file is written again; nothing is lost by that.
+// Throws if the file has changed. A missing file counts as unchanged: it is written again, and
+// nothing is lost.
 void requireUnchanged(const QString& path, const FileVersion& known) {
     const FileVersion now = FileVersion::of(path);
     if (now != known && QFileInfo::exists(path)) {

@@ -15,8 +15,8 @@ public:
     using Error::Error;
 };
 
-// Writes the project (saveProject) if its file still has the contents `known` or is gone. Then sets
-// `known` to the new contents. Throws ChangedFile or Error.
+// Writes the project (saveProject) if its file still has the version `known` or does not exist any
+// more. Then sets `known` to the new version. Throws ChangedFile or Error.
 void replaceProject(const Project& project, const QString& path, FileVersion& known);
 
 // An open project file. Holds its lock.

@@ -164,7 +164,7 @@ QJsonArray textureNames(const QJsonObject& model) {
     return names;
 }
 
-// Unpacks an entry that several textures share only once.
+// Unpacks each entry only once, even if several textures share it.
 std::vector<PackedPicture> packedPictures(ZipReader& archive, const QJsonArray& names,
                                           const QString& path) {
     std::map<QString, QByteArray> unpacked;
@@ -179,7 +179,7 @@ std::vector<PackedPicture> packedPictures(ZipReader& archive, const QJsonArray& 
     return pictures;
 }
 
-// Reads the mesh. Its textures are null pictures, as many as `entries` names.
+// Reads the mesh. Its textures are null pictures, one for each texture that `entries` names.
 TexturedMesh readMesh(ZipReader& archive, const QJsonObject& entries, const QString& path) {
     const QString meshName = entries.value(QLatin1String("mesh")).toString();
     if (meshName.isEmpty()) {
@@ -274,9 +274,9 @@ QString solverOfProject(const QString& path) {
 }
 
 FileVersion saveProject(const Project& project, const QString& path,
-                        const std::function<void()>& lastLook) {
+                        const std::function<void()>& beforeReplacing) {
     const QByteArray bytes = projectBytes(withinSnapshotLimits(project), path);
-    const QString failure = replaceFile(path, bytes, lastLook);
+    const QString failure = replaceFile(path, bytes, beforeReplacing);
     if (!failure.isEmpty()) {
         throw Error(Text::tr("The project cannot be saved: %1").arg(failure), path);
     }

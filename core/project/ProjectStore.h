@@ -15,14 +15,14 @@ struct Project;
 // entries with unsafe paths, or is of a newer version.
 Project loadProject(const QString& path);
 
-// Reads only the solver that the project asks for, so that it can load while the project is read.
+// Reads only the id of the project's solver, so that the solver can load while the project is read.
 // Throws Error.
 QString solverOfProject(const QString& path);
 
-// Writes the file by an atomic write (disk/AtomicFile.h), whatever it contains; ProjectFile detects
-// changes by others. Returns the version of the new contents. Throws Error (not writable, disk
-// full, or too large to be read again). `lastLook`: as in replaceFile().
+// Writes the project by an atomic write (disk/AtomicFile.h). Does not check whether others have
+// changed the file; ProjectFile does. Returns the version of the new contents. Throws Error (not
+// writable, disk full, or too large to be read again). `beforeReplacing`: as in replaceFile().
 FileVersion saveProject(const Project& project, const QString& path,
-                        const std::function<void()>& lastLook = {});
+                        const std::function<void()>& beforeReplacing = {});
 
 } // namespace dipwright

@@ -307,7 +307,7 @@ void addToleranceFields(std::vector<Field<Project>>& fields) {
         [](auto& p, int part) -> auto& { return p.tolerance.limits[part]; }));
 }
 
-// A field for the verdict on a condition that has no limit.
+// A field for the verdict on a condition that is met or not, without a limit.
 Field<Project> adviceField(const char* path, Advice VerdictSettings::*member) {
     const QStringList words{QStringLiteral("print"), QStringLiteral("look_first"),
                             QStringLiteral("do_not_print")};

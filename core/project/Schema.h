@@ -11,8 +11,9 @@ namespace dipwright {
 
 inline constexpr int projectVersion = 2;
 
-// Fields in the order of reading. Each sets the following ones, so a film's preset comes before its
-// size. The size comes before points and cell, and these before the choice between them.
+// Returns the fields in the order of reading. Setting a field can change later ones. So a film's
+// preset comes before its size, the size before points and cell, and these before the choice
+// between them.
 const std::vector<Field<Project>>& projectFields();
 const std::vector<Field<Immersion>>& immersionFields();
 const std::vector<Field<ShareMark>>& shareMarkFields();
@@ -22,8 +23,9 @@ const std::vector<Field<BuiltPlace>>& builtPlaceFields();
 const std::vector<Field<InspectedPhoto>>& inspectedPhotoFields();
 const std::vector<Field<ClickedPair>>& clickedPairFields();
 const std::vector<Field<FloatingPhoto>>& floatingPhotoFields();
-// Fields of "artwork" without its layers, and of a layer. A layer names its picture by an id.
+// Returns the fields of "artwork" without its layers.
 const std::vector<Field<Artwork>>& artworkFields();
+// Returns the fields of a layer. A layer names its picture by an id.
 const std::vector<Field<ArtworkLayer>>& artworkLayerFields();
 
 } // namespace dipwright

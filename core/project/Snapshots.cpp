@@ -29,7 +29,8 @@ const QString artworkKey = QStringLiteral("artwork");
 constexpr int longestName = 200;
 constexpr qint64 mostBytes = 64 << 20; // of all snapshots; well below Budget::OtherBytes
 
-// Names sort by number; the pictures follow.
+// Returns the name of a snapshot's entry. Sorted by name, snapshots are in the order of their
+// numbers, and the pictures follow them.
 QString entryName(std::size_t number) {
     return folder + QStringLiteral("%1.json").arg(number, 4, 10, QLatin1Char('0'));
 }
@@ -42,7 +43,8 @@ QByteArray bytesOf(const Snapshot& snapshot) {
         .toJson();
 }
 
-// Returns an empty object if the entry is not a snapshot; real snapshots are far below the limits.
+// Returns an empty object if the entry is not a snapshot. Real snapshots are far below the limits
+// for JSON.
 QJsonObject jsonOf(const QByteArray& entry) {
     try {
         requireJsonWithinLimits(entry, {});

@@ -27,16 +27,17 @@ inline constexpr std::size_t mostSnapshots = 50;
 // Returns the newest mostSnapshots snapshots, the oldest first. Skips entries that are not
 // snapshots.
 std::vector<Snapshot> snapshots(const Project& project);
-// Replaces the project's snapshots. Drops the oldest beyond mostSnapshots, or beyond 64 MiB with
-// their pictures. Pictures come from the present snapshots and the project's artwork.
+// Replaces the project's snapshots. Drops the oldest ones if there are more than mostSnapshots, or
+// more than 64 MiB with their pictures. Pictures come from the present snapshots and the project's
+// artwork.
 Project withSnapshots(Project project, const std::vector<Snapshot>& kept);
-// Drops the project's oldest snapshots beyond the same limits.
+// Drops the project's oldest snapshots as withSnapshots() does.
 Project withinSnapshotLimits(Project project);
 // Takes a snapshot of the project's present state.
 Snapshot snapshotOf(const Project& project, const QString& name, const QString& taken,
                     const QJsonObject& measures);
-// Restores a snapshot. Older snapshots without artwork leave the artwork alone. Throws Error if a
-// value is out of range or a picture is missing.
+// Restores a snapshot. A snapshot from before snapshots held artwork does not change the artwork.
+// Throws Error if a value is out of range or a picture is missing.
 Project atSnapshot(const Project& project, const Snapshot& snapshot);
 
 } // namespace dipwright

@@ -47,7 +47,7 @@ ZipReader::ZipReader(const QString& path) : path_(path), file_(path) {
         throw Error(
             Text::tr("This is not a Dipwright project, or the file is truncated or damaged"), path);
     }
-    judgeDirectory();
+    checkDirectory();
 }
 
 ZipReader::~ZipReader() {
@@ -56,7 +56,7 @@ ZipReader::~ZipReader() {
     }
 }
 
-void ZipReader::judgeDirectory() {
+void ZipReader::checkDirectory() {
     requireWithin(Budget::Entries, zip_->getEntriesCount(), path_);
     const QList<QuaZipFileInfo64> entries = zip_->getFileInfoList64();
     if (entries.isEmpty() || entries.size() != zip_->getEntriesCount()) {
@@ -89,7 +89,7 @@ QByteArray ZipReader::read(const QString& name) {
     QuaZipFile entry(zip_.get());
     QByteArray contents;
     if (entry.open(QIODevice::ReadOnly)) {
-        // Reads no more than announced, even if the compressed data would yield more.
+        // Reads no more bytes than the entry announces, even if its compressed data yields more.
         contents = entry.read(qint64(info.uncompressedSize));
         const bool complete = contents.size() == qint64(info.uncompressedSize) && entry.atEnd();
         entry.close();

@@ -13,7 +13,7 @@ namespace dipwright {
 
 // An open zip. The constructor checks the whole directory before anything is unpacked. It throws
 // Error if the file is missing, empty, truncated, not a zip or encrypted. It also throws Error for
-// unsafe or repeated names, and if the size exceeds Budgets.h, packed or unpacked.
+// unsafe or repeated names, and if the packed or unpacked size exceeds the limits of Budgets.h.
 class ZipReader {
 public:
     explicit ZipReader(const QString& path);
@@ -25,7 +25,7 @@ public:
     QByteArray read(const QString& name);
 
 private:
-    void judgeDirectory();
+    void checkDirectory();
 
     QString path_;
     QFile file_;

@@ -6,11 +6,11 @@
 namespace dipwright {
 namespace {
 
-constexpr int unseenStep = 2; // of 255 between neighbours
+constexpr int invisibleStep = 2; // invisible difference between neighbours, of 255
 
 bool isAlike(const PixelBytes& one, const PixelBytes& other) {
     for (std::size_t channel = 0; channel < 3; ++channel) {
-        if (std::abs(int(one[channel]) - int(other[channel])) > unseenStep) {
+        if (std::abs(int(one[channel]) - int(other[channel])) > invisibleStep) {
             return false;
         }
     }

@@ -1,4 +1,4 @@
-// Decides which pixels of a ray-traced picture need more than one ray: only those that differ from
+// Decides which pixels of a ray-traced picture need more than one ray: only pixels that differ from
 // their neighbours.
 #pragma once
 
@@ -13,8 +13,8 @@ namespace dipwright {
 // Red, green and blue, encoded as in a picture.
 using PixelBytes = std::array<std::uint8_t, 3>;
 
-// Whether a pixel looks the same as its neighbours. `pixels`: row by row, from one ray through each
-// pixel's centre.
+// Tells whether a pixel looks the same as its neighbours. `pixels` holds the colours row by row,
+// each from one ray through the pixel's centre.
 bool isEven(const std::vector<PixelBytes>& pixels, QSize size, int x, int y);
 
 } // namespace dipwright

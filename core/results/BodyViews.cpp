@@ -16,8 +16,8 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Results)
 };
 
-constexpr int samplesAcross = 3;  // rays per pixel in each direction
-constexpr float airRound = 1.22f; // times the body's own span
+constexpr int samplesAcross = 3;      // rays per pixel in each direction
+constexpr float marginFactor = 1.22f; // span of the view divided by the body's own span
 
 // One view: the light in each pixel.
 class View {
@@ -119,7 +119,7 @@ QRect sideBox(int side, QSize tile) {
 float commonSpan(const std::vector<BodyCamera>& cameras, const TriangleMesh& mesh, QSize tile) {
     float span = 0;
     for (const BodyCamera& camera : cameras) {
-        span = std::max(span, airRound * camera.span(mesh, tile));
+        span = std::max(span, marginFactor * camera.span(mesh, tile));
     }
     return span;
 }

@@ -20,13 +20,14 @@ struct BodyRay {
 // A camera that looks at the centre of a body.
 class BodyCamera {
 public:
-    // `turn`: radians from the front (0) to the right (π/2) and on. `elevation`: radians over the
-    // horizon.
+    // `turn` is the camera's direction in radians: 0 is the front, π/2 the right. `elevation` is
+    // the angle over the horizon in radians.
     BodyCamera(const BoundingBox& box, float turn, float elevation);
 
     // Returns half the height of the view, at unit distance, that shows all of `mesh` in a `tile`.
     float span(const TriangleMesh& mesh, QSize tile) const;
-    // Returns the ray through `pixel`, from the upper left corner of a view of that span and size.
+    // Returns the ray through `pixel`, which counts from the upper left corner of a view of the
+    // given span and size.
     BodyRay ray(QPointF pixel, float span, QSize tile) const;
 
     bool isBelow() const { return back_.y() < -0.5f; }
@@ -38,20 +39,20 @@ private:
     float distance_;
 };
 
-// Returns cameras at the front, the right, above, the back, the left and below: the order of the
-// tiles, three by two. The four sides are seen from `elevation` radians over the horizon.
+// Returns six cameras in the order of the tiles, three by two: front, right, above, back, left,
+// below. The cameras of the four sides stand `elevation` radians over the horizon.
 inline constexpr int sideColumns = 3;
 std::vector<BodyCamera> sixSides(const BoundingBox& box, float elevation);
 QRect sideBox(int side, QSize tile);
 
-// Returns the span that shows the whole body, with a margin, in each of these cameras.
+// Returns the span with which each of these cameras shows the whole body with a margin.
 float commonSpan(const std::vector<BodyCamera>& cameras, const TriangleMesh& mesh, QSize tile);
 
-// Returns the light along a ray; called on many threads.
+// A function that returns the light along a ray; it is called on many threads.
 using RayLight = std::function<LinearColour(const BodyRay&)>;
 
-// Traces a view into a tile of an RGB888 picture. Uses one ray for most pixels and several where
-// neighbours differ. All cores; throws Cancelled.
+// Traces a view into a tile of an RGB888 picture. Uses one ray for most pixels and several rays
+// where neighbours differ. Uses all cores. Throws Cancelled.
 void traceView(QImage& picture, const QRect& tile, const RayLight& light, const BodyCamera& camera,
                float span, const CancelToken& cancelToken);
 

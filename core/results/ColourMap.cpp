@@ -1,6 +1,6 @@
 // Defines colour maps as curves in OKLab (B. Ottosson, "A perceptual color space for image
-// processing", 2020). Lightness changes evenly: equal steps of the value look equal, and the order
-// stays visible in grey and with any colour vision.
+// processing", 2020). Lightness changes evenly. Equal steps of the value therefore look equal, and
+// the order of values is visible in grey and with any colour vision.
 #include "results/Results.h"
 #include "texture/LinearLight.h"
 

@@ -20,10 +20,11 @@ struct Text {
 
 const QColor background(252, 252, 252);
 const QColor ink(38, 42, 48);
-const QColor joinColour(255, 221, 87); // the seam; visible on painterColour(Painter::Both)
-const QColor pale(232, 235, 238);      // film that paints nothing
-constexpr float shownBand = 0.98f;     // beyond it the other dip gives less than 1 %
-constexpr double joinWidth = 0.004;    // relative to the body's diagonal
+const QColor seamColour(255, 221,
+                        87);        // colour of the seam; visible on painterColour(Painter::Both)
+const QColor pale(232, 235, 238);   // film that paints nothing
+constexpr float shownBand = 0.98f;  // part of the overlap in which each dip gives at least 1 %
+constexpr double seamWidth = 0.004; // width of the seam relative to the body's diagonal
 
 LinearColour linear(const QColor& colour) {
     const std::array<float, 256>& light = linearTable();
@@ -31,24 +32,24 @@ LinearColour linear(const QColor& colour) {
             light[std::size_t(colour.blue())]};
 }
 
-// Returns which dip paints a place that `dip` or both reach. `inside`: distance from the seam to
-// the side of `dip`, in widths of the overlap.
+// Returns which dip paints a place that `dip` or both dips reach. `inside` is the distance from the
+// seam towards the side of `dip`, as a multiple of the overlap's width.
 Painter painterAt(float inside, std::size_t dip) {
     const Painter own = dip == 0 ? Painter::First : Painter::Second;
     const Painter other = dip == 0 ? Painter::Second : Painter::First;
     return std::abs(inside) < shownBand / 2 ? Painter::Both : inside > 0 ? own : other;
 }
 
-// Returns the width of the drawn seam, in widths of the overlap.
-float joinWidthIn(const BodyShare& share, const Eigen::AlignedBox3f& box) {
-    return float(joinWidth * double(box.diagonal().norm()) / std::max(share.overlap.middle, 0.1));
+// Returns the width of the drawn seam as a multiple of the overlap's width.
+float seamWidthIn(const BodyShare& share, const Eigen::AlignedBox3f& box) {
+    return float(seamWidth * double(box.diagonal().norm()) / std::max(share.overlap.middle, 0.1));
 }
 
 // The body in the colours of the dips, shaded: bright where it faces the viewer.
 class SharedBody {
 public:
     SharedBody(const ProofStage& stage, const BodyShare& share)
-        : stage_(stage), share_(share), joinWidth_(joinWidthIn(share, stage.box)) {}
+        : stage_(stage), share_(share), joinWidth_(seamWidthIn(share, stage.box)) {}
 
     LinearColour light(const BodyRay& ray) const {
         const RayHit hit = stage_.query.hit(ray.origin, ray.direction);
@@ -67,7 +68,7 @@ private:
         }
         const float inside = share_.fade.at(point);
         const bool joins = share_.painters[fine.triangle] == Painter::Both;
-        return joins && std::abs(inside) < joinWidth_ / 2 ? joinColour
+        return joins && std::abs(inside) < joinWidth_ / 2 ? seamColour
                                                           : painterColour(painterAt(inside, 0));
     }
 
@@ -123,12 +124,12 @@ std::vector<ShareLine> shareLines(const BodyShare& share, const QStringList& dip
             line(Painter::Second, dips[1], share.areas.second),
             line(Painter::Both, Text::tr("Both, in the overlap"), share.areas.both),
             line(Painter::None, Text::tr("Not painted"), share.areas.none),
-            {joinColour, Text::tr("Seam: %1 mm").arg(locale.toString(share.cost.length, 'f', 0))}};
+            {seamColour, Text::tr("Seam: %1 mm").arg(locale.toString(share.cost.length, 'f', 0))}};
 }
 
 QImage sharePicture(const LaidFilm& laid, const BodyShare& share, std::size_t dip, QSize pixels) {
     const PaintShare own = share.of(dip);
-    std::vector<float> inside, joining; // in widths of the overlap; NaN where it does not count
+    std::vector<float> inside, joining; // as multiples of the overlap's width; NaN: no value
     for (const SurfacePoint& point : laid.contact().surface) {
         const float distance = point.isValid() ? own.fade.at(point) : std::nanf("");
         const bool joins = point.isValid() &&
@@ -139,13 +140,13 @@ QImage sharePicture(const LaidFilm& laid, const BodyShare& share, std::size_t di
     const FilmValues values(laid, std::move(inside));
     const FilmValues joins(laid, std::move(joining));
     const solver::FilmGrid& grid = laid.film().grid;
-    const float width = joinWidthIn(share, boundingBox(laid.body().mesh));
+    const float width = seamWidthIn(share, boundingBox(laid.body().mesh));
     const auto colour = [&](double column, double row) {
         const auto distance = float(values.at(column, row));
         if (!values.isPainted(column, row) || std::isnan(distance)) {
             return pale;
         }
-        return joins.at(column, row) < double(width) / 2 ? joinColour
+        return joins.at(column, row) < double(width) / 2 ? seamColour
                                                          : painterColour(painterAt(distance, dip));
     };
     QImage picture(pixels, QImage::Format_RGB32);

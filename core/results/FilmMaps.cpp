@@ -32,8 +32,8 @@ struct Scale {
     double high = 1;
     double step = 0.1;
     QString map;
-    bool lowerHalf = false; // use only the lower half of the map
-    bool hasPast = false;   // values above `high` have a colour of their own
+    bool lowerHalf = false;      // use only the lower half of the map
+    bool hasColourAbove = false; // whether values above `high` have a colour of their own
 
     double share(double value) const { return std::clamp((value - low) / (high - low), 0.0, 1.0); }
     // Returns the colour at a place of the scale, 0 … 1.
@@ -78,7 +78,7 @@ Scale scaleOf(std::vector<float> values) {
     return scale;
 }
 
-// Returns a scale from the most compressed place up to 1.
+// Returns a scale from the stretch of the most compressed place up to 1.
 Scale compressionScale(double least) {
     constexpr double shallowest = 0.05; // a smaller range would show only noise
     const double depth = std::clamp(1 - least, shallowest, 1.0);
@@ -105,8 +105,8 @@ QRgb faded(QRgb colour) {
                 part(qBlue(colour), background.blue()));
 }
 
-// Draws the film in colours: pale off the body, with a dark outline round the painted film. Marked
-// film is hatched and outlined in its colour.
+// Draws the values on the film in colours. Film off the body is pale; painted film has a dark
+// outline. Marked film is hatched and outlined in the colour of its mark.
 class FilmPicture {
 public:
     FilmPicture(const FilmValues& film, const solver::FilmGrid& grid, const Scale& scale,
@@ -132,7 +132,7 @@ private:
         const auto painted = [this](double i, double j) { return film_.isPainted(i, j); };
         const auto marked = [this](double i, double j) { return film_.mark(i, j).has_value(); };
         const double value = film_.at(column(x), row(y));
-        const bool isPast = scale_.hasPast && value > scale_.high;
+        const bool isPast = scale_.hasColourAbove && value > scale_.high;
         const QRgb colour = std::isnan(value) ? unknown.rgb()
                             : isPast
                                 ? past.rgb()
@@ -153,7 +153,7 @@ private:
     double column(int x) const { return columnAt(grid_, (x + 0.5) / size_.width()); }
     double row(int y) const { return rowAt(grid_, (y + 0.5) / size_.height()); }
 
-    // Whether a pixel at this distance to any side does not satisfy `is`.
+    // Tells whether any pixel at this distance to a side does not satisfy `is`.
     template <typename Is>
     bool isBorder(int x, int y, int reach, const Is& is) const {
         return !(is(column(x - reach), row(y)) && is(column(x + reach), row(y)) &&
@@ -179,12 +179,12 @@ struct MapSubject {
     QString unit;    // under the scale
     QString summary; // under the map
     Scale scale;
-    LengthUnit length = LengthUnit::Millimetre; // of the rulers along the film
-    bool goesOn = false;                        // some values lie above the scale
+    LengthUnit length = LengthUnit::Millimetre; // unit of the rulers along the film
+    bool hasHigherValues = false;               // whether some values lie above the scale
     std::uint8_t marks = 0;                     // solver::PointMark bits that the map shows
 };
 
-// Draws a map with title, rulers and scale. Lengths are hundredths of the picture's height.
+// Draws a map with title, rulers and scale. Lengths are in per cent of the picture's height.
 class FilmMap {
 public:
     FilmMap(const solver::FilmGrid& grid, FilmValues values, MapSubject subject, int longEdge)
@@ -282,10 +282,10 @@ private:
 
     void drawScale(QPainter& painter) const {
         const double height = std::min(plot_.height(), 60.0);
-        const double room = subject_.scale.hasPast ? 4 : 0; // over the bar
+        const double room = subject_.scale.hasColourAbove ? 4 : 0; // room over the bar
         const QRectF bar(plot_.right() + 5, plot_.top() + room, 2.6, height - room);
-        if (subject_.scale.hasPast) {
-            drawPast(painter, QRectF(bar.left(), plot_.top(), bar.width(), 2.2));
+        if (subject_.scale.hasColourAbove) {
+            drawLegendAbove(painter, QRectF(bar.left(), plot_.top(), bar.width(), 2.2));
         }
         QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
         for (int i = 0; i <= 64; ++i) {
@@ -308,7 +308,7 @@ private:
     }
 
     // Draws the legend for values above the scale.
-    void drawPast(QPainter& painter, const QRectF& box) const {
+    void drawLegendAbove(QPainter& painter, const QRectF& box) const {
         painter.setPen(QPen(ink, 0.12));
         painter.setBrush(past);
         painter.drawRect(box);
@@ -324,15 +324,16 @@ private:
             ++decimals;
         }
         const QString number = QLocale().toString(value, 'f', decimals);
-        const bool goesOn = subject_.goesOn && value > scale.high - scale.step / 2;
-        return goesOn ? Text::tr("%1 and more").arg(number) : number;
+        const bool hasHigherValues =
+            subject_.hasHigherValues && value > scale.high - scale.step / 2;
+        return hasHigherValues ? Text::tr("%1 and more").arg(number) : number;
     }
 
     void drawSummary(QPainter& painter) const {
         const QRectF box(plot_.left(), plot_.bottom() + 4.6, plot_.width(), 2);
         letter(painter, box, Qt::AlignLeft, subject_.summary, 1.6, ink);
         letter(painter, box.translated(0, 2.4), Qt::AlignLeft,
-               Text::tr("Outlined: film on the part · pale: unused film"), 1.5, paleInk);
+               Text::tr("Dark outline: film on the part · pale: unused film"), 1.5, paleInk);
         drawMarks(painter, box.translated(0, 4.8));
     }
 
@@ -383,8 +384,9 @@ MapSubject wrinklingSubject(const FilmValues& values, const Wrinkling& wrinkling
         compressionScale(distribution(values.paintedValues()).minimum)};
 }
 
-// Returns a scale from 0 to the values of nearly all points, at most a few times `limit`. Outliers
-// lie above the scale. `least`: the smallest range, so that noise does not fill the picture.
+// Returns a scale that starts at 0 and includes nearly all values, up to a few times `limit`.
+// Outliers lie above the scale. `least` is the smallest range of the scale; it keeps noise from
+// filling the picture.
 Scale changeScale(std::vector<float> values, double limit, double least) {
     constexpr double outliers = 0.01;
     constexpr double mostLimits = 4;
@@ -397,14 +399,14 @@ Scale changeScale(std::vector<float> values, double limit, double least) {
     const double steps = std::ceil(highest / scale.step - 1e-6);
     scale.high = scale.step * (highest < limit ? steps : std::min(steps, mostLimits));
     scale.map = QStringLiteral("lagoon");
-    scale.hasPast = double(values.back()) > scale.high;
+    scale.hasColourAbove = double(values.back()) > scale.high;
     return scale;
 }
 
-// Distances over the film in the unit shown.
-struct ToldDistances {
-    ToldDistances(const LaidFilm& laid, std::vector<float> millimetres, double limitMillimetres,
-                  LengthUnit wanted)
+// Distances on the film, in the unit that the map shows.
+struct ShownDistances {
+    ShownDistances(const LaidFilm& laid, std::vector<float> millimetres, double limitMillimetres,
+                   LengthUnit wanted)
         : unit(wanted),
           limit(wanted == LengthUnit::Inch ? twoDigits(limitMillimetres / millimetresPerInch)
                                            : limitMillimetres),
@@ -413,7 +415,8 @@ struct ToldDistances {
           scale(changeScale(painted, limit, 0.02 / millimetresIn(wanted))) {}
 
     QString text(double value, int decimals) const {
-        const int more = unit == LengthUnit::Inch ? 1 : 0; // about the resolution of millimetres
+        const int more =
+            unit == LengthUnit::Inch ? 1 : 0; // resolves about as much as millimetres do
         return Text::tr("%1 %2", "a number and its unit")
             .arg(QLocale().toString(value, 'f', decimals + more), unitSign(unit));
     }
@@ -439,9 +442,10 @@ private:
     }
 };
 
-MapSubject numericalErrorSubject(const ToldDistances& told) {
+MapSubject numericalErrorSubject(const ShownDistances& told) {
     return {Text::tr("Numerical error of the sheet"),
-            Text::tr("How far the image may be off because of cell and step; ink side up"),
+            Text::tr("How far the image may be off because of the film's cells and the solver's "
+                     "steps; ink side up"),
             Text::tr("error\n%1").arg(unitSign(told.unit)),
             Text::tr("Limit: %1 · magenta: painted by only one of the compared dips")
                 .arg(told.text(told.limit, 2)),
@@ -451,7 +455,7 @@ MapSubject numericalErrorSubject(const ToldDistances& told) {
             told.marks};
 }
 
-MapSubject toleranceSubject(const ToldDistances& told) {
+MapSubject toleranceSubject(const ShownDistances& told) {
     return {Text::tr("Tolerance of the sheet"),
             Text::tr("How far handling may move the image on the part; ink side up"),
             Text::tr("shift\n± %1").arg(unitSign(told.unit)),
@@ -478,13 +482,13 @@ QImage wrinklingMap(const LaidFilm& laid, int longEdge) {
 
 QImage numericalErrorMap(const LaidFilm& laid, const std::vector<float>& changes, double limit,
                          int longEdge, LengthUnit unit) {
-    const ToldDistances told(laid, changes, limit, unit);
+    const ShownDistances told(laid, changes, limit, unit);
     return FilmMap(laid.film().grid, told.values, numericalErrorSubject(told), longEdge).draw();
 }
 
 QImage toleranceMap(const LaidFilm& laid, const std::vector<float>& spread, double limit,
                     int longEdge, LengthUnit unit) {
-    const ToldDistances told(laid, spread, limit, unit);
+    const ShownDistances told(laid, spread, limit, unit);
     return FilmMap(laid.film().grid, told.values, toleranceSubject(told), longEdge).draw();
 }
 

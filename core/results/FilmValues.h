@@ -9,7 +9,8 @@
 
 namespace dipwright {
 
-// One value for each film point (NaN if unknown), which film is on the body, and its marks.
+// One value for each film point (NaN if unknown). Also stores which film is on the body, and the
+// marks of this film.
 class FilmValues {
 public:
     FilmValues(const LaidFilm& laid, std::vector<float> values)
@@ -32,7 +33,7 @@ public:
 
     // Returns the gravest mark of painted film; nothing before showMarks().
     std::optional<solver::PointMark> mark(double column, double row) const {
-        return marks_.empty() ? std::nullopt : gravestMark(marks_[triangle(column, row)]);
+        return marks_.empty() ? std::nullopt : mostSeriousMark(marks_[triangle(column, row)]);
     }
     // Shows the marks of painted film and returns their solver::PointMark bits.
     std::uint8_t showMarks(const LaidFilm& laid) {
@@ -73,9 +74,9 @@ private:
 
     solver::FilmGrid grid_;
     std::vector<float> values_;
-    std::vector<std::uint8_t> painted_; // of each film triangle
-    std::vector<std::uint8_t> marks_;   // solver::PointMark bits of each; empty: not shown
-    std::vector<std::uint8_t> isOn_;    // of each film point: whether it is on the body
+    std::vector<std::uint8_t> painted_; // for each film triangle: whether it is painted
+    std::vector<std::uint8_t> marks_;   // for each film triangle: its mark bits; empty: not shown
+    std::vector<std::uint8_t> isOn_;    // for each film point: whether it is on the body
 };
 
 } // namespace dipwright

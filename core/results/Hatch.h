@@ -10,15 +10,16 @@ class QRectF;
 
 namespace dipwright {
 
-// Slanting lines in the mark's colour, each beside a white line so that it shows on any colour. The
-// picture between them stays visible.
+// A pattern of slanting lines in the mark's colour. Each line has a white line beside it, so that
+// it is visible on any colour. The picture between the lines stays visible.
 class Hatch {
 public:
-    // `longEdge`: of the picture, in pixels.
+    // `longEdge` is the picture's longer side in pixels.
     explicit Hatch(int longEdge);
 
-    // Whether a line covers a pixel, and its colour there.
+    // Tells whether a line covers a pixel.
     bool isOn(int x, int y) const { return 2 * along(x, y) < period_; }
+    // Returns the colour of a pixel that a line covers.
     QRgb colour(int x, int y, solver::PointMark mark) const;
 
 private:

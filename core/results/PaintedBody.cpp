@@ -27,7 +27,7 @@ public:
     }
 
     struct Paint {
-        LinearColour colour = LinearColour::Zero(); // multiplied by the cover in sums
+        LinearColour colour = LinearColour::Zero(); // in sums: multiplied by `cover`
         float cover = 0;                            // 0 (unprinted) … 1
     };
 
@@ -86,7 +86,7 @@ public:
         return isCompensated_ ? ink_.shownWhite(printed, areaStretch(*place)) : printed;
     }
 
-    // Returns the light that the ink lets through at a place of the body, and its cover.
+    // Returns the light that the ink lets through at a place of the body, and the ink's cover.
     FilmPicture::Paint at(const SurfacePoint& point) const {
         const std::optional<FilmPlace> place = placeOf(point);
         if (!place) {
@@ -106,7 +106,8 @@ public:
         return paint;
     }
 
-    // Returns the solver::PointMark bits of its paint at a place; nothing if it does not paint it.
+    // Returns the solver::PointMark bits of the film at a place; none if this dip does not paint
+    // the place.
     std::optional<std::uint8_t> marks(const SurfacePoint& point) const {
         const std::optional<FilmPlace> place = placeOf(point);
         if (!place || picture_.at(printedAt(place->rest)).cover <= 0) {
@@ -118,10 +119,10 @@ public:
 private:
     struct Spot {
         QImage tints;
-        LinearColour light; // that full tint lets through
+        LinearColour light; // light that full tint lets through
     };
 
-    // Adds a spot colour. Film without other ink is clear.
+    // Adds a spot colour to the paint. Film without ink counts as clear.
     void throughSpot(FilmPicture::Paint& paint, const Spot& spot, const FilmPlace& place) const {
         float tint = tintAt(spot.tints, place);
         if (tint > 0) {
@@ -144,12 +145,12 @@ private:
         return float(tints.constScanLine(row)[column]) / 255;
     }
 
-    // Returns the film on a place of the body; nothing above the water's highest level.
+    // Returns the film on a place of the body; none above the water's highest level.
     std::optional<FilmPlace> placeOf(const SurfacePoint& point) const {
         return position(laid_->body().mesh, point).y() > highest_ ? std::nullopt
                                                                   : laid_->place(point);
     }
-    // Returns the place of the picture that the slipped film brings to `rest`.
+    // Returns the place of the picture that lies at `rest` after the film has slipped.
     Eigen::Vector2f printedAt(const Eigen::Vector2f& rest) const {
         const Eigen::Rotation2Df back(-float(radians(slip_.turn)));
         const Eigen::Vector2f shift(float(slip_.shift[0].value()), float(slip_.shift[1].value()));
@@ -170,7 +171,7 @@ private:
     QImage white_;
     std::vector<Spot> spots_;
     FilmPlacementError slip_;
-    float highest_; // the highest wet place, y in the pose frame, mm
+    float highest_; // y of the highest wet place, pose frame, mm
 };
 
 PaintedBody::PaintedBody(const std::vector<FilmAppearance>& films, const InkSettings& ink,

@@ -11,19 +11,20 @@ namespace dipwright {
 
 class PaintedFilm;
 
-// Keeps the films. Any thread may read it.
+// A body with the ink of its films. Keeps the films. Any thread may read it.
 class PaintedBody {
 public:
-    // `ink`: how the images were compensated, if at all.
+    // `ink` holds the settings by which the images were compensated.
     PaintedBody(const std::vector<FilmAppearance>& films, const InkSettings& ink,
                 const Ground& ground = {});
     ~PaintedBody();
 
-    // Returns the bare body's colour, or the films' ink on white or on the body's own colour.
-    // Densities add up, because light passes through all films.
+    // Returns the colour of a place: the bare body's colour, or the ink of all films on white or on
+    // the body's own colour. The densities of films add up, because light passes through all of
+    // them.
     LinearColour colour(const SurfacePoint& point) const;
-    // Returns the solver::PointMark bits of the last dipped film that paints a place; nothing if
-    // none does.
+    // Returns the solver::PointMark bits of the last dipped film that paints a place; none if no
+    // film paints the place.
     std::optional<std::uint8_t> marks(const SurfacePoint& point) const;
 
 private:

@@ -21,9 +21,10 @@ struct Text {
 };
 
 const LinearColour table(0.93f, 0.935f, 0.94f);
-constexpr float elevation = 22 * std::numbers::pi_v<float> / 180; // of the camera over the horizon
+constexpr float elevation =
+    22 * std::numbers::pi_v<float> / 180; // camera over the horizon, radians
 
-// The light from the table, the body and its paint along a ray.
+// Computes the light along a ray from the table, the body and its paint.
 class Scene {
 public:
     Scene(const ProofStage& stage, const std::vector<FilmAppearance>& films,
@@ -42,7 +43,7 @@ public:
     std::optional<solver::PointMark> mark(const BodyRay& ray) const {
         const RayHit hit = query_.hit(ray.origin, ray.direction);
         const auto marks = hit.point.isValid() ? films_.marks(hit.point) : std::nullopt;
-        return marks ? gravestMark(*marks) : std::nullopt;
+        return marks ? mostSeriousMark(*marks) : std::nullopt;
     }
 
     LinearColour light(const BodyRay& ray, const BodyCamera& camera) const {
@@ -58,11 +59,12 @@ private:
         if (normal.dot(ray.direction) > 0) {
             normal = -normal;
         }
-        // A softbox over the photographer's left shoulder and a bright room.
+        // The light comes from a softbox over the photographer's left shoulder and from a bright
+        // room.
         const Eigen::Vector3f lamp =
             (0.5f * camera.up() - 0.45f * camera.right() - ray.direction).normalized();
         const float facing = std::max(0.0f, 0.25f + 0.75f * normal.dot(lamp));
-        // Seen from below, the table is transparent.
+        // A camera below the table sees through the table.
         const float open = camera.isBelow() ? 1 : sky_.onBody(point);
         const float room = open * (0.75f + 0.25f * (camera.isBelow() ? -normal.y() : normal.y()));
         const Eigen::Vector3f halfway = (lamp - ray.direction).normalized();
@@ -91,7 +93,7 @@ private:
     std::uint8_t marks_ = 0;
 };
 
-// Hatches the area that marked film paints, in a tile of the picture.
+// Hatches the area that marked film paints in one tile of the picture.
 void hatchView(QImage& picture, const QRect& tile, const Scene& scene, const BodyCamera& camera,
                float span) {
     const Hatch hatch(picture.height());

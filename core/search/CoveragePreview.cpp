@@ -12,12 +12,12 @@ namespace dipwright {
 namespace {
 
 constexpr double fewestTriangles = 6000;
-constexpr int heightCells = 160;     // along the longer side of the body's shadow
-constexpr float wallSlope = 0.25f;   // faces with a smaller −n.y count as upright
-constexpr float cellsOfSlack = 1.5f; // cells that a face may lie above its cell's lowest place …
-constexpr float steepestSlack = 4;   // … times its slope, which counts up to this
+constexpr int heightCells = 160;     // number of cells along the longer side of the body's shadow
+constexpr float wallSlope = 0.25f;   // faces with a smaller −n.y count as upright (n: normal)
+constexpr float cellsOfSlack = 1.5f; // factor on a face's height above its cell's lowest place
+constexpr float steepestSlack = 4;   // a slope that is steeper than this counts as this
 
-// The body's lowest place over each cell of the water.
+// The height of the body's lowest place over each cell of the water.
 class HeightField {
 public:
     explicit HeightField(const std::vector<Eigen::Vector3f>& places) {
@@ -85,10 +85,10 @@ bool isSeenFromBelow(const HeightField& heights, const Eigen::Vector3f& place, f
 }
 
 // Returns the y of the normal of the steepest upward face that is still painted
-// (docs/film-model.md, "Where film does not go"). A face with normal y = u is laid with
-// g − (1 − g) u of the film's length. The grip g falls from 1 at u₁, where the fade begins, to 0 at
-// z = u₀ + u₀ (u₀ − u₁). u₀ is the overhang. Below 1/t the film is stretched by more than the tear
-// stretch t.
+// (docs/film-model.md, "Where film does not go"). On a face whose normal has y = u, the solver lays
+// a share g − (1 − g) u of the film's length. The grip g falls from 1 at u₁, where the fade begins,
+// to 0 at z = u₀ + u₀ (u₀ − u₁). The value u₀ is y at the overhang. If the share is less than 1/t,
+// the film is stretched by more than the tear stretch t.
 float steepestPainted(const FilmSettings& film, const ProcessSettings& process) {
     const double overhang = std::sin(radians(process.overhang));
     if (!solver::isProductionFilm(film.lattice, film.support)) {
@@ -101,7 +101,7 @@ float steepestPainted(const FilmSettings& film, const ProcessSettings& process) 
 }
 
 // Extends the covered area to all triangles that are connected with it through triangles for which
-// `holds`.
+// `holds` is true.
 template <typename Holds>
 void spread(std::vector<std::uint8_t>& covered, const std::vector<std::uint32_t>& opposite,
             const Holds& holds) {
@@ -162,7 +162,8 @@ PreviewedCoverage CoveragePreview::at(const Immersion& immersion, const FilmSett
         return (places[corners[0]] + places[corners[1]] + places[corners[2]]) / 3;
     };
     const std::vector<std::uint8_t> dry = air_->dry(upward);
-    // Under water, within the film, not in trapped air, and not steeper than the overhang.
+    // Whether a triangle is under water, over the film, outside trapped air, and no steeper than
+    // the overhang.
     const auto canHold = [&](std::uint32_t triangle, const Eigen::Vector3f& place) {
         const Eigen::Vector2f onWater = Eigen::Vector2f(place.x(), place.z()) + offset;
         return dry[triangle] == 0 && normals_[triangle].dot(upward) <= steepest &&

@@ -14,8 +14,8 @@ namespace dipwright {
 class AirInPoses;
 
 struct PreviewedCoverage {
-    double share = 0;                  // of the surface, 0 … 1
-    std::vector<std::uint8_t> covered; // of each triangle of CoveragePreview::mesh(): 1 if painted
+    double share = 0;                  // covered share of the surface, 0 … 1
+    std::vector<std::uint8_t> covered; // per triangle of CoveragePreview::mesh(): 1 if painted
 };
 
 // Made once for a model and used for many poses. It may be wrong for faces near the overhang
@@ -24,12 +24,12 @@ class CoveragePreview {
 public:
     explicit CoveragePreview(const TriangleMesh& model);
 
-    // Film covers faces that point down with nothing below them. From there it spreads over walls
-    // that turn up by at most the overhang. It ends at the depth of the dip, at the film's edge and
-    // at trapped air.
+    // Predicts the coverage of a dip. Film covers faces that point down with nothing below them.
+    // From there it spreads over walls that turn up by at most the overhang. It ends at the depth
+    // of the dip, at the film's edge and at trapped air.
     PreviewedCoverage at(const Immersion& immersion, const FilmSettings& film,
                          const ProcessSettings& process) const;
-    // Converts to triangles of the model: 1 if at least half of the triangle is painted.
+    // Converts a coverage to triangles of the model: 1 if at least half of the triangle is painted.
     std::vector<std::uint8_t> ofModel(const PreviewedCoverage& coverage) const;
 
     const TriangleMesh& model() const { return model_; }
@@ -37,7 +37,7 @@ public:
     const TriangleMesh& mesh() const { return fine_.mesh(); }
     // Centre of a triangle of mesh(), as a point of the model.
     SurfacePoint middle(std::size_t fine) const { return fine_.middle(fine); }
-    const std::vector<float>& areas() const { return areas_; } // of each triangle of mesh(), mm²
+    const std::vector<float>& areas() const { return areas_; } // per triangle of mesh(), mm²
     const std::vector<Eigen::Vector3f>& normals() const { return normals_; }
 
 private:

@@ -20,10 +20,10 @@ namespace {
 constexpr double samplesOfBody = 6000;
 constexpr double stretchUnits = 4096;
 static_assert(largestStretch * stretchUnits <= 65535);
-constexpr double keptBelow = 0.99;    // "largest stretch" is this percentile
-constexpr double gatheredBelow = 0.9; // λ2 below which compressed film may fold
-constexpr double markedWorth = 0.5;   // worth of marked film relative to unmarked film
-constexpr double linkedSamples = 2;   // neighbours are within this many times the spacing
+constexpr double stretchPercentile = 0.99; // percentile that is reported as the largest stretch
+constexpr double gatheredBelow = 0.9;      // λ2 below which compressed film may fold
+constexpr double markedWorth = 0.5;        // worth of marked film relative to unmarked film
+constexpr double linkedSamples = 2; // samples within this many sample spacings are neighbours
 
 std::uint16_t units(float stretch) {
     return std::uint16_t(std::clamp(std::lround(double(stretch) * stretchUnits), 1L, 65535L));
@@ -33,7 +33,7 @@ bool isMarked(const PaintedSample& sample, solver::PointMark mark) {
     return solver::has(sample.marks, mark);
 }
 
-// Ranks the films of two dips that paint the same place.
+// Returns how well the film paints a place. If two dips paint it, the larger value wins.
 double worth(const PaintedSample& sample) {
     if (sample.larger == 0) {
         return -1;
@@ -59,7 +59,7 @@ JudgedBody::JudgedBody(const SearchSubject& subject,
     : model_(subject.model), area_(surfaceArea(model_->mesh)) {
     samples_ = evenSamples(model_->mesh, area_ / samplesOfBody);
     equator_ = std::sqrt(pi * area_);
-    joinReach_ = linkedSamples * std::sqrt(area_ / samplesOfBody);
+    linkReach_ = linkedSamples * std::sqrt(area_ / samplesOfBody);
     const std::vector<LinearColour> colours = surfaceColours(*model_, samples_);
     weights_ = placeWeights(subject, zoneWeights, samples_, colours);
     linkNeighbours();
@@ -75,7 +75,7 @@ void JudgedBody::linkNeighbours() {
     const auto cellOf = [&](const Eigen::Vector3f& place) {
         std::array<int, 3> cell{};
         for (int axis = 0; axis < 3; ++axis) {
-            cell[std::size_t(axis)] = int(std::floor(double(place[axis]) / joinReach_));
+            cell[std::size_t(axis)] = int(std::floor(double(place[axis]) / linkReach_));
         }
         return cell;
     };
@@ -91,7 +91,7 @@ void JudgedBody::linkNeighbours() {
             }
             for (const std::uint32_t other : found->second) {
                 const float length = (places[other] - places[index]).norm();
-                if (double(length) <= joinReach_ &&
+                if (double(length) <= linkReach_ &&
                     normals[other].dot(normals[index]) > 0) { // not across a thin wall
                     links_[index].push_back({other, length});
                     links_[other].push_back({index, length});
@@ -102,7 +102,7 @@ void JudgedBody::linkNeighbours() {
     }
 }
 
-// Dijkstra's algorithm along the links; paint ends halfway between two places.
+// Uses Dijkstra's algorithm along the links. Paint ends halfway between a painted and a bare place.
 std::vector<float> JudgedBody::depths(const std::vector<PaintedSample>& samples) const {
     std::vector<float> depths(samples.size(), std::numeric_limits<float>::infinity());
     using Entry = std::pair<float, std::uint32_t>;
@@ -136,7 +136,7 @@ std::vector<float> JudgedBody::depths(const std::vector<PaintedSample>& samples)
     return depths;
 }
 
-// Whether the dips reach too little across the seam to hide a placement error of the second film.
+// Whether the dips overlap too little at the seam to hide a placement error of the second film.
 bool JudgedBody::isNarrow(std::size_t sample, const std::vector<const JudgedPose*>& dips) const {
     const PaintedSample& last = dips.back()->samples[sample];
     const double stretch = std::sqrt(double(last.larger) * last.smaller) / stretchUnits;
@@ -144,9 +144,9 @@ bool JudgedBody::isNarrow(std::size_t sample, const std::vector<const JudgedPose
            double(bands_[sample]) * std::max(stretch, 1.0);
 }
 
-// With n places per mm², each linked to all within r, a line crosses 2/3·n²·r³ links per mm (Cauchy
-// and Crofton; docs/pose-search.md, "The seam").
-void JudgedBody::measureJoin(const std::vector<std::uint8_t>& painters,
+// With n places per mm², each linked to all places within r, a line crosses 2/3·n²·r³ links per mm
+// (Cauchy and Crofton; docs/pose-search.md, "The seam").
+void JudgedBody::measureSeam(const std::vector<std::uint8_t>& painters,
                              const std::vector<const JudgedPose*>& dips,
                              PoseMeasures& measures) const {
     std::size_t crossings = 0, narrow = 0;
@@ -163,7 +163,7 @@ void JudgedBody::measureJoin(const std::vector<std::uint8_t>& painters,
     }
     const double density = double(samples_.size()) / area_;
     measures[Measure::Join] =
-        double(crossings) / (2.0 / 3 * density * density * std::pow(joinReach_, 3));
+        double(crossings) / (2.0 / 3 * density * density * std::pow(linkReach_, 3));
     measures[Measure::Narrow] = double(narrow) / double(std::max<std::size_t>(crossings, 1));
 }
 
@@ -185,7 +185,8 @@ JudgedPose JudgedBody::judged(const LaidFilm& laid, const Immersion& immersion) 
 }
 
 PoseMeasures JudgedBody::measures(const std::vector<const JudgedPose*>& dips) const {
-    std::vector<std::uint8_t> painters(samples_.size(), 0); // number of the dip; 0: none
+    std::vector<std::uint8_t> painters(
+        samples_.size(), 0); // number of the dip that paints the place; 0 if none does
     std::vector<std::uint16_t> stretches;
     double quality = 0, weights = 0;
     std::size_t certain = 0, wrinkled = 0, torn = 0;
@@ -218,14 +219,14 @@ PoseMeasures JudgedBody::measures(const std::vector<const JudgedPose*>& dips) co
     measures[Measure::Certain] = double(certain) / painted;
     measures[Measure::Wrinkled] = double(wrinkled) / painted;
     measures[Measure::Torn] = double(torn) / painted;
-    measures[Measure::Stretch] = percentile(stretches, keptBelow);
+    measures[Measure::Stretch] = percentile(stretches, stretchPercentile);
     for (const JudgedPose* dip : dips) {
         measures[Measure::TrappedAir] += dip->trappedAir;
         measures[Measure::FilmUsed] += dip->filmUsed / double(dips.size());
     }
     measures[Measure::TrappedAir] = std::min(measures[Measure::TrappedAir], 1.0);
     if (dips.size() == 2) {
-        measureJoin(painters, dips, measures);
+        measureSeam(painters, dips, measures);
     }
     return measures;
 }

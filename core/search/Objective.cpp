@@ -5,10 +5,11 @@
 namespace dipwright {
 namespace {
 
-// At the usual tear stretch (process.tear_stretch), film no longer shows its picture.
+// Stretches with the best and the worst rating. At the usual tear stretch (process.tear_stretch),
+// film no longer shows its picture.
 constexpr double goodStretch = 1.2, uselessStretch = 4;
-constexpr double longestJoin = 2;        // equators: a seam of this length has the worst rating
-constexpr double leastLimitScale = 0.01; // divisor for limits near 0
+constexpr double longestSeam = 2;        // in equators: length of a seam with the worst rating
+constexpr double leastLimitScale = 0.01; // least divisor, for limits near 0
 
 // Returns 1 at `good` and 0 at `bad`, linear between.
 double ramp(double value, double good, double bad) {
@@ -24,7 +25,7 @@ double goodness(Measure measure, double value, double equator) {
     case Measure::Stretch:
         return ramp(value, goodStretch, uselessStretch);
     case Measure::Join:
-        return ramp(value, 0, longestJoin * equator);
+        return ramp(value, 0, longestSeam * equator);
     case Measure::Wrinkled:
     case Measure::Torn:
     case Measure::TrappedAir:
@@ -44,7 +45,7 @@ double printQuality(double larger, double smaller) {
 double objective(const PoseMeasures& measures, const SearchSettings& settings, double equator) {
     double sum = 0, weights = 0;
     for (const Measure measure : allMeasures()) {
-        if (!isOfTwoDips(measure) || settings.immersions == 2) {
+        if (!appliesToTwoDips(measure) || settings.immersions == 2) {
             const double weight = settings.aims.weights[measure];
             sum += weight * goodness(measure, measures[measure], equator);
             weights += weight;

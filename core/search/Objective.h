@@ -10,9 +10,10 @@ namespace dipwright {
 double printQuality(double larger, double smaller);
 
 // Returns the weighted mean of the measures' ratings, 0 … 1. The seam counts only for two dips
-// (isOfTwoDips), relative to `equator`: the circumference of a ball of equal surface, mm.
+// (appliesToTwoDips), relative to `equator`: the circumference of a ball of equal surface, mm.
 double objective(const PoseMeasures& measures, const SearchSettings& settings, double equator);
-// Returns the sum by which limits are missed, each relative to its limit; 0: all limits are kept.
+// Returns the sum of the amounts by which limits are missed, each relative to its limit; 0 if all
+// limits are kept.
 double limitsMissed(const PoseMeasures& measures, const SearchSettings& settings);
 
 } // namespace dipwright

@@ -7,8 +7,8 @@
 namespace dipwright {
 namespace {
 
-// A place whose channels all reflect at least this needs no ink. One of 255 sRGB steps below white
-// is 0.991.
+// A place whose channels all reflect at least this needs no ink. The sRGB value 254 of 255 reflects
+// 0.991.
 constexpr float blankFrom = 0.98f;
 
 } // namespace

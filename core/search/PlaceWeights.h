@@ -9,7 +9,7 @@
 namespace dipwright {
 
 // Returns the weight of each place: the weight of its zone, or 0 where the model needs no ink. If
-// no weighted place needs ink, the zones alone count. `colours`: of each place
+// no weighted place needs ink, the zones alone count. `colours` holds the colour of each place
 // (texture/SurfaceColours.h).
 std::vector<float> placeWeights(const SearchSubject& subject,
                                 const std::array<double, zoneCount>& zoneWeights,

@@ -11,14 +11,16 @@
 namespace dipwright {
 namespace {
 
-constexpr int turnStep = 5; // degrees about the vertical
+constexpr int turnStep = 5; // step of the turn about the vertical, degrees
 // Quality of film on an upright wall, relative to film on a horizontal face.
 constexpr float qualityOfWalls = 0.4f;
-constexpr int signatureBands = 6;      // bands of height over the lowest point
-constexpr float sameSignature = 0.01f; // of the body's surface
+constexpr int signatureBands = 6; // number of bands of height over the lowest point
+// Largest difference between similar poses in an entry of their signatures.
+constexpr float sameSignature = 0.01f;
 constexpr std::size_t sidesOfBox = 6;
-constexpr double spreadShare = 0.5; // share of simulated poses that cover all directions
-constexpr double closest = 0.002;   // least angle between simulated poses, radians
+// Share of the simulated poses that is spread over all directions.
+constexpr double spreadShare = 0.5;
+constexpr double closest = 0.002; // least angle between simulated poses, radians
 
 // Returns the six sides of the box, and directions spread evenly by the golden angle.
 std::vector<Eigen::Vector3d> directions(int count, int seed) {
@@ -42,8 +44,8 @@ Eigen::Matrix3d turnAboutY(double angle) {
     return Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()).toRotationMatrix();
 }
 
-// Returns the turn about the vertical, in degrees, at which the body's outline takes the smallest
-// share of the film's sides.
+// Returns the turn about the vertical, in degrees, at which the body's outline is smallest relative
+// to the film's sides.
 int bestTurn(const TriangleMesh& mesh, const Eigen::Matrix3d& rotation,
              const solver::FilmGrid& film) {
     int best = 0;
@@ -65,12 +67,12 @@ int bestTurn(const TriangleMesh& mesh, const Eigen::Matrix3d& rotation,
     return best;
 }
 
-Eigen::Matrix3d lowering(const Eigen::Vector3d& down) {
+Eigen::Matrix3d rotationThatLowers(const Eigen::Vector3d& down) {
     return Eigen::Quaterniond::FromTwoVectors(down, -Eigen::Vector3d::UnitY()).toRotationMatrix();
 }
 
-// Area, slope and distance from the axis of the painted surface in each band of height. Equal for
-// poses that differ by a turn about the vertical or by mirroring.
+// Area, slope and distance from the axis of the painted surface in each band of height. The
+// signatures of poses are equal if they differ by a turn about the vertical or by mirroring.
 using Signature = std::array<float, std::size_t(3 * signatureBands) + 1>;
 
 Signature signatureOf(const CoveragePreview& preview, const std::vector<float>& zoneWeights,
@@ -121,7 +123,7 @@ Signature signatureOf(const CoveragePreview& preview, const std::vector<float>& 
     return signature;
 }
 
-bool canShareBatch(const Signature& one, const Signature& other) {
+bool areAlike(const Signature& one, const Signature& other) {
     for (std::size_t entry = 0; entry < one.size(); ++entry) {
         if (!(std::abs(one[entry] - other[entry]) <= sameSignature)) {
             return false;
@@ -144,12 +146,12 @@ double promiseOf(const CoveragePreview& preview, const std::vector<float>& zoneW
     return whole > 0 ? promise / whole : 0;
 }
 
-// Sets `like` of each candidate.
+// Sets PoseCandidate::like of each candidate.
 void findAlike(std::vector<PoseCandidate>& all, const std::vector<Signature>& signatures) {
     std::vector<std::size_t> kinds;
     for (std::size_t index = 0; index < all.size(); ++index) {
         const auto like = std::find_if(kinds.begin(), kinds.end(), [&](std::size_t kind) {
-            return canShareBatch(signatures[kind], signatures[index]);
+            return areAlike(signatures[kind], signatures[index]);
         });
         all[index].like = like == kinds.end() ? index : *like;
         if (like == kinds.end()) {
@@ -158,8 +160,8 @@ void findAlike(std::vector<PoseCandidate>& all, const std::vector<Signature>& si
     }
 }
 
-// Chooses the sides of the box, then the best candidates. Reduces the angle between them until
-// enough are chosen.
+// Chooses the sides of the box, then the best candidates that are far enough apart. Halves the
+// required angle between them until enough are chosen.
 std::vector<std::size_t> choose(const std::vector<PoseCandidate>& all, std::size_t wanted) {
     std::vector<std::size_t> order, chosen;
     for (std::size_t index = 0; index < all.size(); ++index) {
@@ -169,7 +171,8 @@ std::vector<std::size_t> choose(const std::vector<PoseCandidate>& all, std::size
     }
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return all[a].promise > all[b].promise; });
-    // Caps of this half-angle round half of the wanted candidates would cover the sphere.
+    // If half of the wanted candidates had caps of this half-angle, the caps' area would be a
+    // sphere's.
     double apart = std::acos(1 - 2 / (std::max(spreadShare * double(wanted), 2.0)));
     const auto isFree = [&](std::size_t index) {
         return std::none_of(chosen.begin(), chosen.end(), [&](std::size_t other) {
@@ -193,7 +196,7 @@ std::vector<std::size_t> choose(const std::vector<PoseCandidate>& all, std::size
 
 Immersion immersionFor(const TriangleMesh& mesh, const Eigen::Vector3d& down,
                        const solver::FilmGrid& film) {
-    const Eigen::Matrix3d rotation = lowering(down);
+    const Eigen::Matrix3d rotation = rotationThatLowers(down);
     const double turn = radians(Degrees(bestTurn(mesh, rotation, film)));
     Immersion immersion;
     immersion.rotation = rotationAngles(turnAboutY(turn) * rotation);
@@ -217,14 +220,14 @@ PoseCandidates poseCandidates(const CoveragePreview& preview, const std::vector<
         progress.cancelToken.throwIfCancelled();
         PoseCandidate& candidate = result.all[index];
         Immersion immersion;
-        immersion.rotation = rotationAngles(lowering(candidate.down));
+        immersion.rotation = rotationAngles(rotationThatLowers(candidate.down));
         const PreviewedCoverage coverage = preview.at(immersion, film, process);
         const Eigen::Vector3f down = candidate.down.cast<float>();
         candidate.coverage = coverage.share;
         candidate.promise = promiseOf(preview, zoneWeights, coverage, down);
         signatures[index] = signatureOf(preview, zoneWeights, coverage, down);
     });
-    // In a pair, similar poses may paint different places.
+    // Two dips are searched without this, because similar poses may paint different places.
     if (settings.immersions == 1) {
         findAlike(result.all, signatures);
     }

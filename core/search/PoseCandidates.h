@@ -12,14 +12,15 @@ struct PoseCandidate {
     double coverage = 0;  // previewed share of the surface
     double promise = 0;   // previewed quality, 0 … 1
     Immersion immersion;  // turned about the vertical to fit the film best
-    std::size_t like = 0; // the first candidate that looks the same from the film; or itself
+    // Index of the first candidate that looks the same from the film; its own index if none does.
+    std::size_t like = 0;
 };
 
-// Returns an immersion with a direction of the model down. It is turned about the vertical so that
-// the outline takes the smallest share of the film's sides.
+// Returns the settings of a dip in which `down` points down. The body is turned about the vertical
+// so that its outline is smallest relative to the film's sides.
 Immersion immersionFor(const TriangleMesh& mesh, const Eigen::Vector3d& down,
                        const solver::FilmGrid& film);
-// Returns the direction of the model that points down in an immersion.
+// Returns the direction of the model that points down in a dip.
 Eigen::Vector3d downOf(const Immersion& immersion);
 
 struct PoseCandidates {
@@ -29,7 +30,8 @@ struct PoseCandidates {
     std::vector<std::size_t> chosen;
 };
 
-// `zoneWeights`: of each triangle of preview.mesh(). All cores, deterministic; throws Cancelled.
+// Finds the candidates. `zoneWeights` holds the weight of each triangle of preview.mesh(). Uses all
+// cores; deterministic. Throws Cancelled.
 PoseCandidates poseCandidates(const CoveragePreview& preview, const std::vector<float>& zoneWeights,
                               const FilmSettings& film, const ProcessSettings& process,
                               const SearchSettings& settings, const Progress& progress);

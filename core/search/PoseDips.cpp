@@ -14,12 +14,13 @@ namespace {
 
 constexpr int fewestPoints = 8;
 constexpr std::size_t batchSize = 32;
-constexpr int searchedAirCells = 48; // along the body's longest edge
-// Sides of the fine cells are moved out to multiples of this share of the body's longest edge. Many
-// films of a batch then become equal, and a device can dip equal films together.
+constexpr int searchedAirCells = 48; // number of air grid cells along the body's longest edge
+// The borders of the fine cells are moved outwards to multiples of this share of the body's longest
+// edge. Many films of a batch then become equal, and a device can simulate their dips together.
 constexpr double alikeShare = 1.0 / 6;
 
-// Returns the film with `cells` cells along the body, but never finer than before.
+// Returns the film with `cells` cells along the body, but never with finer cells than the job's
+// film.
 FilmSettings coarseFilm(FilmSettings film, const TriangleMesh& mesh, double cells) {
     const double own =
         film.resolution == FilmResolution::Points ? film.width.value() / (film.columns - 1) : 0;
@@ -61,7 +62,7 @@ PoseDips::PoseDips(const SearchSubject& subject, const JudgedBody& body,
 void PoseDips::dip(const std::vector<Immersion>& immersions,
                    std::vector<std::shared_ptr<const JudgedPose>>& judged,
                    const std::function<void(std::size_t)>& batchDone) const {
-    const std::vector<std::size_t> order = alikeTogether(immersions);
+    const std::vector<std::size_t> order = orderedByFilm(immersions);
     for (std::size_t begin = 0; begin < order.size(); begin += batchSize) {
         const std::size_t end = std::min(begin + batchSize, order.size());
         dipBatch(immersions, {order.begin() + std::ptrdiff_t(begin), end - begin}, judged);
@@ -84,7 +85,7 @@ Eigen::AlignedBox2d PoseDips::fineCellsOf(const PosedBody& body) const {
 }
 
 // Returns the immersions' indices, ordered so that equal films follow each other.
-std::vector<std::size_t> PoseDips::alikeTogether(const std::vector<Immersion>& immersions) const {
+std::vector<std::size_t> PoseDips::orderedByFilm(const std::vector<Immersion>& immersions) const {
     std::vector<std::size_t> order(immersions.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     if (!choosesFilms()) {

@@ -14,11 +14,11 @@ namespace dipwright {
 
 // The resolution of a dip; never finer than the job's.
 struct DipDetail {
-    double cells;  // of the film, along the longest edge of the body's box
-    int field;     // cells of the distance field along that edge
-    double travel; // least travel of the contact line in one step, cells
+    double cells;  // number of film cells along the longest edge of the body's box
+    int field;     // number of distance field cells along that edge
+    double travel; // least travel of the contact line in one step, in film cells
 };
-// For finding poses worth refining, for ranking these, and as in the job.
+// coarseDetail finds poses worth refining, finerDetail ranks them, and jobDetail is the job's own.
 inline constexpr DipDetail coarseDetail{20, 128, 0.5}, finerDetail{40, 128, 0.5},
     jobDetail{std::numeric_limits<double>::infinity(), std::numeric_limits<int>::max(), 0};
 
@@ -27,11 +27,11 @@ public:
     PoseDips(const SearchSubject& subject, const JudgedBody& body,
              const solver::SolverModule& module, const DipDetail& detail, const Progress& progress);
 
-    // Dips the immersions and stores the results in `judged` at the same indices; both have the
-    // same length. After an exception the finished dips remain. Similar films are dipped together,
-    // so the order of the dips may differ. Calls `batchDone` after each batch with the number of
-    // finished dips. A dip that misses the film or becomes unstable has no samples. Throws Error if
-    // the solver fails, or Cancelled.
+    // Simulates a dip with each of `immersions` and stores its result in `judged` at the same
+    // index; both have the same length. After an exception the finished dips remain. Dips with
+    // similar films run together, so the order of the dips may differ. Calls `batchDone` after each
+    // batch with the number of finished dips. A dip that misses the film or becomes unstable has no
+    // samples. Throws Error if the solver fails. Throws Cancelled.
     void dip(const std::vector<Immersion>& immersions,
              std::vector<std::shared_ptr<const JudgedPose>>& judged,
              const std::function<void(std::size_t)>& batchDone) const;
@@ -39,7 +39,7 @@ public:
 private:
     bool choosesFilms() const;
     Eigen::AlignedBox2d fineCellsOf(const PosedBody& body) const;
-    std::vector<std::size_t> alikeTogether(const std::vector<Immersion>& immersions) const;
+    std::vector<std::size_t> orderedByFilm(const std::vector<Immersion>& immersions) const;
     solver::DipSetup setupOf(const PosedBody& body, const FilledField& field,
                              const Immersion& immersion) const;
     void dipBatch(const std::vector<Immersion>& immersions, std::span<const std::size_t> batch,

@@ -27,12 +27,13 @@ struct Text {
 };
 
 constexpr std::size_t keptPoses = 24;
-constexpr std::size_t comparedPairs = 1000; // best pairs, from which distinct ones are ranked
-constexpr double distinct = 5;              // least angle between ranked poses, degrees
-constexpr std::array<double, 3> tilts{10, 5, 2.5};       // degrees, for each round of refinement
-constexpr double turn = 5;                               // degrees about the vertical, last round
-constexpr double shift = 0.05;                           // of the film's sides, last round
-constexpr double fieldShare = 0.05, geometryShare = 0.1; // of the time
+// Number of best pairs from which distinct ones are ranked.
+constexpr std::size_t comparedPairs = 1000;
+constexpr double distinct = 5;                     // least angle between ranked poses, degrees
+constexpr std::array<double, 3> tilts{10, 5, 2.5}; // degrees, one for each round of refinement
+constexpr double turn = 5;                         // degrees about the vertical, in the last round
+constexpr double shift = 0.05;                     // share of the film's sides, in the last round
+constexpr double fieldShare = 0.05, geometryShare = 0.1; // progress after these steps, 0 … 1
 
 using Judged = std::shared_ptr<const JudgedPose>;
 
@@ -139,7 +140,7 @@ public:
         result_.equator = body_.equator();
     }
 
-    // Dips every count-th of the first poses.
+    // Dips part `number` of the first poses: every `count`-th one.
     std::vector<Judged> part(int number, int count) {
         std::vector<Immersion> immersions;
         for (std::size_t at = std::size_t(number - 1); at < candidates_.chosen.size();
@@ -150,7 +151,7 @@ public:
         return dipped(coarse_, immersions);
     }
 
-    // Uses the dips of other processes as the first dips.
+    // Takes the dips of other processes in place of the first dips.
     void take(const std::vector<SearchShard>& parts, const QByteArray& key) {
         std::vector<const SearchShard*> ordered(parts.size(), nullptr);
         for (const SearchShard& part : parts) {
@@ -284,7 +285,8 @@ private:
         best_.clear();
         objectives_.assign(poses_.size(), -1);
         std::vector<Judged> pool;
-        std::vector<std::size_t> places; // indices in poses_ of the first entries of `pool`
+        // Indices in poses_ of the poses in `pool`, without the job's own.
+        std::vector<std::size_t> places;
         for (std::size_t place = 0; place < poses_.size(); ++place) {
             if (poses_[place]) {
                 pool.push_back(poses_[place]);
@@ -322,7 +324,7 @@ private:
         return all;
     }
 
-    // Returns the best of all pairs, each in its better order.
+    // Returns the best of all pairs of poses, each pair in the better order of its dips.
     std::vector<Entry> pairs(const std::vector<Judged>& pool,
                              const std::vector<std::size_t>& places) {
         struct Pair {
@@ -398,7 +400,8 @@ private:
         rank();
     }
 
-    // Dips the best entries and the job's own poses again with another film, each dip once.
+    // Dips the best entries and the job's own poses again with film of another resolution, each dip
+    // once.
     std::vector<Entry> dippedAgain(const std::vector<Entry>& entries, const DipDetail& detail,
                                    bool isConfirmed) {
         std::vector<Immersion> immersions = subject_.immersions;
@@ -434,9 +437,9 @@ private:
         return ordered;
     }
 
-    // Coarse film finds promising poses, but its error exceeds their differences
-    // (docs/pose-search.md). So only poses with finer film stay in the ranking. Refined poses are
-    // compared with their unrefined ones.
+    // Coarse film finds promising poses, but its numerical error is larger than their differences
+    // (docs/pose-search.md). So only poses that are dipped with finer film stay in the ranking. The
+    // unrefined poses are dipped again, too, and compared with the refined ones.
     void rankWithFinerFilm() {
         std::vector<Entry> entries = first(settings_.finer);
         entries.insert(entries.end(), unrefined_.begin(), unrefined_.end());
@@ -517,9 +520,10 @@ private:
     JudgedBody body_;
     PoseDips coarse_;
     PoseCandidates candidates_;
-    std::vector<Judged> own_;        // the job's own poses
-    std::vector<Judged> poses_;      // of candidates_.chosen; null until dipped
-    std::vector<double> objectives_; // best objective with each pose; −1: none
+    std::vector<Judged> own_;   // the job's own poses
+    std::vector<Judged> poses_; // dips of candidates_.chosen; null until dipped
+    // Best objective of the entries with each pose; −1 if there are none.
+    std::vector<double> objectives_;
     std::vector<Entry> best_;
     std::vector<Entry> unrefined_; // best_ before refinement
     std::optional<Entry> current_;

@@ -1,6 +1,6 @@
-// Searches for the best poses (docs/pose-search.md). Rates thousands by the body's shape and dips
-// the best of them with a coarse film. Then refines the best of these and dips them as the job
-// would.
+// Searches for the best poses (docs/pose-search.md). The search rates thousands of poses by the
+// body's shape and dips the best of them with a coarse film. It then refines the best results and
+// dips them as the job would.
 #pragma once
 
 #include "base/Progress.h"
@@ -17,16 +17,17 @@ namespace dipwright {
 struct RankedPoses {
     std::vector<Immersion> immersions;
     double objective = 0;    // 0 … 1
-    double limitsMissed = 0; // 0: all limits are kept
+    double limitsMissed = 0; // 0 if all limits are kept
     PoseMeasures measures;
     bool isConfirmed = false; // dipped with the job's own film
 };
 
 // A direction of the model that the search tried to dip first.
 struct TriedDirection {
-    Eigen::Vector3d down;            // unit length, model coordinates
-    double coverage = 0;             // previewed share of the surface
-    std::optional<double> objective; // best with this or a similar direction; none: not simulated
+    Eigen::Vector3d down; // unit length, model coordinates
+    double coverage = 0;  // previewed share of the surface
+    // Best objective with this or a similar direction; none if no such direction was simulated.
+    std::optional<double> objective;
 };
 
 // The result of a search.
@@ -35,12 +36,13 @@ struct SearchResult {
     std::optional<RankedPoses> current; // the job's own poses; none if they cannot be dipped
     std::vector<TriedDirection> directions;
     double equator = 0;     // mm, see objective()
-    bool isComplete = true; // false: cancelled; the ranking holds the best so far
+    bool isComplete = true; // false if cancelled; the ranking then holds the best so far
 };
 
-// A measure that differs, and its increase.
+// A measure in which two results differ.
 struct MeasureDifference {
     Measure measure;
+    // Value in the first result less the value in the second.
     double more = 0;
     bool isBetter = false;
 };
@@ -48,23 +50,25 @@ struct MeasureDifference {
 // important for the objective first.
 std::vector<MeasureDifference> differences(const RankedPoses& poses, const RankedPoses& others,
                                            const SearchSettings& settings, double equator);
-// For the user: "−3.0 % coverage, +0.40 largest stretch"; "no difference" if there is none.
+// Returns a text for the user, such as "−3.0 % coverage, +0.40 largest stretch"; "no difference" if
+// there is none.
 QString reasonText(const std::vector<MeasureDifference>& differences);
 
 // The state of a running search.
 struct SearchState {
-    int done = 0, wanted = 0;          // dips
-    std::optional<double> secondsLeft; // none: not known yet
+    int done = 0, wanted = 0;          // numbers of dips
+    std::optional<double> secondsLeft; // none if not known yet
     const SearchResult& soFar;         // ranking of the dips done
 };
 // Called from the working thread between batches of dips. If it blocks, the search waits.
 using SearchWatch = std::function<void(const SearchState&)>;
 
 // Runs the search on `module` in batches. Deterministic except for SearchState::secondsLeft: the
-// same subject, settings and module give bitwise equal results for any number of threads. `parts`:
-// all parts of this search, dipped elsewhere (SearchShard.h), or none. If cancelled, returns the
-// ranking so far; throws Cancelled if there is none. Throws Error (a setting out of range, parts
-// of another search, no pose paints anything, the solver fails).
+// same subject, settings and module give bitwise equal results for any number of threads. `parts`
+// holds all parts of this search that were dipped elsewhere (SearchShard.h), or nothing. If
+// cancelled, returns the ranking so far; throws Cancelled if there is none. Throws Error if a
+// setting is out of range, a part belongs to another search, no pose paints anything, or the solver
+// fails.
 SearchResult searchPoses(const SearchSubject& subject, const SearchSettings& settings,
                          const solver::SolverModule& module, const std::vector<SearchShard>& parts,
                          const SearchWatch& watch, const Progress& progress);

@@ -15,19 +15,21 @@ struct JudgedPose;
 // One part of a search.
 struct SearchShard {
     QByteArray key; // identifies the search: its subject and settings
+    // Number of this part, from 1, and number of all parts.
     int number = 1, count = 1;
     std::vector<std::shared_ptr<const JudgedPose>> poses; // in the order of dipping
 };
 
-// Dips part `number` of searchPoses(), 1 … count (at most 1000): every count-th of its first dips.
-// Throws as searchPoses() does; after Cancelled there is no result.
+// Dips part `number` of a search. The part holds every `count`-th of the first dips of
+// searchPoses(). `number` is 1 … `count`; `count` is at most 1000. Throws as searchPoses() does;
+// after Cancelled there is no result.
 SearchShard searchShard(const SearchSubject& subject, const SearchSettings& settings,
                         const solver::SolverModule& module, int number, int count,
                         const Progress& progress);
 
-// Write and read a part without loss. Reading throws Error naming `where` if the file is not a
-// part.
+// Returns the bytes of a part's file, without loss.
 QByteArray shardFile(const SearchShard& part);
+// Reads a part from its file. Throws Error naming `where` if the file is not a part.
 SearchShard shardFromFile(const QByteArray& file, const QString& where);
 
 } // namespace dipwright

@@ -17,8 +17,8 @@ struct TexturedMesh;
 
 struct SearchSubject {
     QString name;
-    // Equal for equal model, artwork, film, process, zones and solver. Identifies the parts of a
-    // search.
+    // Two subjects have the same identity if their model, artwork, film, process, zones and solver
+    // are equal. The identity shows which parts belong to one search.
     QByteArray identity;
     std::shared_ptr<const TexturedMesh> model; // with its artwork; never null
     bool isWhitePrinted = false;               // white places then need film as well

@@ -16,16 +16,17 @@
 
 namespace dipwright {
 
-// What a layer shows. The program makes the patterns (artwork/Patterns.h), and they have no seams.
+// What a layer shows. The program generates the patterns (artwork/Patterns.h), which repeat without
+// seams.
 enum class LayerKind : std::uint8_t { Picture, Text, Carbon, Camouflage, Wood };
 bool isPattern(LayerKind kind);
 
 // How a layer is mapped onto the body.
 enum class LayerPlacement : std::uint8_t {
     Decal,    // unfolds the surface around the place, which keeps lengths and straight lines
-    Plane,    // straight along the axis, onto the surface that looks towards it
-    Cylinder, // around the axis through the place, at the body's mean distance from it
-    Box       // from six sides; each face gets the side that it faces most
+    Plane,    // projects along the axis onto the surface that faces it
+    Cylinder, // wraps around the axis through the place, at the body's mean distance from the axis
+    Box       // projects from six sides; each face gets the side that it faces most
 };
 
 // The direction of a projection's axis in the model's coordinates. Decals and boxes do not use it.
@@ -48,15 +49,15 @@ struct ArtworkLayer {
     ArtworkPicture picture;
     QString text;
     QString font = QStringLiteral("DejaVu Sans"); // name of the text's font family
-    QColor colour = Qt::black;                    // of the text, or the pattern's dark colour
-    QColor secondColour = Qt::white;              // the pattern's light colour
-    int seed = 1;                                 // of the pattern
+    QColor colour = Qt::black;       // colour of the text, or the pattern's dark colour
+    QColor secondColour = Qt::white; // the pattern's light colour
+    int seed = 1;                    // for the pattern's random numbers
     LayerPlacement placement = LayerPlacement::Decal;
     LayerAxis axis = LayerAxis::Z;
-    // The layer's middle (the point of the model nearest to this), or a point on the projection's
-    // axis; model coordinates.
+    // For a decal, the layer's middle is the point of the model nearest to this. For a projection,
+    // this is a point on its axis. In model coordinates.
     std::array<Millimetres, 3> place{};
-    Degrees turn{0}; // counterclockwise seen from outside; of a cylinder, about the axis
+    Degrees turn{0}; // counterclockwise seen from outside; for a cylinder, about its axis
     // Width and height of the layer's area. A picture or text fills it as far as its proportions
     // allow. Repeats of a projection continue over the whole body.
     std::array<Millimetres, 2> size{Millimetres(50), Millimetres(50)};
@@ -66,7 +67,8 @@ struct ArtworkLayer {
     // in its colours.
     QString spot = {};
     QColor spotColour{128, 128, 128}; // how the ink looks where its name is unknown
-    bool spotFirst = false; // printed before the four inks, so that it ends up outside them
+    // Whether the ink is printed before the four inks, so that it lies outside them on the part.
+    bool spotFirst = false;
     bool operator==(const ArtworkLayer&) const = default;
 };
 
@@ -74,21 +76,22 @@ struct ArtworkLayer {
 inline constexpr std::size_t mostArtworkLayers = 100;
 inline constexpr int longestLayerName = 100, longestLayerText = 500, mostSeed = 1'000'000;
 inline constexpr int longestSpotName = 60;
-inline constexpr std::size_t mostSpots = 8;                       // inks in one artwork
+inline constexpr std::size_t mostSpots = 8;                       // spot inks in one artwork
 inline constexpr double smallestLayer = 0.1, largestLayer = 5000; // mm
 inline constexpr double farthestLayer = 1e5;                      // mm, coordinate of a place
 
 struct Artwork {
-    // The colour below all layers; none: the model's own appearance.
+    // The colour below all layers. None: the layers lie on the model's own appearance.
     std::optional<QColor> base;
     std::vector<ArtworkLayer> layers; // from bottom to top
 
     bool isEmpty() const { return !base && layers.empty(); }
-    // The artwork without the layers that are printed with spot inks.
+    // Returns the artwork without the layers that are printed with spot inks.
     Artwork inColours() const;
-    // Only the layers that are printed with this spot ink, on white.
+    // Returns only the layers that are printed with this spot ink, on white.
     Artwork inSpot(const QString& spot) const;
-    // One visible layer for each spot ink, from bottom to top: the lowest that uses it.
+    // Returns one visible layer for each spot ink, from bottom to top: the lowest layer that uses
+    // the ink.
     std::vector<ArtworkLayer> spots() const;
     bool operator==(const Artwork&) const = default;
 };

@@ -1,4 +1,4 @@
-// How the parts of a job that were dipped so far came out, as in the project file's "as_built".
+// Measurements of the parts of a job that were dipped so far, as in the project file's "as_built".
 #pragma once
 
 #include "base/Units.h"
@@ -17,15 +17,15 @@ struct BuiltPart {
     bool operator==(const BuiltPart&) const = default;
 };
 
-// A place on a part's sheet, and its offset to the place on the sheet that was meant to land where
-// this one landed.
+// A measured place on a part's sheet. The image at this place landed where another place of the
+// sheet was meant to land. `off` leads to that other place.
 struct BuiltPlace {
     int part = 1;                       // index in AsBuilt::parts, from 1
     int dip = 1;                        // index in the project's immersions, from 1
-    std::array<Millimetres, 2> sheet{}; // as restPosition() (DippedFilm.h) divided by the swell
-    // intended place on the model, which matches places of other parts
+    std::array<Millimetres, 2> sheet{}; // restPosition() (DippedFilm.h) divided by the swell
+    // Intended place on the model. Places of several parts are matched by it.
     std::array<Millimetres, 3> model{};
-    std::array<Millimetres, 2> off{}; // offset from `sheet` on the sheet
+    std::array<Millimetres, 2> off{}; // offset from `sheet` to the other place, on the sheet
     bool operator==(const BuiltPlace&) const = default;
 };
 
@@ -33,8 +33,9 @@ inline constexpr std::size_t mostBuiltParts = 50;
 inline constexpr std::size_t mostBuiltPlaces = 5000;
 
 struct AsBuilt {
-    bool corrects = false; // whether the repeating part of the error corrects the sheets
-    double strength = 1;   // share of the correction that is applied
+    // Whether the sheets are corrected for the error that repeats in all parts.
+    bool corrects = false;
+    double strength = 1; // share of the correction that is applied
     std::vector<BuiltPart> parts;
     std::vector<BuiltPlace> places;
     bool operator==(const AsBuilt&) const = default;

@@ -14,9 +14,10 @@
 namespace dipwright {
 
 struct FloatingPhoto {
-    QString file;                  // path; the project does not contain the file
-    QString sha256;                // of the file, hexadecimal; empty: it was never read
-    std::optional<double> seconds; // since the film was laid; none: taken when the dip begins
+    QString file;   // path; the project does not contain the file
+    QString sha256; // of the file, hexadecimal; empty: it was never read
+    // Time since the film was laid, s; none: the photo was taken when the dip began.
+    std::optional<double> seconds;
     bool operator==(const FloatingPhoto&) const = default;
 };
 
@@ -24,12 +25,12 @@ inline constexpr std::size_t mostFloatingPhotos = 60;
 inline constexpr double longestWatch = 1e6;               // s
 inline constexpr double leastRuler = 90, mostRuler = 110; // mm, measured on a ruler of 100 mm
 inline constexpr double mostRulerError = 5;               // mm
-inline constexpr double mostCardAbove = 200;              // mm, above or below
+inline constexpr double mostCardAbove = 200;              // mm above or below the film
 inline constexpr double leastFocal = 5, mostFocal = 2000; // mm, 35 mm equivalent
 
 struct FilmOnWater {
     std::vector<FloatingPhoto> photos;
-    std::optional<double> dipBegins; // s; none: as in the film profile
+    std::optional<double> dipBegins; // s after the film was laid; none: as in the film profile
     QString lot;
     std::optional<double> waterTemperature; // °C
     // Measured lengths of the two printed 100 mm rulers (across and down), on the card and on the
@@ -39,7 +40,7 @@ struct FilmOnWater {
     Millimetres rulerError{0};
     Millimetres cardAbove{0};             // height of the card's print above the film
     std::optional<Millimetres> focalAs35; // 35 mm equivalent; none: as stored in the photos
-    // of a camera measured before; none: fitted for each photo
+    // Distortion of a lens that was measured before. None: fitted for each photo.
     std::optional<double> lensK1, lensK2;
     bool operator==(const FilmOnWater&) const = default;
 };

@@ -24,16 +24,16 @@ struct FilmEdges {
 // Its fields are declared in project/FilmFields.cpp.
 struct FilmBehaviour {
     FilmEdges edges;
-    double swellX = 1; // wetted length over printed length
-    double swellY = 1; // along the sheet's height, the film's Z
+    double swellX = 1; // wetted length divided by printed length, along the film's X
+    double swellY = 1; // the same along the sheet's height, the film's Z
     Seconds relaxationTime{
         std::numeric_limits<double>::infinity()}; // infinity: elastic, 0: viscous
     Millimetres contactDistance{0};
-    // For the production film only (docs/film-model.md, "Assumed constants"; for the overhang and
-    // the tear see ProcessSettings).
-    double growthRate = 0;         // relative growth rate of its length while it floats, 1/s
-    double growthLimit = 0;        // total relative growth of its length after a long time
-    Degrees gripFade{5};           // range before the overhang in which the grip fades
+    // The values below are for the production film only (docs/film-model.md, "Assumed constants").
+    // ProcessSettings holds the overhang and the tear limit.
+    double growthRate = 0;  // relative growth rate of the floating film's length, 1/s
+    double growthLimit = 0; // total relative growth of the floating film's length after a long time
+    Degrees gripFade{5};    // range before the overhang in which the grip fades
     double gatheringStretch = 0.8; // mean stretch below which film gathers
 
     bool operator==(const FilmBehaviour&) const = default;
@@ -50,15 +50,15 @@ enum class FilmResolution : std::uint8_t {
     Cell,      // graded, with cells of a given size over the body
 };
 
-// The defaults of every film. The solver interface has its own defaults; some differ and are never
-// used for a job, as in ProcessSettings.
+// The defaults of every film. Some defaults of the solver interface differ; no job uses them (see
+// ProcessSettings).
 struct FilmSettings : FilmBehaviour {
     QString preset = QStringLiteral("A4");
     Millimetres width{210};  // the printed sheet along X
     Millimetres height{297}; // the printed sheet along Z
     FilmResolution resolution = FilmResolution::Points;
     int columns = 120;     // for FilmResolution::Points, and always for the paper's film
-    int rows = 170;        // likewise
+    int rows = 170;        // see `columns`
     Millimetres cell{1};   // for FilmResolution::Cell: cell size of the floating film over the body
     double refinement = 1; // multiplies the number of cells along both edges; not set by the user
     solver::Lattice lattice = solver::Lattice::Isotropic;

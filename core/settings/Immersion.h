@@ -12,7 +12,7 @@ namespace dipwright {
 struct Immersion {
     QString name = QStringLiteral("Immersion");
     std::array<Degrees, 3> rotation{};   // about X, Y, Z, applied in that order
-    std::array<Millimetres, 2> offset{}; // offset of the body on the waterline, x and z
+    std::array<Millimetres, 2> offset{}; // of the body in the plane of the water, X and Z
     bool operator==(const Immersion&) const = default;
 };
 

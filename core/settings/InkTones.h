@@ -9,22 +9,24 @@
 
 namespace dipwright {
 
-// "cyan", "magenta", "yellow", "black", "white".
+// Returns "cyan", "magenta", "yellow", "black" or "white".
 QString inkName(FilmInk ink);
-std::optional<FilmInk> inkOf(const QString& name); // none if no ink has this name
+std::optional<FilmInk> inkOf(const QString& name); // nothing if no ink has this name
 
-// Text such as "cyan 0.3 0.48 0.11 2.9; …": ink, density, exponent, bend, greatest stretch. Reading
-// gives the same numbers. It throws Error if the text is malformed, or as checkInkLaw() does.
+// Returns text such as "cyan 0.3 0.48 0.11 2.9; …": ink, density, exponent, bend, greatest stretch.
+// inkTones() reads exactly the same numbers back.
 QString inkTonesText(const std::vector<InkTone>& tones);
+// Reads that text. Throws Error if it is malformed, and as checkInkLaw() does.
 std::vector<InkTone> inkTones(const QString& text, const QString& where);
 
-// Throws Error if an ink's tones are not in ascending order, or if more of the ink would show less.
+// Throws Error if an ink's tones are not in ascending order, or if on stretched film a denser patch
+// would look lighter.
 void checkInkLaw(const InkLaw& law, const QString& where);
 
 // Returns the share of a tone's density that remains where the film's area has grown by `stretch`.
 double thinned(const InkTone& tone, double stretch);
 
-// Returns none if one of the words is no finite number.
+// Converts the words to numbers. Returns nothing if one of them is not a finite number.
 std::optional<std::vector<double>> finiteNumbers(const QStringList& words);
 
 } // namespace dipwright

@@ -18,6 +18,7 @@ struct InspectedPhoto {
     bool operator==(const InspectedPhoto&) const = default;
 };
 
+// A pixel of a photo, and the place on the model that it shows.
 struct ClickedPair {
     int photo = 0;                      // index of the photo
     std::array<double, 2> pixel{};      // from the picture's upper left corner
@@ -31,7 +32,7 @@ inline constexpr std::size_t mostClickedPairs = 1000;
 struct InspectedPart {
     std::vector<InspectedPhoto> photos;
     std::vector<ClickedPair> pairs;
-    bool chessboard = false;  // dipped with the job's chessboard instead of its texture
+    bool chessboard = false; // the part was dipped with the job's chessboard instead of its texture
     bool keepsCamera = false; // the pairs are features of the body itself and fix the camera
     bool operator==(const InspectedPart&) const = default;
 };

@@ -10,21 +10,21 @@
 
 namespace dipwright {
 
-// The defaults of every dip. dipSetup() (Dip.h) hands the solver all values that it asks for. The
-// solver interface has its own defaults; some differ and are never used for a job.
+// The defaults of every dip. dipSetup() (Dip.h) passes every value to the solver. Some defaults of
+// the solver interface differ; no job uses them.
 struct ProcessSettings {
     MillimetresPerSecond dipSpeed{5};
     Seconds timeStep{1.0 / 60}; // paper-2020 only; the production film chooses its own step
     int iterations = 5;         // paper-2020 only
     solver::Relaxation relaxation = solver::Relaxation::Jacobi; // paper-2020 only
     bool selfContact = false;                                   // paper-2020 only
-    // production only: travel of the contact line in one step, in cells
+    // production only: how far the contact line moves in one step, in cells
     double contactTravel = 0.25;
     // depth of the lowest point under water; none: the whole body goes under
     std::optional<Millimetres> depth;
-    Millimetres margin{2};  // extra depth after the whole body is under
+    Millimetres margin{2};  // extra depth after the whole body is under water
     double tearStretch = 4; // length or area stretch above which film tears
-    Degrees overhang{20};   // steepest upward turn of a face that still holds film
+    Degrees overhang{20};   // largest upward turn from the vertical of a face that still holds film
     QString solver = QStringLiteral("auto");
     bool operator==(const ProcessSettings&) const = default;
 };

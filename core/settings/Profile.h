@@ -1,7 +1,7 @@
 // Profiles of printers, films and tanks: measured once and used by every job.
 //
-// A profile is a value. A project keeps a copy of its profiles, with name and content, so that an
-// old job prints the same after a profile has changed.
+// A profile is a value. A project keeps a copy of its profiles, with name and content. So an old
+// job prints the same after a profile has changed.
 #pragma once
 
 #include "base/Units.h"
@@ -20,8 +20,8 @@ namespace dipwright {
 struct PrinterProfile {
     QString name;
     QString queue;     // the system's name for the printer, or empty
-    double scaleX = 1; // printed length over true length, measured across the page …
-    double scaleY = 1; // … and along it; sheets are divided by these factors
+    double scaleX = 1; // printed length divided by true length, measured across the page
+    double scaleY = 1; // the same along the page; sheets are divided by both factors
     // Unprintable margins of the page: left, top, right, bottom.
     std::array<Millimetres, 4> margins{};
     QByteArray iccProfile; // contents of the ICC file; empty: the printer gets sRGB
@@ -38,15 +38,15 @@ struct PrinterProfile {
 // Which edge of the sheet enters the printer first. The film swells more along the web.
 enum class FeedDirection { ShortEdgeFirst, LongEdgeFirst };
 
-// A film's measurement by photos on the water (core/inspection).
+// A film's measurement, from photos of the floating film (core/inspection).
 struct FilmMeasurement {
     QString date;                           // ISO date of the photos; empty: not measured
     std::optional<double> waterTemperature; // °C
     QString photos;      // SHA-256 of the photos' files, hexadecimal, separated by spaces
-    double residual = 0; // mm on the film, rms
-    // The measured swell and its error (95 %).
+    double residual = 0; // rms error, mm on the film
+    // The measured swell, and the errors of both values (95 %).
     double swellX = 0, swellY = 0;
-    double swellOffX = 0, swellOffY = 0;
+    double swellErrorX = 0, swellErrorY = 0;
     std::optional<double> growthRate, growthLimit; // none: the photos did not determine them
     std::optional<double> relaxationTime;          // s; measured by photos of a dipped part
     bool operator==(const FilmMeasurement&) const = default;
@@ -55,16 +55,16 @@ struct FilmMeasurement {
 struct FilmProfile : FilmBehaviour {
     QString name;
     Millimetres width{210}, height{297};
-    // None: the project's values are used.
+    // None: the project's value is used.
     std::optional<Degrees> overhang;
     std::optional<double> tearStretch;
-    InkLaw ink; // how ink thins on it; tones come from a step wedge
+    InkLaw ink; // how ink thins on this film; tones come from a step wedge
     FeedDirection feed = FeedDirection::ShortEdgeFirst;
-    Seconds soakTime{60};      // on the water, before the activator
-    Seconds activatorTime{10}; // from the activator to the dip
+    Seconds soakTime{60};      // time on the water before the activator
+    Seconds activatorTime{10}; // time from the activator to the dip
     // None: unknown.
-    std::optional<Seconds> flashTime;  // from the dip to the rinse
-    std::optional<Seconds> dryingTime; // before the body may be touched or dipped again
+    std::optional<Seconds> flashTime;  // time from the dip to the rinse
+    std::optional<Seconds> dryingTime; // time before the body may be touched or dipped again
     QString lot;
     QString expiry; // ISO date, or empty
     FilmMeasurement measured;
@@ -73,8 +73,8 @@ struct FilmProfile : FilmBehaviour {
 
 struct TankProfile {
     QString name;
-    Millimetres width{400}, length{600}; // of the water surface, along X and Z
-    Millimetres waterLevel{0};           // below the tank's rim
+    Millimetres width{400}, length{600}; // size of the water surface, along X and Z
+    Millimetres waterLevel{0};           // depth of the water surface below the tank's rim
     FilmEdges barriers;                  // sides of the film that barriers hold
     // Distances between the tank's marks along X and Z, for the person who lays the film. Nothing
     // is computed from them. 0: no marks.

@@ -91,7 +91,7 @@ bool isMoreBetter(Measure measure) {
            measure == Measure::Certain;
 }
 
-bool isOfTwoDips(Measure measure) {
+bool appliesToTwoDips(Measure measure) {
     return measure == Measure::Join || measure == Measure::Narrow;
 }
 
@@ -124,7 +124,7 @@ void requireValid(const SearchSettings& settings) {
     double sum = 0;
     for (const Measure measure : allMeasures()) {
         require(settings.aims.weights[measure], 0, mostWeight, measureKey(measure));
-        const bool counts = settings.immersions == 2 || !isOfTwoDips(measure);
+        const bool counts = settings.immersions == 2 || !appliesToTwoDips(measure);
         sum += counts ? settings.aims.weights[measure] : 0;
         if (const std::optional<double>& limit = settings.aims.limits[measure]) {
             require(*limit, 0, mostLimit(measure), measureKey(measure));

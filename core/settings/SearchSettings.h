@@ -1,4 +1,5 @@
-// The user's settings for the pose search: what counts and how much is tried (docs/pose-search.md).
+// The user's settings for the pose search: the goals, and the number of poses that are tried
+// (docs/pose-search.md).
 #pragma once
 
 #include "settings/ToleranceSettings.h"
@@ -21,7 +22,8 @@ enum class Measure : std::uint8_t {
     TrappedAir, // share of the surface that trapped air keeps from the film
     Join,       // length of the seam between two dips, mm; 0 for one dip
     Narrow,   // share of the seam whose overlap is too narrow for both films to fade; 0 for one dip
-    FilmUsed, // share of the sheet inside the box around its painting part; the mean of two dips
+    FilmUsed, // share of the sheet inside the bounding box of the film that paints; the mean of two
+              // dips
 };
 inline constexpr std::size_t measureCount = 10;
 const std::array<Measure, measureCount>& allMeasures();
@@ -34,7 +36,7 @@ struct PerMeasure {
     bool operator==(const PerMeasure&) const = default;
 };
 using PoseMeasures = PerMeasure<double>;
-// Larger stretches are not distinguished from this one.
+// Any larger stretch is treated as this one.
 inline constexpr double largestStretch = 15.99;
 
 QString measureKey(Measure measure);  // "quality", "trapped_air": name on the command line
@@ -42,9 +44,9 @@ QString measureName(Measure measure); // name for the user: "Quality", "Trapped 
 // Value with its unit: "93.1 %", "1.84", "≥ 16", "212 mm".
 QString measureText(Measure measure, double value);
 bool isMoreBetter(Measure measure);
-bool isOfTwoDips(Measure measure); // applies to pairs only
-double mostLimit(Measure measure); // largest limit that can be set, from 0
-QString zoneKey(std::size_t zone); // "zone_a"
+bool appliesToTwoDips(Measure measure); // applies to pairs only
+double mostLimit(Measure measure);      // a limit may be from 0 to this value
+QString zoneKey(std::size_t zone);      // "zone_a"
 
 // Allowed values of a setting, ends included.
 struct SettingRange {
@@ -52,13 +54,14 @@ struct SettingRange {
 };
 inline constexpr SettingRange directionsRange{6, 20'000}, simulatedRange{6, 2000},
     refinedRange{0, 50}, finerRange{1, 100}, confirmedRange{0, 20}, seedRange{0, 1'000'000};
-inline constexpr double mostWeight = 100, mostZoneWeight = 1000; // both from 0
+// The largest weights; the smallest is 0.
+inline constexpr double mostWeight = 100, mostZoneWeight = 1000;
 
 // The goals for a pose, which a project stores (project/Project.h).
 struct PoseAims {
-    // 0 to mostWeight each, not all 0 (docs/pose-search.md, "The objective").
+    // Each is 0 to mostWeight, and not all are 0 (docs/pose-search.md, "The objective").
     PerMeasure<double> weights{{1, 0.5, 0.1, 0.5, 0.1, 0.5, 0.5, 0.1, 0.2, 0.05}};
-    // Weights of a place's quality, 0 to mostZoneWeight.
+    // Weight of the quality in each zone, 0 to mostZoneWeight.
     std::array<double, zoneCount> zoneWeights{4, 2, 1};
     // The lower limit of a measure of which more is better, else the upper limit. Poses that break
     // a limit rank after all others.
@@ -68,21 +71,23 @@ struct PoseAims {
 
 struct SearchSettings {
     int immersions = 1;    // 1 or 2
-    int directions = 2000; // judged by geometry alone
-    int simulated = 96;    // of these, simulated by one coarse dip each
-    int refined = 6;       // of the best, refined in angle, turn and offset
-    int finer = 12;        // of the best, simulated with finer film, which ranks them
-    int confirmed = 3;     // of the best, simulated with the film and field of the job
-    int seed = 1;          // for the directions
+    int directions = 2000; // number of directions that are judged by geometry alone
+    int simulated = 96;    // number of these that are simulated by one coarse dip each
+    int refined = 6;       // number of the best that are refined in angle, turn and offset
+    int finer = 12;    // number of the best that are simulated with finer film, which ranks them
+    int confirmed = 3; // number of the best that are simulated with the film and field of the job
+    int seed = 1;      // for the random directions
     PoseAims aims;
     bool operator==(const SearchSettings&) const = default;
 };
 
 // Throws Error that names the setting and its limits.
 void requireValid(const SearchSettings& settings);
-// Set the weight or the limit of a measure, or the weight of zone A, B or C, by key. No value
-// removes the limit. Throw Error if the key is unknown or the value out of range.
+// Sets the weight of a measure or of zone A, B or C by its key. Throws Error if the key is unknown
+// or the value out of range.
 void setWeight(PoseAims& aims, const QString& key, double value);
+// Sets the limit of a measure by its key; no value removes the limit. Throws Error as setWeight()
+// does.
 void setLimit(PoseAims& aims, const QString& key, std::optional<double> value);
 
 } // namespace dipwright

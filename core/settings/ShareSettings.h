@@ -9,12 +9,12 @@
 
 namespace dipwright {
 
-// Marks that the user paints on the body to say where the seam may run.
+// The kinds of marks that the user paints on the body to say where the seam may run.
 enum class ShareMarkKind : std::uint8_t {
     First,  // dip 1 paints this
     Second, // dip 2 paints this
-    Avoid,  // no seam here if there is another way
-    Allow,  // a seam does no harm here
+    Avoid,  // the seam avoids this area if it can
+    Allow,  // the seam may run here
 };
 
 // A round spot on the body, or the whole face at a place.
@@ -31,8 +31,8 @@ struct ShareSettings {
     // Whether each dip paints only its share. If not, each paints everything that it reaches, and
     // the common area is painted twice.
     bool enabled = true;
-    Millimetres overlap{1.5}; // least width of the overlap along the seam, where both fade
-    Millimetres registrationError{0.7}; // of dip 2 relative to dip 1, to allow for
+    Millimetres overlap{1.5}; // least width of the overlap along the seam, in which both dips fade
+    Millimetres registrationError{0.7}; // expected position error of dip 2 relative to dip 1
     double stretchLimit = 3;            // length stretch above which the other dip should paint
     std::vector<ShareMark> marks;       // later marks override earlier ones
     bool operator==(const ShareSettings&) const = default;

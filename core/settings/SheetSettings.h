@@ -24,15 +24,15 @@ struct SheetSettings {
     bool marks = true;
     bool ruler = true;
     bool jobLine = true;
-    // In a CMYK PDF: the cut contour as a spot ink of this name, and its distance from the ink.
+    // The cut contour. A CMYK PDF has it in a spot ink of its own.
     CutLine cutLine = CutLine::None;
-    Millimetres cutDistance{3};
-    QString cutName = QStringLiteral("CutContour");
-    // How far all plates continue beyond the cut contour around the ink, in CMYK. The colours are
-    // those at the edge of the painted film. The film's edge limits it.
+    Millimetres cutDistance{3};                     // from the ink to the cut contour
+    QString cutName = QStringLiteral("CutContour"); // name of that spot ink
+    // Bleed of all plates beyond the cut contour around the ink, in CMYK. It continues the colours
+    // at the edge of the painted film, and ends at the film's edge.
     Millimetres cutBleed{0};
     WhiteLayer white = WhiteLayer::None;
-    double whiteDensity = 1; // wanted on the body, as a share of full tint
+    double whiteDensity = 1; // wanted density on the body, as a share of full tint
     // choke: how far white is smaller than the colour all round, on the film
     Millimetres whiteChoke{0.2};
     QString whiteName = QStringLiteral("White");

@@ -1,5 +1,5 @@
 // The user's settings for tolerances and zones: how exactly a job can be carried out, and how exact
-// it has to be. The project file's "tolerance".
+// it has to be. As in the project file's "tolerance".
 #pragma once
 
 #include "base/Units.h"
@@ -10,7 +10,8 @@
 
 namespace dipwright {
 
-// Parts of the body by how exactly they must be painted. Unmarked surface belongs to the last zone.
+// The zones of a body. They differ in how exactly they must be painted. Unmarked surface belongs to
+// the last zone.
 enum class Zone : std::uint8_t { A, B, C };
 inline constexpr std::size_t zoneCount = 3;
 
@@ -40,9 +41,9 @@ struct ToleranceSettings {
     Degrees filmTurn{0.3};     // rotation of the film on the water
     double swell = 0.005;      // share of the floating film's length
     Millimetres waterLevel{1}; // relative to the tank; changes how deep the body goes under
-    double speed = 0.05;       // share
+    double speed = 0.05;       // share of the dip speed
     double relaxation = 0.2;   // share of the relaxation time
-    int samples = 24;          // dips with all errors at once; 0: none
+    int samples = 24;          // number of simulated dips with all errors at once
     int seed = 1;              // for the random errors of these dips
     std::array<Millimetres, zoneCount> limits{Millimetres(0.3), Millimetres(0.7), Millimetres(1.5)};
     std::vector<ZoneMark> marks; // later marks override earlier ones

@@ -8,12 +8,12 @@
 
 namespace dipwright {
 
-// The verdict on a sheet; a later value is worse. NotJudged: nobody asked for its numerical error.
+// The verdict on a sheet; a later value is worse. NotJudged: its numerical error was not computed.
 enum class Advice : std::uint8_t { NotJudged, Print, CheckFirst, DoNotPrint };
 
-// Above a limit the verdict is "check first", above `spoiltTimes` the limit "do not print". Shares
-// are 0 … 1; 1 disables a limit. The defaults are our own choice: several times the values of
-// ordinary bodies (docs/film-validation.md, "The verdict").
+// Above a limit the verdict is "check first", above `doNotPrintFactor` the limit "do not print".
+// Shares are 0 … 1; 1 disables a limit. The defaults are our own choice: several times the values
+// of ordinary bodies (docs/film-validation.md, "The verdict").
 struct VerdictSettings {
     double air = 0.005;      // share of the body's surface that trapped air keeps dry
     double pale = 0.02;      // share of the painted area where ink cannot make up for the stretch
@@ -23,11 +23,12 @@ struct VerdictSettings {
     double zoneBare = 0.02; // share of a marked zone that no dip paints
     double damaged = 0.05;  // share of the painted area under torn or released film
     Millimetres edge{5};    // least distance of the painted film from the film's edge
-    Advice noPicture = Advice::CheckFirst; // a model of one plain colour, without artwork
-    Advice changedModel = Advice::Print;   // a model that was repaired or lacks something
-    Advice guessedFilm = Advice::Print;    // a film whose swell was not measured
+    // The verdict on a model of one plain colour, without artwork.
+    Advice noPicture = Advice::CheckFirst;
+    Advice changedModel = Advice::Print; // verdict on a model that was repaired or lacks something
+    Advice guessedFilm = Advice::Print;  // verdict on a film whose swell was not measured
     bool operator==(const VerdictSettings&) const = default;
 };
-inline constexpr double spoiltTimes = 5;
+inline constexpr double doNotPrintFactor = 5;
 
 } // namespace dipwright

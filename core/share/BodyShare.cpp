@@ -21,25 +21,29 @@ struct Text {
 };
 
 // Chosen constants (docs/film-model.md, "Two dips, one body").
-constexpr double fineTriangles = 40'000; // target number, if the body has fewer
-// A mm of seam costs as much as this many mm² of body at cost 1.
-constexpr double joinWeight = 20;
-constexpr float reachEdgeCost = 5;       // cost of a mm² at the end of a dip's film
-constexpr float reachEdgeWidth = 0.75f;  // in overlap widths: distance from there to cost 0
-constexpr double smoothing = 3;          // mm; at least two fine triangles
+// A body with fewer triangles is refined to about this number.
+constexpr double fineTriangles = 40'000;
+// 1 mm of seam costs as much as this many mm² of body at cost 1.
+constexpr double seamWeight = 20;
+constexpr float reachEdgeCost = 5; // cost of 1 mm² of body at the end of a dip's film
+// In overlap widths: distance from the film's end at which reachEdgeCost has fallen to 0.
+constexpr float reachEdgeWidth = 0.75f;
+constexpr double smoothing = 3;          // width of the smoothing, mm; at least two fine triangles
 constexpr double stretchQuantile = 0.75; // quantile of the stretches along the seam
-constexpr double leastSwapRatio = 1.1;   // ratio of the stretches
-constexpr float farthest = 1e4f;         // in overlap widths
-constexpr double leastListedArea = 1;    // mm²; smaller places are not listed
+// Ratio of the two films' stretches from which a dip order is recommended.
+constexpr double leastSwapRatio = 1.1;
+constexpr float farthest = 1e4f;      // in overlap widths: limit of distances from the seam
+constexpr double leastListedArea = 1; // mm²; smaller places are not listed
 
 using Films = std::array<std::shared_ptr<const LaidFilm>, 2>;
 using Suitabilities = std::array<Suitability, 2>;
 
-// What a dip reaches, per position.
+// The part of the body that a dip reaches, per mesh position.
 struct Reach {
-    // In overlap widths from the end of its film; 0 past it, infinite if it reaches everything.
+    // Distance from the end of the dip's film, in overlap widths; 0 where the film does not reach,
+    // infinite if the film reaches everything.
     std::vector<float> depth;
-    std::vector<std::uint8_t> touches; // 1 if it reaches a triangle at the position
+    std::vector<std::uint8_t> touches; // 1 if the dip reaches a triangle at the position
 };
 using Reaches = std::array<Reach, 2>;
 
@@ -86,7 +90,7 @@ std::vector<std::uint8_t> cutBody(const RefinedMesh& body, std::vector<std::arra
     applyShareMarks(body.mesh(), settings.marks, costs, weights);
     std::vector<CutEdge> edges = seamCutEdges(body, weights);
     for (CutEdge& edge : edges) {
-        edge.cost *= joinWeight;
+        edge.cost *= seamWeight;
     }
     return minimumCut(costs, edges);
 }
@@ -99,8 +103,8 @@ std::vector<std::uint32_t> trianglesOf(const std::vector<LinePiece>& line) {
     return triangles;
 }
 
-// Returns the stretch of the film in these triangles, without the most stretched quarter. A
-// displacement on the water is multiplied by it on the body.
+// Returns the third quartile of the film's stretch in these triangles. A displacement on the water
+// is multiplied by this stretch on the body.
 double stretchOf(const std::vector<std::uint32_t>& triangles, const std::vector<float>& stretch,
                  double stretchLimit) {
     std::vector<float> stretches;
@@ -116,9 +120,9 @@ double stretchOf(const std::vector<std::uint32_t>& triangles, const std::vector<
     return std::clamp(double(*least), 1.0, stretchLimit);
 }
 
-// Returns the fade where the two films reach over each other by less than the overlap. It is ½
-// where the first dip gives all the colour and −½ where the second does.
-float between(const Reaches& reaches, std::size_t position) {
+// Returns the fade where the films overlap by less than the overlap width. The fade is ½ where only
+// the first dip gives colour and −½ where only the second does.
+float fadeBetween(const Reaches& reaches, std::size_t position) {
     const float first = reaches[0].depth[position];
     const float second = reaches[1].depth[position];
     return first + second > 0
@@ -126,14 +130,14 @@ float between(const Reaches& reaches, std::size_t position) {
                : float(reaches[0].touches[position] - reaches[1].touches[position]) / 2;
 }
 
-// Moves the seam so that the overlap lies where both dips reach. Elsewhere the dip that reaches
-// gives all the colour.
+// Moves the seam so that the overlap lies where both dips reach. A place that only one dip reaches
+// gets all its colour from that dip.
 void keepInReach(std::vector<float>& fade, const Reaches& reaches) {
     for (std::size_t position = 0; position < fade.size(); ++position) {
         const float least = 0.5f - reaches[1].depth[position];
         const float most = reaches[0].depth[position] - 0.5f;
         fade[position] =
-            least > most ? between(reaches, position) : std::clamp(fade[position], least, most);
+            least > most ? fadeBetween(reaches, position) : std::clamp(fade[position], least, most);
     }
 }
 

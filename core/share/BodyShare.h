@@ -31,12 +31,12 @@ struct OverlapWidth {
 // A connected piece of the body that neither dip reaches.
 struct UnpaintedPlace {
     double area = 0; // mm²
-    // On it, near its middle; model coordinates, mm.
+    // A point of the piece near its middle; model coordinates, mm.
     Eigen::Vector3f place = Eigen::Vector3f::Zero();
 };
 
-// How visible a line on the body is: the integral along it of the texture's contrast times the
-// visibility of the place. Both range from 0.1 to about 1.
+// How visible a line on the body is. `cost` is the integral along the line of the texture's
+// contrast times the place's visibility. Both factors range from 0.1 to about 1.
 struct SeamCost {
     double length = 0; // mm
     double cost = 0;   // mm
@@ -49,16 +49,16 @@ struct BodyShare {
     std::vector<Painter> painters;                    // per fine triangle
     std::vector<std::array<Eigen::Vector3f, 2>> join; // the seam, in pieces; model coordinates, mm
     OverlapWidth overlap;
-    // Share of the overlap that is too narrow for the registration error. A second film displaced
-    // by that error shows there by more than 0.1 of full reflectance.
+    // Share of the overlap that is too narrow for the registration error. If the second film is
+    // displaced by that error, the reflectance there changes by more than 0.1.
     double narrow = 0;
     ShareAreas areas;
-    // Stretch of each dip's film along the seam: its third quartile. A displacement of the film on
-    // the water is multiplied by it on the body.
+    // Third quartile of the stretch of each dip's film along the seam. A displacement of the film
+    // on the water is multiplied by this stretch on the body.
     std::array<double, 2> seamStretch{1, 1};
-    SeamCost cost; // of the seam
-    // For comparison: cost of the plane halfway between the two poses, moved so that everything
-    // that a dip reaches is painted.
+    SeamCost cost; // cost of the seam
+    // For comparison: cost of the plane halfway between the two poses. It is moved so that
+    // everything that a dip reaches is painted.
     SeamCost equator;
     std::vector<UnpaintedPlace> unpainted; // largest first
 
@@ -66,14 +66,15 @@ struct BodyShare {
     PaintShare of(std::size_t number) const { return {fade, number == 0, narrowest}; }
 };
 
-// `films` are the two dips of `model`. Uses all cores; deterministic. Throws Cancelled.
+// Splits the body of `model` between its two dips; `films` are their results. Uses all cores;
+// deterministic. Throws Cancelled.
 BodyShare shareBody(const TexturedMesh& model,
                     const std::array<std::shared_ptr<const LaidFilm>, 2>& films,
                     const ShareSettings& settings, const InkSettings& ink,
                     const Progress& progress);
 
 // Returns which dip (0 or 1) should come last: the one whose film is stretched less along the seam,
-// because only the last film is misregistered. Returns nothing if they hardly differ.
+// because only the last film is misregistered. Returns nothing if the stretches hardly differ.
 std::optional<std::size_t> recommendedLastDip(const BodyShare& share);
 
 } // namespace dipwright

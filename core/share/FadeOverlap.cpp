@@ -11,12 +11,15 @@ namespace dipwright {
 namespace {
 
 // Chosen constants (docs/film-model.md, "Two dips, one body").
-constexpr double visibleStep = 0.1; // reflectance
+constexpr double visibleStep = 0.1; // smallest visible difference of reflectance
 constexpr double darkest = 0.01;    // reflectance of printed black
-constexpr double leastBand = 0.1;   // mm
-constexpr float gapRatio = 2; // film longer than the body under it by this factor has a gap there
-constexpr float widthReserve = 1.15f;   // factor, because neighbouring film may be stretched less
-constexpr double widthTolerance = 0.05; // tolerance for a fade of exactly the needed width
+constexpr double leastBand = 0.1;   // narrowest overlap, mm
+// Film has a gap where the flat film is more than this many times as long as the body under it.
+constexpr float gapRatio = 2;
+// Factor on the overlap width, because neighbouring film may be stretched less.
+constexpr float widthReserve = 1.15f;
+// Relative tolerance, so that a fade of exactly the needed width passes.
+constexpr double widthTolerance = 0.05;
 
 using Corners = std::array<Eigen::Vector3f, 3>;
 
@@ -25,8 +28,8 @@ std::array<float, 3> lengthsOf(const Corners& corners) {
             (corners[0] - corners[2]).norm()};
 }
 
-// Returns where the film on a fine triangle was when it was flat. Returns nothing if the film does
-// not cover the whole triangle in one piece.
+// Returns the corners that the film on a fine triangle had when it was flat. Returns nothing if the
+// film does not cover the whole triangle in one piece.
 std::optional<Corners> onFlatFilm(const RefinedMesh& body, std::uint32_t triangle,
                                   const LaidFilm& laid) {
     Corners flat;
@@ -74,9 +77,9 @@ Eigen::Matrix2f edgesInPlane(const Corners& corners) {
     return edges;
 }
 
-// Returns a triangle scaled to overlap widths. The overlap is `band` mm wide in the units of
-// `measured`, and at least `least` mm wide on the body in every direction.
-Corners inBands(const Corners& measured, const Corners& onBody, float band, float least) {
+// Returns the triangle with all lengths in overlap widths. An overlap width is `band` mm in
+// `measured`, and at least `least` mm on the body in every direction.
+Corners inOverlapWidths(const Corners& measured, const Corners& onBody, float band, float least) {
     const Eigen::Matrix2f body = edgesInPlane(onBody);
     if (!(body.determinant() > 0)) {
         return onBody;
@@ -93,10 +96,11 @@ Corners inBands(const Corners& measured, const Corners& onBody, float band, floa
 } // namespace
 
 double neededOverlap(const LinearColour& colour, double error, double least) {
-    double share = 1; // of the overlap width that the error may reach
+    double share = 1; // largest displacement of the film, as a share of the overlap width
     for (const float channel : colour) {
         const double light = std::clamp(double(channel), darkest, 0.999);
-        // Ink missing: light^(1 − x) − light. Too much ink: light − light^(1 + x).
+        // If a share x of the density is missing, the light rises by light^(1 − x) − light. If a
+        // share x is added, the light falls by light − light^(1 + x).
         if (light + visibleStep < 1) {
             share = std::min(share, 1 - std::log(light + visibleStep) / std::log(light));
         }
@@ -119,8 +123,8 @@ FadeOverlap::FadeOverlap(const RefinedMesh& body, const LaidFilm& second,
     const std::vector<float> around = largestAround(body.mesh(), needed_);
     parallelFor(std::size_t(0), measure_.size(), [&](std::size_t triangle) {
         const Corners corners = cornersOf(body.mesh(), triangle);
-        measure_[triangle] = inBands(flat_[triangle].value_or(corners), corners,
-                                     widthReserve * around[triangle], narrowest_);
+        measure_[triangle] = inOverlapWidths(flat_[triangle].value_or(corners), corners,
+                                             widthReserve * around[triangle], narrowest_);
     });
 }
 

@@ -21,7 +21,7 @@ struct Arc {
 };
 using Network = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, Node, Arc>;
 
-// Converts to integers, because their sums are exact and the flow search then terminates.
+// Converts a cost to an integer. Sums of integers are exact, so the flow search terminates.
 std::int64_t whole(double cost) {
     return std::int64_t(std::min(std::max(cost, 0.0), 1e9) * 1e4);
 }
@@ -39,7 +39,7 @@ void connect(Network& network, std::size_t from, std::size_t to, std::int64_t th
 std::vector<std::uint8_t> minimumCut(const std::vector<std::array<double, 2>>& costs,
                                      const std::vector<CutEdge>& edges) {
     const std::size_t items = costs.size();
-    const std::size_t source = items; // side of label 0
+    const std::size_t source = items; // stands for label 0
     const std::size_t sink = items + 1;
     Network network(items + 2);
     for (std::size_t item = 0; item < items; ++item) {

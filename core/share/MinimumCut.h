@@ -13,8 +13,9 @@ struct CutEdge {
 };
 
 // Returns the label of each item, 0 or 1, that minimises the sum of all costs. `costs` holds per
-// item the cost of label 0 and of label 1, ≥ 0. An edge counts if its items have different labels.
-// This is a minimum cut (Greig, Porteous & Seheult 1989). Deterministic, also among equal sums.
+// item the cost of label 0 and of label 1, ≥ 0. The cost of an edge is added if its items have
+// different labels. This is a minimum cut (Greig, Porteous & Seheult 1989). Deterministic, even if
+// several solutions have the same sum.
 std::vector<std::uint8_t> minimumCut(const std::vector<std::array<double, 2>>& costs,
                                      const std::vector<CutEdge>& edges);
 

@@ -11,21 +11,22 @@ namespace dipwright {
 namespace {
 
 // Chosen constants (docs/film-model.md, "Two dips, one body").
-constexpr float leastContrast = 0.1f;   // of a plain place, so that a short seam is better
-constexpr float leastVisibility = 0.1f; // of a place that no light reaches
+// Contrast of a plain place; above 0, so that a short seam costs less.
+constexpr float leastContrast = 0.1f;
+constexpr float leastVisibility = 0.1f; // visibility of a place that no light reaches
 // Difference of sRGB values (0 … 1) that counts as full contrast.
 constexpr float fullContrast = 0.3f;
 constexpr float creaseAngle = 30; // degrees; a sharper edge of the body is a crease
 constexpr float creaseWeight = 0.5f;
 constexpr int lines = 24; // lines of sight from each place
 
-// sRGB values; black to white is 0 … 1.
+// Returns sRGB values; black is 0 and white is 1.
 Eigen::Array3f encoded(const LinearColour& colour) {
     return colour.unaryExpr([](float linear) { return float(srgbFromLinear(double(linear))); });
 }
 
-// Returns the sample places of each fine triangle for its texture: the middle and one near each
-// corner.
+// Returns the places at which the texture of each fine triangle is sampled: its middle and one
+// place near each corner.
 std::vector<SurfacePoint> samplePlaces(const RefinedMesh& body) {
     const std::size_t triangles = body.mesh().triangles.size();
     std::vector<SurfacePoint> places(4 * triangles);
@@ -66,7 +67,7 @@ std::vector<float> contrasts(const std::vector<LinearColour>& sampled,
     return contrast;
 }
 
-// Directions over a plane facing +Z, cosine-weighted like diffuse light on paper.
+// Returns directions above a plane that faces +Z, cosine-weighted like diffuse light on paper.
 std::array<Eigen::Vector3f, lines> linesOfSight() {
     std::array<Eigen::Vector3f, lines> directions;
     for (int k = 0; k < lines; ++k) {

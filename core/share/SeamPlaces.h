@@ -16,20 +16,22 @@ struct SeamPlaces {
     std::vector<float> weights;
 };
 
-// `model` has the coarse mesh of `body`; `query` must be of that mesh. Uses all cores.
+// Rates the fine triangles of `body`. `model` has the coarse mesh of `body`; `query` must be of
+// that mesh. Uses all cores.
 SeamPlaces seamPlaces(const RefinedMesh& body, const TexturedMesh& model,
                       const SurfaceQuery& query);
 
 // Returns the edges between fine triangles with the cost of a seam along each, mm. The cost is the
-// length times the weight there; it is lower along a crease.
+// edge's length times the weight there; it is lower along a crease.
 std::vector<CutEdge> seamCutEdges(const RefinedMesh& body, const std::vector<float>& weights);
 
-// zeroLine() returns the line where `field` is 0, one piece per triangle that it crosses. `field`
-// is per position.
+// A piece of a line on the body, within one triangle.
 struct LinePiece {
     std::uint32_t triangle = 0;
     std::array<Eigen::Vector3f, 2> ends;
 };
+// Returns the line where `field` is 0, one piece per triangle that the line crosses. `field` is per
+// position.
 std::vector<LinePiece> zeroLine(const TriangleMesh& mesh, const std::vector<float>& field);
 
 SeamCost seamCost(const std::vector<LinePiece>& line, const std::vector<float>& weights);

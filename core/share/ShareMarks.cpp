@@ -8,8 +8,8 @@ namespace {
 
 // Chosen constants (docs/film-model.md, "Two dips, one body").
 constexpr double assignedCost = 1e5; // cost of a mm² that the user assigned to the other dip
-constexpr float avoidFactor = 20;    // factor on the visibility
-constexpr float allowFactor = 0.05f; // factor on the visibility
+constexpr float avoidFactor = 20;    // factor on a seam's visibility where the user avoids a seam
+constexpr float allowFactor = 0.05f; // factor on a seam's visibility where the user allows a seam
 
 SurfacePoint placeOf(const ShareMark& mark, const SurfaceQuery& query) {
     return query
@@ -18,7 +18,7 @@ SurfacePoint placeOf(const ShareMark& mark, const SurfaceQuery& query) {
         .point;
 }
 
-// Returns the edges between triangles of a set and other triangles.
+// Returns the edges between triangles of a set and triangles outside the set.
 std::vector<std::array<Eigen::Vector3f, 2>> borderOf(const TriangleMesh& mesh,
                                                      const std::vector<std::uint32_t>& set) {
     std::vector<std::uint8_t> isIn(mesh.triangles.size());
@@ -46,7 +46,7 @@ markOutline(const TriangleMesh& mesh, const SurfaceQuery& query, const ShareMark
     const SurfacePoint middle = placeOf(mark, query);
     const auto radius = float(mark.radius.value());
     if (radius <= 0) {
-        return borderOf(mesh, faceRound(mesh, middle.triangle));
+        return borderOf(mesh, faceAround(mesh, middle.triangle));
     }
     std::vector<float> inside = distanceFrom(mesh, middle, 2 * radius);
     for (float& value : inside) {
@@ -71,7 +71,7 @@ void applyShareMarks(const TriangleMesh& mesh, const std::vector<ShareMark>& mar
         const SurfacePoint middle = placeOf(mark, query);
         const auto radius = float(mark.radius.value());
         for (const std::uint32_t triangle : radius > 0 ? trianglesWithin(mesh, middle, radius)
-                                                       : faceRound(mesh, middle.triangle)) {
+                                                       : faceAround(mesh, middle.triangle)) {
             const double area = triangleArea(mesh, triangle);
             switch (mark.kind) {
             case ShareMarkKind::First:

@@ -9,7 +9,7 @@
 namespace dipwright {
 namespace {
 
-constexpr double solved = 1e-6; // residual over right-hand side; moves the line by less than 1 µm
+constexpr double solved = 1e-6; // relative residual of the solver; moves the line by less than 1 µm
 constexpr int mostIterations = 500;
 
 // Cotangent of the angle between two sides of a triangle.

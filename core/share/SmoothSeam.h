@@ -13,15 +13,15 @@ std::vector<float> smoothBorder(const TriangleMesh& mesh, const std::vector<std:
                                 double width);
 
 // Returns the distance of each position from the zero line of `field` along the surface, with the
-// sign of `field`. Distances are clamped to `limit`, which is also the result if there is no zero
-// line. `measured` is as in surfaceDistance().
+// sign of `field`. Distances are limited to `limit`. If there is no zero line, all distances are
+// `limit`. `measured` is as in surfaceDistance().
 std::vector<float> signedDistance(const TriangleMesh& mesh, const std::vector<float>& field,
                                   float limit, const UnfoldedTriangles& measured = {});
 
 // Returns the length of the gradient of a function that is linear in a triangle and has these
 // corner values, per mm.
 float steepness(const std::array<Eigen::Vector3f, 3>& corners, const std::array<float, 3>& values);
-// The same in one triangle of a mesh; `field` is per position.
+// Returns the length of the gradient in one triangle of a mesh; `field` is per position.
 float steepness(const TriangleMesh& mesh, std::size_t triangle, const std::vector<float>& field);
 
 } // namespace dipwright

@@ -9,13 +9,14 @@
 namespace dipwright {
 namespace {
 
-// Chosen costs of a mm² (docs/film-model.md, "Two dips, one body").
+// Chosen costs of 1 mm² (docs/film-model.md, "Two dips, one body").
 constexpr float notReached = 20;
 constexpr float pastStretchLimit = 10;
 constexpr float marked = 2;
 constexpr float tooPale = 1;
-constexpr float doubledArea = 0.5f; // and as much again for every further doubling
-constexpr float upwards = 1;        // facing straight up; half of it on upright faces
+// Where the film's area has doubled; added again for every further doubling.
+constexpr float doubledArea = 0.5f;
+constexpr float upwards = 1; // on faces that face straight up; half of it on upright faces
 
 float costThere(const LaidFilm& laid, const FilmPlace& place, const LinearColour& colour,
                 double stretchLimit, const InkCompensation& ink) {

@@ -11,13 +11,15 @@ namespace dipwright {
 // All arrays are per fine triangle.
 struct Suitability {
     std::vector<std::uint8_t> reached; // 1 if the dip paints its middle
-    std::vector<float> stretch; // larger principal stretch of the film there; 1 where there is none
-    std::vector<float> cost;    // of painting it with this dip, per mm²; 0 is ideal
+    // Larger principal stretch of the film there; 1 where there is no film.
+    std::vector<float> stretch;
+    std::vector<float> cost; // cost of painting 1 mm² of the triangle with this dip; 0 is ideal
 };
 
-// The cost depends on whether the dip paints the place and whether the film there is marked. It
-// also depends on the stretch of that film, on its ink, and on how steeply the body meets the
-// water. `colours` are the colours that the fine triangles are to show. Uses all cores.
+// Rates one dip. The cost of a triangle depends on whether the dip paints it and whether the film
+// there is marked. It also depends on the stretch of that film, on its ink, and on how steeply the
+// body meets the water. `colours` are the colours that the fine triangles are to show. Uses all
+// cores.
 Suitability suitability(const RefinedMesh& body, const LaidFilm& laid,
                         const std::vector<LinearColour>& colours, double stretchLimit,
                         const InkSettings& ink);

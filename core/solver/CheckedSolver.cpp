@@ -20,12 +20,14 @@ struct Text {
 };
 
 constexpr int mostIdleCalls = 10'000; // calls of advance() without a step
-// Steps of one dip: more than the fastest solver does in a day with the smallest film.
+// Limit for the steps of one dip: more than the fastest solver does in a day with the smallest
+// film.
 constexpr std::int64_t mostSteps = 1'000'000'000;
-// After this many steps the body must on average have moved down by this many mm per step. That is
-// a tenth of the slowest dip in the shortest step that a project may have.
+// After this many steps the body's mean descent is checked.
 constexpr std::int64_t stepsToJudge = 1'000'000;
-constexpr double leastWay = 1e-8;
+// Least mean descent in one step, mm: 10 % of the slowest dip with the shortest step that a
+// project may have.
+constexpr double leastMeanDescent = 1e-8;
 // Without any descent a film may take as many steps as the dip has time steps, plus these.
 constexpr std::int64_t stepsAtRest = 1000;
 constexpr std::int64_t mostIterationsOfAStep = 1'000'000; // of the linear solver
@@ -56,7 +58,7 @@ auto guarded(const Call& call) {
     } catch (const Cancelled&) {
         throw;
     } catch (const Error&) {
-        throw; // not the module's
+        throw; // not an exception of the module
     } catch (const std::exception& failure) {
         const QString said = moduleText(QString::fromUtf8(failure.what()));
         said.isEmpty() ? failUnknown() : fail(said);
@@ -92,7 +94,7 @@ bool isWithin(double travel, double descent) {
     return descent >= 0 && descent <= travel * (1 + travelTolerance); // false for NaN
 }
 
-// Checks the account of a dip with `steps` steps.
+// Checks the convergence values of a dip with `steps` steps.
 void requireEquilibrium(const solver::EquilibriumAccount& account, std::int64_t steps) {
     const bool isGood =
         account.stepsWithout >= 0 && account.stepsWithout <= steps &&
@@ -110,7 +112,7 @@ void requireForward(const solver::DipState& now, const solver::DipState& before,
 }
 
 bool isCrawling(const solver::DipState& state) {
-    return state.steps >= stepsToJudge && state.descent < double(state.steps) * leastWay;
+    return state.steps >= stepsToJudge && state.descent < double(state.steps) * leastMeanDescent;
 }
 
 std::int64_t mostStepsAtRest(const solver::DipSetup& setup) {
@@ -171,12 +173,12 @@ private:
     std::unique_ptr<solver::FilmSolver> film_;
     solver::DipState state_;
     int idleCalls_ = 0;
-    std::int64_t stepsDown_ = 0; // step of the last descent
+    std::int64_t stepsDown_ = 0; // number of steps when the body last moved down
     std::int64_t mostAtRest_ = mostSteps;
     double travel_ = std::numeric_limits<double>::max(); // until begin()
 };
 
-// Forwards the question whether a batch is cancelled, and remembers the answer.
+// Calls the host's CancelFunction for a batch, and remembers the answer.
 struct Stop {
     solver::CancelFunction isCancelled;
     void* context;

@@ -26,14 +26,14 @@ private:
 enum class LoadFault : std::uint8_t {
     NotLoadable, // the system cannot load it; the detail says why
     NoEntryPoint,
-    FailedAtStart, // the detail is the message of its exception
+    FailedAtStart, // the detail is the message of the module's exception
     FailedUnknown,
-    DoesNotFit, // built for another interface than this program's
-    Unavailable // the detail is its own sentence
+    DoesNotFit, // built for another version of the solver interface
+    Unavailable // the detail is the module's own sentence
 };
 
-// A refusal by fault and detail, so that a process without the user's language can pass it to one
-// that translates it.
+// A refusal that keeps fault and detail apart. A process that does not know the user's language can
+// pass them to a process that translates them.
 class LoadFailure : public Refusal {
 public:
     // The detail is shortened as ModuleText.h says.
@@ -48,7 +48,7 @@ private:
 
 struct LoadedModule {
     const solver::SolverModule* module = nullptr; // lives as long as the process
-    QString device; // description for the user; empty if it gives none
+    QString device; // the module's description for the user; empty if it gives none
 };
 
 // Loads the module and asks whether it can run here. Throws LoadFailure.

@@ -5,8 +5,8 @@
 
 namespace dipwright {
 
-// Returns the text in one line, shortened to fit into a sentence; empty if there is nothing to
-// read.
+// Returns the text in one line, shortened to fit into a sentence; empty if it has no visible
+// characters.
 inline QString moduleText(const QString& said) {
     constexpr int mostLetters = 500;
     return oneLine(said).simplified().left(mostLetters);

@@ -73,10 +73,11 @@ public:
     // From now on answers contain `points` points.
     void expect(std::size_t points) { mostBytes_ = bytesOfAnAnswer + points * bytesOfAPoint; }
 
-    // Throws Cancelled, or std::runtime_error. Its message is the module's, or says what happened
-    // to the process, such as a timeout after `seconds` without a sign of life.
+    // Sends a request and returns the answer. Throws Cancelled, or std::runtime_error. The error's
+    // message is the module's, or says what happened to the process. After `seconds` without a sign
+    // of life, that is a timeout.
     MessageReader ask(const MessageWriter& request, const IsCancelled& isCancelled,
-                      int seconds = secondsOfACall()) {
+                      int seconds = callTimeoutSeconds()) {
         const auto length = std::uint64_t(request.bytes().size());
         process_.write(reinterpret_cast<const char*>(&length), sizeof length);
         process_.write(request.bytes());
@@ -137,7 +138,7 @@ private:
         const auto length = frameLength();
         return length && std::uint64_t(received_.size()) - sizeof *length >= *length;
     }
-    // Otherwise an endless answer would fill the memory.
+    // Stops the process if its answer is too long. An endless answer would fill the memory.
     void refuseEndless() {
         if (frameLength().value_or(0) > mostBytes_) {
             end();
@@ -164,7 +165,7 @@ private:
         process_.kill();
         process_.waitForFinished(1000);
     }
-    // Ends the group once: after the process's end is known, its number may belong to another
+    // Ends the group only once: after the process's end is known, its number may belong to another
     // process.
     void endStarted() { endGroup(std::exchange(leader_, 0)); }
 
@@ -240,11 +241,12 @@ public:
         : modulePath_(modulePath) {
         try {
             SolverProcess process(modulePath_);
-            device_ = process
-                          .ask(
-                              message(SolverRequest::Describe),
-                              [&] { return cancelToken.isCancelled(); }, secondsOfADescription())
-                          .takeText();
+            device_ =
+                process
+                    .ask(
+                        message(SolverRequest::Describe), [&] { return cancelToken.isCancelled(); },
+                        descriptionTimeoutSeconds())
+                    .takeText();
         } catch (const Refusal&) {
             throw;
         } catch (const Cancelled&) {

@@ -11,12 +11,14 @@
 namespace dipwright {
 
 // Loads the module in a separate process, the program dipwright-solver, and asks it whether it can
-// run here. Throws Refusal (LoadModule.h), also if it crashes or takes too long, and Cancelled.
+// run here. Throws Refusal (LoadModule.h) if the module cannot run, crashes or takes too long.
+// Throws Cancelled if cancelled.
 //
-// Each film and each batch of the module has its own process. The process ends with it, as does
-// everything that the module started there (ProcessGroup.h). If the process crashes, takes too long
-// or is killed, std::runtime_error is thrown with a message. Crashes and timeouts are remembered
-// (LoadMarker.h). The films are StoppableFilms. Throws Error if dipwright-solver is missing.
+// Each film and each batch of the module has its own process. The process ends with the film or
+// batch, and so does everything that the module started there (ProcessGroup.h). If the process
+// crashes, takes too long or is killed, std::runtime_error is thrown with a message. Crashes and
+// timeouts are remembered (LoadMarker.h). The films are StoppableFilms. Throws Error if
+// dipwright-solver is missing.
 std::unique_ptr<solver::SolverModule> outOfProcessSolver(const QString& modulePath,
                                                          const CancelToken& cancelToken);
 

@@ -12,8 +12,9 @@ namespace dipwright {
 // starts, except processes that leave the group. Keyboard interrupts no longer reach it.
 void leadGroup(QProcess& process);
 
-// Kills all processes left in the group of `leader`, and `leader` itself; 0: none. Call it at the
-// latest when the leader's end is known: afterwards its number may belong to another process.
+// Kills all processes left in the group of `leader`, and `leader` itself. Does nothing if `leader`
+// is 0. Call it at the latest when the leader's end is known: afterwards its number may belong to
+// another process.
 void endGroup(qint64 leader);
 
 // Ends this process and, if it leads a group, everything in that group.

@@ -1,5 +1,5 @@
-// Messages between the program and a solver in a separate process. Both are from one build and on
-// one machine, so values are sent as they lie in memory.
+// Messages between the program and a solver in a separate process. Both sides come from one build
+// and run on one machine, so values are sent in their memory layout.
 #pragma once
 
 #include <dipwright/FilmSolver.h>
@@ -14,6 +14,7 @@
 
 namespace dipwright {
 
+// Each comment says: contents of the request -> contents of the answer.
 enum class SolverRequest : std::uint8_t {
     Describe,  // -> device
     Begin,     // setup ->
@@ -58,8 +59,8 @@ private:
     QByteArray bytes_;
 };
 
-// Throws std::runtime_error if the message is shorter than what is read: the module in the other
-// process may have corrupted its memory.
+// Reads values from a message. Throws std::runtime_error if the message is too short, because a
+// module may corrupt the memory of its process.
 class MessageReader {
 public:
     explicit MessageReader(QByteArray bytes) : bytes_(std::move(bytes)) {}
@@ -76,7 +77,7 @@ public:
         copy(values.data(), values.size() * sizeof(Value));
         return values;
     }
-    // Fills `values`; throws if the message has another number of them.
+    // Fills `values`. Throws if the message has another number of values.
     template <typename Value>
     void takeInto(std::span<Value> values) {
         if (count(sizeof(Value)) != values.size()) {

@@ -37,7 +37,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(SolverRegistry)
 };
 
-// A plugin and its state of loading.
+// A plugin, and how far it is loaded.
 struct Plugin {
     SolverInfo info;
     bool isShipped = false;                       // comes with the program and is loaded into it
@@ -71,7 +71,7 @@ QJsonObject readJson(const QString& path) {
     return document.object();
 }
 
-// "auto" compares priorities; a plugin without one has 0.
+// Returns the priority by which "auto" chooses; 0 if the plugin gives none.
 int priorityOf(const QJsonValue& value) {
     const int priority = value.toInt(value.isUndefined() ? 0 : std::numeric_limits<int>::max());
     if (std::abs(std::int64_t(priority)) > mostPriority) {
@@ -132,7 +132,8 @@ void refuseCrashed(const QString& modulePath) {
     }
 }
 
-// If somebody else can put a module or a link there, that person decides what code would run.
+// Throws Refusal if other users can change the plugin's files: they could then decide what code
+// this program runs.
 void refuseOthersFolder(const SolverInfo& info) {
     const QString folder = QFileInfo(info.metadataPath).path();
     for (const QString& path : {folder, info.metadataPath, info.modulePath}) {
@@ -153,7 +154,7 @@ void loadShipped(Plugin& plugin) {
 
 void loadContained(Plugin& plugin, const CancelToken& cancelToken) {
     // Anyone who could replace a module in the program's own folders could also replace the
-    // program. And in an archive that root unpacks, these folders belong to the person who packed
+    // program. Besides, if root unpacks an archive, these folders belong to the person who packed
     // it.
     if (!plugin.isShipped) {
         refuseOthersFolder(plugin.info);
@@ -203,7 +204,8 @@ QStringList canonical(const QStringList& folders) {
     return places;
 }
 
-// The first plugin with an id keeps it; later ones get another id by which they can be chosen.
+// Returns an id that no plugin has. The first plugin with an id keeps it; later ones get another id
+// by which they can be chosen.
 QString freeId(const QString& id, const std::vector<Plugin>& plugins) {
     const auto isTaken = [&](const QString& wanted) {
         return std::any_of(plugins.begin(), plugins.end(),
@@ -251,7 +253,7 @@ Plugin& SolverRegistry::Data::plugin(const QString& id, const CancelToken& cance
     return id == QLatin1String("auto") ? best(cancelToken) : named(id, cancelToken);
 }
 
-// The highest priority first; equal priorities keep their order.
+// Returns the plugins with the highest priority first. Equal priorities keep their order.
 std::vector<Plugin*> SolverRegistry::Data::byPriority() {
     std::vector<Plugin*> sorted;
     for (Plugin& plugin : plugins) {

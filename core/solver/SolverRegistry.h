@@ -46,20 +46,20 @@ public:
     SolverRegistry(const SolverRegistry&) = delete;
     SolverRegistry& operator=(const SolverRegistry&) = delete;
 
-    // Loading a module in its own process can be cancelled by the token: Cancelled is thrown, and
-    // the module is loaded again at the next request.
+    // In the functions below, `cancelToken` cancels the loading of a module in its own process.
+    // They then throw Cancelled, and the next request loads the module again.
 
-    // All plugins found, sorted by id, from their metadata. No module is loaded, so none is marked
-    // as available yet.
+    // Returns all plugins found, sorted by id, as their metadata describes them. Loads no module,
+    // so no plugin is marked as available yet.
     const std::vector<SolverInfo>& described() const;
-    // All plugins found, each loaded far enough to know whether it can run here.
+    // Returns all plugins found. Loads each of them far enough to know whether it can run here.
     std::vector<SolverInfo> solvers(const CancelToken& cancelToken = {}) const;
     // Returns the module of `id`, or of the best available plugin for "auto", with checked answers
-    // (CheckedSolver.h). Loads no other modules than needed. Throws Error with the reason. The
+    // (CheckedSolver.h). Loads only the modules that it needs. Throws Error with the reason. The
     // module lives as long as the registry.
     const solver::SolverModule& module(const QString& id,
                                        const CancelToken& cancelToken = {}) const;
-    // Information about the solver that module(id) returns.
+    // Returns information about the solver that module(id) returns.
     SolverInfo info(const QString& id, const CancelToken& cancelToken = {}) const;
     // Returns the plugin `id`, whether or not it can run here; nothing if there is none.
     std::optional<SolverInfo> found(const QString& id, const CancelToken& cancelToken = {}) const;

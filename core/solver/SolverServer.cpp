@@ -18,8 +18,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr auto signOfLife = std::chrono::milliseconds(200);
 
-// Reads requests in parallel with the work. When the client is gone, there is nothing left to work
-// for.
+// Reads requests in parallel with the work. Ends the process when the client is gone.
 class Requests {
 public:
     explicit Requests(std::FILE* file) {
@@ -50,8 +49,9 @@ private:
         }
     }
 
-    // If the client is gone, nobody else will end what the module has started. If the module closed
-    // the file, the client will do that and must see that this process was not killed.
+    // Ends this process. If the client is gone, it also ends everything that the module has
+    // started. If instead the module has closed the file, the client does that, and must see that
+    // this process was not killed.
     [[noreturn]] static void leave(std::FILE* file) {
         if (std::feof(file) != 0) {
             endOwnGroup();
@@ -64,7 +64,8 @@ private:
     std::deque<QByteArray> waiting_;
 };
 
-// Passes on what the module says. The client checks it and translates it into the user's language.
+// Answers requests with the module's results and messages. The client checks them and translates
+// messages into the user's language.
 class Server {
 public:
     Server(const QString& modulePath, std::FILE* answers)

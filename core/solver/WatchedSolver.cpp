@@ -18,7 +18,7 @@ namespace {
 class CallWatch {
 public:
     explicit CallWatch(const QString& modulePath)
-        : modulePath_(modulePath), limit_(secondsOfACall()), watcher_([this] { watch(); }) {}
+        : modulePath_(modulePath), limit_(callTimeoutSeconds()), watcher_([this] { watch(); }) {}
     ~CallWatch() {
         {
             const std::lock_guard lock(mutex_);
@@ -94,7 +94,7 @@ private:
     mutable CallWatch watch_;
 };
 
-// The question whether a batch is cancelled, and the watch to which it is a sign of life.
+// A batch's CancelFunction, and the watch that each call of it restarts.
 struct Questions {
     CallWatch& watch;
     solver::CancelFunction isCancelled;
@@ -140,11 +140,11 @@ int chosenSeconds(int withoutChoice) {
 
 } // namespace
 
-int secondsOfACall() {
+int callTimeoutSeconds() {
     return chosenSeconds(longestCall);
 }
 
-int secondsOfADescription() {
+int descriptionTimeoutSeconds() {
     return chosenSeconds(longestDescription);
 }
 

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::int16_t none = std::numeric_limits<std::int16_t>::max();
 
-// Holds, for each pixel, how many rows below it the nearest printed pixel of its column is.
-// Negative numbers are above it; `none` means farther than `radius`.
+// Holds the row distance from each pixel to the nearest printed pixel of its column. Positive
+// distances lead downwards; `none` means farther than `radius`.
 class ColumnDistances {
 public:
     ColumnDistances(const QImage& image, int radius)
@@ -67,8 +67,8 @@ void continueRow(Pixel* pixels, std::ptrdiff_t stride, int width, const std::int
                  double radius) {
     const int reach = int(radius);
     const double limit = radius * radius;
-    // The column of the rightmost candidate found. If it is more than `reach` to the left, no
-    // candidate is near.
+    // The column of the rightmost candidate so far. If this column is more than `reach` to the
+    // left, no candidate is near.
     int lastCandidate = -2 * reach - 2;
     int scanned = 0;
     for (int column = 0; column < width; ++column) {
@@ -101,8 +101,8 @@ void continueRow(Pixel* pixels, std::ptrdiff_t stride, int width, const std::int
     }
 }
 
-// Returns the first and last printed pixel of a row. Without printed pixels the first is past the
-// last.
+// Returns the first and last printed pixel of a row. If the row has no printed pixel, the first is
+// greater than the last.
 std::pair<int, int> printedPart(const PixelCode& code, const uchar* pixels, int width) {
     int first = 0;
     while (first < width && code.alpha(pixels + first * code.bytes()) == 0) {
@@ -115,7 +115,7 @@ std::pair<int, int> printedPart(const PixelCode& code, const uchar* pixels, int 
     return {first, last};
 }
 
-// Returns the box of all printed pixels, enlarged by `margin` pixels.
+// Returns the smallest box around all printed pixels, enlarged by `margin` pixels.
 QRect reachedBox(const QImage& image, int margin) {
     const PixelCode code(image);
     std::vector<std::pair<int, int>> parts(std::size_t(image.height()));

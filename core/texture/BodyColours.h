@@ -5,24 +5,26 @@
 
 namespace dipwright {
 
-// A texture and the map that keeps its charts apart.
+// A texture and the map that separates its charts.
 struct BodyTexture {
     TextureSampler sampler;
-    std::unique_ptr<ChartMap> charts; // null: nothing to keep apart
+    std::unique_ptr<ChartMap> charts; // null: the charts need no separation
 };
 
-// Keeps a reference to the appearance. Const members may be used from several threads.
+// The colours of one appearance, to which it keeps a reference. Const members may be used from
+// several threads.
 class BodyColours {
 public:
     explicit BodyColours(const SurfaceAppearance& appearance);
 
     const SurfaceAppearance& appearance() const { return appearance_; }
-    // Tells whether colours are in wide colour's primaries: all are if one texture is wide.
+    // Tells whether all colours are in wide colour's primaries. They are if any texture is wide.
     bool isWide() const { return wide_; }
 
-    // Returns null where a body triangle has a plain colour: it has no texture or no texture
-    // coordinates.
+    // Returns the texture of a body triangle. Null if the triangle has a plain colour because it
+    // has no texture or no texture coordinates.
     const BodyTexture* texture(std::uint32_t bodyTriangle) const;
+    // Returns the plain colour of a body triangle's material.
     const LinearColour& plain(std::uint32_t bodyTriangle) const;
 
 private:

@@ -37,7 +37,7 @@ bool isOneChartOnAll(const SurfaceAppearance& appearance,
     return area > wholeTexture;
 }
 
-// Returns the interval of the line y = `row` inside a triangle, from left to right.
+// Returns the x interval of the line y = `row` that lies inside a triangle, from left to right.
 std::pair<double, double> crossing(const std::array<Eigen::Vector2d, 3>& corners, double row) {
     constexpr double far = std::numeric_limits<double>::infinity();
     std::pair<double, double> part{far, -far};

@@ -13,22 +13,23 @@ bool textureRepeats(const SurfaceAppearance& appearance, int texture);
 
 class ChartMap {
 public:
-    // Makes the map of a texture that does not repeat. Repeating textures are made to fit edge to
-    // edge and need no map. Null if one chart covers the whole texture or no triangle uses it.
+    // Makes the map of a texture that does not repeat; repeating textures need no map, because
+    // their opposite edges fit together. Null if one chart covers the whole texture or no triangle
+    // uses the texture.
     static std::unique_ptr<ChartMap> of(const SurfaceAppearance& appearance, int texture);
 
-    // Tells whether a texel may be seen in `chart`. Texels are numbered row by row from the
+    // Tells whether a filter for `chart` may use a texel. Texels are numbered row by row from the
     // picture's upper left corner.
     bool belongs(std::size_t texel, std::uint32_t chart) const {
         return owner_[texel] == chart || owner_[texel] == several;
     }
     // Tells whether all texels in a box belong to `chart`. The box is in texels from the upper left
-    // corner. The answer may also be false if only a nearby texel does not belong to it.
+    // corner. May also return false if only a texel near the box does not belong to `chart`.
     bool isWithin(const Eigen::AlignedBox2f& box, std::uint32_t chart) const;
 
 private:
-    static constexpr std::uint32_t nobody = 0xffffffffu;
-    static constexpr std::uint32_t several = 0xfffffffeu; // charts overlap here
+    static constexpr std::uint32_t nobody = 0xffffffffu;  // no chart
+    static constexpr std::uint32_t several = 0xfffffffeu; // several charts overlap here
     static constexpr int blockSize = 8;
 
     ChartMap(const SurfaceAppearance& appearance, int texture);
@@ -39,8 +40,8 @@ private:
     int width_ = 0;
     int height_ = 0;
     int blockColumns_ = 0;
-    std::vector<std::uint32_t> owner_; // one per texel
-    std::vector<std::uint32_t> block_; // one per block of texels: its only owner, or nobody
+    std::vector<std::uint32_t> owner_; // per texel: its chart, `nobody` or `several`
+    std::vector<std::uint32_t> block_; // per block of texels: its only chart, or `nobody`
 };
 
 } // namespace dipwright

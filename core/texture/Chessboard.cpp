@@ -8,16 +8,17 @@ namespace dipwright {
 
 namespace {
 
-// Returns the length that lies in odd squares between the middle, where an even square begins, and
-// `place`; negative before the middle.
+// Returns the total length of odd squares between the film's middle and `place`. An even square
+// begins at the middle. Negative for places before the middle.
 double oddLength(double place, double square) {
     const double pair = 2 * square;
     const double pairs = std::floor(place / pair);
     return pairs * square + std::max(0.0, place - pairs * pair - square);
 }
 
-// Returns, for each of `pixels` along a film of `length` mm, the share in odd squares, 0 … 1.
-// Pixels on a border are divided, so that the squares have their exact size at any resolution.
+// Returns the share, 0 … 1, of each pixel that lies in odd squares, for `pixels` along a film of
+// `length` mm. Shares between 0 and 1 at borders give the squares their exact size at any
+// resolution.
 std::vector<double> oddShares(int pixels, double length, double square) {
     std::vector<double> odd;
     odd.reserve(std::size_t(pixels));

@@ -11,7 +11,7 @@ namespace dipwright {
 inline constexpr double chessSquare = 17;
 
 // Returns black and white squares of `square` mm, four of which meet in the film's middle. Opaque
-// Format_RGBA8888. Pixels on a border are grey in proportion to their two parts.
+// Format_RGBA8888. Pixels on a border have a grey in proportion to their black and white parts.
 QImage chessboard(const solver::FilmGrid& grid, double square, QSize pixels);
 
 } // namespace dipwright

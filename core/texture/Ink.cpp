@@ -7,10 +7,10 @@ namespace dipwright {
 
 namespace {
 
-// The eye does not see smaller differences of density.
+// Smaller differences of density are not visible.
 constexpr float visibleDensity = 0.05f;
 constexpr float log2Of10 = 3.3219281f;
-constexpr float leastStretch = 0.05f; // for film folded flat; keeps the powers finite
+constexpr float leastStretch = 0.05f; // used for film folded flat; keeps powers finite
 constexpr float leastLight = 1e-12f;  // keeps the logarithms finite
 
 // Returns the logarithm of a light's density; −∞ for white.

@@ -15,10 +15,10 @@ public:
 
     struct Ink {
         LinearColour colour;     // colour to print
-        bool fallsShort = false; // the body becomes visibly paler than wanted
+        bool fallsShort = false; // whether the body becomes visibly paler than wanted
     };
-    // Returns the colour that has the share `share`, 0 … 1, of a colour's density. A colour beyond
-    // the ink limit fades from the limit; otherwise it would not fade at all.
+    // Returns `colour` with its density multiplied by `share`, 0 … 1. A density above the ink limit
+    // is first reduced to the limit, because it would otherwise show no fading.
     LinearColour faded(const LinearColour& colour, float share) const;
     // Returns what to print so that `wanted` shows where the film's area has grown by
     // `areaStretch`.
@@ -26,9 +26,9 @@ public:
     // Returns how `printed` looks on film whose area has grown by `areaStretch`.
     LinearColour shown(const LinearColour& printed, float areaStretch) const;
 
-    // Returns the tint of white, 0 … 1, to print so that `wanted` shows; at most full tint.
+    // Returns the tint of white, 0 … 1, to print so that the tint `wanted` shows.
     float printWhite(float wanted, float areaStretch) const;
-    // Returns the tint, 0 … 1, that `printed` shows.
+    // Returns the tint, 0 … 1, that shows if the tint `printed` was printed.
     float shownWhite(float printed, float areaStretch) const;
 
 private:

@@ -17,8 +17,8 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::InkLaw)
 };
 
-constexpr double leastWedgeStretch = 1.02; // smaller stretches are lost in the reading's error
-// Least ratio of two stretches of a patch that shows how n changes with J.
+constexpr double leastWedgeStretch = 1.02; // smaller stretches are below the reading's error
+// Least ratio between the stretches of a patch from which `bend` is fitted.
 constexpr double apartForBend = 1.15;
 
 void checkReading(const WedgeReading& reading, const QString& where) {
@@ -42,8 +42,8 @@ void checkReading(const WedgeReading& reading, const QString& where) {
     }
 }
 
-// Fits −ln(shown/flat) = exponent·ln J + bend·(ln J)² by least squares; the bend only if the
-// stretches differ enough.
+// Fits −ln(shown/flat) = exponent·ln J + bend·(ln J)² by least squares. Fits the bend only if the
+// stretches differ enough; otherwise it is 0.
 InkTone fittedTone(const std::vector<WedgeReading>& patch, const QString& where) {
     double s2 = 0, s3 = 0, s4 = 0, t1 = 0, t2 = 0;
     double least = mostWedgeStretch, most = 1;
@@ -65,10 +65,12 @@ InkTone fittedTone(const std::vector<WedgeReading>& patch, const QString& where)
         tone.bend = (s2 * t2 - s3 * t1) / determinant;
     }
     if (std::abs(tone.exponent) > mostInkExponent || std::abs(tone.bend) > mostInkBend) {
-        throw Error(Text::tr("The patch of density %1 thins as no ink can; check that its "
-                             "densities and stretches are in the right rows")
-                        .arg(tone.density),
-                    where);
+        throw Error(
+            Text::tr(
+                "The readings of the patch of density %1 are impossible for ink; check that its "
+                "densities and stretches are in the right rows")
+                .arg(tone.density),
+            where);
     }
     return tone;
 }

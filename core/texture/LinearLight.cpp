@@ -10,7 +10,8 @@ namespace dipwright {
 
 namespace {
 
-// Fine enough that a step near black, where the curve is steepest, stays under a fifth of a value.
+// So fine that one step changes the encoded value by less than 0.2, even near black, where the
+// curve is steepest.
 constexpr int encodingSteps = 1 << 14;
 
 std::array<float, 256> makeLinearTable() {

@@ -27,8 +27,8 @@ LinearColour wideLight(const LinearColour& srgb);
 // Converts light back to sRGB's primaries; colours outside sRGB are clamped.
 LinearColour srgbLight(const LinearColour& wide);
 
-// Reads and writes pixels of pictures in the format of `picture`: RGBA8888 or wide RGBA64. Light is
-// in the picture's own primaries.
+// Reads and writes single pixels in the format of `picture`: RGBA8888 or wide RGBA64. Light is in
+// the picture's own primaries.
 class PixelCode {
 public:
     explicit PixelCode(const QImage& picture);

@@ -13,7 +13,7 @@ namespace dipwright {
 namespace {
 
 constexpr double wantedSamples = 20000;
-constexpr double mostSamples = 400000; // on the whole body, if little of it is painted
+constexpr double mostSamples = 400000; // limit for the whole body, if little of it is painted
 constexpr int borderCells = 2;
 
 // Tells for each film cell, by row and column, whether it and all cells within `borderCells` are
@@ -56,16 +56,16 @@ double paintedArea(const LaidFilm& laid) {
     return area;
 }
 
-// Returns the distance on the body, in mm, from `wanted` to the place where the colour that the
-// film shows there belongs.
+// Returns the distance on the body, in mm, between `wanted` and the place to which the colour at
+// `wanted` belongs.
 float errorAt(const TriangleMesh& body, const std::vector<std::uint32_t>& chart,
               const ReverseMap& map, const SurfacePoint& wanted, const FilmWeights& place) {
     const Eigen::Vector3f at = position(body, wanted);
     const SurfacePoint carried = map.surface(place);
     const TexturePlace shown = map.texture(place);
     float error = std::numeric_limits<float>::infinity();
-    // Try both nearby triangles: if one has almost no area on the texture, it gives no distance on
-    // the body.
+    // Try both nearby triangles, because a triangle with almost no area on the texture gives no
+    // distance on the body.
     for (const std::uint32_t triangle : {carried.triangle, shown.bodyTriangle}) {
         const auto belongs = map.showing(shown.coordinate, triangle);
         if (belongs && chart[triangle] == chart[shown.bodyTriangle]) {

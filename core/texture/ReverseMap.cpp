@@ -10,11 +10,11 @@ namespace dipwright {
 
 namespace {
 
-// After this many halvings, places are carried one by one. At most 1/64 of a film cell is then
-// left.
+// After this many halvings, a piece is at most 1/64 of a film cell wide, and its places are mapped
+// one by one.
 constexpr int deepest = 6;
-// A triangle on a texture seam is halved this often before it may count as linear. Otherwise a
-// narrow tongue of another chart could lie between the tested places.
+// A triangle on a texture seam is halved at least this often before it may count as linear.
+// Otherwise a narrow part of another chart could lie undetected between the tested places.
 constexpr int seamDepth = 2;
 constexpr double seamSamplesPerCell = 4;
 
@@ -32,7 +32,7 @@ bool isSeamEdge(const TriangleMesh& mesh, const SurfaceAppearance& appearance, s
     if (appearance.chart[here] != appearance.chart[there]) {
         return true;
     }
-    // A chart may also meet itself, for example where a cylinder's side is closed.
+    // A seam can also lie within one chart, for example where a cylinder's side is closed.
     const auto matches = [&](std::uint32_t corner) {
         const std::uint32_t position = mesh.triangles[here][corner];
         const Eigen::Vector2f& coordinate = appearance.textureCoordinates[here][corner];
@@ -116,9 +116,11 @@ SurfacePoint ReverseMap::surface(const FilmWeights& place) const {
     const Eigen::Vector3f& c = contact_.places[corners[2]];
     const Eigen::Vector3f flat = place.weights[0] * a + place.weights[1] * b + place.weights[2] * c;
     const float reach = (b - a).norm() + (c - a).norm(); // the corners are on the body
-    // If film is pressed to a point, `reach` is 0, and rounding can keep it off the body.
+    // If film is compressed to a point, `reach` is 0, and because of rounding no body lies within
+    // it.
     const ClosestPoint closest = query_.closestNear(flat, reach);
-    // Where the body is thin, its far side may be nearer. The film lies on the side that it faces.
+    // Where the body is thin, its other side may be nearer. The right side is the one that faces
+    // the film.
     const Eigen::Vector3f intoBody = (b - a).cross(c - a);
     if (triangleNormal(mesh_, closest.point.triangle).dot(intoBody) < 0) {
         return closest.point;

@@ -1,5 +1,5 @@
-// Maps each place of the painted film to its place on the body, and so to the place of the texture
-// that it must show.
+// Maps each place of the painted film to its place on the body and to the place of the texture that
+// the film must show there.
 #pragma once
 
 #include "dip/LaidFilm.h"
@@ -7,7 +7,7 @@
 
 namespace dipwright {
 
-// A place on the flat film, as weights of one film triangle's corners.
+// A place on the flat film: a film triangle and the weights of its three corners.
 struct FilmWeights {
     std::uint32_t triangle = 0;
     Eigen::Vector3f weights = Eigen::Vector3f::Zero();
@@ -26,9 +26,9 @@ struct FilmPiece {
     std::array<SurfacePoint, 3> surface;
     int depth = 0; // number of halvings
 
-    // Halving makes four pieces. For a place given by weights of the piece's corners, child()
-    // returns the piece that contains it (every place is in exactly one), and childWeights() its
-    // weights there.
+    // Halving makes four pieces. A place is given by weights of the piece's corners; it lies in
+    // exactly one of the four. child() returns that piece's number, childWeights() the place's
+    // weights in it.
     static std::size_t child(const Eigen::Vector3f& weights);
     static Eigen::Vector3f childWeights(const Eigen::Vector3f& weights, std::size_t child);
 };
@@ -36,7 +36,7 @@ struct FilmPiece {
 // A piece on one chart whose texture coordinates are linear.
 struct LinearPiece {
     std::array<Eigen::Vector2f, 3> coordinates;
-    std::uint32_t bodyTriangle = 0; // a triangle under the piece
+    std::uint32_t bodyTriangle = 0; // a body triangle under the piece
 
     Eigen::Vector2f coordinate(const Eigen::Vector3f& weights) const {
         return weights[0] * coordinates[0] + weights[1] * coordinates[1] +
@@ -45,10 +45,10 @@ struct LinearPiece {
 };
 
 // Projects a film place linearly to the flat triangle between the points of contact, and from there
-// to the nearest place on the body. A piece whose coordinates are linear within `tolerance` mm on
-// the body is read directly. Other pieces are halved at the middles of their edges, which resolves
-// the texture seams between charts (the paper's Figure 5). Keeps references to the film and the
-// appearance. Const members may be used from several threads.
+// to the nearest place on the body. Texture coordinates are interpolated directly in a piece where
+// they are linear within `tolerance` mm on the body. Other pieces are halved at the middles of
+// their edges, which resolves the texture seams between charts (the paper's Figure 5). Keeps
+// references to the film and the appearance. Const members may be used from several threads.
 class ReverseMap {
 public:
     static constexpr float tolerance = 0.03f; // mm on the body
@@ -62,22 +62,23 @@ public:
 
     SurfacePoint surface(const FilmWeights& place) const;
     TexturePlace texture(const SurfacePoint& point) const;
-    // Returns the texture's place that the sheet's pixels show.
+    // Returns the place of the texture that the sheet shows at a place of the film.
     TexturePlace texture(const FilmWeights& place) const;
 
-    // Returns where the body would show a texture coordinate if one of its triangles continued flat
-    // and with an even texture. None if the whole triangle shows a single place or line of the
-    // texture.
+    // Returns where the plane of a body triangle shows a texture coordinate, if the triangle's
+    // texture map is continued beyond its edges. None if the whole triangle shows a single point or
+    // line of the texture.
     std::optional<Eigen::Vector3f> showing(const Eigen::Vector2f& coordinate,
                                            std::uint32_t bodyTriangle) const;
 
-    // Returns how steps on the body, in mm, move the place on the texture; zero if the triangle has
-    // none. `steps` are the columns.
+    // Returns the steps on the texture that belong to `steps` on the body, in mm. Steps are
+    // columns. Zero if the triangle has no texture coordinates.
     Eigen::Matrix2f textureSteps(std::uint32_t bodyTriangle,
                                  const Eigen::Matrix<float, 3, 2>& steps) const;
     // Returns the points of contact of a film triangle's corners, as columns.
     Eigen::Matrix3f contactPoints(std::uint32_t filmTriangle) const;
 
+    // Returns a whole film triangle as a piece.
     FilmPiece whole(std::uint32_t triangle) const;
     // Returns the four pieces between the corners and the middles of the edges: one at each corner,
     // then the middle one, which is upside down.
@@ -85,6 +86,7 @@ public:
                                     const std::array<SurfacePoint, 3>& middles) const;
     // Returns the middles of the edges on the body; edge k runs from corner k to the next.
     std::array<SurfacePoint, 3> middles(const FilmPiece& piece) const;
+    // Returns the piece's texture coordinates if they are linear; none if the piece must be halved.
     std::optional<LinearPiece> linear(const FilmPiece& piece,
                                       const std::array<SurfacePoint, 3>& middles) const;
 

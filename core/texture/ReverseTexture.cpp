@@ -33,16 +33,16 @@ struct Pixel {
     float share = 1;         // share of the density that this film gives
 };
 
-// The path along the body between two corners of a film triangle is at most this many times as long
-// as the straight line.
+// Upper limit of the path along the body between two corners of a film triangle, divided by their
+// straight distance.
 constexpr float alongTheBody = 2;
 
 // Maps pixel columns (or rows) of the image to film cells.
 struct CellPlaces {
     std::vector<float> share;    // per pixel: place in its cell, 0 … 1
-    std::vector<int> firstPixel; // per cell: its first pixel; one more entry marks the end
+    std::vector<int> firstPixel; // per cell: its first pixel; a last entry marks the end
 
-    // `cellAt` is columnAt() or rowAt() of the film's grid.
+    // `cellAt` is the function columnAt() or rowAt() of the film's grid.
     CellPlaces(const solver::FilmGrid& grid, int pixels, int cells,
                double (*cellAt)(const solver::FilmGrid&, double)) {
         share.reserve(std::size_t(pixels));
@@ -56,11 +56,11 @@ struct CellPlaces {
     }
 };
 
-// Holds, for each pixel, the tint of white and the film's stretch. It is a picture, so that it is
-// continued past the edge like colours.
+// Holds each pixel's tint of white and film stretch in a picture, so that they can be continued
+// past the edge like colours.
 class AsidePicture {
 public:
-    // Makes no picture if neither is wanted.
+    // Makes no picture if `isWanted` is false.
     AsidePicture(QSize pixels, bool isWanted) {
         if (isWanted) {
             picture_ = blankImage(pixels, QImage::Format_RGBA8888);
@@ -132,7 +132,7 @@ public:
     // The result of painting one row of cells.
     struct PaintedRow {
         double shortfall = 0;             // mm² of body that become visibly too pale
-        std::vector<unsigned char*> left; // pixels that this film leaves to the other film
+        std::vector<unsigned char*> left; // pixels whose colour only the other film gives
     };
     PaintedRow paintCells(int row) const {
         PaintedRow painted;
@@ -156,7 +156,7 @@ public:
 
 private:
     // Collects the pixels whose centres are in one of a cell's two triangles. A centre on the
-    // diagonal, or between two cells, belongs to one side only.
+    // diagonal, or on the border of two cells, is collected only once.
     void collect(int cellColumn, int cellRow, bool second, std::vector<Pixel>& pixels) const {
         pixels.clear();
         const bool falling = (cellColumn + cellRow) % 2 == 0; // diagonal from the upper left
@@ -174,7 +174,7 @@ private:
             }
         }
     }
-    // Returns weights in the order of corners in filmTriangles().
+    // Returns the weights of a place in a cell, in the corner order of filmTriangles().
     static Eigen::Vector3f weights(bool falling, bool second, float right, float down) {
         if (falling) {
             return second ? Eigen::Vector3f(1 - right, down, right - down)
@@ -263,7 +263,7 @@ private:
             return texture->sampler.sample(linear.coordinate(weights), footprint);
         });
     }
-    // Prints every pixel in the colour that `wanted` returns for its weights in the piece.
+    // Paints each pixel with the colour that `wanted` returns for the pixel's weights in the piece.
     template <typename Colour>
     double printAll(const FilmPiece& piece, std::span<const Pixel> pixels,
                     const Colour& wanted) const {
@@ -293,8 +293,8 @@ private:
         return place;
     }
 
-    // Paints a single pixel on a texture seam or where the texture bends: the mean of four places
-    // in it, each carried to the body.
+    // Paints a single pixel on a texture seam or where the texture is not linear. Uses the mean of
+    // four places in the pixel, each mapped to the body.
     double paintAlone(const FilmPiece& piece, const Pixel& pixel) const {
         LinearColour sum = LinearColour::Zero();
         const Eigen::Vector3f centre = filmWeights(piece, pixel.weights);
@@ -329,8 +329,8 @@ private:
         return weights[0] * piece.corners[0] + weights[1] * piece.corners[1] +
                weights[2] * piece.corners[2];
     }
-    // Returns how the weights of a film triangle's corners change from pixel to pixel, to the right
-    // and downwards.
+    // Returns the change of the corner weights of a film triangle for one pixel to the right and
+    // one pixel down, as columns.
     Eigen::Matrix<float, 3, 2> weightSteps(std::uint32_t triangle) const {
         const FilmPiece piece = map_.whole(triangle);
         const Eigen::Vector2f a = pixelPlace(piece, 0);
@@ -381,13 +381,13 @@ private:
     PixelCode code_;
     unsigned char* bits_;
     std::ptrdiff_t stride_;
-    float white_;               // tint on the body, 0 … 1
+    float white_;               // tint of white on the body, 0 … 1
     bool isPlate_, growsPlate_; // whether plates are printed denser where the film stretches
-    unsigned char* wantedBits_; // a picture like the image; null: none
+    unsigned char* wantedBits_; // picture of the wanted colours; null: none
     const AsidePicture& aside_;
 };
 
-// Blanks the pixels of `picture` that are blank in the film image.
+// Clears the pixels of `picture` that are blank in the film image.
 void blankAs(const QImage& image, QImage& picture) {
     const PixelCode code(image);
     for (int y = 0; y < image.height(); ++y) {

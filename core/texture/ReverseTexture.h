@@ -24,33 +24,34 @@ struct ReverseTextureOptions {
     QSize pixels;     // size of the whole film's image
     double bleed = 2; // mm by which the colour is continued past the painted area
     InkSettings ink;
-    std::optional<PaintShare> share = {}; // none: the film gives the full colour everywhere
+    std::optional<PaintShare> share = {}; // none: the film gives the whole colour everywhere
     double white = 0;           // tint of the white layer on the body, 0 … 1; 0: no layer
     bool returnsWanted = false; // whether to return `wanted` and `stretch`
-    // Each is made only when it is processed, because it is as large as the body's texture.
+    // Functions that make each spot appearance only when it is processed, because an appearance is
+    // as large as the body's texture.
     std::vector<SpotAppearance> spots = {};
 };
 
 struct ReverseTexture {
     QImage image; // alpha 0 where nothing is printed; wide if a texture is, else RGBA8888 in sRGB
     std::size_t seamTriangles = 0; // film triangles that cross a border between charts
-    double shortfallArea = 0;      // mm² of body whose density the ink limit prevents
-    // The tint of white to print under all colour: more where the film stretches, at most full
-    // tint. Image size, Grayscale8. Null if no white is wanted.
+    double shortfallArea = 0;      // mm² of body that stay too pale because of the ink limit
+    // The tint of the white layer: higher where the film stretches, at most full tint. Same size as
+    // `image`, Grayscale8. Null if no white is wanted.
     QImage white;
     // The colours that the body should show, not compensated, and the film's stretch as
     // Grayscale16, in codes of StretchPlane.h. Null if they are not kept.
     QImage wanted, stretch;
-    // The tints of the spot inks, in the options' order. Image size, Grayscale8. Tint thins like an
-    // even layer, and a share of a place is a share of its tint.
+    // The tints of the spot inks, in the options' order. Same size as `image`, Grayscale8. Tint
+    // thins like an even layer; where two films share a place, each prints a share of the tint.
     std::vector<QImage> spots;
 };
 
-// Computes the image to print so that the dip puts `appearance` in its place on the body. Every
+// Computes the image to print so that the dip puts `appearance` in its place on the body. Each
 // pixel in a painted film triangle shows its place of the texture, filtered over the area that the
-// pixel covers there. Where this film's share is 0, the film stays blank, and no colour is
-// continued there.
-// Uses all cores. Deterministic. Throws Cancelled, or Error if the image does not fit into memory.
+// pixel covers on the texture. Where this film's share is 0, the film stays blank, and colour is
+// not continued into that area. Uses all cores. Deterministic. Throws Cancelled, or Error if the
+// image does not fit into memory.
 ReverseTexture reverseTexture(const LaidFilm& laid, const SurfaceAppearance& appearance,
                               const ReverseTextureOptions& options, const Progress& progress);
 

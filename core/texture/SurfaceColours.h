@@ -9,7 +9,7 @@
 namespace dipwright {
 
 // Returns the colour of the texture, or the plain colour, at each of these places of the body, in
-// linear light. Reads a single texel even in a fine pattern. Uses all cores.
+// linear light. Does not filter: reads a single texel even in a fine pattern. Uses all cores.
 std::vector<LinearColour> surfaceColours(const SurfaceAppearance& appearance,
                                          const std::vector<SurfacePoint>& places);
 
@@ -22,9 +22,9 @@ public:
     explicit SurfaceColours(const SurfaceAppearance& appearance);
     ~SurfaceColours();
 
-    // Returns the mean over a small piece of the surface. `steps` are its extents to the right and
-    // downwards, as weights of the triangle's corners. The colour is in wide colour's primaries if
-    // any of the appearance's textures is wide.
+    // Returns the mean over a small piece of the surface. `steps` are the extents of this piece to
+    // the right and downwards, as weights of the triangle's corners. The colour is in wide colour's
+    // primaries if any of the appearance's textures is wide.
     LinearColour at(const SurfacePoint& place, const Eigen::Matrix<float, 3, 2>& steps) const;
 
 private:

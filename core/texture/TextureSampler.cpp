@@ -55,8 +55,8 @@ bool isOpaque(const QImage& image) {
     return true;
 }
 
-// Returns the picture on white, with rows that follow each other without gaps. Wide pictures are
-// returned as they are, because their first level is read instead.
+// Returns the picture on white, with rows that follow each other without gaps. Returns wide
+// pictures unchanged, because their colours are read from the first level instead.
 QImage onWhite(const QImage& image) {
     const bool gapless = image.bytesPerLine() == 4 * qsizetype(image.width());
     if (isWide(image) || (isOpaque(image) && gapless)) {
@@ -77,7 +77,7 @@ QImage onWhite(const QImage& image) {
     return opaque;
 }
 
-// The pixels of a row or column that one pixel of the halved row or column covers.
+// The range of pixels that one pixel of a halved row or column covers.
 struct Cover {
     int first = 0;
     int count = 0; // two, or three if the length is odd
@@ -255,14 +255,15 @@ LinearColour TextureSampler::sampleWithin(const Eigen::Vector2f& coordinate,
             }
         }
     }
-    // If the chart has no texel of its own here, it is thinner than a texel.
+    // If no texel here belongs to the chart, the chart is thinner than a texel, and all texels are
+    // used.
     return weights > 0 ? LinearColour(sum / weights) : bilinear(levels_[0], coordinate);
 }
 
 bool TextureSampler::isWithin(const std::array<Eigen::Vector2f, 3>& corners,
                               const TextureSteps& steps, const ChartMap& charts,
                               std::uint32_t chart) const {
-    // Half the pixel, plus the smaller level's texels round its end.
+    // Half the pixel, plus the texels that the smaller level reads around its end.
     const float margin = 2 + 2.5f * longestStep(steps);
     Eigen::AlignedBox2f box;
     for (const Eigen::Vector2f& corner : corners) {

@@ -9,12 +9,12 @@
 
 namespace dipwright {
 
-// Steps on the texture for one step to the right and one step down on the film, as the columns of a
-// matrix, in texture coordinates.
+// Steps on the texture for one film pixel to the right and one film pixel down. They are the
+// columns of a matrix, in texture coordinates.
 using TextureSteps = Eigen::Matrix2f;
 
-// The area of the texture that a film pixel covers: `taps` round spots along a line, each as wide
-// as a texel of `level`.
+// The area of the texture that a film pixel covers. It consists of `taps` round spots along a line;
+// each spot is as wide as a texel of `level`.
 struct TextureFootprint {
     int taps = 1;
     Eigen::Vector2f step = Eigen::Vector2f::Zero(); // between taps, texture coordinates
@@ -22,20 +22,21 @@ struct TextureFootprint {
 };
 
 // A picture and its smaller versions (a mip pyramid filtered by area in linear light). Texture
-// coordinates are OBJ's, see SurfaceAppearance. Transparent texels show the white body. Const
-// members may be used from several threads.
+// coordinates are as in OBJ files; see SurfaceAppearance. Transparent texels show the white body.
+// Const members may be used from several threads.
 class TextureSampler {
 public:
     // `image` has Format_RGBA8888 or is wide; its colours are read in its own primaries. If
     // `repeats`, coordinates outside [0, 1] wrap; otherwise they are clamped.
     TextureSampler(const QImage& image, bool repeats);
 
-    // Returns the footprint of a pixel. Minified pixels get at most eight taps along the longer
-    // axis (anisotropic), between two levels (trilinear). Magnified pixels get the bilinear texel.
+    // Returns the footprint of a pixel. If a pixel covers several texels, it gets at most eight
+    // taps along the longer axis (anisotropic), read between two levels (trilinear). If it covers
+    // less than a texel, it is read bilinearly.
     TextureFootprint footprint(const TextureSteps& steps) const;
     LinearColour sample(const Eigen::Vector2f& coordinate, const TextureFootprint& footprint) const;
-    // Returns the colour of a pixel near its chart's border: the mean over the pixel of the first
-    // level's texels that belong to `chart`.
+    // Returns the colour of a pixel near its chart's border. It is the mean of the first level's
+    // texels that the pixel covers and that belong to `chart`.
     LinearColour sampleWithin(const Eigen::Vector2f& coordinate, const TextureSteps& steps,
                               const ChartMap& charts, std::uint32_t chart) const;
     // Tells whether every texel that sample() may read for places in the triangle `corners` belongs

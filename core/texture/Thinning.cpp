@@ -15,11 +15,12 @@ Thinning::Thinning(const InkLaw& law, FilmInk ink)
     }
 }
 
-float Thinning::ofLayer(float areaStretch) const {
+float Thinning::layerThinning(float areaStretch) const {
     return exponent_ == 1 ? areaStretch : std::pow(areaStretch, exponent_);
 }
 
-// Returns the logarithm of the density that a tone shows. `grown` is the logarithm of J.
+// Returns the logarithm of the density that a tone shows on stretched film. `grown` is the
+// logarithm of J.
 float Thinning::shownAt(const Tone& tone, float grown) const {
     const float bent = tone.bend * std::clamp(grown, 0.0f, tone.mostGrown);
     return tone.density - (tone.exponent + bent) * grown;
@@ -27,7 +28,7 @@ float Thinning::shownAt(const Tone& tone, float grown) const {
 
 float Thinning::byPrinted(float printed, float areaStretch) const {
     if (tones_.empty()) {
-        return ofLayer(areaStretch);
+        return layerThinning(areaStretch);
     }
     const float grown = std::log(areaStretch);
     const auto above =
@@ -44,7 +45,7 @@ float Thinning::byPrinted(float printed, float areaStretch) const {
 
 float Thinning::byShown(float shown, float areaStretch) const {
     if (tones_.empty()) {
-        return ofLayer(areaStretch);
+        return layerThinning(areaStretch);
     }
     const float grown = std::log(areaStretch);
     const auto above =

@@ -5,15 +5,15 @@
 
 namespace dipwright {
 
-// Densities here are natural logarithms of densities, −∞ for none. For white, the hiding share
-// takes the place of the density. Const members may be used from several threads.
+// One ink's law. All densities are passed as natural logarithms; −∞ stands for density 0. For
+// white, the hiding share replaces the density. Const members may be used from several threads.
 class Thinning {
 public:
     Thinning(const InkLaw& law, FilmInk ink);
 
-    // Return printed density over shown density where the film's area has grown by `areaStretch`,
-    // above 0. byShown() starts from the density that should show, byPrinted() from the printed
-    // one.
+    // Return printed density divided by shown density where the film's area has grown by
+    // `areaStretch`, above 0. byShown() takes the density that should show, byPrinted() the printed
+    // density.
     float byShown(float shown, float areaStretch) const;
     float byPrinted(float printed, float areaStretch) const;
 
@@ -22,7 +22,7 @@ private:
         float density, exponent, bend, mostGrown; // logarithms, except exponent and bend
     };
     float shownAt(const Tone& tone, float grown) const;
-    float ofLayer(float areaStretch) const;
+    float layerThinning(float areaStretch) const;
 
     float exponent_;
     std::vector<Tone> tones_;

@@ -13,12 +13,13 @@ inline constexpr std::array wedgeTones{0.05, 0.1,  0.2, 0.3,  0.45, 0.6,  0.75,
 inline constexpr qint64 mostWedgeBytes = 1 << 20;
 
 // Reads a table with the heading ink,nominal,flat,across,down,shown and one line per reading. `ink`
-// is cyan, magenta, yellow, black, white, or grey for the first three at once. `nominal` is the
-// density that the page asked for, `flat` the density of unstretched film. `across` and `down` are
-// the lengths in mm of the page's two rulers on the stretched film; `shown` is the density there.
-// Throws Error that names the line.
+// is cyan, magenta, yellow, black, white, or grey; grey stands for the first three together.
+// `nominal` is the density that the wedge page specifies, `flat` the density of unstretched film.
+// `across` and `down` are the lengths in mm of the page's two rulers on the stretched film; `shown`
+// is the density there. Throws Error that names the line.
 std::vector<WedgeReading> readWedge(const QByteArray& table, const QString& where);
-// Returns such a table without readings for cyan, magenta and yellow, and for black if `black`.
+// Returns a table to fill in, with `stretches` lines per tone and ink. The inks are cyan, magenta
+// and yellow, and also black if `black` is true.
 QByteArray blankWedge(int stretches, bool black = false);
 
 } // namespace dipwright

@@ -18,7 +18,8 @@ struct Text {
 };
 
 constexpr qint64 longestTemplate = 1 << 20; // bytes
-// Marlin speeds up slower moves (MINIMUM_PLANNER_SPEED); GRBL's limit is lower.
+// Slowest speed of a hold. Marlin speeds up slower moves (MINIMUM_PLANNER_SPEED); GRBL's limit is
+// lower.
 constexpr MillimetresPerSecond holdSpeed{0.05};
 
 QString plain(double number) {
@@ -26,8 +27,8 @@ QString plain(double number) {
     return text == QLatin1String("-0.000") ? QStringLiteral("0.000") : text;
 }
 
-// Makes a name safe inside a comment: one line, without characters that a controller could take for
-// the end of the comment.
+// Makes a name safe inside a comment: returns one line without characters that a controller could
+// interpret as the end of the comment.
 QString oneLine(const QString& name) {
     QString result;
     for (const QChar letter : name.simplified()) {

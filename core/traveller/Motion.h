@@ -1,5 +1,5 @@
-// The motion of one dip as points, as CSV and as a filled-in template, for a person or a machine
-// that moves the body.
+// Returns the motion of one dip as points, as CSV and as a filled-in template, for the person or
+// machine that moves the body.
 #pragma once
 
 #include "base/Units.h"
@@ -11,8 +11,8 @@
 
 namespace dipwright {
 
-// Heights are those of the body's lowest point, in mm above the water; negative heights are below
-// it.
+// The motion of one dip. A height is the height of the body's lowest point above the water, in mm;
+// it is negative below the water.
 struct DipMotion {
     QString project, immersion, job; // names and number for the operator
     Millimetres park{50};            // height at which the body waits over the film
@@ -31,6 +31,7 @@ struct MotionPoint {
     Millimetres height;
     MillimetresPerSecond speed; // speed on the line that ends at this point; 0 while the body waits
 };
+// Returns the points of the motion in order of time.
 std::vector<MotionPoint> motionPoints(const DipMotion& motion);
 
 // Returns a CSV table: the heading time_s,height_mm,speed_mm_s and one line per point, with decimal
@@ -39,11 +40,10 @@ QByteArray motionCsv(const DipMotion& motion);
 
 // Fills in the {names} of a template: project, immersion, job, park_mm, start_mm, depth_mm,
 // speed_mm_s, speed_mm_min, approach_mm_min, dip_s, hold_s, hold_ms, hold_depth_mm and hold_mm_min.
-// The last two describe the hold as a slow move a little deeper and back, because controllers
-// disagree about the unit of a dwell.
-// The values of project, immersion and job lose line ends and control characters, so that no name
-// can become a command. Throws Error for an unknown name; `where` tells the user which template is
-// meant.
+// hold_depth_mm and hold_mm_min describe the hold as a slow move slightly deeper and back, because
+// controllers use different units for a dwell. The values of project, immersion and job lose line
+// ends and control characters, so that no name can become a command. Throws Error for an unknown
+// name; `where` names the template for the user.
 QByteArray filledTemplate(const DipMotion& motion, const QString& text, const QString& where);
 
 struct MotionTemplate {

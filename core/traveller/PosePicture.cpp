@@ -9,7 +9,7 @@
 namespace dipwright {
 namespace {
 
-constexpr int samplesAcross = 2; // per pixel and axis
+constexpr int samplesAcross = 2; // rays per pixel along each axis
 constexpr double room = 1.06;    // picture size divided by body size
 const Eigen::Array3f bareBody(0.78F, 0.78F, 0.76F), cradleColour(0.93F, 0.80F, 0.55F);
 
@@ -103,7 +103,7 @@ private:
         return bareBody;
     }
 
-    // Lights the surface by a lamp over the viewer's left shoulder.
+    // Returns the colour of the surface in the light of a lamp over the viewer's left shoulder.
     Eigen::Array3f lit(const Eigen::Array3f& colour, const Eigen::Vector3f& normal) const {
         const Eigen::Vector3f lamp = (back_ - 0.5F * right_ + 0.6F * up_).normalized();
         return colour * (0.55F + 0.45F * std::max(0.0F, normal.dot(lamp)));

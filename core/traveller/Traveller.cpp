@@ -22,9 +22,9 @@ struct Text {
 
 const QSizeF page(210, 297);
 constexpr double margin = 12;
-constexpr double column = 93 - 2; // of each of two columns
+constexpr double column = 93 - 2; // width of each of two columns
 constexpr double secondColumn = margin + column + 4;
-constexpr double wordHeight = 2.9, headHeight = 3.8; // type heights
+constexpr double wordHeight = 2.9, headHeight = 3.8; // heights of the type
 const QColor water(40, 110, 200), paper(120, 120, 120), pinColour(190, 30, 30);
 
 QString plain(double number, int decimals = 1) {
@@ -145,8 +145,8 @@ double paintPoses(QPainter& painter, const TravellerDip& dip, double top) {
     return ink.text({margin, y + 0.8, width, 0}, wordHeight, cradleText(dip)) + 2;
 }
 
-// Paints the film on the water from above: its edges, marks and pins, and the part's outline over
-// it.
+// Paints the film on the water as seen from above: its edges, marks and pins, and the part's
+// outline.
 void paintFilm(QPainter& painter, const QRectF& place, const Traveller& traveller,
                const TravellerDip& dip) {
     const PageInk ink(painter);

@@ -1,7 +1,7 @@
 // Makes the traveller: the printed pages, one per dip, that tell the person at the tank how to dip
 // the part.
 //
-// The text is in the program's language; numbers use its decimal sign.
+// The text is in the program's language; numbers use the decimal sign of this language.
 #pragma once
 
 #include "cradle/DatumPins.h"
@@ -20,10 +20,10 @@ struct TravellerDip {
     Immersion immersion;
     QString job;                       // job number, as on the sheet's job line
     PosePicture front, right;          // the body over the film, with its cradle
-    double waterAtEnd = 0;             // y of the water when the dip ends, pose frame, mm
-    std::optional<QStringList> cradle; // the cradle's notes; none: no cradle was asked for
+    double waterAtEnd = 0;             // y of the water level at the end of the dip, pose frame, mm
+    std::optional<QStringList> cradle; // notes on the cradle; none: the job makes no cradle
     QStringList verdict;               // sentences: first the advice, then its reasons
-    QImage sheet;                      // reduced film image, ink side up
+    QImage sheet;                      // film image at reduced size, ink side up
     BoundingBox body;                  // bounding box, pose frame
     QImage after;                      // how the body should look after this dip
     DipMotion motion;
@@ -37,12 +37,12 @@ struct Traveller {
     std::vector<TravellerDip> dips; // in the order of dipping
 };
 
-// Returns the job number of several sheets together, twelve hex digits: the sheet's own number for
-// one sheet, else part of a SHA-256 over all numbers. `jobs` holds the sheets' job numbers, at
-// least one.
+// Returns one job number, twelve hex digits, for several sheets. For a single sheet it is the
+// sheet's own number, otherwise part of a SHA-256 of all numbers. `jobs` holds the sheets' job
+// numbers, at least one.
 QString combinedJobNumber(const QStringList& jobs);
 
-// Returns the job number of all dips together; the QR code holds it.
+// Returns the job number of all dips together, which the QR code contains.
 QString travellerJob(const Traveller& traveller);
 
 // Writes A4 pages, one per dip. The same traveller gives the same bytes in one language. Needs a

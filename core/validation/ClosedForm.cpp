@@ -18,7 +18,8 @@ Meridian sphereMeridian(double radius, double polarAngle) {
 }
 
 Meridian spheroidMeridian(double across, double along, double parameter) {
-    // Arc length for the parameter t of (across·sin t, along·(1 − cos t)), by Simpson's rule.
+    // Computes the arc length over the parameter t of the curve (across·sin t, along·(1 − cos t)),
+    // by Simpson's rule.
     constexpr int samples = 20000;
     const double last = pi / 2, width = last / samples;
     const auto speed = [across, along](double t) {
@@ -61,7 +62,7 @@ Meridian coneMeridian(double halfAngle, double contactRadius) {
 
 namespace {
 
-// The film on the contact line.
+// The state of the film on the contact line.
 struct LaidFilm {
     double radius = 0;  // R, mm
     double logArea = 0; // ln J, for a viscous film with a free edge

@@ -1,7 +1,8 @@
-// Closed forms of dips (docs/film-model.md, "Closed forms"). A body of revolution dips into a
-// floating film that is held at a distant ring or has a free edge; a long lying cylinder dips into
-// a film with free edges. The elastic film has no tension at rest and the linear in-plane
-// equilibrium r = α·ρ + β/ρ; the viscous film keeps its volume. Both films may grow while floating.
+// Gives the exact solutions of some dips in closed form (docs/film-model.md, "Closed forms"). In
+// one kind of dip, a body of revolution dips into a film that is held at a distant ring or has a
+// free edge. In the other kind, a long lying cylinder dips into a film with free edges. The elastic
+// film has no tension at rest and the linear in-plane equilibrium r = α·ρ + β/ρ; the viscous film
+// keeps its volume. Both films may grow while floating.
 #pragma once
 
 #include <functional>
@@ -9,19 +10,19 @@
 
 namespace dipwright {
 
-// A body of revolution about Y with its pole at (0, 0). Gives radius and height over the pole for
-// an arc length from the pole. Gives the arc length for a point's distance from the axis and its
-// height. All in mm.
+// A body of revolution about Y with its pole at (0, 0). `radius` and `height` (over the pole) are
+// functions of the arc length from the pole. `arc` returns the arc length of a point from its
+// distance to the axis and its height. All in mm.
 struct Meridian {
     std::function<double(double arc)> radius;
     std::function<double(double arc)> height;
     std::function<double(double radius, double height)> arc;
     double fullArc = 0;   // arc length where the comparison ends
-    double fullDepth = 0; // depth of the pole at that point
+    double fullDepth = 0; // depth of the pole, in mm, when the contact line is at `fullArc`
 };
 Meridian sphereMeridian(double radius, double polarAngle);
-// `across` and `along`: half-axes across and along Y. The comparison ends at the polar parameter
-// `parameter` (radians; π/2: equator).
+// `across` and `along` are the half-axes across and along Y. The comparison ends at the polar
+// parameter `parameter`, in radians; π/2 is the equator.
 Meridian spheroidMeridian(double across, double along, double parameter);
 Meridian coneMeridian(double halfAngle, double contactRadius);
 
@@ -33,17 +34,21 @@ struct FloatingFilm {
     FilmLaw law = FilmLaw::Elastic;
     FilmEdge edge = FilmEdge::Held;
     double edgeRadius = 0; // radius of a round film, mm
-    // Growth of the free film, as a factor on its length at the start, when the body's pole is
-    // `depth` mm under water.
+    // Returns the length of the free film divided by its length at the start, when the body's pole
+    // is `depth` mm under water.
     std::function<double(double depth)> grown = [](double) { return 1.0; };
 };
 
-// The radius R on the film of the point that ends at arc length s, integrated (Runge–Kutta 4) from
-// the pole. a(s) is the body's radius, Ro the film's, and g its growth when the water is at s:
-//   elastic   dR/ds = 1/(2αg − a/R),  αg = (Ro² − aR)/(Ro² − R²) held, (aR + 2gRo²)/(R² + 2Ro²)
-//   free viscous   dR/ds = a/(J·R),  J = (Ro² − a²)/(Ro² − R²) held
-// In a viscous film with a free edge,  d(ln J)/ds = 2((a′ − 1)a + 2r²·g′/g)/(a² + 2r²)  with the
-// edge at r² = a² + J(Ro² − R²). For large Ro these approach the forms of an infinite film.
+// Computes the radius R on the film of the point that ends at arc length s of the body, integrated
+// (Runge–Kutta 4) from the pole. a(s) is the body's radius and Ro the film's radius. g is the
+// film's growth when the water is at s:
+//   elastic   dR/ds = 1/(2αg − a/R)
+//             held: αg = (Ro² − aR)/(Ro² − R²);  free: αg = (aR + 2gRo²)/(R² + 2Ro²)
+//   viscous   dR/ds = a/(J·R)
+//             held: J = (Ro² − a²)/(Ro² − R²)
+//             free: d(ln J)/ds = 2((a′ − 1)a + 2r²·g′/g)/(a² + 2r²)
+// The free edge is at r² = a² + J(Ro² − R²). For large Ro these equations approach those of an
+// infinite film.
 class ClosedForm {
 public:
     ClosedForm(const Meridian& profile, const FloatingFilm& film);
@@ -54,18 +59,19 @@ private:
     std::vector<double> radii_;
 };
 
-// Returns the place X on the film of the point that ends at arc length s from the lowest line of a
-// lying cylinder. The cylinder is long compared with the film's width, and the film's edges are
-// free (edgeRadius is not used). With g₀ the growth at the first contact:
+// Returns the place X on the film of the point that ends on a lying cylinder, at arc length s from
+// its lowest line. The cylinder is long compared with the film's width, and the film's edges are
+// free (edgeRadius is not used). g₀ is the growth at the first contact:
 //   elastic   dX/ds = 3/(4g − g₀),    viscous   dX/ds = 1/(g₀·(g/g₀)^(4/3))
-// Along the cylinder each point lies at g₀ times its place on the film.
+// Along the cylinder, the distance of each point from the middle is g₀ times its distance on the
+// film.
 double filmOnCylinder(double cylinderRadius, double arc, const FloatingFilm& film);
 
-// Returns the radius R on the film of the point that ends inside a lying torus: a tube of radius ρ
-// round a circle of radius c with an upright axis. θ is the angle round the tube from its lowest
-// circle inwards. Film within the contact circle of radius a = c − ρ·sin θ is a disc stretched
-// equally in all directions (u = A·R), elastic or viscous. It does not depend on the film outside.
-// λm = λθ = a/R, so
+// Returns the radius R on the film of the point that ends on the inner side of a lying torus. The
+// torus is a tube of radius ρ around a circle of radius c with an upright axis. θ is the angle
+// around the tube from its lowest circle inwards. Film within the contact circle of radius a = c −
+// ρ·sin θ is a disc stretched equally in all directions (u = A·R), elastic or viscous. The film
+// outside the circle has no influence. λm = λθ = a/R, so
 //   dR/dθ = −ρ·R/a,  R = c·exp(−∫ρ/a dθ).
 double insideTorusFilmRadius(double circleRadius, double tubeRadius, double angle);
 

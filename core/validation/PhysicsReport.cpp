@@ -27,9 +27,10 @@ QColor seriesColour(std::size_t index) {
     return QColor::fromRgb(colours[index % colours.size()]);
 }
 
-// The plot of one kind of film: film radius over arc length, mm, both from 0 to `longest`.
+// The plot of one kind of film. It shows the film radius over the arc length, both in mm from 0 to
+// `longest`.
 struct Plot {
-    QRectF frame; // with titles
+    QRectF frame; // the whole plot with its titles
     double longest = 10;
     QRectF area() const { return frame.adjusted(52, 34, -16, -44); }
     QPointF at(double arc, double radius) const {
@@ -92,7 +93,7 @@ void drawSeries(QPainter& painter, const Plot& plot, const PhysicsResult& result
                      QStringLiteral("%1: %2").arg(result.body, error(result, result.rms)));
 }
 
-// Draws the plot of one kind of film at the finest resolution of every body.
+// Draws the plot of one kind of film, with each body at its finest resolution.
 void drawLaw(QPainter& painter, const QRectF& frame, const std::vector<PhysicsResult>& results,
              const QString& film, int cells) {
     double longest = 1;

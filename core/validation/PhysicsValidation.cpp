@@ -21,7 +21,7 @@ namespace dipwright {
 
 namespace {
 
-constexpr double contactRadius = 35; // mm, where the comparison ends on every body
+constexpr double contactRadius = 35; // mm: the comparison ends here on every body
 constexpr double ringRadius = 90;    // mm, where the film is held
 constexpr double freeWidth = 300;    // mm, side of the square free film
 constexpr double gap = 0.5;          // mm between body and water before the dip
@@ -45,10 +45,10 @@ Body makeBody(TriangleMesh mesh, int resolution, const Progress& progress) {
     return body;
 }
 
-// A film of square cells and the solver's result.
+// One dip of a film with square cells, and the solver's result.
 struct DipRun {
     solver::DipSetup setup;
-    std::vector<float> positions; // world
+    std::vector<float> positions; // in the world frame
     std::vector<solver::PointState> states;
     solver::DipState progress;
     double seconds = 0;
@@ -85,14 +85,15 @@ QString nameOf(const FilmKind& film) {
     return words.join(QStringLiteral(", "));
 }
 
-// The film grows by 9 % in the dip of the sphere: more than real films do.
+// Makes the film grow by 9 % during the dip of the sphere, which is more than real films grow.
 void letGrow(solver::Settings& settings) {
     settings.growthRate = 0.02;
     settings.growthLimit = 0.2;
 }
 
 FloatingFilm floatingFilm(const FilmKind& film, const solver::DipSetup& setup) {
-    // The centre of a square film is as soft as the centre of a round film of equal area.
+    // The closed form is for a round film. The centre of a square film is as soft as the centre of
+    // a round film of equal area.
     const double radius =
         film.edge == FilmEdge::Held ? ringRadius : setup.film.width / std::sqrt(pi);
     return {film.law, film.edge, radius,
@@ -104,7 +105,7 @@ FloatingFilm floatingFilm(const FilmKind& film, const solver::DipSetup& setup) {
 solver::DipSetup setupFor(const Body& body, double width, double depth, double spacing,
                           double travel, const FilmKind& film, const PhysicsOptions& options) {
     solver::DipSetup setup;
-    // An odd number, so that one point lies under the pole.
+    // An odd number of columns, so that one point lies under the pole.
     setup.film.columns = 2 * int(std::ceil(width / 2 / spacing)) + 1;
     setup.film.rows = 2 * int(std::ceil(depth / 2 / spacing)) + 1;
     setup.film.width = spacing * (setup.film.columns - 1);
@@ -127,7 +128,8 @@ solver::DipSetup setupFor(const Body& body, double width, double depth, double s
     return setup;
 }
 
-// Returns lines over `width`: `spacing` apart under the body, and farther and farther apart beyond.
+// Returns the places of grid lines over `width`. The lines are `spacing` apart under the body;
+// farther out, their distance increases.
 std::vector<double> linesOf(double spacing, double width) {
     const int fine = int(std::ceil(1.6 * contactRadius / spacing));
     std::vector<double> places;
@@ -147,7 +149,7 @@ std::vector<double> linesOf(double spacing, double width) {
     return lines;
 }
 
-// A square film around the body with free edges.
+// Sets a square film with free edges around the body.
 void setFree(solver::DipSetup& setup, double spacing) {
     solver::FilmGrid& film = setup.film;
     film.width = film.depth = freeWidth;
@@ -205,7 +207,7 @@ DipRun simulate(const solver::SolverModule& module, solver::DipSetup setup,
     return run;
 }
 
-// Accumulates errors for a result.
+// Accumulates the errors of one result.
 class ErrorSum {
 public:
     void add(double error) {
@@ -214,7 +216,8 @@ public:
         squares_ += error * error;
         maximum_ = std::max(maximum_, std::abs(error));
     }
-    // Accumulates errors near the grid's axes and near its diagonals, for the anisotropy.
+    // Adds an error to the sum near the grid's axes or to the sum near its diagonals, for the
+    // anisotropy.
     void addDirection(const Eigen::Vector2d& place, double error) {
         const double angle = std::atan2(std::abs(place.y()), std::abs(place.x())) * 180 / pi;
         if (angle < 5 || angle > 85) {
@@ -246,8 +249,8 @@ private:
 struct Expected {
     double arc, filmRadius; // mm
 };
-// Returns the expected film at a place relative to the body's lowest point; nothing where it is not
-// compared.
+// Returns the expected film at a place relative to the body's lowest point; none if the place is
+// not compared.
 using Comparison = std::function<std::optional<Expected>(const Eigen::Vector3d&)>;
 
 struct Revolution {
@@ -261,7 +264,7 @@ struct Revolution {
     std::vector<FilmKind> films;
 };
 
-// Returns a body whose pole touches first.
+// Returns a body whose pole touches the film first.
 Revolution solid(const QString& name, const Meridian& profile, TriangleMesh mesh, double firstCell,
                  bool isCone) {
     const auto comparison = [profile](const FloatingFilm& film) -> Comparison {
@@ -280,7 +283,7 @@ Revolution solid(const QString& name, const Meridian& profile, TriangleMesh mesh
             {{FilmLaw::Elastic}, {FilmLaw::Viscous}}};
 }
 
-// Returns the inside of a lying torus: its contact line closes round the film within.
+// Returns the inner side of a lying torus, whose contact line closes towards the axis.
 Revolution insideOfTorus() {
     constexpr double circle = contactRadius, tube = 15; // mm, radii
     const auto expected = [](const Eigen::Vector3d& place) -> std::optional<Expected> {
@@ -301,7 +304,7 @@ Revolution insideOfTorus() {
             {{FilmLaw::Elastic}, {FilmLaw::Viscous}}};
 }
 
-// Held film that grows is compressed; it lies as if it did not grow.
+// Held film is left out: when it grows it is compressed, and it lies as if it had not grown.
 void addGrowingFilms(Revolution& revolution) {
     for (const FilmEdge edge : {FilmEdge::Free, FilmEdge::Held}) {
         for (const FilmLaw law : {FilmLaw::Elastic, FilmLaw::Viscous}) {
@@ -420,7 +423,7 @@ PhysicsResult compareCylinder(const solver::SolverModule& module, const FilmKind
     result.inMillimetres = true;
     result.allowed = 0.1;
     const double radius = film.grows ? 20 : 30, angle = radians(Degrees(80));
-    // A growing film is long enough that its middle cannot grow along the cylinder.
+    // A growing film is so long that its middle cannot grow along the cylinder.
     const double width = film.grows ? 64 : 150, length = film.grows ? 250 : 100;
     const Body body = makeBody(cylinderMesh(radius, film.grows ? 300 : 140, 720), fieldResolution,
                                progress.part(0, 0.2));
@@ -444,8 +447,8 @@ PhysicsResult compareCylinder(const solver::SolverModule& module, const FilmKind
     return result;
 }
 
-// Compares a film that no body has touched. It grows about its centre, or does not move if all its
-// sides are held.
+// Compares a film before a body touches it. The film grows about its centre, or does not move if
+// all its sides are held.
 PhysicsResult compareFloating(const solver::SolverModule& module, const FilmKind& film,
                               const PhysicsOptions& options, const Progress& progress) {
     PhysicsResult result;
@@ -476,8 +479,8 @@ PhysicsResult compareFloating(const solver::SolverModule& module, const FilmKind
     return result;
 }
 
-// Compares dips of an ellipsoid, straight and turned by 45° about Y. Turned back, both films must
-// be equal.
+// Compares the dip of an ellipsoid with the dip of the same ellipsoid turned by 45° about Y. After
+// turning one film back, both films must be equal.
 PhysicsResult compareTurned(const solver::SolverModule& module, const PhysicsOptions& options,
                             const Progress& progress) {
     PhysicsResult result;

@@ -1,4 +1,4 @@
-// Compares the production film with closed forms, on the user's own solver, as evidence that sheets
+// Compares films simulated by the user's own solver with closed forms, as evidence that the sheets
 // are right.
 #pragma once
 
@@ -15,28 +15,28 @@
 
 namespace dipwright {
 
-// One comparison. For bodies of revolution, errors are those of the film radius relative to the
-// closed form; for other bodies they are distances in mm.
+// One comparison. For bodies of revolution, an error is the relative deviation of the film radius
+// from the closed form. For other bodies it is a distance in mm.
 struct PhysicsResult {
     QString body;  // "Sphere to 80°"
     QString film;  // "elastic", "viscous, free, growing"
-    int cells = 0; // in the contact radius
+    int cells = 0; // film cells in the contact radius
     bool inMillimetres = false;
-    double rms = 0, mean = 0, maximum = 0; // fractions, or mm
+    double rms = 0, mean = 0, maximum = 0; // errors as fractions, or in mm
     double anisotropy = 0; // mean error along the grid's axes minus along its diagonals
-    double allowed = 0;    // limit of the rms
+    double allowed = 0;    // largest allowed `rms`
     std::int64_t steps = 0;
     double seconds = 0;
     struct Sample {
         double arc, simulated, exact; // mm
     };
-    std::vector<Sample> samples; // thinned, for the plot
+    std::vector<Sample> samples; // a selection for the plot
     bool passed() const { return rms <= allowed; }
 };
 
 struct PhysicsOptions {
-    std::vector<int> resolutions{15, 30, 60}; // cells in the contact radius
-    double contactTravel = 0;                 // per step, cells; 0: the solver's default
+    std::vector<int> resolutions{15, 30, 60}; // film cells in the contact radius
+    double contactTravel = 0;                 // cells per step; 0: the solver's default
     int threads = 0;
     // Selects bodies of revolution, films and resolutions; empty: all.
     std::function<bool(const QString& body, const QString& film, int cells)> isWanted;

@@ -1,4 +1,4 @@
-// The module pbd-cpu: provides the films in solvers on the CPU.
+// The module pbd-cpu: provides the CPU films of the folder solvers.
 
 #include "measuring/cpu/CpuCeiling.h"
 #include "measuring/cpu/CpuName.h"
@@ -48,7 +48,8 @@ private:
     std::unique_ptr<solver::FilmSolver> film_;
 };
 
-// Asks the host for cancellation from one thread at a time, and remembers a yes.
+// Asks the host whether to cancel, from one thread at a time. Once the host has said yes, does not
+// ask again.
 class Cancellation {
 public:
     Cancellation(solver::CancelFunction cancelled, void* context)

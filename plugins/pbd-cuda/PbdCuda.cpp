@@ -1,4 +1,4 @@
-// The module pbd-cuda: provides the films in solvers on a GPU.
+// The module pbd-cuda: provides the GPU films of the folder solvers.
 
 #include "common/cuda/AlikeDevices.h"
 #include "common/cuda/Snapshot.h"
@@ -74,7 +74,8 @@ private:
 
 using Group = std::span<solver::BatchItem>;
 
-// Returns the end of the alike items that begin at `first`.
+// Returns the index after the last of the consecutive items, beginning at `first`, that can share a
+// batch.
 std::size_t endOfAlikeItems(std::span<const solver::BatchItem> items, std::size_t first) {
     std::size_t last = first + 1;
     while (last < items.size() && cuda::canShareBatch(items[first].setup, items[last].setup)) {
@@ -83,8 +84,8 @@ std::size_t endOfAlikeItems(std::span<const solver::BatchItem> items, std::size_
     return last;
 }
 
-// Groups alike items so that each group runs on one device. Distributes them evenly over the
-// devices.
+// Groups items that can share a batch, so that each group runs on one device. Distributes the items
+// evenly over the devices.
 std::vector<Group> groupsOf(Group items, const std::vector<cuda::Device>& devices) {
     std::vector<Group> groups;
     for (std::size_t first = 0; first < items.size();) {
@@ -104,14 +105,15 @@ public:
     SharedBatch(std::vector<Group> groups, solver::CancelFunction cancelled, void* context)
         : groups_(std::move(groups)), cancelled_(cancelled), context_(context) {}
 
-    // Returns whether all groups were run. Rethrows the first exception of a device.
+    // Runs the groups. Returns whether all of them were run. Rethrows the first exception of a
+    // device.
     bool runOn(const std::vector<cuda::Device>& devices) {
         std::vector<std::jthread> others;
         for (std::size_t device = 1; device < std::min(devices.size(), groups_.size()); ++device) {
             others.emplace_back([this, &devices, device] { work(devices[device]); });
         }
         work(devices.front());
-        others.clear(); // waits for them
+        others.clear(); // waits for the other devices' threads
         if (failure_) {
             std::rethrow_exception(failure_);
         }
@@ -159,7 +161,7 @@ private:
         }
     }
 
-    // Lets only one thread at a time ask the host.
+    // Asks the host whether to stop. Only one thread at a time asks.
     bool isStopped() {
         const std::lock_guard lock(mutex_);
         isStopped_ = isStopped_ || (cancelled_ && cancelled_(context_));

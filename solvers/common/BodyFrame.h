@@ -10,7 +10,7 @@ namespace dipwright::numerics {
 // A rigid transformation: the body point q lies at rotation·q + translation in the world.
 template <typename Real>
 struct BodyFrame {
-    Vector3<Real> rows[3]; // of the rotation
+    Vector3<Real> rows[3]; // rows of the rotation matrix
     Vector3<Real> translation;
 
     DIPWRIGHT_HOST_DEVICE Vector3<Real> directionToWorld(Vector3<Real> d) const {

@@ -12,7 +12,8 @@ template <typename Real>
 struct FieldGrid {
     const float* distance = nullptr;
     int nx = 0, ny = 0, nz = 0;
-    Vector3<Real> origin; // of sample (0, 0, 0), body coordinates
+    // The place of sample (0, 0, 0), in body coordinates.
+    Vector3<Real> origin;
     Real spacing{};
     Real inverseSpacing{};
 };
@@ -37,8 +38,8 @@ struct FieldSample {
 
 namespace detail {
 
-// One coordinate in units of cells, clamped to the grid: the cell, the position in it, and the
-// distance outside.
+// One coordinate in units of cells, clamped to the grid: the index of the cell, the position within
+// that cell, and the distance to the grid.
 template <typename Real>
 struct CellPlace {
     int cell;
@@ -91,13 +92,13 @@ DIPWRIGHT_HOST_DEVICE FieldSample<Real> sampleField(const FieldGrid<Real>& field
     const Vector3<Real> gradient{mix(alongX0, alongX1, z.fraction),
                                  mix(c10 - c00, c11 - c01, z.fraction), c1 - c0};
     const Vector3<Real> beyond{x.outside, y.outside, z.outside};
-    const Real squared = dot(beyond, beyond); // nearly always 0, so skip the root
+    const Real squared = dot(beyond, beyond); // nearly always 0, so the root is skipped
     const Real outside = squared == Real(0) ? Real(0) : std::sqrt(squared) * field.spacing;
     return {mix(c0, c1, z.fraction) + outside, gradient * field.inverseSpacing, outside};
 }
 
-// Returns ∇φ at `position` from central differences over one cell on each side. Unlike the gradient
-// of the trilinear interpolant, it changes continuously from cell to cell.
+// Returns ∇φ at `position` from central differences over one cell on each side. The result changes
+// continuously from cell to cell; the gradient of the trilinear interpolant does not.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE Vector3<Real> smoothGradient(const FieldGrid<Real>& field,
                                                    Vector3<Real> position) {
@@ -111,8 +112,8 @@ DIPWRIGHT_HOST_DEVICE Vector3<Real> smoothGradient(const FieldGrid<Real>& field,
             difference({Real(0), Real(0), reach})};
 }
 
-// Returns a lower bound of the distance to the body, except for the interpolation error. The body
-// must lie inside the field's grid.
+// Returns a lower bound of the distance to the body; interpolation may make it slightly too large.
+// The body must lie inside the field's grid.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE Real clearance(const FieldSample<Real>& sample) {
     const Real nearGrid = sample.distance - sample.outside - sample.outside;
@@ -120,15 +121,15 @@ DIPWRIGHT_HOST_DEVICE Real clearance(const FieldSample<Real>& sample) {
 }
 
 // Moves `position` along ∇φ to the level set φ = `level` by Newton's method. A few steps are
-// enough, as φ is nearly linear over a cell. Does not move where the gradient vanishes. `sample` is
-// the sample at `position`.
+// enough, as φ is nearly linear over a cell. Stops where the gradient vanishes. `sample` is the
+// sample at `position`.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE Vector3<Real> onLevel(const FieldGrid<Real>& field, Vector3<Real> position,
                                             FieldSample<Real> sample, Real level) {
     const int steps = 8;
     const Real closeEnough = Real(1e-4) * field.spacing;
     const Real flattest =
-        Real(0.25); // |∇φ|² is 1 except near ridges, where a step could go anywhere
+        Real(0.25); // |∇φ|² is 1 except near ridges, where a step would be unreliable
     for (int step = 0; step < steps; ++step) {
         const Real missing = level - sample.distance;
         if (std::abs(missing) <= closeEnough) {

@@ -36,13 +36,13 @@ inline bool areLines(const std::vector<double>& places, int count, double length
 
 } // namespace detail
 
-// For solvers that need evenly spaced points.
+// Throws std::invalid_argument if the points are not evenly spaced.
 inline void requireEven(const solver::FilmGrid& film) {
     detail::require(film.isEven(), "this film needs evenly spaced points: set the number of points "
                                    "instead of the size of the cells");
 }
 
-// For solvers without film growth.
+// Throws std::invalid_argument if the film grows.
 inline void requireNoGrowth(const solver::Settings& settings) {
     detail::require(settings.growthRate == 0 || settings.growthLimit == 0,
                     "this film cannot grow while it floats: set its growth to 0");

@@ -1,4 +1,4 @@
-// Measures the shortest time of some work, to find the ceiling of a device.
+// Measures the shortest run time of some work. Used to find a device's highest performance.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,8 @@
 
 namespace dipwright::numerics {
 
-// Returns the seconds of the fastest of several attempts. Disturbances can only make work slower.
+// Returns the seconds of the fastest of several attempts, because disturbances only make work
+// slower.
 template <typename Work>
 double leastSeconds(const Work& work) {
     constexpr int attempts = 4;

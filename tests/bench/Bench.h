@@ -1,4 +1,4 @@
-// Arguments and clocks for the measuring programs.
+// Provides command-line arguments and clocks for the programs that measure.
 #pragma once
 
 #include "cli/bench/Statistics.h"
@@ -20,7 +20,7 @@ using cli::timed;
 
 struct Elapsed {
     double seconds = 0;    // wall time
-    double processors = 0; // seconds of all processors together
+    double processors = 0; // seconds of all processors, added up
 };
 
 template <typename Work>
@@ -30,7 +30,7 @@ Elapsed elapsed(const Work& work) {
     return {seconds, double(std::clock() - start) / CLOCKS_PER_SEC};
 }
 
-// Columns and rows of the films in the paper's Table I.
+// The numbers of columns and rows of the films in the paper's Table I.
 using Sizes = std::vector<std::pair<int, int>>;
 inline const Sizes tableOneFilms{{8, 12},    {40, 60},   {80, 120},  {120, 180},
                                  {160, 240}, {200, 300}, {240, 360}, {280, 420}};
@@ -57,11 +57,12 @@ public:
         return std::atoi(value(name, std::to_string(otherwise)).c_str());
     }
 
-    // Returns the words that were not taken, in their order.
+    // Returns the remaining words in their order.
     const std::vector<std::string>& words() const { return words_; }
     // Removes a word and returns true; returns false if it is not among the words.
     bool take(const std::string& word) { return std::erase(words_, word) > 0; }
-    // Removes words such as 120x180 and returns their sizes, or `otherwise` if there are none.
+    // Removes words such as 120x180 and returns the sizes that they name, or `otherwise` if there
+    // are none.
     Sizes takeSizes(Sizes otherwise) {
         Sizes sizes;
         std::erase_if(words_, [&](const std::string& word) {

@@ -1,10 +1,11 @@
 // Measures the films on the GPU: steps per second of the paper's film, seconds per dip of the
-// production film, and the distance of their final points from the CPU's.
+// production film, and how far the final points are from those on the CPU.
 //
 //   cuda_film_bench paper|production [batch=N] [dips=N] [steps=N] [check] [elastic|viscous]
 //                   [sphere|cone|FIELD] [COLUMNSxROWS …]
 //
-// steps=N: at most N steps per dip, for compute-sanitizer, under which a whole dip takes hours.
+// steps=N: at most N steps per dip. Meant for compute-sanitizer, under which a whole dip takes
+// hours.
 //
 // FIELD: a file with the text "nx ny nz x y z spacing lowest height", a line break, and the samples
 // as floats.
@@ -61,7 +62,7 @@ struct Options {
     bool isProduction = false;
     int batch = 1;
     int dips = 5;
-    int steps = std::numeric_limits<int>::max(); // most steps per dip
+    int steps = std::numeric_limits<int>::max(); // largest number of steps per dip
     bool checks = false;
     double relaxationTime = std::numeric_limits<double>::infinity();
     std::string body = "sphere";

@@ -1,9 +1,9 @@
-// Measures how exactly a fit to photos of a dipped part finds known film and placement, for
-// docs/inspection.md. The parts are eggs of several heights, dipped with smaller cells than the
-// fit's. The fit sees 16 corners of the print or all visible ones, and 24 places of the body in two
-// photos, with 0 or 1 pixel of noise.
+// Measures how accurately a fit to photos of a dipped part finds known film and placement, for
+// docs/inspection.md. The parts are eggs of several heights. They are dipped with smaller cells
+// than the fit uses. The input of the fit is 16 corners of the print or all visible corners, and 24
+// places of the body, in two photos, with a noise of 0 or 1 pixel.
 //
-//     film_fit_bench [CELL]      cell of the fit in mm; the true film's cell is 0.75 of it
+//     film_fit_bench [CELL]      CELL: cell of the fit in mm; the true film's cell is 0.75 CELL
 #include "../core/inspection/PhotographedPart.h"
 #include "TestFolders.h"
 #include "base/Error.h"
@@ -27,8 +27,8 @@ double offOf(const FilmFit& fit, FitQuantity quantity, double truth, bool isShar
     return std::nan("");
 }
 
-// Half of the 95 % interval, %.
-double sureTo(const FilmFit& fit, FitQuantity quantity) {
+// Returns half of the 95 % interval, in %.
+double halfInterval(const FilmFit& fit, FitQuantity quantity) {
     for (const FittedQuantity& one : fit.quantities) {
         if (one.unknown.quantity == quantity) {
             return 50 * std::log(one.high / one.low);
@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
     const double cell = argc > 1 ? std::atof(argv[1]) : 1.5;
     const SolverRegistry registry{QStringList{pluginFolder()}};
     const solver::SolverModule& module = registry.module(QStringLiteral("pbd-cpu"));
-    const auto cameras = test::camerasRound({{20, -35}, {140, -30}}, 280, 3.4, 4000);
+    const auto cameras = test::camerasAround({{20, -35}, {140, -30}}, 280, 3.4, 4000);
     out << "height, hidden relaxation s, noise px, corners | off: swell X %, Y %, relaxation %, "
            "shift X mm, Z mm, turn deg | relaxation told to % | of 6 intervals hold | mm before, "
            "after | rounds, dips\n";
@@ -83,7 +83,8 @@ int main(int argc, char** argv) {
                     tell(FitQuantity::ShiftX, hidden.shiftX, false);
                     tell(FitQuantity::ShiftZ, hidden.shiftZ, false);
                     tell(FitQuantity::Turn, hidden.turn, false);
-                    out << "| " << QString::number(sureTo(fit, FitQuantity::Relaxation), 'f', 1)
+                    out << "| "
+                        << QString::number(halfInterval(fit, FitQuantity::Relaxation), 'f', 1)
                         << " | " << held << " | " << QString::number(fit.beforeMillimetres, 'f', 3)
                         << ' ' << QString::number(fit.afterMillimetres, 'f', 3) << " | "
                         << fit.rounds << ' ' << fit.dips << '\n';

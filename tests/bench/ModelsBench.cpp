@@ -3,10 +3,10 @@
 //
 //   models_bench [points=COLUMNSxROWS | automatic] [found] [solver=ID] [against=ID] JOB.dipw …
 //
-// found: measures the job's own poses and the two that a pose search finds.
-// against: dips with another solver, too, and prints how many pixels of the sheets differ.
-// Times are those of the dip alone, in seconds and relative to the first line. A verdict is wrong
-// if it says "print", but the full check moves the sheet by more than the reported numerical error.
+// found: measures the job's own poses and the two poses that a pose search finds.
+// against: also dips with another solver, and prints how many pixels of the sheets differ.
+// Times are for the dip alone, in seconds and relative to the first line. A verdict is wrong if it
+// says "print", but the full check moves the sheet by more than the reported numerical error.
 
 #include "Bench.h"
 #include "base/Error.h"
@@ -26,9 +26,9 @@ namespace {
 
 struct Options {
     QStringList jobs;
-    int columns = 0, rows = 0; // 0: those of the job
+    int columns = 0, rows = 0; // 0: the job's own numbers
     bool isAutomatic = false, areFound = false;
-    QString solver, against; // ids
+    QString solver, against; // names (ids) of solvers
 };
 
 Options parsed(int argc, char** argv) {
@@ -97,7 +97,7 @@ bool isRight(const ImmersionResult& said, const DipNumericalError& check) {
             check.halfSpacing.distance.percentile95 <= offBy);
 }
 
-double firstSeconds = 0; // dip time of the first line
+double firstSeconds = 0; // dip time of the first line, s
 
 void print(const Project& job, const ImmersionResult& said, const DipNumericalError& check,
            const ImmersionResult* other) {

@@ -15,7 +15,8 @@ namespace {
 
 struct Rate {
     double perSecond = 0;
-    double perCoreSecond = 0; // per second of processor time, as on a core of its own
+    // Steps per second of processor time, as if the film had a core for itself.
+    double perCoreSecond = 0;
 };
 
 Rate rate(solver::FilmSolver& film, const solver::DipSetup& setup) {

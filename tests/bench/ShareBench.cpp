@@ -1,10 +1,11 @@
-// Measures how long it takes to split a body between two dips, and the result:
+// Measures how long it takes to split a body between two dips, and prints the result:
 //   share_bench [points=CxR] JOB.dipw…
-// Prints one line per project: triangles, seconds (least of five), painted share of what either dip
-// reaches, share painted by both, width of the overlap, and the seam's length and cost relative to
-// the plane halfway between the poses. A second line: with the second film 0.7 mm off in four
-// directions, the share of the overlap whose reflectance changes by more than a tenth (meaningful
-// for plain bodies only), and the largest change.
+// Prints two lines per project. The first line: number of triangles; seconds (least of five runs);
+// painted share of the surface that either dip reaches; share that both dips paint; width of the
+// overlap; length and cost of the seam, relative to the plane halfway between the poses. The second
+// line is for a second film that is shifted by 0.7 mm in four directions: the share of the overlap
+// whose reflectance changes by more than 0.1 (meaningful for plain bodies only), and the largest
+// change.
 #include "Bench.h"
 #include "dip/Dip.h"
 #include "pipeline/Pipeline.h"
@@ -20,7 +21,7 @@ using namespace dipwright;
 namespace {
 
 struct Slipped {
-    double share = 0;   // share of the overlap that changes by more than a tenth
+    double share = 0;   // share of the overlap whose reflectance changes by more than 0.1
     double largest = 0; // largest change of reflectance
 };
 
@@ -93,7 +94,7 @@ void measure(const QString& path, const QString& points, QTextStream& out) {
                .arg(100 * (share.cost.length / share.equator.length - 1), 0, 'f', 0)
                .arg(100 * (share.cost.cost / share.equator.cost - 1), 0, 'f', 0);
     const Slipped off = slipped(result);
-    out << QStringLiteral("    0.7 mm off: %1 % of the overlap by more than a tenth, at most %2\n")
+    out << QStringLiteral("    0.7 mm off: %1 % of the overlap by more than 0.1, at most %2\n")
                .arg(100 * off.share, 0, 'f', 1)
                .arg(off.largest, 0, 'f', 2);
     out.flush();

@@ -1,9 +1,9 @@
 // Repeats the paper's accuracy experiment (its Table II) with computed photos:
 //   table_two_bench FOLDER [solver=ID]
 // Dips a ball of 70 mm, a tetrahedron of 60 mm and the turtle through the chessboard, with known
-// errors of film and placement (made() below). Photographs them by ray casting (PartPhoto.h) and
-// measures them like `inspect part --project`. Prints a table, and writes the photos with their
-// residuals to FOLDER.
+// errors of film and placement (made() below). Photographs the parts by ray casting (PartPhoto.h)
+// and measures them as `inspect part --project` does. Prints a table, and writes the photos with
+// their residuals to FOLDER.
 #include "PartPhoto.h"
 #include "base/Units.h"
 #include "inspection/FindPrint.h"
@@ -32,13 +32,13 @@ struct Case {
     std::size_t points; // the paper's N
     double paperShare;  // R over the diagonal, %
     double square;      // mm; with 17 mm, the tetrahedron would show only a few corners
-    double aside;       // sideways offset of the cameras from straight below, one to each side
+    double aside;       // mm, sideways offset of the cameras from straight below, one to each side
 };
 
-// The known errors in the tank.
+// The known errors of film and placement.
 constexpr double swellX = 1.015, swellY = 1.01;
 constexpr double asideX = 0.8, asideZ = -0.5; // mm
-constexpr double turnedBy = 1;                // degrees about the vertical
+constexpr double turnedBy = 1;                // degrees about the vertical axis
 
 Project made(Project project) {
     project.film.swellX *= swellX;
@@ -61,7 +61,7 @@ std::shared_ptr<const LaidFilm> dipped(const Project& project, const QString& so
     return runJob(project, registry, options, nullptr, {}).immersions[0].laid;
 }
 
-// Returns a camera that looks from below, where the film came from, and from one side.
+// Returns a camera that looks from below, where the film was, and from one side.
 PhotoCamera cameraOf(const LaidFilm& laid, double aside) {
     const PosedBody& body = laid.body();
     const auto box = boundingBox(body.mesh);
@@ -78,7 +78,8 @@ PhotoCamera cameraOf(const LaidFilm& laid, double aside) {
     return camera;
 }
 
-// Adds 24 places of the body's surface, each clicked with an error of 1.5 pixels (σ).
+// Adds 24 places of the body's surface. Each is clicked with an error of 1.5 pixels (standard
+// deviation).
 void clickOnBody(const TriangleMesh& mesh, const PhotoCamera& camera, int photo,
                  std::vector<PlacePair>& pairs) {
     const SurfaceQuery query(mesh);
@@ -100,7 +101,7 @@ void clickOnBody(const TriangleMesh& mesh, const PhotoCamera& camera, int photo,
     }
 }
 
-// Returns `count` places, as many as the paper took, far from each other.
+// Returns `count` places, as many as in the paper, far from each other.
 std::vector<PrintedPlace> spreadOut(const std::vector<PrintedPlace>& places, std::size_t count) {
     std::vector<PrintedPlace> chosen{places.front()};
     const auto away = [&](const PrintedPlace& place) {

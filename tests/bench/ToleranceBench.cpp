@@ -1,9 +1,10 @@
-// Measures how long it takes to compute a job's tolerances, and the result:
+// Measures how long it takes to compute a job's tolerances, and prints the result:
 //   tolerance_bench [solver=ID] [samples=N] [contributors=8] JOB.dipw…
-// Prints one line per dip: wall seconds and processor seconds for the whole job's tolerances, the
-// 95th percentile from the sum of the contributions, and that of dips with all errors at once.
-// `contributors=8` takes the usual eight: the body's three turns and two offsets, the film's swell,
-// the water level, and the film's turn (from the same dips as the body's).
+// Prints one line per dip: wall seconds and processor seconds for the tolerances of the whole job;
+// the 95th percentile computed from the sum of the contributions; the 95th percentile from dips
+// with all errors at once. `contributors=8` uses the usual eight: the body's three rotations and
+// two offsets, the film's swell, the water level, and the film's rotation (from the same dips as
+// the body's rotation).
 #include "Bench.h"
 #include "pipeline/JobTolerances.h"
 #include "pipeline/Pipeline.h"

@@ -1,12 +1,13 @@
 // Measures how long the window blocks: the longest times between two turns of its event loop while
-// a project opens, a dip runs and its results arrive, and how soon a cancelled dip stops.
+// a project opens, a dip runs and its results arrive. Also measures how soon a cancelled dip stops.
 //
 //   window_heartbeat [--points=COLUMNSxROWS] [--size=WIDTHxHEIGHT] [--without-view] PROJECT.dipw
 //
 // Finds the solvers in DIPWRIGHT_PLUGIN_PATH.
 //
-// "Most work" is the largest processor time of one turn. On a busy machine it tells more than wall
-// time. Without the view, nothing is drawn, so a slow OpenGL does not count.
+// "Most work" is the largest processor time of one turn of the event loop. On a busy machine it is
+// more reliable than wall time. With --without-view nothing is drawn, so a slow OpenGL does not
+// count.
 
 #include "WindowDriver.h"
 
@@ -70,7 +71,7 @@ private:
     QTimer timer_;
     QElapsedTimer clock_;
     std::vector<double> gaps_;
-    double workBefore_ = 0, mostWork_ = 0; // ms of this thread, in one turn
+    double workBefore_ = 0, mostWork_ = 0; // processor time of this thread in one turn, ms
 };
 
 void measureCancel(MainWindow& window, const WindowDriver& driver) {

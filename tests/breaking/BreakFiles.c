@@ -2,13 +2,13 @@
    files below one folder. Can also make the Nth allocation fail, counted from failAllocation().
 
    DIPWRIGHT_BREAK_BELOW   The folder. Operations elsewhere are neither broken nor counted.
-   DIPWRIGHT_BREAK_AT      N, from 1. 0 or unset: nothing is broken.
-   DIPWRIGHT_BREAK_HOW     kill, EIO or ENOSPC break operation N. ESTALE breaks N and all later
-                           operations, and looking at files, like a network folder that is gone.
-   DIPWRIGHT_BREAK_LOG     A file outside the folder. Gets one line per counted operation.
+   DIPWRIGHT_BREAK_AT      N, counted from 1. If it is 0 or unset, nothing is broken.
+   DIPWRIGHT_BREAK_HOW     kill, EIO or ENOSPC break operation N. ESTALE breaks N, all later
+                           operations and all queries about files, like a vanished network folder.
+   DIPWRIGHT_BREAK_LOG     A file outside the folder. Each counted operation adds one line to it.
 
-   All of them may change while the program runs. Before a kill at a write, half of the bytes are
-   written to the disk. */
+   All these variables may change while the program runs. If the program is killed at a write, half
+   of the bytes have been written to the disk. */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <dlfcn.h>
@@ -256,7 +256,7 @@ int linkat(int fromFolder, const char* from, int toFolder, const char* to, int f
     return real(fromFolder, from, toFolder, to, flags);
 }
 
-/* Looking at files is not counted. */
+/* Operations that only read information about files are not counted. */
 
 static int isGone(const char* path) {
     const char* at = getenv("DIPWRIGHT_BREAK_AT");

@@ -1,10 +1,10 @@
-// Breaks the programs at every file operation of a write: the program is killed, the operation
-// fails, or the folder vanishes like a network folder. At the next start, either the old or the new
-// state must be there, complete, and nothing else.
+// Breaks the programs at every file operation while they write. Either the program is killed, the
+// operation fails, or the folder vanishes as a network folder does. At the next start, either the
+// complete old state or the complete new state must be there, and nothing else.
 //
-// DIPWRIGHT_BREAK_EVERYWHERE=1 breaks at every operation, =3/16 at the third and every 16th after
-// it. If unset, each case is broken at a few operations; a whole run takes more. The counts are
-// printed (scripts/break).
+// DIPWRIGHT_BREAK_EVERYWHERE=1 breaks at every operation; =3/16 breaks at the third operation and
+// every 16th after it. If it is unset, each case is broken at a few operations only, because
+// breaking at all takes long. The counts are printed (scripts/break).
 
 #include "CliProcess.h"
 #include "TestFolders.h"
@@ -26,9 +26,10 @@ using namespace dipwright::test;
 
 namespace {
 
-constexpr int mostGrowth = 4 * 1024;       // kB in many cycles; libraries cache memory
-const int pointsOfACase = sampleOf(4, 12); // breaks per case, unless isEverywhere()
-constexpr int operationsOfAStart = 16;     // least number of operations that repair at a start
+constexpr int mostGrowth = 4 * 1024;       // kB over many cycles; libraries cache memory
+const int pointsOfACase = sampleOf(4, 12); // breaks per case, unless isEverywhere() is true
+// Smallest number of operations that a recovery at a start takes.
+constexpr int operationsOfAStart = 16;
 
 bool isEverywhere() {
     return qEnvironmentVariableIsSet("DIPWRIGHT_BREAK_EVERYWHERE");
@@ -49,14 +50,14 @@ Points pointsOf(long count, int atMost) {
                             : Points();
 }
 
-// Where and how a program is broken; at = 0: not at all.
+// Where and how a program is broken. If `at` is 0, it is not broken.
 struct Break {
     int at = 0;
     QString how = {};
     QString log = {};
 };
 
-// A folder with all files that a case reads and writes, and with the user's program data.
+// A folder with all files that a case reads and writes, and with the user's data of the program.
 class Place {
 public:
     QString path(const QString& name = {}) const { return root_.filePath(name); }
@@ -93,7 +94,7 @@ QByteArray contentsOf(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-// Returns the report without the times, which differ from run to run.
+// Returns the report without its times, which differ from run to run.
 QByteArray reportOf(const QString& path) {
     QJsonObject report = QJsonDocument::fromJson(contentsOf(path)).object();
     QJsonArray immersions;
@@ -107,7 +108,7 @@ QByteArray reportOf(const QString& path) {
     return QJsonDocument(report).toJson();
 }
 
-// Names and hashes of all files below a folder. Hidden files count: they are leftovers.
+// Names and hashes of all files below a folder. Hidden files count, because they are leftovers.
 using Snapshot = QMap<QString, QByteArray>;
 Snapshot snapshot(const QString& folder) {
     static const QRegularExpression uuid(
@@ -163,7 +164,7 @@ private:
     QString kept(const QString& name) const { return kept_.filePath(name); }
 
     Place place_;
-    QTemporaryDir kept_; // the state of place_ before each break
+    QTemporaryDir kept_; // a copy of place_ before each break
 };
 
 void BreakingTest::initTestCase() {
@@ -190,7 +191,8 @@ void BreakingTest::initTestCase() {
                             QStringLiteral("--set"), QStringLiteral("film.points=17x17"),
                             QStringLiteral("--set"), QStringLiteral("body.sdf_resolution=64"),
                             QStringLiteral("--set"), QStringLiteral("sheet.dpi=40")};
-    // The earlier results have two dips, and every file differs from its new state.
+    // The earlier results have two dips. Each of their files differs from the file that replaces
+    // it.
     QVERIFY(made(project(QStringLiteral("old.dipw"),
                          small + QStringList{QStringLiteral("--immersion"),
                                              QStringLiteral("name=A,rotation=10;20;30"),
@@ -268,7 +270,7 @@ void BreakingTest::writes_killedOrFailing_areWholeAtNextStart() {
     const int operations = int(contentsOf(log).count('\n'));
     const std::vector<const char*> ways{"kill", "EIO", "ENOSPC", "ESTALE"};
     const Points points = pointsOf(operations, pointsOfACase);
-    // A few more, because a failure may cause further operations.
+    // Breaks at a few operations more, because a failure may cause further operations.
     const int last = operations + (isEverywhere() ? 2 : 0);
     int breaks = 0;
     QStringList faults;
@@ -276,13 +278,13 @@ void BreakingTest::writes_killedOrFailing_areWholeAtNextStart() {
         for (std::size_t way = 0; way < ways.size(); ++way) {
             const char* const how = ways[way];
             if (!isEverywhere() && std::size_t(at / points.stride) % ways.size() != way) {
-                continue; // one way at each point, in turn
+                continue; // tests only one way at each operation, in turn
             }
             restore();
             const Outcome outcome =
                 place_.run(program, arguments, {at, QString::fromLatin1(how), {}});
             ++breaks;
-            if (way == 0) { // break the recovery once, too
+            if (way == 0) { // also breaks the recovery once
                 place_.run(cliPath(),
                            {QStringLiteral("info"), place_.path(QStringLiteral("job.dipw"))},
                            {1 + breaks % operationsOfAStart, QStringLiteral("EIO"), {}});
@@ -309,7 +311,8 @@ void BreakingTest::writes_killedOrFailing_areWholeAtNextStart() {
             }
         }
     }
-    qInfo("%d operations, broken at %d: %d not whole", operations, breaks, int(faults.size()));
+    qInfo("%d operations, broken at %d of them: %d times the files were not whole", operations,
+          breaks, int(faults.size()));
     QVERIFY2(faults.isEmpty(), qPrintable(faults.mid(0, 60).join(QLatin1Char('\n'))));
 }
 

@@ -1,4 +1,4 @@
-// Does with a document's files what the window does, without a window, so that BreakingTest can
+// Handles a document's files as the window does, but without a window, so that BreakingTest can
 // break it:
 //   save JOB               opens, changes and saves a project
 //   keep JOB FOLDER        opens and changes a project and keeps a recovery copy in FOLDER
@@ -77,10 +77,10 @@ int entriesBelow(const QString& folder) {
     return count;
 }
 
-// Prints the resources of the process: allocated memory in kB (complete only with
-// MALLOC_ARENA_MAX=1; memory cached by the allocator is not counted), open files, and entries in
-// the folder for temporary files.
-void tellHoldings() {
+// Prints the resources that the process holds. They are allocated memory in kB, open files, and
+// entries in the folder for temporary files. The memory is complete only with MALLOC_ARENA_MAX=1,
+// and does not include memory that the allocator caches.
+void printResources() {
     const struct mallinfo2 memory = mallinfo2();
     std::printf("%ld %d %d\n", long((memory.uordblks + memory.hblkhd) / 1024),
                 int(QDir(QStringLiteral("/proc/self/fd")).count()), entriesBelow(QDir::tempPath()));
@@ -102,40 +102,41 @@ void cycles(const QString& job, const QString& folder, int count) {
     for (int number = 1; number <= count; ++number) {
         cycle(job, folder, number);
         if (number == count / 10 || number == count) {
-            tellHoldings();
+            printResources();
         }
     }
 }
 
-// Call the functions of the preloaded library (BreakFiles.c).
+// Calls the function of the preloaded library (BreakFiles.c).
 void failAllocation(long number) {
     const auto call = reinterpret_cast<void (*)(long)>(dlsym(RTLD_DEFAULT, "failAllocation"));
     call(number);
 }
+// Calls the function of the preloaded library.
 long allocations() {
     return reinterpret_cast<long (*)()>(dlsym(RTLD_DEFAULT, "allocations"))();
 }
 
-constexpr unsigned secondsOfALife = 60;
+constexpr unsigned processTimeoutSeconds = 60;
 
-enum Exit { Done = 0, Told = 1, OtherException = 2, Damaged = 3 };
+enum Exit { Done = 0, ErrorReported = 1, OtherException = 2, Damaged = 3 };
 
-// Runs `work` in its own process while the given allocation fails. Returns the exit code; −1:
-// crashed.
+// Runs `work` in a separate process in which the given allocation fails. Returns the exit code, or
+// −1 if the process crashed.
 template <typename Work>
 int lifeWith(long allocation, const Work& work) {
     std::fflush(stdout);
     const pid_t child = fork();
     if (child == 0) {
-        alarm(secondsOfALife); // TBB sometimes waits for ever
+        alarm(processTimeoutSeconds); // TBB sometimes waits for ever
         int code = Done;
         failAllocation(allocation);
         try {
             work();
         } catch (const Error&) {
-            code = Told;
+            code = ErrorReported;
         } catch (const std::bad_alloc&) {
-            code = Told;
+            code = ErrorReported;
         } catch (...) {
             code = OtherException;
         }
@@ -156,8 +157,8 @@ QByteArray contentsOf(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-// Opens and saves a copy while one allocation fails, for each number from `first` to `last` in
-// steps of `stride`. Prints how often each outcome occurred.
+// Opens and saves a copy of the job while one allocation fails, for each number from `first` to
+// `last` in steps of `stride`. Prints how often each outcome occurred.
 void allocationsOf(const QString& job, long first, long last, long stride) {
     const QString copy = job + QStringLiteral(".copy");
     QFile::remove(copy);
@@ -185,7 +186,7 @@ void allocationsOf(const QString& job, long first, long last, long stride) {
         recoverUnfinishedWrites();
     }
     std::printf("allocations %ld done %ld told %ld other %ld crashed %ld lost %ld\n", lives,
-                outcomes[Done], outcomes[Told], outcomes[OtherException], crashes, lost);
+                outcomes[Done], outcomes[ErrorReported], outcomes[OtherException], crashes, lost);
 }
 
 int run(const QStringList& words) {

@@ -1,6 +1,6 @@
-// A project's network folder vanishes while the window has the project open. The window must report
-// it, keep working, keep the unsaved work, and save all of it when the folder is back. Run with
-// tests/breaking/BreakFiles.c preloaded.
+// Tests a project's network folder that vanishes while the window has the project open. The window
+// must report it, continue to work, keep the unsaved work, and save all of it when the folder is
+// back. Run with tests/breaking/BreakFiles.c preloaded.
 #include "Patience.h"
 #include "TestFolders.h"
 #include "WindowDriver.h"
@@ -62,7 +62,7 @@ void VanishedFolderTest::cleanup() {
     workbench_.reset();
 }
 
-// Makes operations in the folder fail with ESTALE, or moves the folder away, as isStale says.
+// Moves the folder away, or makes operations in the folder fail with ESTALE.
 void VanishedFolderTest::vanish(bool isGone) const {
     QFETCH(bool, isStale);
     const QString server = path(QStringLiteral("server")), away = path(QStringLiteral("away"));
@@ -85,7 +85,7 @@ void VanishedFolderTest::save_folderVanished_losesNothing() {
     const double before = savedSwell();
     change(1.25);
     vanish(true);
-    QVERIFY(!QFile(job_).open(QIODevice::ReadOnly)); // the preloaded library works
+    QVERIFY(!QFile(job_).open(QIODevice::ReadOnly)); // checks that the preloaded library works
     WindowDriver(*window_).trigger("save");
     QVERIFY(QTest::qWaitFor([&] { return failure() != nullptr; }, patience()));
     qInfo("%s", qPrintable(failure()->text()));
@@ -93,7 +93,7 @@ void VanishedFolderTest::save_folderVanished_losesNothing() {
     failure()->close();
     QVERIFY(window_->document()->isModified());
 
-    // The work continues, and a recovery copy is kept elsewhere.
+    // Changes are still possible, and a recovery copy is kept in another folder.
     change(1.125);
     const QDir recovery(path(QStringLiteral("recovery")));
     window_->documents().setAutosaveInterval(1);

@@ -1,4 +1,5 @@
-// The films on the GPU, compared with the CPU and the reference solvers. Skipped without a GPU.
+// Compares the films on the GPU with those on the CPU and of the reference solvers. Skipped without
+// a GPU.
 
 #include "TestFolders.h"
 #include "dip/Dip.h"
@@ -52,7 +53,7 @@ solver::DipSetup wholeDip(const Body& body, const QString& preset) {
     return dipSetup(body.posed, body.field, {}, project.film, project.process);
 }
 
-// Coarse enough for the reference solvers.
+// Returns a dip that is coarse enough for the reference solvers.
 solver::DipSetup coarseDip(const Body& body, const QString& preset, double depth) {
     Project project;
     applyPreset(project, preset);
@@ -67,7 +68,7 @@ bool haveSameBits(const Ending& a, const Ending& b) {
            a.progress.steps == b.progress.steps;
 }
 
-// The end of a dip by the paper's reference solver.
+// Returns the end of a dip with the paper's reference solver.
 Ending plainPaperDip(const solver::DipSetup& setup) {
     reference::PlainPaperFilm plain(setup);
     plain.dip();
@@ -83,8 +84,8 @@ Ending plainPaperDip(const solver::DipSetup& setup) {
     return end;
 }
 
-// The distance between a point and the surface at the end of the dip, less the contact distance, in
-// mm.
+// Returns the distance, in mm, between a point and the surface at the end of the dip, minus the
+// contact distance.
 double clearanceOf(const Ending& end, std::size_t point, const solver::DipSetup& setup) {
     const auto frame = numerics::bodyFrame<double>(setup.motion, setup.motion.travel);
     const auto field = numerics::fieldGrid<double>(setup.field);
@@ -92,7 +93,7 @@ double clearanceOf(const Ending& end, std::size_t point, const solver::DipSetup&
            setup.settings.contactDistance;
 }
 
-// The setup with growing film. `isHeld`: its left side is pinned.
+// Returns the setup with growing film. `isHeld`: whether the film's left side is pinned.
 solver::DipSetup growing(solver::DipSetup setup, double rate, bool isHeld) {
     setup.settings.growthRate = rate;
     setup.settings.growthLimit = rate > 0 ? 0.2 : 0;
@@ -102,8 +103,8 @@ solver::DipSetup growing(solver::DipSetup setup, double rate, bool isHeld) {
     return setup;
 }
 
-// Requires positions within 0.02 mm, and the same points adhered except those within 0.01 mm of
-// touching.
+// Requires positions within 0.02 mm. Requires the same points to be adhered, except points within
+// 0.01 mm of touching.
 void requireAgreement(const Ending& gpu, const Ending& other, const solver::DipSetup& setup) {
     double farthest = 0, farthestDiffering = 0;
     int differing = 0, adhered = 0;
@@ -123,8 +124,8 @@ void requireAgreement(const Ending& gpu, const Ending& other, const solver::DipS
     QVERIFY(farthestDiffering <= 0.01);
 }
 
-// The number of NVIDIA GPUs according to the driver. The plugin is not asked, because a plugin that
-// does not see them must not pass for a computer without any.
+// Returns the number of NVIDIA GPUs that the driver reports. The plugin is not asked: a plugin that
+// fails to find the GPUs must not make the test skip.
 int gpusByDriver() {
 #ifdef Q_OS_WIN
     QLibrary driver(QStringLiteral("nvcuda"));
@@ -150,17 +151,17 @@ private slots:
     void cudaFilm_dip_agreesWithTheCpu();
     void cudaFilm_dip_agreesWithTheReference_data() { cudaFilm_dip_agreesWithTheCpu_data(); }
     void cudaFilm_dip_agreesWithTheReference();
-    void cudaFilm_twice_givesTheSameBits_data();
-    void cudaFilm_twice_givesTheSameBits();
+    void cudaFilm_sameDipTwice_givesTheSameBits_data();
+    void cudaFilm_sameDipTwice_givesTheSameBits();
     void cudaFilm_peek_showsWholeStepsAndChangesNothing_data() {
-        cudaFilm_twice_givesTheSameBits_data();
+        cudaFilm_sameDipTwice_givesTheSameBits_data();
     }
     void cudaFilm_peek_showsWholeStepsAndChangesNothing();
     void cudaFilm_smallerFilmDippedMeanwhile_changesNothing_data() {
-        cudaFilm_twice_givesTheSameBits_data();
+        cudaFilm_sameDipTwice_givesTheSameBits_data();
     }
     void cudaFilm_smallerFilmDippedMeanwhile_changesNothing();
-    void cudaBatch_equalsSingleDips_data() { cudaFilm_twice_givesTheSameBits_data(); }
+    void cudaBatch_equalsSingleDips_data() { cudaFilm_sameDipTwice_givesTheSameBits_data(); }
     void cudaBatch_equalsSingleDips();
     void cudaBatch_cancelled_stops();
 
@@ -229,21 +230,21 @@ void CudaFilmTest::cudaFilm_dip_agreesWithTheReference() {
     requireAgreement(dipOnGpu(setup), exact, setup);
 }
 
-void CudaFilmTest::cudaFilm_twice_givesTheSameBits_data() {
+void CudaFilmTest::cudaFilm_sameDipTwice_givesTheSameBits_data() {
     QTest::addColumn<QString>("preset");
     for (const QString& preset : {paper, production}) {
         QTest::addRow("%s", qPrintable(preset)) << preset;
     }
 }
 
-void CudaFilmTest::cudaFilm_twice_givesTheSameBits() {
+void CudaFilmTest::cudaFilm_sameDipTwice_givesTheSameBits() {
     QFETCH(QString, preset);
     const Body body = bodyNamed(QStringLiteral("turtle"));
     const solver::DipSetup setup = wholeDip(body, preset);
     const Ending first = dipOnGpu(setup);
     QVERIFY(haveSameBits(first, dipOnGpu(setup)));
 
-    // The number of steps for each call does not matter either.
+    // The result does not depend on the number of steps per call either.
     const auto film = registry_.module(QStringLiteral("pbd-cuda")).create();
     film->begin(setup);
     solver::DipState progress;
@@ -255,8 +256,8 @@ void CudaFilmTest::cudaFilm_twice_givesTheSameBits() {
     QVERIFY(haveSameBits(first, inSmallSteps));
 }
 
-// A frame of a running dip is the film after a whole number of steps, bit for bit. Showing it
-// changes nothing.
+// A frame of a running dip is the film after a whole number of steps, bit for bit. Reading a frame
+// does not change the dip.
 void CudaFilmTest::cudaFilm_peek_showsWholeStepsAndChangesNothing() {
     QFETCH(QString, preset);
     const Body body = bodyNamed(QStringLiteral("sphere"));
@@ -288,7 +289,7 @@ void CudaFilmTest::cudaFilm_peek_showsWholeStepsAndChangesNothing() {
     QVERIFY(haveSameBits(end, runIsolated));
 }
 
-// A job's film runs beside the coarser films for the numerical error.
+// A job's film runs at the same time as the coarser films that estimate the numerical error.
 void CudaFilmTest::cudaFilm_smallerFilmDippedMeanwhile_changesNothing() {
     QFETCH(QString, preset);
     const Body body = bodyNamed(QStringLiteral("sphere"));

@@ -1,6 +1,6 @@
 // Runs the fuzz targets over their corpus in the ordinary build, with whole and damaged files. A
-// target must accept a file or throw Error. `scripts/fuzz --keep` extends corpus/NAME. Files named
-// fault-… once triggered a bug that is fixed.
+// target must accept a file or throw Error. `scripts/fuzz --keep` adds files to corpus/NAME. A file
+// named fault-… once triggered a bug that is now fixed.
 #include "TestFolders.h"
 #include "WholeSample.h"
 #include <QDir>
@@ -23,8 +23,8 @@ const QDir corpus(sourceFolder("/tests/fuzz/corpus"));
 const std::map<QString, int (*)(const unsigned char*, std::size_t)> targets{DIPWRIGHT_FUZZED};
 #undef FUZZED
 
-// Formats that assimp reads. Other tests damage them in separate processes, because assimp may
-// crash.
+// Returns whether assimp reads the format. Other tests damage such files in separate processes,
+// because assimp may crash.
 bool isAssimps(const QString& name) {
     return QStringList{"obj", "stl", "gltf", "glb", "dae", "fbx", "3ds"}.contains(name);
 }
@@ -34,7 +34,7 @@ QByteArray corpusFile(const QString& place) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-// Returns the bytes with a few changed, a piece removed, or a piece repeated.
+// Returns the bytes with a few of them changed, a piece removed, or a piece repeated.
 QByteArray damaged(QByteArray bytes, std::mt19937& random) {
     const auto anywhere = [&] {
         return qsizetype(random() % std::size_t(std::max<qsizetype>(bytes.size(), 1)));

@@ -1,5 +1,5 @@
-// Fuzzes the reader of a cached dip of a small film, and lays the film on a ball as opening a
-// project does. An accepted dip must be written back to the same bytes.
+// Fuzzes the reader of a cached dip of a small film, and lays the film on a ball, as happens when a
+// project is opened. An accepted dip must be written back as the same bytes.
 #include "base/Error.h"
 #include "dip/Dip.h"
 #include "dip/LaidFilm.h"
@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     static const auto body = ball();
     const ProcessSettings process;
     try {
-        // The film of fuzz-seeds.
+        // This is the film of fuzz-seeds.
         CachedDip dip = readCachedDip(bytes, {8, 6, 14, 10}, true, QStringLiteral("x"));
         if (cachedDip(dip) != bytes) {
             std::abort();

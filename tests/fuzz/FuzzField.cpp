@@ -1,5 +1,5 @@
 // Fuzzes the reader of a cached distance field of 2 × 2 × 2 samples. An accepted field must be
-// written back to the same bytes.
+// written back as the same bytes.
 #include "geometry/FieldFile.h"
 
 #include <QBuffer>

@@ -1,5 +1,5 @@
-// Fuzzes the journal in the hidden folder of results, which the next start reads. Recovery must end
-// and must not touch anything outside the folder.
+// Fuzzes the journal in the hidden folder of results, which the next start reads. Recovery must
+// end, and must not change anything outside the folder.
 #include "disk/FolderTransaction.h"
 
 #include <QDir>
@@ -45,7 +45,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     const std::size_t skipped = isBack ? 1 : 0;
     write(work.filePath(isBack ? QStringLiteral("undo.json") : QStringLiteral("journal.json")),
           {reinterpret_cast<const char*>(data + skipped), qsizetype(size - skipped)});
-    FolderTransaction::putRight(target.path());
+    FolderTransaction::completeTransaction(target.path());
     if (!isAsItWas(place.filePath(QStringLiteral("mine")))) {
         std::abort();
     }

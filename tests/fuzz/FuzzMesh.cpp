@@ -1,4 +1,5 @@
-// Fuzzes the project's own model format, in which the sandboxed reader also returns its result.
+// Fuzzes the reader of the project's own model format. The sandboxed reader also returns its result
+// in this format.
 #include "base/Error.h"
 #include "model/StoredModel.h"
 

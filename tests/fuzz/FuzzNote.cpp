@@ -1,5 +1,5 @@
-// Fuzzes the reader of a note of unfinished work. An accepted note names its work by an absolute
-// path, and folders that contain it. It must survive writing and reading again.
+// Fuzzes the reader of a note of unfinished work. An accepted note contains an absolute path of the
+// work and the folders that contain it. It must survive writing and reading again.
 #include "disk/UnfinishedNote.h"
 
 #include <QDir>

@@ -1,5 +1,5 @@
-// Fuzzes the table of place pairs on two photos and the camera fit. The figures of an accepted
-// table must be finite.
+// Fuzzes the table of place pairs on two photos, and the camera fit. For an accepted table, the
+// fit's figures must be finite.
 #include "base/Error.h"
 #include "inspection/PartViewFiles.h"
 

@@ -1,4 +1,5 @@
-// Fuzzes the reader of a print history record. An accepted record must survive being kept again.
+// Fuzzes the reader of a print history record. An accepted record must survive being written and
+// read again.
 #include "printing/PrintHistory.h"
 
 #include <QFile>

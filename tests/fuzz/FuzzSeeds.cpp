@@ -80,7 +80,7 @@ void writeProjects(const QDir& folder) {
     }
 }
 
-// Places on a helix, seen from two sides by a camera at a distance of 300 mm.
+// Writes places on a helix as a camera sees them from two sides, 300 mm away.
 void writePairs(const QDir& folder) {
     QByteArray table("photo,x_px,y_px,x_mm,y_mm,z_mm\n");
     for (int i = 0; i < 16; ++i) {
@@ -99,7 +99,8 @@ void writePairs(const QDir& folder) {
     write(folder, QStringLiteral("pairs"), table);
 }
 
-// A flat film of 8 × 6 points whose middle points are adhered, without and with the optional data.
+// Writes a flat film of 8 × 6 points whose middle points are adhered, once with and once without
+// the optional data.
 void writeDips(const QDir& folder) {
     CachedDip dip;
     dip.film.grid = {8, 6, 14, 10};
@@ -118,8 +119,8 @@ void writeDips(const QDir& folder) {
     write(folder, QStringLiteral("dips"), cachedDip(dip), 2);
 }
 
-// Files that programs leave for the next start: journals, notes, records, fields.
-void writeRests(const QDir& folder) {
+// Writes files that programs leave for the next start: journals, notes, records, fields.
+void writeLeftoverFiles(const QDir& folder) {
     const QByteArray journal = R"({"there":["proof.png","report.json"],)"
                                R"("written":["proof.png","immersion-1/sheet.png"]})";
     write(folder, QStringLiteral("journal"), journal);
@@ -167,7 +168,7 @@ int main(int argc, char* argv[]) {
     writeProjects(folder);
     writePairs(folder);
     writeDips(folder);
-    writeRests(folder);
+    writeLeftoverFiles(folder);
     write(folder, QStringLiteral("motion"), motionTemplate().text.toUtf8());
     write(folder, QStringLiteral("plugin"),
           R"({"format":"dipwright-solver","interface":1,"id":"a","name":"A","version":"1",)"

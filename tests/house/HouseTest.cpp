@@ -1,4 +1,4 @@
-// Checks what no file of the repository may contain. RoomsTest.cpp checks the includes.
+// Checks that no file of the repository has forbidden content. RoomsTest.cpp checks the includes.
 #include "SourceTree.h"
 
 #include <QProcess>
@@ -9,11 +9,11 @@
 class HouseTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void filesNameNoRegistry();
-    void filesNameNoMachinePath();
-    void citedDocumentsExist();
+    void files_packageRegistries_areNotNamed();
+    void files_machinePaths_areNotNamed();
+    void documentCitations_targets_exist();
     void documentLinks_targets_exist();
-    void documentsNamePathsThatExist();
+    void documentPaths_targets_exist();
     void scripts_bashSyntax_isValid();
 };
 
@@ -48,10 +48,10 @@ QStringList filesThatSay(const QRegularExpression& phrase) {
 
 } // namespace
 
-void HouseTest::filesNameNoRegistry() {
+void HouseTest::files_packageRegistries_areNotNamed() {
     QVERIFY(textFiles().size() > 300);
-    // Packages come from the system, never from a registry named here. The names are in pieces, so
-    // that the test does not find itself.
+    // Packages come from the system, never from a registry that is named here. The registries'
+    // names are split, so that the test does not find itself.
     const QStringList hosts{
         QStringLiteral("py") + "pi.org",     QStringLiteral("pythonhosted") + ".org",
         QStringLiteral("npm") + "js.",       QStringLiteral("crates") + ".io",
@@ -65,7 +65,7 @@ void HouseTest::filesNameNoRegistry() {
     expectNone(filesThatSay(QRegularExpression(patterns.join(QLatin1Char('|')))));
 }
 
-void HouseTest::filesNameNoMachinePath() {
+void HouseTest::files_machinePaths_areNotNamed() {
     const QStringList folders{QStringLiteral("wo") + "rk", QStringLiteral("ro") + "ot",
                               QStringLiteral("tm") + "p"};
     expectNone(filesThatSay(QRegularExpression(
@@ -90,7 +90,7 @@ QStringList headingsOf(const QString& document) {
     return headings;
 }
 
-// Returns the anchor of a heading: the text after # in a link to it.
+// Returns the anchor of a heading: the text after # in a link to the heading.
 QString anchorOf(const QString& heading) {
     static const QRegularExpression dropped(QStringLiteral(R"([^\w\- ])"),
                                             QRegularExpression::UseUnicodePropertiesOption);
@@ -106,15 +106,15 @@ bool hasAnchor(const QString& document, const QString& anchor) {
 } // namespace
 
 // A citation is written  docs/PAGE, "Heading"  and may continue on the next line of a comment.
-// Names of files that a program reads stand in quotes and are not citations.
-void HouseTest::citedDocumentsExist() {
+// Names of files that a program reads are in quotes and are not citations.
+void HouseTest::documentCitations_targets_exist() {
     static const QRegularExpression lineBreak(QStringLiteral(R"(\n\s*(//|#)?\s*)"));
     static const QRegularExpression citation(
         QStringLiteral(R"re(([\w./-]+\.md)\b(?!")(?:, "([^"]+)")?)re"));
     QStringList broken;
     for (const QString& file : textFiles()) {
         const QString text = textOf(file).replace(lineBreak, QStringLiteral(" "));
-        if (text.contains(QChar(0xa7))) { // the section sign; cite headings instead
+        if (text.contains(QChar(0xa7))) { // the section sign; comments must cite headings instead
             broken << file + QStringLiteral(": a section without its heading");
         }
         for (const auto& match : citation.globalMatch(text)) {
@@ -147,8 +147,8 @@ void HouseTest::documentLinks_targets_exist() {
     expectNone(broken);
 }
 
-// CODE and KIND are placeholders in paths.
-void HouseTest::documentsNamePathsThatExist() {
+// CODE and KIND in a path are placeholders.
+void HouseTest::documentPaths_targets_exist() {
     static const QRegularExpression path(
         QStringLiteral("`((?:app|core|parallel|solvers|plugins|resources|translations|docs|scripts|"
                        "cmake)/[\\w./+-]+)`"));
@@ -165,13 +165,13 @@ void HouseTest::documentsNamePathsThatExist() {
     expectNone(missing);
 }
 
-// A setup script that a merge has cut off does not fail on machines that are set up already.
+// A setup script that a merge has cut off would still succeed on machines that are already set up.
 void HouseTest::scripts_bashSyntax_isValid() {
     const QStringList scripts = filesIn(QStringLiteral("scripts"), {QStringLiteral("*")});
     QVERIFY(scripts.size() >= 8);
     const QString shellPath = QStandardPaths::findExecutable(QStringLiteral("bash"));
     if (shellPath.isEmpty()) {
-        return; // this system cannot run them
+        return; // the shell is missing on this system
     }
     for (const QString& script : scripts) {
         QProcess shell;

@@ -1,5 +1,5 @@
-// Checks the rooms (folders with a CMake target): others reach a room only through its target, a
-// room links what it includes, and no room links one above it.
+// Checks the rooms, the folders with a CMake target. Other rooms use a room only through its
+// target, a room links what it includes, and no room links a room above it.
 #include "SourceTree.h"
 
 #include <QJsonArray>
@@ -16,7 +16,7 @@ namespace {
 
 const QDir source = sourceTree();
 const QDir build(QStringLiteral(DIPWRIGHT_BUILD_FOLDER));
-// The target of dipwright/FilmSolver.h, the only header that core and the solvers share.
+// The target that contains dipwright/FilmSolver.h, the only header that core and the solvers share.
 const QString solverInterface = QStringLiteral("dipwright_solver_interface");
 
 // One #include line of a source file.
@@ -27,14 +27,14 @@ struct Include {
     QString describe() const { return file + QStringLiteral(" includes ") + target; }
 };
 
-// One or a few folders and their target, as CMake lists them.
+// One or several folders and their target, as CMake lists them.
 struct Room {
     QString target;
     QStringList folders;        // relative to the source folder
     QStringList privateHeaders; // relative to the source folder
-    QStringList links;          // all targets that it links itself
-    QStringList handedOn;       // the targets that it links as PUBLIC or INTERFACE
-    QStringList includeFolders; // include folders of its sources and its users
+    QStringList links;          // all targets that the room links itself
+    QStringList handedOn;       // the targets that the room links as PUBLIC or INTERFACE
+    QStringList includeFolders; // include folders for the room's sources and for its users
     bool hasUsers = false;      // true for a library, false for a program or plugin
     // "parallel", "core", "solvers", "plugins" or "app"
     QString storey() const { return folders.front().section(QLatin1Char('/'), 0, 0); }
@@ -71,14 +71,14 @@ bool isVtk(const Include& include) {
            include.target.startsWith(QLatin1String("QVTK"));
 }
 
-// VTK's classes that draw or talk to a window.
+// Returns whether the header is of a VTK class that draws or accesses a window.
 bool isVtkRendering(const Include& include) {
     static const QRegularExpression name(
         QStringLiteral("^(QVTK|vtk[A-Za-z]*(Render|Actor|Mapper|Camera|Interact|OpenGL|Widget))"));
     return name.match(include.target).hasMatch();
 }
 
-// Returns the names of all headers of Qt Widgets, read from where it is installed.
+// Returns the names of all headers of Qt Widgets, read from the folder of its installation.
 QSet<QString> widgetHeaders() {
     const QString folder = QStringLiteral(DIPWRIGHT_WIDGETS_HEADERS);
     const QStringList names =
@@ -103,7 +103,7 @@ QStringList relative(const QJsonValue& paths) {
     return found;
 }
 
-// Returns the rooms in the order of their declaration: lower rooms first.
+// Returns the rooms in the order of their declaration, so lower rooms come first.
 std::vector<Room> readRooms() {
     QFile file(build.filePath(QStringLiteral("rooms.json")));
     std::vector<Room> rooms;
@@ -133,7 +133,7 @@ const std::vector<Room>& allRooms() {
     return rooms;
 }
 
-// Returns the name by which others include the header FILE.
+// Returns the name by which other rooms include the header FILE.
 QString includedName(const QString& file) {
     static const QRegularExpression above(
         QStringLiteral("^(core/solver/interface|core|solvers|app)/"));
@@ -157,7 +157,7 @@ QStringList sourcesOf(const Room& room) {
     return files;
 }
 
-// Maps the name by which a header is included to its target.
+// Maps the name by which a header is included to the header's target.
 const std::map<QString, QString>& owners() {
     static const std::map<QString, QString> found = [] {
         std::map<QString, QString> owner{
@@ -178,8 +178,8 @@ QString ownerOf(const Include& include) {
     return found == owners().end() ? QString() : found->second;
 }
 
-// Returns the targets of other rooms that a room includes, in its public headers only or in all of
-// its sources.
+// Returns the targets of other rooms that a room includes, either in its public headers only or in
+// all of its sources.
 QStringList includedRooms(const Room& room, bool inPublicHeaders) {
     QStringList found;
     for (const QString& file : sourcesOf(room)) {
@@ -267,22 +267,22 @@ bool isBuiltHere(const QString& folder) {
 class RoomsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void everyFolderIsOneRoom();
+    void folders_withSources_areOneRoomEach();
     void rooms_includeFolders_areTheirTargetsOnly();
     void includes_parentFolder_isNotUsed();
-    void roomsIncludeOnlyWhatTheyLink();
-    void roomsLinkOnlyWhatTheyInclude();
+    void rooms_includedTargets_areLinked();
+    void rooms_linkedTargets_areIncluded();
     void rooms_includesOfPublicHeaders_areLinkedPublic();
-    void roomsLinkOnlyWhatIsBelow();
+    void rooms_linkedRooms_areBelow();
     void settingsRoom_links_onlyBase();
     void privateHeaders_declaration_matchesCMake();
-    void solversAndPluginsIncludeNeitherQtNorVtk();
+    void solversAndPlugins_qtAndVtk_areNotIncluded();
     void qtWidgets_roomsThatDoNotLinkIt_doNotIncludeIt();
     void vtk_otherFolders_doNotIncludeIt();
     void tbb_otherFolders_doNotIncludeIt();
 };
 
-void RoomsTest::everyFolderIsOneRoom() {
+void RoomsTest::folders_withSources_areOneRoomEach() {
     QVERIFY(includesIn(QStringLiteral("core")).size() > 100);
     QStringList roomFolders;
     for (const Room& room : allRooms()) {
@@ -319,21 +319,22 @@ void RoomsTest::includes_parentFolder_isNotUsed() {
     }
 }
 
-void RoomsTest::roomsIncludeOnlyWhatTheyLink() {
+void RoomsTest::rooms_includedTargets_areLinked() {
     expectNone(complaints([](const Room& room) {
         return linesFor(room.target + QStringLiteral(" includes, but does not link"),
                         includedRooms(room, false), room.links);
     }));
 }
 
-void RoomsTest::roomsLinkOnlyWhatTheyInclude() {
+void RoomsTest::rooms_linkedTargets_areIncluded() {
     expectNone(complaints([](const Room& room) {
         return linesFor(room.target + QStringLiteral(" links, but does not include"),
                         roomsAmong(room.links), includedRooms(room, false));
     }));
 }
 
-// In CMake, what a public header includes is PUBLIC, what only sources include is PRIVATE.
+// In CMake, a target that a public header includes is PUBLIC. A target that only sources include is
+// PRIVATE.
 void RoomsTest::rooms_includesOfPublicHeaders_areLinkedPublic() {
     expectNone(complaints([](const Room& room) -> QStringList {
         if (!room.hasUsers) {
@@ -347,9 +348,10 @@ void RoomsTest::rooms_includesOfPublicHeaders_areLinkedPublic() {
     }));
 }
 
-// The layers are app → core → solver interface ← solvers ← plugins, with `parallel` below all of
-// them. Within a layer, a room links only rooms declared earlier (core: core/CMakeLists.txt).
-void RoomsTest::roomsLinkOnlyWhatIsBelow() {
+// The layers are app → core → solver interface ← solvers ← plugins; `parallel` is below all of
+// them. Within a layer, a room links only rooms that are declared earlier (core:
+// core/CMakeLists.txt).
+void RoomsTest::rooms_linkedRooms_areBelow() {
     const std::map<QString, QStringList> storeys{{"parallel", {}},
                                                  {"core", {"core", "parallel"}},
                                                  {"solvers", {"solvers", "parallel"}},
@@ -370,7 +372,7 @@ void RoomsTest::roomsLinkOnlyWhatIsBelow() {
     }));
 }
 
-// A room that needs settings must not get algorithms with them.
+// A room that uses settings must not depend on algorithms.
 void RoomsTest::settingsRoom_links_onlyBase() {
     expectNone(complaints([](const Room& room) -> QStringList {
         if (room.target != QLatin1String("dipwright_settings")) {
@@ -394,7 +396,7 @@ void RoomsTest::privateHeaders_declaration_matchesCMake() {
     }));
 }
 
-void RoomsTest::solversAndPluginsIncludeNeitherQtNorVtk() {
+void RoomsTest::solversAndPlugins_qtAndVtk_areNotIncluded() {
     for (const char* storey : {"parallel", "solvers", "plugins"}) {
         expectNone(offenders(QLatin1String(storey), [](const Include& include) {
             return isQt(include) || isVtk(include);
@@ -436,7 +438,7 @@ void RoomsTest::vtk_otherFolders_doNotIncludeIt() {
     }));
 }
 
-// Elsewhere, the thread sanitizer would not see how the threads of a loop synchronize.
+// In other folders, the thread sanitizer would not know how the threads of a loop synchronize.
 void RoomsTest::tbb_otherFolders_doNotIncludeIt() {
     for (const char* folder : {"core", "solvers", "plugins", "app", "resources", "tests"}) {
         expectNone(offenders(QLatin1String(folder), [](const Include& include) {

@@ -63,7 +63,7 @@ int sharedPixels(const TexturedMesh& model, int side) {
     return shared;
 }
 
-// Returns the result of a sample's own job. Only the sheet's resolution is changed, to 72 dpi.
+// Returns the result of a sample's job. Only the sheet's resolution is changed, to 72 dpi.
 const JobResult& resultOf(const QByteArray& name) {
     static const SolverRegistry registry{QStringList{pluginFolder()}};
     static std::map<QByteArray, JobResult> results;
@@ -77,7 +77,8 @@ const JobResult& resultOf(const QByteArray& name) {
     return results[name];
 }
 
-// Returns the largest difference of two pictures of a sheet, in grey levels averaged over 3 × 3 mm.
+// Returns the largest difference between two pictures of a sheet, in grey levels averaged over 3 ×
+// 3 mm.
 int largestDifference(const QImage& a, const QImage& b, const FilmSettings& film) {
     const QSize coarse(int(film.width.value() / 3), int(film.height.value() / 3));
     const auto blurred = [&](const QImage& image) {

@@ -1,5 +1,5 @@
-// Checks an installed tree: it runs from any folder, prints, has completions and manual pages, and
-// a solver builds against it with find_package(Dipwright).
+// Checks an installed tree. It must run from any folder, print, and have completions and manual
+// pages. A solver must build against it with find_package(Dipwright).
 #include "PrivateCups.h"
 
 #include <QDirIterator>
@@ -38,7 +38,7 @@ private:
     }
     QByteArray runInstalled(const QString& program, const QStringList& arguments,
                             const QString& pluginFolder = {}) const;
-    // Returns the programs and modules of the tree.
+    // Returns the programs and modules in the tree.
     QStringList binaries() const;
     QJsonObject listedSolver(const QString& id, const QString& pluginFolder = {}) const;
 
@@ -48,7 +48,7 @@ private:
 
 namespace {
 
-// Returns what a program prints; if it fails, its errors instead.
+// Returns the output of a program, or its errors if it fails.
 QByteArray outputOf(const QString& program, const QStringList& arguments,
                     const QProcessEnvironment& environment) {
     QProcess process;
@@ -75,9 +75,9 @@ QByteArray contents(const QString& path) {
 
 } // namespace
 
-// Runs a program without the session's environment, so that nothing leads it back to the build. Its
-// own home keeps the user's plugins and profiles out. Options of sanitizers and the test's print
-// system are passed on.
+// Runs a program without the session's environment, so that it cannot find files of the build. Its
+// home folder is empty, so it does not see the user's plugins and profiles. Options for sanitizers
+// and the test's print system are passed on.
 QByteArray InstallTest::runInstalled(const QString& program, const QStringList& arguments,
                                      const QString& pluginFolder) const {
     QProcessEnvironment environment;
@@ -104,7 +104,7 @@ QJsonObject InstallTest::listedSolver(const QString& id, const QString& pluginFo
     return {};
 }
 
-// Installs into one folder and moves the tree to another.
+// Installs into one folder and then moves the tree to another.
 void InstallTest::initTestCase() {
     QVERIFY(folder_.isValid());
     const QString first = folder_.filePath("first");
@@ -152,7 +152,7 @@ void InstallTest::install_textFiles_nameNoBuildFolder() {
     while (walk.hasNext()) {
         const QString file = walk.next();
         if (binaries().contains(file)) {
-            continue; // debug information names the sources
+            continue; // skips debug information, which contains the names of sources
         }
         const QByteArray text = contents(file);
         for (const QByteArray& place :
@@ -196,7 +196,7 @@ void InstallTest::installedCli_run_dipsSample() {
     QVERIFY(report.value("coverage_total").toDouble() > 0.3);
 }
 
-// Prints on the test's own printer, like `print` in a terminal.
+// Prints on the test's own printer, as `print` does in a terminal.
 void InstallTest::installedCli_print_sheetArrives() {
     dipwright::PrivateCups cups;
     QVERIFY2(cups.problem().isEmpty(), qPrintable(cups.problem()));
@@ -223,8 +223,8 @@ QStringList InstallTest::binaries() const {
     return found;
 }
 
-// Programs use the system's libraries, not the build's. A GPU module must not link the driver, so
-// that it can be listed, with the reason why it cannot run, where there is none.
+// Programs use the system's libraries, not the build's. A GPU module must not link the driver. Then
+// it can be listed on a machine without a driver, with the reason why it cannot run.
 void InstallTest::installedBinaries_rpath_namesNoBuildFolder() {
     const QRegularExpression path(QStringLiteral("\\((?:RPATH|RUNPATH)\\).*\\[(.*)\\]"));
     for (const QString& binary : binaries()) {
@@ -350,7 +350,7 @@ void InstallTest::findPackage_examplePlugin_buildsAndDips() {
     QVERIFY2(!report.isEmpty(), output.constData());
     QCOMPARE(report.value("solver").toObject().value("id").toString(),
              QStringLiteral("plumb-film"));
-    // Film that falls straight down paints the lower half and a little more.
+    // If the film falls straight down, it paints the lower half and a little more.
     const double coverage = report.value("coverage_total").toDouble();
     QVERIFY2(coverage > 0.3 && coverage < 0.6, output.constData());
 }

@@ -25,12 +25,12 @@ private Q_SLOTS:
     void parallelFor_exception_reachesTheCaller();
     void parallelSort_equalsStdSort_data();
     void parallelSort_equalsStdSort();
-    void tasks_beginTasksAndLoops_allRun();
+    void tasks_nestedTasksAndLoops_allRun();
     void tasks_oneThrows_othersFinish();
     void tasks_destroyedWithoutWait_finish();
     void tasks_destroyedAfterException_deletesIt();
     void runIsolated_loop_runsNoOtherTask();
-    void threadLimit_holdsWhileItLives();
+    void threadLimit_inScope_limitsTheThreads();
     void threadTeam_run_finishesBeforeItReturns();
     void threadTeam_exception_reachesTheCaller();
 };
@@ -105,7 +105,7 @@ void ParallelTest::parallelSort_equalsStdSort() {
     QVERIFY(numbers == expected);
 }
 
-void ParallelTest::tasks_beginTasksAndLoops_allRun() {
+void ParallelTest::tasks_nestedTasksAndLoops_allRun() {
     std::vector<int> sums(20, 0);
     Tasks tasks;
     for (std::size_t number = 0; number < sums.size(); ++number) {
@@ -159,7 +159,7 @@ void ParallelTest::tasks_destroyedWithoutWait_finish() {
     QCOMPARE(int(ended), int(begun));
 }
 
-// Exceptions are thrown on any thread and deleted on this one.
+// Exceptions may be thrown on any thread. They are deleted on this one.
 void ParallelTest::tasks_destroyedAfterException_deletesIt() {
     static std::atomic<int> made = 0, gone = 0;
     struct Failure {
@@ -203,7 +203,7 @@ void ParallelTest::runIsolated_loop_runsNoOtherTask() {
     QCOMPARE(int(disturbances), 0);
 }
 
-void ParallelTest::threadLimit_holdsWhileItLives() {
+void ParallelTest::threadLimit_inScope_limitsTheThreads() {
     const auto mostAtOnce = [] {
         std::atomic<int> now = 0, most = 0;
         parallelFor(0, 1000, [&](int) {

@@ -1,4 +1,4 @@
-// Solver modules that misbehave. Each defect is chosen by DIPWRIGHT_BAD_<WAY>.
+// Solver modules that misbehave. The macro DIPWRIGHT_BAD_<WAY> selects the defect of a module.
 
 #include <dipwright/FilmSolver.h>
 
@@ -17,16 +17,16 @@ namespace {
 
 using namespace dipwright;
 
-// Crashes as a bad pointer does, but without a sanitizer's report.
+// Crashes as a bad pointer does, but without a report of a sanitizer.
 [[maybe_unused]] void crash() {
     std::signal(SIGSEGV, SIG_DFL);
     std::raise(SIGSEGV);
 }
 
 #if defined(DIPWRIGHT_BAD_ADVANCE_GIANT)
-// Announces an answer of an exabyte on every stream of its process and begins to send it.
+// Announces an answer of an exabyte on every stream of its process, and begins to send it.
 void announceGiant() {
-    constexpr int firstOfItsOwn = 3, last = 15; // the standard streams come before
+    constexpr int firstOfItsOwn = 3, last = 15; // the standard streams have lower numbers
     const std::vector<std::uint64_t> words(8192, std::uint64_t(1) << 60);
     for (int stream = firstOfItsOwn; stream <= last; ++stream) {
         [[maybe_unused]] const auto written =
@@ -37,7 +37,7 @@ void announceGiant() {
 #endif
 
 #if defined(DIPWRIGHT_BAD_FORK)
-// Starts a process that does nothing for an hour but hold a lock on the file DIPWRIGHT_BAD_LOCK.
+// Starts a child process that only holds a lock on the file DIPWRIGHT_BAD_LOCK, for an hour.
 void startAnother() {
     const int file = ::open(std::getenv("DIPWRIGHT_BAD_LOCK"), O_RDWR | O_CREAT, 0600);
     ::flock(file, LOCK_EX);
@@ -50,13 +50,13 @@ void startAnother() {
 #endif
 
 #if defined(DIPWRIGHT_BAD_LONG)
-// Several lines, an escape character and millions of letters.
+// Returns several lines with an escape character and millions of letters.
 std::string longText() {
     return "It said\nfar\r\n  too \x1b much: " + std::string(5'000'000, 'x');
 }
 #endif
 
-// A film with the chosen defect.
+// A film with the selected defect.
 class Film : public solver::FilmSolver {
 public:
     void begin(const solver::DipSetup&) override {
@@ -186,7 +186,7 @@ public:
 #if defined(DIPWRIGHT_BAD_BATCH_STEPS)
         end.steps = std::numeric_limits<std::int64_t>::max();
 #else
-        end.equilibrium.stepsWithout = 2; // of one step
+        end.equilibrium.stepsWithout = 2; // impossible: only one step was made
 #endif
         for (solver::BatchItem& item : items) {
             item.finish(end, [](auto, auto, auto){});
@@ -209,7 +209,7 @@ public:
 
 #if defined(DIPWRIGHT_BAD_LOAD)
 namespace {
-// Runs when the module is loaded, which must not happen.
+// Runs when the module is loaded, which the program must not do.
 [[maybe_unused]] const int harm = (std::abort(), 0);
 } // namespace
 #endif
@@ -225,7 +225,7 @@ DIPWRIGHT_BAD_NAME([[maybe_unused]] int hostInterfaceVersion) {
 #elif defined(DIPWRIGHT_BAD_ENTRY_UNKNOWN)
     throw 42;
 #elif defined(DIPWRIGHT_BAD_OLD)
-    if (hostInterfaceVersion != 2) { // like a module built for version 2
+    if (hostInterfaceVersion != 2) { // behaves like a module that was built for version 2
         return nullptr;
     }
 #elif defined(DIPWRIGHT_BAD_ABORT)
@@ -233,7 +233,7 @@ DIPWRIGHT_BAD_NAME([[maybe_unused]] int hostInterfaceVersion) {
 #elif defined(DIPWRIGHT_BAD_HANG)
     std::this_thread::sleep_for(std::chrono::hours(1));
 #elif defined(DIPWRIGHT_BAD_KILLED)
-    std::raise(SIGKILL); // as the system does when memory is short
+    std::raise(SIGKILL); // the system sends this signal when memory is short
 #endif
     static const Module module;
     return &module;

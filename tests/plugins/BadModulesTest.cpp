@@ -1,4 +1,4 @@
-// Misbehaving solver modules are listed with their reason and never crash the program.
+// Tests that misbehaving solver modules are listed with their reason and never crash the program.
 
 #include "PluginFolder.h"
 #include "TestFolders.h"
@@ -29,7 +29,7 @@ QString builtModule(const QString& name) {
     return badModuleFolder("/") + PluginFolder::moduleName(name);
 }
 
-// The output of the program load_solvers for a folder, in a separate process.
+// The output of the program load_solvers for a folder. The program runs in a separate process.
 struct Listing {
     bool crashed = false;
     QString output;
@@ -60,7 +60,7 @@ void linkAll(const PluginFolder& from, const PluginFolder& to) {
     }
 }
 
-// Whether a running process holds the lock on the file.
+// Returns whether a running process holds the lock on the file.
 bool isLocked(const QString& path) {
 #ifdef Q_OS_UNIX
     const int file = ::open(QFile::encodeName(path).constData(), O_RDWR | O_CLOEXEC);
@@ -72,7 +72,7 @@ bool isLocked(const QString& path) {
 #endif
 }
 
-// Dips a box with the module `name` and returns the error as the user reads it.
+// Dips a box with the module `name`. Returns the error as the user reads it.
 QString failureOfDip(const QString& name, const Progress& progress = {}) {
     const PluginFolder folder;
     folder.add(name, builtModule(name));
@@ -113,8 +113,8 @@ private slots:
     void runBatch_badModule_reportsTheFailure();
     void solverInfo_longText_isCutToOneLine();
     void measuredCeiling_impossibleValue_isNone();
-    void containedModule_childProcess_endsWithIt_data();
-    void containedModule_childProcess_endsWithIt();
+    void containedModule_childProcess_endsWithTheModule_data();
+    void containedModule_childProcess_endsWithTheModule();
     void containedModule_programKilled_childProcessEnds();
     void containedModule_crashedTwice_isLeftOut_data();
     void containedModule_crashedTwice_isLeftOut();
@@ -184,7 +184,7 @@ void BadModulesTest::solverRegistry_reason_isTranslated_data() {
     QTest::newRow("load") << "+it crashed";
 }
 
-// Most reasons arise in a process without translations.
+// Most reasons come from a process that has no translations.
 void BadModulesTest::solverRegistry_reason_isTranslated() {
     class Marking : public QTranslator {
     public:
@@ -238,7 +238,7 @@ void BadModulesTest::solverRegistry_auto_skipsBadModules() {
              QStringLiteral("good"));
 }
 
-// A module that hangs while loading does not delay the use of a better one.
+// A module that hangs while it is loaded does not delay the use of a better module.
 void BadModulesTest::solverRegistry_auto_doesNotLoadLowerPriorities() {
     qputenv("DIPWRIGHT_SOLVER_SECONDS", "600");
     const PluginFolder folder;
@@ -265,7 +265,7 @@ void BadModulesTest::solverRegistry_hangWhileLoading_canBeCancelled() {
     QVERIFY_EXCEPTION_THROWN(registry.module(QStringLiteral("hang"), cancelToken), Cancelled);
     user.join();
     qputenv("DIPWRIGHT_SOLVER_SECONDS", "1");
-    // The user cancelled, which does not count against the module.
+    // The user cancelled the search, which does not count against the module.
     const std::optional<SolverInfo> next = registry.found(QStringLiteral("hang"));
     QVERIFY2(next->reason.contains(QLatin1String("did not respond for 1 s")),
              qPrintable(next->reason));
@@ -305,7 +305,7 @@ void BadModulesTest::simulateDip_badModule_reportsTheFailure() {
     const QString failure = failureOfDip(QString::fromLatin1(QTest::currentDataTag()));
     QVERIFY(!failure.isEmpty());
     QVERIFY2(failure.contains(reasonPart), qPrintable(failure));
-    QVERIFY(failure.size() <= 600); // of which up to 500 are the module's text
+    QVERIFY(failure.size() <= 600); // up to 500 of these characters are the module's text
 }
 
 void BadModulesTest::simulateDip_hangingModule_canBeCancelled() {
@@ -378,14 +378,14 @@ void BadModulesTest::measuredCeiling_impossibleValue_isNone() {
                              std::runtime_error);
 }
 
-void BadModulesTest::containedModule_childProcess_endsWithIt_data() {
+void BadModulesTest::containedModule_childProcess_endsWithTheModule_data() {
     QTest::addColumn<QString>("name");
     QTest::newRow("at the end of the dip") << "fork";
     QTest::newRow("when its process ends itself") << "fork-exit";
     QTest::newRow("when it is stopped") << "fork-hang";
 }
 
-void BadModulesTest::containedModule_childProcess_endsWithIt() {
+void BadModulesTest::containedModule_childProcess_endsWithTheModule() {
 #ifdef Q_OS_UNIX
     QFETCH(QString, name);
     const QTemporaryDir place;
@@ -419,12 +419,12 @@ void BadModulesTest::containedModule_programKilled_childProcessEnds() {
 void BadModulesTest::containedModule_crashedTwice_isLeftOut_data() {
     QTest::addColumn<QString>("name");
     QTest::addColumn<QString>("reasonPart");
-    QTest::newRow("when it is loaded") << "load"
-                                       << "it crashed";
-    QTest::newRow("when it is asked") << "abort"
-                                      << "it crashed";
-    QTest::newRow("or hangs") << "hang"
-                              << "it did not respond";
+    QTest::newRow("crash while it is loaded") << "load"
+                                              << "it crashed";
+    QTest::newRow("crash in the search for devices") << "abort"
+                                                     << "it crashed";
+    QTest::newRow("hang") << "hang"
+                          << "it did not respond";
 }
 
 void BadModulesTest::containedModule_crashedTwice_isLeftOut() {
@@ -442,14 +442,14 @@ void BadModulesTest::containedModule_crashedTwice_isLeftOut() {
                  qPrintable(listing.output));
     }
     QVERIFY(listedByProgram(folder, {}, true)
-                .output.contains(reasonPart)); // the user asks to try again
-    // A module that was replaced gets a new chance.
+                .output.contains(reasonPart)); // the user requests another try
+    // A module that was replaced is tried again.
     folder.add(QStringLiteral("crashing"), builtModule(QStringLiteral("good")));
     QVERIFY(listedByProgram(folder).output.contains(QLatin1String("crashing available")));
 }
 
-// A module that hangs in the program itself can only be left by ending the program. The next
-// program runs it in a separate process, which it can end.
+// If a module hangs inside the program, the program can only be ended as a whole. The next program
+// runs the module in a separate process, which it can end.
 void BadModulesTest::shippedModule_hungOnce_isContained() {
     const PluginFolder folder;
     folder.add(QStringLiteral("hanging"), builtModule(QStringLiteral("advance-hang")));
@@ -457,7 +457,7 @@ void BadModulesTest::shippedModule_hungOnce_isContained() {
     program.start(QStringLiteral(DIPWRIGHT_LOAD_SOLVERS),
                   {folder.path(), QStringLiteral("shipped"), QStringLiteral("dip")});
     QVERIFY(program.waitForStarted());
-    program.waitForFinished(4000); // longer than a call may take
+    program.waitForFinished(4000); // longer than a call to the module may take
     QCOMPARE(program.state(), QProcess::Running);
     program.kill();
     program.waitForFinished();
@@ -468,7 +468,7 @@ void BadModulesTest::shippedModule_hungOnce_isContained() {
              qPrintable(next.output));
 }
 
-// Modules that come with the program are loaded into its process.
+// Modules that come with the program are loaded into the program's own process.
 void BadModulesTest::shippedModule_crashedTwice_isLeftOut() {
     const PluginFolder folder;
     const QStringList shipped{QStringLiteral("shipped")};
@@ -486,8 +486,8 @@ void BadModulesTest::shippedModule_crashedTwice_isLeftOut() {
     }
 }
 
-// When root unpacks an archive, the files keep the ids of their packer. A shipped module that has
-// crashed once is contained there, not refused for its folder.
+// When root unpacks an archive, the files keep the user ids of the packer. A shipped module that
+// has crashed once then runs in a separate process; it is not refused because of its folder.
 void BadModulesTest::shippedModule_folderWritableByOthers_isLoaded() {
     const PluginFolder folder;
     const QStringList shipped{QStringLiteral("shipped")};
@@ -518,7 +518,7 @@ void BadModulesTest::userModule_writableByOthers_isNotLoaded() {
              qPrintable(listing.output));
 }
 
-// The links' target is safe, but other users can change the links.
+// The target of the links is safe, but other users can change the links.
 void BadModulesTest::userModule_linkWritableByOthers_isNotFollowed() {
 #ifdef Q_OS_UNIX
     const PluginFolder safe, open;

@@ -1,6 +1,6 @@
-// Lists the solvers of one folder, one line for each, in a separate process that may crash. With
-// the second argument "shipped", the modules are loaded as those that come with the program. With a
-// third argument, each available solver makes one step.
+// Lists the solvers of one folder, one per line, in a separate process that may crash. With the
+// second argument "shipped", the modules are loaded as if they came with the program. With a third
+// argument, each available solver makes one step.
 
 #include "solver/SolverRegistry.h"
 

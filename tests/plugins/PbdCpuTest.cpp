@@ -1,4 +1,4 @@
-// The plugin pbd-cpu as the program finds it.
+// Tests the plugin pbd-cpu as the program loads it.
 
 #include "PluginFolder.h"
 #include "solver/SolverRegistry.h"
@@ -14,7 +14,7 @@ namespace {
 
 const QString id = QStringLiteral("pbd-cpu");
 
-// Two small dips on each kind of film.
+// Returns two small dips for each kind of film.
 std::vector<solver::DipSetup> dips(const SampledBody& body) {
     std::vector<solver::DipSetup> setups;
     for (const double offset : {0.0, 20.0}) {
@@ -67,7 +67,7 @@ void PbdCpuTest::pbdCpu_settings_chooseTheFilm() {
     }();
     setup.settings.lattice = solver::Lattice::Structural;
     setup.settings.support = solver::Support::None;
-    const Ending paper = dip(*film, setup);            // the same object, begun again
+    const Ending paper = dip(*film, setup);            // the same object begins a second dip
     QCOMPARE(paper.progress.steps, std::int64_t(144)); // 12 mm at 5 mm/s and 60 Hz
     QVERIFY(onWater.progress.finished);
     const auto sunk = [](const Ending& end) {
@@ -133,7 +133,7 @@ void PbdCpuTest::pbdCpuBatch_cancelled_stops() {
     int questions = 0;
     const auto cancelledAfterSome = [](void* context) { return ++*static_cast<int*>(context) > 5; };
     QVERIFY(!registry_.module(id).runBatch(items, cancelledAfterSome, &questions));
-    QCOMPARE(questions, 6); // not asked again after yes
+    QCOMPARE(questions, 6); // the host is not asked again after it has said yes
 }
 
 void PbdCpuTest::pbdCpu_filmNotBegun_throws() {

@@ -1,4 +1,4 @@
-// The paper's film on the CPU (docs/film-model.md, "The paper's model").
+// Tests the paper's film on the CPU (docs/film-model.md, "The paper's model").
 
 #include "paper/cpu/PaperFilm.h"
 
@@ -32,7 +32,7 @@ std::size_t pointIndex(const solver::FilmGrid& grid, int column, int row) {
     return std::size_t(row) * std::size_t(grid.columns) + std::size_t(column);
 }
 
-// The largest stretch of all horizontal and vertical constraints.
+// Returns the largest stretch of all horizontal and vertical constraints.
 double largestStretch(const Ending& end, const solver::FilmGrid& grid) {
     double largest = 0;
     for (int row = 0; row < grid.rows; ++row) {
@@ -119,7 +119,7 @@ void PaperFilmTest::paperFilm_dip_agreesWithThePlainSolver() {
         QCOMPARE(end.isAdhered(point), plain.isAdhered(point));
         farthest = std::max(farthest, length(end.position(point) - plain.position(point)));
     }
-    qInfo("farthest from the plain solver: %g mm", farthest);
+    qInfo("largest distance from the plain solver's points: %g mm", farthest);
     QVERIFY(farthest < 0.02);
 }
 
@@ -176,7 +176,7 @@ void PaperFilmTest::paperFilm_pinnedPoints_stay() {
         QCOMPARE(float(end.position(column).x), float(-105 + double(column) * 210 / 39));
         QCOMPARE(float(end.position(column).z), -148.5f);
     }
-    QVERIFY(end.position(56 * 40 + 20).z < 148.4); // the free side is drawn in
+    QVERIFY(end.position(56 * 40 + 20).z < 148.4); // the free side is pulled inwards
 }
 
 void PaperFilmTest::paperFilm_onWater_keepsFreePointsInThePlane() {
@@ -189,7 +189,7 @@ void PaperFilmTest::paperFilm_onWater_keepsFreePointsInThePlane() {
     }
 }
 
-// Adds rows for all kinds of sweep and film, or only for those that differ most.
+// Adds rows for all combinations of sweeps and film, or only for those that differ most.
 void PaperFilmTest::addKindsOfFilm(bool all) {
     QTest::addColumn<solver::Relaxation>("relaxation");
     QTest::addColumn<solver::Lattice>("lattice");
@@ -262,7 +262,7 @@ void PaperFilmTest::paperFilm_gaussSeidel_convergesBetterThanJacobi() {
 }
 
 void PaperFilmTest::paperFilm_selfContact_keepsPointsApart() {
-    // The film closes behind a small sphere that goes deep.
+    // The film closes behind a small sphere that is dipped deep.
     const SampledBody body = sphere(20, 48);
     auto setup = paperDip(body, -20, 42, 59, 120);
     const double kept = std::min(setup.film.spacingX(0), setup.film.spacingZ(0)) / 2;
@@ -286,7 +286,8 @@ void PaperFilmTest::paperFilm_selfContact_keepsPointsApart() {
     const double without = nearest(dipped(setup));
     setup.settings.selfContact = true;
     const double with = nearest(dipped(setup));
-    qInfo("nearest points: %.3f mm without, %.3f mm with self-contact, kept apart by %.3f mm",
+    qInfo("smallest distance of two points: %.3f mm without, %.3f mm with self-contact; required "
+          "%.3f mm",
           without, with, kept);
     QVERIFY(without < 0.5 * kept);
     QVERIFY(with > 0.7 * kept);

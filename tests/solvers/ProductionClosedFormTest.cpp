@@ -1,4 +1,4 @@
-// The production film on the CPU, compared with its closed forms.
+// Compares the production film on the CPU with its closed forms.
 #include "WholeSample.h"
 #include "production/cpu/ProductionFilm.h"
 #include "validation/PhysicsValidation.h"
@@ -10,7 +10,7 @@ using namespace dipwright;
 
 namespace {
 
-// A module with the CPU's production film.
+// A solver module with the CPU's production film.
 class FilmModule : public solver::SolverModule {
 public:
     const char* unavailableReason() const override { return nullptr; }
@@ -29,13 +29,13 @@ class ProductionClosedFormTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void productionFilm_dips_matchClosedForms();
+    void productionFilm_dips_matchTheClosedForms();
 };
 
-void ProductionClosedFormTest::productionFilm_dips_matchClosedForms() {
+void ProductionClosedFormTest::productionFilm_dips_matchTheClosedForms() {
     PhysicsOptions options;
     options.resolutions = {15, 30};
-    if (!test::isWholeRun()) { // only some finer films: those on the ball
+    if (!test::isWholeRun()) { // checks only some of the finer films: those on the ball
         options.isWanted = [](const QString& body, const QString& film, int cells) {
             return cells < 30 || (body.startsWith(QLatin1String("Sphere")) &&
                                   !film.contains(QLatin1String("growing")));

@@ -11,7 +11,7 @@
 
 namespace dipwright::test {
 
-// The end of a dip. Positions in mm in the world frame.
+// The state at the end of a dip. Positions are in mm in the world frame.
 struct Ending {
     solver::DipSetup setup;
     std::vector<float> positions;
@@ -40,11 +40,13 @@ struct Body {
 
 Body bodyOf(const TriangleMesh& mesh);
 
-// A dip through a square film of 150 mm with `columns` points along each side. `depth` in mm.
+// Returns a dip through a square film of 150 mm with `columns` points along each side. `depth` is
+// in mm.
 solver::DipSetup squareDip(const Body& body, int columns, double depth);
 
-// The 95th percentile and the maximum of the distance between two films, in mm, at points that
-// adhere in both. `every`: cells of the fine film for one cell of the coarse film.
+// Returns the 95th percentile and the maximum of the distance between two films, in mm, over the
+// points that are adhered in both. `every` is the number of cells of the fine film per cell of the
+// coarse film.
 std::pair<double, double> difference(const Ending& coarse, const Ending& fine, int every);
 
 } // namespace dipwright::test

@@ -1,5 +1,5 @@
-// The production film on the CPU: finer grids, shorter steps, other numbers of threads, and
-// behaviour at edges, tips and overhangs.
+// Tests the production film on the CPU: finer grids, shorter steps, other numbers of threads, and
+// the behaviour at edges, tips and overhangs.
 
 #include "ProductionDips.h"
 #include "geometry/Shapes.h"
@@ -15,7 +15,8 @@ using namespace dipwright::test;
 
 namespace {
 
-// Two balls of 15 mm radius with a gap of 2 mm seen from above. The second is 18 mm higher.
+// Returns two balls of 15 mm radius, with a gap of 2 mm as seen from above. The second ball is 18
+// mm higher.
 TriangleMesh twoBalls() {
     TriangleMesh both = sphereMesh(15, 96, 192);
     const TriangleMesh one = both;
@@ -29,8 +30,8 @@ TriangleMesh twoBalls() {
     return both;
 }
 
-// A film of 240 × 80 mm that grows before the body touches it. Its left side of 80 mm is pinned, or
-// both.
+// Returns a dip of a film of 240 × 80 mm that grows before the body touches it. Its left side, or
+// both its left and right sides, are pinned.
 solver::DipSetup growingStrip(const Body& body, double relaxationTime, bool isHeldRightToo) {
     solver::DipSetup setup = squareDip(body, 71, 20);
     setup.film = {.columns = 121, .rows = 41, .width = 240, .depth = 80};
@@ -63,10 +64,10 @@ private slots:
     void productionFilm_withoutGrowth_givesTheSameBits();
     void productionFilm_beforeContact_doesNotMove();
     void productionFilm_growingBeforeContact_growsAboutItsMiddle();
-    void productionFilm_growingPinnedAtOneSide_growsAwayFromIt();
+    void productionFilm_growingPinnedAtOneSide_growsAwayFromThatSide();
     void productionFilm_growingPinnedAtTwoSides_growsAcross();
     void productionFilm_pinnedEdge_holds();
-    void productionFilm_smallFirstContact_doesNotTurnTheFilm();
+    void productionFilm_smallFirstContact_doesNotRotateTheFilm();
     void productionFilm_pastOverhang_releasesFilm();
     void productionFilm_pastEquator_matchesClosedForm();
 };
@@ -89,7 +90,8 @@ void ProductionFilmTest::productionFilm_finerGridOrShorterStep_changeLittle() {
 }
 
 void ProductionFilmTest::productionFilm_thinLeg_dependsLittleOnTheStep() {
-    // A leg with a radius of 3.5 film cells: film is drawn down along it and gathers round it.
+    // A leg whose radius is 3.5 film cells. The film is drawn down along the leg and gathers around
+    // it.
     const Body body = bodyOf(ellipsoidMesh({6, 14, 6}, 120, 96));
     const solver::DipSetup setup = squareDip(body, 86, 13);
     solver::DipSetup shorter = setup;
@@ -100,7 +102,8 @@ void ProductionFilmTest::productionFilm_thinLeg_dependsLittleOnTheStep() {
 }
 
 void ProductionFilmTest::productionFilm_secondContact_dependsLittleOnTheStep() {
-    // The second ball touches film that the first has drawn in and released before the end.
+    // The second ball touches film that the first ball has drawn in. The first ball releases the
+    // film before the end.
     const Body body = bodyOf(twoBalls());
     const solver::DipSetup setup = squareDip(body, 86, 36);
     solver::DipSetup shorter = setup;
@@ -141,7 +144,7 @@ void ProductionFilmTest::productionFilm_withoutGrowth_givesTheSameBits() {
     }
 }
 
-// Free film is 1 + limit·(1 − exp(−rate·t/limit)) times as long at the end.
+// At the end, free film is 1 + limit·(1 − exp(−rate·t/limit)) times as long as at the start.
 void ProductionFilmTest::productionFilm_growingBeforeContact_growsAboutItsMiddle() {
     const Body body = bodyOf(sphereMesh(35, 64, 128));
     for (const double relaxationTime : {0.0, 2.0, std::numeric_limits<double>::infinity()}) {
@@ -163,9 +166,9 @@ void ProductionFilmTest::productionFilm_growingBeforeContact_growsAboutItsMiddle
     }
 }
 
-// Far from its pinned side, film is as long and wide as free film. It has moved away from that
-// side.
-void ProductionFilmTest::productionFilm_growingPinnedAtOneSide_growsAwayFromIt() {
+// Far from its pinned side, the film is as long and as wide as free film. It has moved away from
+// the pinned side.
+void ProductionFilmTest::productionFilm_growingPinnedAtOneSide_growsAwayFromThatSide() {
     const Body body = bodyOf(sphereMesh(15, 64, 128));
     for (const double relaxationTime : {0.0, 2.0, std::numeric_limits<double>::infinity()}) {
         const solver::DipSetup setup = growingStrip(body, relaxationTime, false);
@@ -182,9 +185,9 @@ void ProductionFilmTest::productionFilm_growingPinnedAtOneSide_growsAwayFromIt()
     }
 }
 
-// Between two pinned sides, film is compressed along x and grows more across, without stress there.
-// If free film were g times as long, elastic film is (4g − λx)/3 times as wide and viscous film
-// (g⁴/λx)^(1/3) times (docs/film-model.md, "Closed forms": the lying cylinder, where λx is 1).
+// Between two pinned sides, the film is compressed along x. It grows more across, where it has no
+// stress. If free film were g times as long, elastic film is (4g − λx)/3 times as wide, and viscous
+// film (g⁴/λx)^(1/3) times (docs/film-model.md, "Closed forms": the lying cylinder, where λx is 1).
 void ProductionFilmTest::productionFilm_growingPinnedAtTwoSides_growsAcross() {
     const Body body = bodyOf(sphereMesh(15, 64, 128));
     for (const double relaxationTime : {0.0, std::numeric_limits<double>::infinity()}) {
@@ -234,9 +237,9 @@ void ProductionFilmTest::productionFilm_pinnedEdge_holds() {
     QVERIFY(rightMoved > 0.5);
 }
 
-void ProductionFilmTest::productionFilm_smallFirstContact_doesNotTurnTheFilm() {
-    // A horn three cells wide, askew to the grid but with a plane of symmetry. So the horn itself
-    // does not turn the film.
+void ProductionFilmTest::productionFilm_smallFirstContact_doesNotRotateTheFilm() {
+    // A horn three cells wide, oblique to the grid but with a plane of symmetry. So the horn itself
+    // does not rotate the film.
     Immersion askew;
     askew.rotation = {Degrees(12), Degrees(25), Degrees(0)};
     askew.offset = {Millimetres(0.7), Millimetres(-0.4)};
@@ -250,7 +253,7 @@ void ProductionFilmTest::productionFilm_smallFirstContact_doesNotTurnTheFilm() {
     ProcessSettings process;
     process.depth = Millimetres(5);
     const Ending end = dipOnCpu(dipSetup(posed, field, askew, film, process));
-    double turn = 0; // degrees, mean turn of the corners about the middle
+    double turn = 0; // degrees, mean rotation of the corners about the film's middle
     for (const std::size_t corner : {0, 80, 80 * 81, 81 * 81 - 1}) {
         const Eigen::Vector2d rest = restPosition(end.setup.film, corner).cast<double>();
         const Eigen::Vector2d now(end.at(corner).x(), end.at(corner).z());
@@ -263,7 +266,7 @@ void ProductionFilmTest::productionFilm_smallFirstContact_doesNotTurnTheFilm() {
 void ProductionFilmTest::productionFilm_pastOverhang_releasesFilm() {
     const Body body = bodyOf(sphereMesh(35, 64, 128));
     const Ending ending = dipOnCpu(squareDip(body, 91, 72));  // all of it under water
-    const double highest = 35 + 35 * std::sin(20 * pi / 180); // over the lowest point
+    const double highest = 35 + 35 * std::sin(20 * pi / 180); // mm above the lowest point
     int adhered = 0;
     for (std::size_t point = 0; point < ending.states.size(); ++point) {
         if (ending.adhered(point)) {
@@ -272,15 +275,16 @@ void ProductionFilmTest::productionFilm_pastOverhang_releasesFilm() {
         }
     }
     QVERIFY(adhered > 500);
-    // The film released at the overhang is marked, and it is a small part of the film.
-    const std::size_t letGo = ending.marked(solver::PointMark::LetGo);
-    QVERIFY(letGo > 20 && letGo < ending.marks.size() / 10);
+    // The film that was released at the overhang is marked. It is a small part of the film.
+    const std::size_t releasedPoints = ending.marked(solver::PointMark::LetGo);
+    QVERIFY(releasedPoints > 20 && releasedPoints < ending.marks.size() / 10);
 }
 
-// Past the equator the body's grip on film fades (Adhesion.h). A sphere of 35 mm in a film pinned
-// at a ring of 90 mm. The closed form is that of docs/film-model.md, "Closed forms", with the rate
-// at which film is laid:
-//   dR/ds = (g + (1 − g) da/ds)/λr, and da/ds = −u, u the y of the body's normal.
+// Past the equator, the body's grip on the film fades (Adhesion.h). The body is a sphere of 35 mm
+// in a film that is pinned at a ring of 90 mm. The closed form is that of docs/film-model.md,
+// "Closed forms", with the rate at which film is laid:
+//   dR/ds = (g + (1 − g) da/ds)/λr, and da/ds = −u, where u is the y component of the body's
+// normal.
 void ProductionFilmTest::productionFilm_pastEquator_matchesClosedForm() {
     constexpr double rho = 35, ring = 90;
     const Body body = bodyOf(sphereMesh(rho, 180, 360));
@@ -329,7 +333,7 @@ void ProductionFilmTest::productionFilm_pastEquator_matchesClosedForm() {
     }
     qInfo("past the equator: %.3f mm at most; film to %.1f°", worst,
           (farthest - pi / 2) * 180 / pi);
-    QVERIFY(worst < 0.3);                              // mm, of 47 mm
+    QVERIFY(worst < 0.3);                              // mm; the film's radius is 47 mm
     QVERIFY(farthest < pi / 2 + overhang + 0.3 / rho); // does not exceed the overhang
     QVERIFY(farthest > pi / 2 + 0.6 * overhang);       // comes near the overhang
 }

@@ -1,4 +1,4 @@
-// The production film on the CPU, compared with the reference solver.
+// Compares the production film on the CPU with the reference solver.
 #include "ProductionDips.h"
 #include "TestFolders.h"
 #include "WholeSample.h"
@@ -69,7 +69,7 @@ void ProductionReferenceTest::productionFilm_dip_agreesWithTheReference() {
     qInfo("95 %% within %g mm, all within %g mm; %d points adhered in one film only", percentile95,
           largest, differing);
     QVERIFY(largest <= 0.02);
-    QVERIFY(differing <= 2); // points that nearly touch when the dip ends
+    QVERIFY(differing <= 2); // these points nearly touch the body at the end of the dip
 }
 
 QTEST_GUILESS_MAIN(ProductionReferenceTest)

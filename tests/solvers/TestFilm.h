@@ -1,4 +1,5 @@
-// Makes small dips for tests of films. Bodies are exact distances, sampled like a real field.
+// Makes small dips for tests of films. The bodies' distances are exact and are sampled like a real
+// field.
 #pragma once
 
 #include "common/FieldSampling.h"
@@ -11,13 +12,14 @@
 
 namespace dipwright::test {
 
-// A body's samples. `view` points into `distance`.
+// The samples of a body's distance field. `view` points into `distance`.
 struct SampledBody {
     std::vector<float> distance;
     solver::FieldView view;
 };
 
-// Samples distance(x, y, z) on a cube about the origin with `samples` along each side of `edge` mm.
+// Samples distance(x, y, z) on a cube about the origin, with `samples` samples along each side of
+// `edge` mm.
 template <typename Distance>
 SampledBody sampledBody(double edge, int samples, const Distance& distance) {
     SampledBody body;
@@ -53,8 +55,8 @@ inline SampledBody box(double halfX, double halfY, double halfZ, int samples) {
     });
 }
 
-// A dip of the paper's film under a body whose lowest point starts `gap` mm above the water.
-// `lowest`: its y in the body's frame, mm.
+// Returns a dip of the paper's film. The body's lowest point starts `gap` mm above the water.
+// `lowest` is the y of that point in the body's frame, mm.
 inline solver::DipSetup paperDip(const SampledBody& body, double lowest, int columns, int rows,
                                  double travel, double gap = 0.5) {
     solver::DipSetup setup;
@@ -67,7 +69,7 @@ inline solver::DipSetup paperDip(const SampledBody& body, double lowest, int col
     return setup;
 }
 
-// The end of a dip.
+// The state at the end of a dip.
 struct Ending {
     std::vector<float> positions;
     std::vector<solver::PointState> states;

@@ -22,8 +22,8 @@ const QStringList usualParts{QStringLiteral("steps"), QStringLiteral("dips")};
 
 constexpr int tableOneRows = 8;
 
-// Returns the parts of --parts. A plot needs the parts that it shows. Throws UsageError for an
-// unknown part.
+// Returns the parts that --parts names. Throws UsageError for an unknown part, or if a plot is
+// requested without a part that it shows.
 QStringList chosenParts(const QCommandLineParser& parser) {
     QStringList parts = usualParts;
     if (parser.isSet(partsOption)) {
@@ -161,7 +161,7 @@ public:
         const SolverRegistry registry;
         const Progress progress = console.progress();
         const QString id = registry.info(parser.value(solverOption), progress.cancelToken).id;
-        // Measures the ceiling first, because this also wakes the device.
+        // Measured first, because this also wakes the device.
         const std::optional<solver::Ceiling> ceiling = ceilingOf(registry.module(id), id);
         BenchReport report =
             measured({registry, id, runs}, parts, rows, parser.isSet(quickOption), progress);

@@ -1,5 +1,5 @@
-// Draws the paper's Figures 6 and 7 with measured rates: steps per second by constraints and by
-// field resolution.
+// Draws the paper's Figures 6 and 7 with measured rates: steps per second, by number of constraints
+// and by field resolution.
 
 #include "base/Png.h"
 #include "cli/bench/BenchReport.h"
@@ -24,7 +24,7 @@ const std::array<QColor, 3> seriesColours{QColor(0, 114, 178), QColor(213, 94, 0
                                           QColor(0, 158, 115)};
 const QColor paperColour(70, 70, 70);
 
-// Maps numbers to positions along one side of a plot, linearly or logarithmically.
+// Maps numbers to positions along one side of a plot, on a linear or logarithmic scale.
 struct Scale {
     bool isLogarithmic = true;
     double first = 1, last = 10; // the numbers at the ends
@@ -91,7 +91,7 @@ QString tickLabel(double value) {
     return QLocale(QLocale::English).toString(value, 'f', 0);
 }
 
-// Returns the smallest and the largest value of all marks.
+// Returns the smallest and the largest value over all marks of all series.
 std::pair<double, double> heights(const std::vector<Series>& all) {
     double low = std::numeric_limits<double>::infinity(), high = 0;
     for (const Series& series : all) {
@@ -181,8 +181,8 @@ private:
         painter_.drawEllipse(at, 4, 4);
     }
 
-    // Draws the legend in the lower left, which both figures leave free: rates fall to the right or
-    // stay level.
+    // Draws the legend at the lower left. Both figures leave this corner free, because rates fall
+    // to the right or stay level.
     void drawKeys() {
         double y = plot_.bottom() - 22 * double(panel_.series.size());
         for (const Series& series : panel_.series) {

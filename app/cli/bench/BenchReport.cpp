@@ -5,7 +5,8 @@
 namespace dipwright::cli {
 namespace {
 
-// Returns the row's share of the ceiling's operations per second; null without a ceiling.
+// Returns the row's operations per second as a share of the device's ceiling; null without a
+// ceiling.
 QJsonValue ceilingShare(const StepRow& row, const std::optional<solver::Ceiling>& ceiling) {
     return ceiling ? QJsonValue(row.flopsPerSecond() / ceiling->flopsPerSecond) : QJsonValue();
 }

@@ -19,7 +19,7 @@ struct BenchReport {
 
 QJsonObject toJson(const BenchReport& report);
 void print(const BenchReport& report, QTextStream& out);
-// Draws into FILE.png or FILE.svg. Throws Error if the file cannot be written.
+// Draws the figures into FILE.png or FILE.svg. Throws Error if the file cannot be written.
 void drawPlot(const BenchReport& report, const QString& path);
 
 } // namespace dipwright::cli

@@ -16,11 +16,11 @@
 namespace dipwright::cli {
 namespace {
 
-// A sphere of about 50,000 triangles.
+// Makes a sphere of about 50,000 triangles.
 constexpr int fieldSphereRings = 159;
 constexpr int fieldSphereSegments = 158;
 
-// Computes the sheet again from a finished dip.
+// A finished dip of the turtle, from which its sheet can be computed repeatedly.
 class DippedTurtle {
 public:
     DippedTurtle(const BenchSolver& solver, std::size_t immersions, const Progress& progress)
@@ -59,7 +59,8 @@ TimedRow sheetRow(const QString& what, int dpi, const Statistics& seconds) {
             seconds};
 }
 
-// While it exists, distance fields are cached in an empty folder and therefore built again.
+// While this object exists, distance fields are cached in an empty folder and therefore built
+// again.
 class EmptyFieldCache {
 public:
     EmptyFieldCache() : before_(qgetenv(variable)) {

@@ -23,11 +23,11 @@ namespace dipwright::cli {
 // The step rate of a whole dip with the paper's film.
 struct StepRow {
     QString body;
-    int fieldSamples = 0; // along an edge of the field's cube
+    int fieldSamples = 0; // samples along an edge of the field's cube
     qint64 points = 0, constraints = 0;
-    int iterations = 0; // per step; each iteration solves each constraint once
+    int iterations = 0; // iterations per step; each iteration solves each constraint once
     Statistics stepsPerSecond;
-    std::optional<double> paper; // steps/s, where the paper states them
+    std::optional<double> paper; // steps/s in the paper; empty if the paper does not state them
 
     double solvesPerSecond() const {
         return stepsPerSecond.median * double(constraints) * iterations;
@@ -37,13 +37,13 @@ struct StepRow {
 
 // A task and the seconds it takes.
 struct TimedRow {
-    QString what;      // for display
-    QJsonObject facts; // for the JSON output
+    QString what;      // name for display
+    QJsonObject facts; // values for the JSON output
     Statistics seconds;
 };
 
-// Makes or reads the bodies "sphere", "tetrahedron" and "turtle" on first use. The sphere is the
-// one of Table I: radius 35 mm, about 26,000 vertices.
+// Makes or reads the bodies "sphere", "tetrahedron" and "turtle" on first use. The sphere is that
+// of Table I: radius 35 mm, about 26,000 vertices.
 class BenchBodies {
 public:
     struct Body {
@@ -51,49 +51,50 @@ public:
         Immersion immersion;
     };
     const Body& body(const QString& name);
-    // Returns the file of the sample turtle, and its project with an A4 film of 120 × 170 points.
-    // Both throw Error if the samples are not installed.
+    // Returns the file of the sample turtle. Throws Error if the samples are not installed.
     static QString turtleFile();
+    // Returns the turtle's project, with an A4 film of 120 × 170 points. Throws Error likewise.
     static Project turtle();
 
 private:
     std::map<QString, Body> bodies_;
 };
 
-// Returns "n³" for display. A literal ³ after a place marker of QString::arg would count as a digit
-// of it.
+// Returns "n³" for display. It is concatenated, because QString::arg would read a literal ³ after a
+// place marker as a digit of the marker.
 inline QString cubed(int n) {
     return QString::number(n) + QChar(u'³');
 }
 
-// The solver and the number of runs of each measurement.
+// The solver to measure, and the number of runs of each measurement.
 struct BenchSolver {
     const SolverRegistry& registry;
     QString id;
     int runs = 1;
 };
 
-// Measures the first `rows` rows of the paper's Table I: films of 96 to 117,600 points under the
-// sphere.
+// Measures the first `rows` rows of the paper's Table I: the sphere is dipped through films of 96
+// to 117,600 points.
 std::vector<StepRow> measureTableOne(const BenchSolver& solver, BenchBodies& bodies, int rows,
                                      const Progress& progress);
-// Measures the paper's Figure 7: a film of 21,600 points under three bodies. The field's edge has
-// 32 samples, doubled up to `finest`.
+// Measures the paper's Figure 7: three bodies are dipped through a film of 21,600 points. The
+// field's edge has 32 samples, and is then doubled up to `finest`.
 std::vector<StepRow> measureFieldSweep(const BenchSolver& solver, BenchBodies& bodies, int finest,
                                        const Progress& progress);
-// Measures whole dips of the sphere in both presets, with films of columns × rows points.
+// Measures whole dips of the sphere with both presets, with films of columns × rows points.
 std::vector<TimedRow> measureDips(const BenchSolver& solver, BenchBodies& bodies, int columns,
                                   int rows, const Progress& progress);
-// Measures building fields of 64³ to `finest`³ samples around a sphere of 50,000 triangles.
+// Measures the time to build fields of 64³ to `finest`³ samples around a sphere of 50,000
+// triangles.
 std::vector<TimedRow> measureFields(int runs, int finest, const Progress& progress);
-// Dips the turtle's first immersion, then measures its reverse texture and its sheet as PNG and
-// PDF.
+// Makes dip 1 of the turtle. Then measures its reverse texture, and its sheet as PNG and as PDF.
 std::vector<TimedRow> measureSheets(const BenchSolver& solver, const std::vector<int>& resolutions,
                                     const Progress& progress);
-// Measures each step of `run` on the turtle other than the dip. Steps of one immersion use the
-// first.
+// Measures each step of `run` on the turtle except the dips. Steps that work on a single dip use
+// dip 1.
 std::vector<TimedRow> measureParts(const BenchSolver& solver, const Progress& progress);
-// Measures `run` on the turtle from project to files. The field is built each time.
+// Measures the whole command `run` on the turtle, from project to files. The field is built each
+// time.
 std::vector<TimedRow> measureRun(const BenchSolver& solver, const Progress& progress);
 
 } // namespace dipwright::cli

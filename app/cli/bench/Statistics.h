@@ -11,7 +11,7 @@ struct Statistics {
     double median = 0, minimum = 0, maximum = 0;
 };
 
-// Requires at least one value.
+// Returns the statistics of `values`, which must not be empty.
 inline Statistics statistics(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const std::size_t middle = values.size() / 2;
@@ -27,7 +27,7 @@ double secondsOf(const Work& work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Runs `work` `runs` times and returns the statistics of its seconds.
+// Runs `work` `runs` times. Returns the statistics of the seconds that it took.
 template <typename Work>
 Statistics timed(int runs, const Work& work) {
     std::vector<double> seconds;

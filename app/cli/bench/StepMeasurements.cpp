@@ -17,10 +17,12 @@
 namespace dipwright::cli {
 namespace {
 
-// A row of Table I in "Real-Time 3D Position-Based Dynamics Simulation for Hydrographic Printing".
+// A row of Table I in the paper "Real-Time 3D Position-Based Dynamics Simulation for Hydrographic
+// Printing".
 struct TableRow {
     int columns, rows;
-    std::optional<double> paper; // steps/s on a GeForce 940MX, where the paper states it
+    // Steps/s on a GeForce 940MX; empty if the paper does not state them.
+    std::optional<double> paper;
 };
 const std::array<TableRow, 8> tableOne{{{8, 12, 326},
                                         {40, 60, {}},
@@ -34,13 +36,13 @@ constexpr TableRow figureSeven{120, 180, {}};
 
 constexpr double sphereRadius = 35;
 constexpr int sphereRings = 163;
-constexpr int sphereSegments = 160; // 25,922 positions with these rings
+constexpr int sphereSegments = 160; // gives 25,922 positions with these rings
 constexpr double tetrahedronEdge = 80;
 constexpr int tableFieldSamples = 128;
 
-// Floating point operations for solving one constraint and its share of moving the points:
-// difference 4, square 5, root and quotient 2, excess 2, pull 3, adding the pull at both ends 6,
-// and moving 3. Moving a point takes 6, shared by two constraints.
+// Floating point operations for one constraint. Solving it: difference 4, square 5, root and
+// quotient 2, excess 2, pull 3, adding the pull at both ends 6. Its share of moving the points: 3,
+// because moving a point takes 6, and each point shares these among two constraints.
 constexpr double flopsPerSolve = 25;
 
 std::shared_ptr<const TexturedMesh> plainModel(const TriangleMesh& mesh) {
@@ -135,8 +137,8 @@ QString BenchBodies::turtleFile() {
 
 Project BenchBodies::turtle() {
     Project project = loadProject(turtleFile());
-    project.film =
-        {}; // fixed at A4 with 120 × 170 points, so that results of different years can be compared
+    // Fixed at A4 with 120 × 170 points, so that results of different versions can be compared.
+    project.film = {};
     return project;
 }
 

@@ -4,7 +4,8 @@
 namespace dipwright::cli {
 namespace {
 
-// Returns a call of the script's helper with the words and the kind of files to offer.
+// Returns a call of the script's helper function with the words and the kind of files that it
+// offers.
 QString offer(const ValueChoices& choices) {
     const QLatin1String files(choices.files      ? "files"
                               : choices.projects ? "projects"

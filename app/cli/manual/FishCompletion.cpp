@@ -10,7 +10,7 @@ QString quoted(QString text) {
            QLatin1Char('\'');
 }
 
-// In fish, -F also offers files, and -f offers only the given words.
+// In fish, -F offers files in addition to the given words; -f offers only the words.
 QString offer(const ValueChoices& choices) {
     QStringList offered = choices.words;
     if (choices.projects) {
@@ -39,7 +39,7 @@ QString optionLine(const QString& condition, const QCommandLineOption& option) {
 
 QString fishCompletion(const Commands& commands) {
     QString text = QStringLiteral(
-        "# What fish completes after dipwright-cli; made by dipwright-cli manual fish.\n");
+        "# Completions of dipwright-cli for fish, made by dipwright-cli manual fish.\n");
     for (const auto& command : commands) {
         const CommandSyntax syntax = syntaxOf(*command);
         text +=

@@ -39,7 +39,8 @@ QString optionEntry(const QCommandLineOption& option) {
     return entry(head, option.description());
 }
 
-// Describes what the command itself declares. Options of all commands are listed once, at the end.
+// Describes the command with its own options and arguments. Options of all commands are listed
+// once, at the end.
 QString commandSection(const Command& command) {
     CommandSyntax syntax;
     command.declare(syntax);

@@ -12,8 +12,8 @@ QString quoted(QString text) {
     return text.replace(QLatin1Char('\''), QLatin1String("'\\''"));
 }
 
-// Returns an action of _arguments. Colons inside it are escaped, because a colon ends an action. A
-// leading space makes zsh call the action unchanged.
+// Returns an action for _arguments. Colons inside the action are escaped, because a colon ends an
+// action. A leading space makes zsh call the action unchanged.
 QString action(const ValueChoices& choices) {
     const QString words = QStringLiteral("(%1)").arg(choices.words.join(QLatin1Char(' ')));
     const QLatin1String files(choices.files      ? "_files"
@@ -66,7 +66,7 @@ QString zshCompletion(const Commands& commands) {
     }
     return QStringLiteral(
                "#compdef dipwright-cli\n"
-               "# What zsh completes after dipwright-cli; made by dipwright-cli manual zsh.\n\n"
+               "# Completions of dipwright-cli for zsh, made by dipwright-cli manual zsh.\n\n"
                "_dipwright-cli() {\n"
                "    local -a commands=(\n%1    )\n"
                "    if (( CURRENT == 2 )); then\n"

@@ -18,11 +18,11 @@ public:
     NumericalErrorCheck(JobRunner& jobs, const SolverRegistry& registry, Messages& messages,
                         QObject* parent = nullptr);
 
-    void start(const Document& document); // works without a result, too
-    void cancel();                        // so that a dip need not wait for it
+    void start(const Document& document); // needs no earlier result
+    void cancel();                        // cancels the check, so that a dip need not wait for it
 
 signals:
-    // `outdated`: the project has changed since the start.
+    // `outdated`: the project has changed since start().
     void done(const std::vector<dipwright::DipNumericalError>& numericalError, bool outdated);
 
 private:

@@ -39,7 +39,7 @@ QTableWidget* table(const DipNumericalError& numericalError, LengthUnit unit) {
                               NumericalErrorDialog::tr("Painted in one")};
     auto* table = new QTableWidget(2, int(columns.size()));
     table->setObjectName(QStringLiteral("figures"));
-    table->setAccessibleName(NumericalErrorDialog::tr("How far the sheet moves"));
+    table->setAccessibleName(NumericalErrorDialog::tr("How far the image on the sheet moves"));
     table->setHorizontalHeaderLabels(columns);
     table->horizontalHeaderItem(3)->setToolTip(NumericalErrorDialog::tr(
         "Share of the part's surface that is painted in both computations"));

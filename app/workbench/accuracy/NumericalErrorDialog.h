@@ -20,7 +20,7 @@ public:
                          LengthUnit unit, QWidget* parent = nullptr);
 
 signals:
-    void saveAsked(const QString& folder); // asks to save all maps there
+    void saveAsked(const QString& folder); // asks to save all maps in `folder`
 
 private:
     void askFolder();

@@ -7,7 +7,7 @@
 namespace dipwright {
 namespace {
 
-constexpr double dipped = 0.1; // share of the progress after the dips
+constexpr double dipped = 0.1; // progress of the job when all dips are done
 
 } // namespace
 

@@ -9,7 +9,7 @@
 namespace dipwright {
 
 struct ToleranceResult {
-    std::shared_ptr<const JobResult> job; // dips and sheets only
+    std::shared_ptr<const JobResult> job; // has only dips and sheets
     std::shared_ptr<const JobTolerances> tolerances;
 };
 
@@ -22,10 +22,10 @@ public:
 
     // First runs the dips that are out of date or have no result.
     void start(const Document& document);
-    void cancel(); // so that a dip need not wait for it
+    void cancel(); // cancels the check, so that a dip need not wait for it
 
 signals:
-    void done(const dipwright::ToleranceResult& told);
+    void done(const dipwright::ToleranceResult& result);
 
 private:
     JobRunner& jobs_;

@@ -1,4 +1,4 @@
-// Computes the tolerances of a window's document on request, and announces them while they fit the
+// Computes the tolerances of a window's document on request. Emits them while they match the
 // project.
 #pragma once
 
@@ -36,7 +36,7 @@ private:
     void take(const ToleranceResult& result);
     void showTolerances();
     QStringList verdicts() const; // one sentence for each zone
-    bool isTrue() const;          // whether the result fits the current project
+    bool isTrue() const;          // whether the result matches the current project
 
     const WindowActions& actions_;
     const DipSession& session_;

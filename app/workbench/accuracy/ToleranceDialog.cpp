@@ -62,16 +62,16 @@ QTableWidget* table(const DipTolerances& tolerances, LengthUnit unit) {
     table->setAccessibleName(ToleranceDialog::tr("Effect of each contributor"));
     table->setHorizontalHeaderLabels(columns);
     const QStringList help{
-        ToleranceDialog::tr("How far this quantity may be off, to either side"),
+        ToleranceDialog::tr("How far this quantity may deviate, up or down"),
         ToleranceDialog::tr(
             "How much this contributor adds to the total displacement of the image"),
-        ToleranceDialog::tr(
-            "Half of the painted area is within this distance, with this contributor alone"),
-        ToleranceDialog::tr(
-            "95 % of the painted area is within this distance, with this contributor alone"),
-        ToleranceDialog::tr("Displacement of the worst place, with this contributor alone"),
-        ToleranceDialog::tr(
-            "Area that is painted less (−) or more (+) along the edge of the paint")};
+        ToleranceDialog::tr("With this contributor alone, half of the painted area lands within "
+                            "this distance of its intended place"),
+        ToleranceDialog::tr("With this contributor alone, 95 % of the painted area lands within "
+                            "this distance of its intended place"),
+        ToleranceDialog::tr("With this contributor alone, the largest displacement on the part"),
+        ToleranceDialog::tr("With this contributor alone, the area at the edge of the paint that "
+                            "is no longer painted (−) or painted in addition (+)")};
     for (int column = 0; column < columns.size(); ++column) {
         table->horizontalHeaderItem(column)->setToolTip(help[column]);
     }
@@ -98,17 +98,19 @@ QTableWidget* table(const DipTolerances& tolerances, LengthUnit unit) {
 
 QStringList dipSentences(const DipTolerances& tolerances, LengthUnit unit) {
     const auto length = [unit](double millimetres) { return shownLength(millimetres, unit); };
-    QStringList lines{ToleranceDialog::tr("All contributors together: 95 % of the painted area is "
-                                          "within %1 of its place, half of it within %2.")
-                          .arg(offBy(tolerances.spread.percentile95, unit),
-                               offBy(tolerances.spread.median, unit))};
+    QStringList lines{
+        ToleranceDialog::tr("All contributors together: 95 % of the painted area is within %1 of "
+                            "its intended place, and half of the area within %2.")
+            .arg(offBy(tolerances.spread.percentile95, unit),
+                 offBy(tolerances.spread.median, unit))};
     if (tolerances.sampled) {
         lines.append(sampledText(*tolerances.sampled, length));
     }
     for (const WorstPlace& worst : tolerances.worst) {
-        lines.append(ToleranceDialog::tr("%1 at %2 of the model; largest contributor: %3")
-                         .arg(offBy(worst.spread, unit), shownPlace(worst.place, unit),
-                              contributorText(worst.contributor)));
+        lines.append(
+            ToleranceDialog::tr("Displacement %1 at the model's place %2; largest contributor: %3")
+                .arg(offBy(worst.spread, unit), shownPlace(worst.place, unit),
+                     contributorText(worst.contributor)));
     }
     return lines;
 }

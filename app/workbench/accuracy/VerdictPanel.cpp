@@ -28,7 +28,7 @@ constexpr int shownPlaces = 5;
 const QString fieldScheme = QStringLiteral("field:"); // marks a link to a field of the project
 constexpr double mostText = 0.65; // share of the panel's height; longer text scrolls
 
-// The colour of the band beside the text. Readable on light and dark.
+// Returns the colour of the band beside the text. It is readable on light and dark windows.
 QString colourOf(Advice advice) {
     switch (advice) {
     case Advice::Print:
@@ -58,7 +58,7 @@ QString placeHtml(const PlaceToCheck& place, std::size_t number, LengthUnit unit
         .arg(QString::number(number), words.toHtmlEscaped());
 }
 
-// The sentence, with a link to the limit behind it.
+// Returns the reason's sentence, with a link to the setting that holds its limit, if there is one.
 QString reasonHtml(const JobReason& reason, const JobResult& result, LengthUnit unit) {
     JobReason shown = reason;
     if (result.immersions.size() == 1) {

@@ -27,8 +27,8 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 signals:
-    void placeChosen(Eigen::Vector2f rest); // on the floating film, mm
-    void fieldChosen(const QString& path);  // the project's field that holds a limit
+    void placeChosen(Eigen::Vector2f rest); // a place on the floating film, mm
+    void fieldChosen(const QString& path);  // the project's field that holds the limit
 
 private:
     void choosePlace(const QUrl& link);

@@ -20,7 +20,7 @@ const std::array<QColor, zoneCount> hues{QColor(0x00, 0x72, 0xb2), QColor(0x00, 
                                          QColor(0x7a, 0x86, 0x92)};
 const QColor past(0xd5, 0x5e, 0x00);
 
-constexpr double even = 0.55; // strength of the colour without tolerances
+constexpr double even = 0.55; // strength of a zone's colour without tolerances
 constexpr double steps = 4;   // shades that the eye can distinguish
 
 QColor mixed(const QColor& colour, double share) {
@@ -28,7 +28,8 @@ QColor mixed(const QColor& colour, double share) {
     return {part(colour.red()), part(colour.green()), part(colour.blue())};
 }
 
-// Returns mm, or unpaintedPlace if no dip paints the piece.
+// Returns the largest displacement of the image at a piece of the surface over all dips, mm.
+// Returns unpaintedPlace if no dip paints the piece.
 float spreadAt(const JobTolerances& tolerances, std::size_t piece) {
     float worst = unpaintedPlace;
     for (const DipTolerances& dip : tolerances.dips) {

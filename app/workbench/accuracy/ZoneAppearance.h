@@ -5,9 +5,9 @@
 
 namespace dipwright {
 
-// Each zone has a colour, which is pale where little of the limit is used up, and even without
-// `tolerances` (null). `zones` must come from the marks in `settings`, and `body` must be
-// plainBody() of its mesh.
+// Each zone has its own colour. The colour is pale where the image uses up little of the zone's
+// limit. If `tolerances` is null, the whole zone has one shade. `zones` must come from the marks in
+// `settings`, and `body` must be plainBody() of its mesh.
 BodyAppearance zoneAppearance(std::shared_ptr<const TexturedMesh> body, const ZonedBody& zones,
                               const JobTolerances* tolerances, const ToleranceSettings& settings);
 

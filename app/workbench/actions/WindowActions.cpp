@@ -22,7 +22,7 @@ QKeySequence key(const char* text) {
 } // namespace
 
 struct WindowActions::Entry {
-    QAction* WindowActions::*action; // null: in an action group
+    QAction* WindowActions::*action; // null: the action belongs to an action group
     const char* name;                // also the key in the preferences
     const char* icon;                // empty: none
     QString text, help;
@@ -147,7 +147,8 @@ std::vector<WindowActions::Entry> WindowActions::dipEntries() {
          tr("Search for the best rotation and position of the part, for one dip or two"),
          key("Ctrl+F")},
         {&A::numericalError, "certainty", "", tr("Check numerical &error…"),
-         tr("Compute the sheets with finer steps and cells, and show how far they move and where")},
+         tr("Compute the sheets with finer steps and cells, and show how far and where the image "
+            "moves")},
         {&A::tolerances, "tolerances", "tolerance", tr("&Tolerances…"),
          tr("Compute how far handling may move the image, and which zones keep their limits")},
         {&A::play, "play", "play", tr("&Play or pause"), tr("Play the dip"), key("Ctrl+Space")},
@@ -254,7 +255,7 @@ void WindowActions::addFilmLooks() {
     addLook("filmPicture", tr("&Picture from file…"), FilmLook::Picture, Kind::ToggledOff);
 }
 
-// Turns about the axes of the view's rings, and moves along the film.
+// Adds turns about the axes of the view's rings, and moves along the film.
 void WindowActions::addBodySteps() {
     bodyTurns = new QActionGroup(this);
     bodyMoves = new QActionGroup(this);

@@ -1,5 +1,5 @@
 // The actions of a window, with their names, texts, icons and keys, and when they are enabled.
-// Their effects are connected elsewhere.
+// Controllers connect the actions to their effects.
 #pragma once
 
 #include <QKeySequence>
@@ -38,8 +38,8 @@ public:
         *parallel;
     QAction *rings, *water, *body, *coverage, *bodyPrint, *zones, *filmOnBody, *section,
         *seeThrough, *measure;
-    QActionGroup* filmLook;              // data of each: its FilmLook
-    QActionGroup *bodyTurns, *bodyMoves; // data of each: its BodyStep
+    QActionGroup* filmLook;              // each action's data is its FilmLook
+    QActionGroup *bodyTurns, *bodyMoves; // each action's data is its BodyStep
     QAction *tour, *guide, *whatsThis, *about;
 
     void enable(const WindowState& state);

@@ -18,8 +18,9 @@ public:
     // `docks`: the actions that show and hide the panels.
     WindowMenus(QMainWindow& window, const WindowActions& actions, const QList<QAction*>& docks);
 
-    // Menus whose entries change. Fill them when they are about to show.
+    // The menu of recent projects. Its entries change, so fill it when it is about to show.
     QMenu& recent() { return *recent_; }
+    // The menu of saved layouts. Its entries change, so fill it when it is about to show.
     QMenu& layouts() { return *layouts_; }
 
 private:

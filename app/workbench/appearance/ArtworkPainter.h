@@ -1,5 +1,5 @@
-// Paints artwork on the body in the view: coarsely, and on a worker thread. While it paints, only
-// the latest request waits, so that a dragged layer follows the cursor.
+// Paints artwork on the body in the view, at low resolution and on a worker thread. While a request
+// is painted, only the newest further request is kept, so that a dragged layer follows the cursor.
 #pragma once
 
 #include "model/TexturedMesh.h"
@@ -16,7 +16,7 @@ class ArtworkPainter : public QObject {
 public:
     explicit ArtworkPainter(QObject* parent = nullptr);
 
-    // Emits painted() when it is done.
+    // Starts or queues a request. Emits painted() when the request is painted.
     void paint(const std::shared_ptr<const TexturedMesh>& model, const Artwork& artwork);
 
 signals:

@@ -47,7 +47,7 @@ BodyAppearance coverageAppearance(std::shared_ptr<const TexturedMesh> model,
     const QRgb bare = painterColour(Painter::None).rgb();
     BodyAppearance appearance{std::move(model), {}};
     for (std::size_t triangle = 0; triangle < coverage.covered.size(); ++triangle) {
-        const auto mark = gravestMark(coverage.marks[triangle]);
+        const auto mark = mostSeriousMark(coverage.marks[triangle]);
         appearance.colours.push_back(mark                         ? markColour(*mark).rgb()
                                      : coverage.covered[triangle] ? painted
                                                                   : bare);

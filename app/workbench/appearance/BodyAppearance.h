@@ -18,13 +18,15 @@ struct BodyAppearance {
 // Returns `mesh` as a body of one plain colour.
 std::shared_ptr<const TexturedMesh> plainBody(const RefinedMesh& mesh);
 
-// Does the same for a mesh that is fine enough already.
+// Returns `mesh`, which is fine enough already, as a body of one plain colour.
 std::shared_ptr<const TexturedMesh> plainBody(const TriangleMesh& mesh);
 
-// Colours the area that a dip would paint. `covered`: one value for each triangle of `body`.
+// Colours the area that a dip would paint. `covered`: one value for each triangle of `body`; not 0:
+// the dip would paint it.
 BodyAppearance previewAppearance(std::shared_ptr<const TexturedMesh> body,
                                  const std::vector<std::uint8_t>& covered);
-// Colours the painted area of `model` after one dip, and its marked film.
+// Colours the painted area of `model` after one dip. Triangles with torn, released or unconverged
+// film have their own colours.
 BodyAppearance coverageAppearance(std::shared_ptr<const TexturedMesh> model,
                                   const Coverage& coverage);
 // Colours the shares of two dips and draws the seam. `body` must be plainBody() of the share's

@@ -14,7 +14,8 @@ class FinishedPartPreview : public QObject {
 public:
     explicit FinishedPartPreview(QObject* parent = nullptr);
 
-    // Computes what `films` paint of `model` on `ground`. Emits printed() when it is done.
+    // Computes the colours that `films` leave on `model` over the bare surface `ground`. Emits
+    // printed() with the result.
     void print(const std::shared_ptr<const TexturedMesh>& model, std::vector<FilmAppearance> films,
                const InkSettings& ink, const Ground& ground);
 

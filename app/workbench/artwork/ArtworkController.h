@@ -25,7 +25,7 @@ public:
 
 signals:
     void held(bool isHeld); // a drag begins or ends
-    // Files were dropped on the view that are not pictures on the body.
+    // The user dropped files on the view that do not become artwork.
     void filesDropped(const QList<QUrl>& files);
 
 protected:
@@ -40,7 +40,7 @@ private:
     void connectPage();
     Document* document() const { return session_.document(); }
     const ArtworkLayer* selectedLayer() const; // null: none
-    std::optional<LayerFrame> frame() const;   // if a visible decal is selected
+    std::optional<LayerFrame> frame() const;   // nullopt unless a visible decal is selected
     void select(int layer);
     void showArtwork();
     void edit(const QString& text, const QString& mergeKey,
@@ -63,7 +63,7 @@ private:
     Messages& messages_;
     QWidget& window_;
     QPointer<ArtworkPage> page_;
-    QMetaObject::Connection shown_; // with the document
+    QMetaObject::Connection shown_; // to the shown document
     int selected_ = -1;
     std::optional<Drag> drag_;
 };

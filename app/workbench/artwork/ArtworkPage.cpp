@@ -242,8 +242,8 @@ void ArtworkPage::makeSpotFields(QFormLayout& form) {
     spot_->setAccessibleName(tr("Spot colour"));
     spot_->setPlaceholderText(tr("none"));
     spot_->setToolTip(tr("The name of a varnish or special ink, as the printer knows it. In CMYK "
-                         "PDF and TIFF files the layer then becomes a plate of its own. Its shape "
-                         "and opacity count, its colours do not."));
+                         "PDF and TIFF files the layer then becomes a plate of its own. The plate "
+                         "uses the layer's shape and opacity, not its colours."));
     spot_->setMaxLength(longestSpotName);
     static const QRegularExpression usable( // not the names that PDF reserves
         QStringLiteral("^(?!\\s*(all|none|cyan|magenta|yellow|black)\\s*$).*$"),
@@ -261,9 +261,9 @@ void ArtworkPage::makeSpotFields(QFormLayout& form) {
     spotColour_->setToolTip(tr("The colour that stands for the ink where its name is unknown."));
     spotFirst_ = new QCheckBox(tr("On the outside"));
     spotFirst_->setObjectName(QStringLiteral("layerSpotFirst"));
-    spotFirst_->setToolTip(
-        tr("Prints this ink before the four process inks, so that it ends up on the outside of the "
-           "part, as a varnish does. Otherwise it prints after them and lies next to the part."));
+    spotFirst_->setToolTip(tr("If ticked, this ink prints before the four process inks and ends up "
+                              "on the outside of the part, like a varnish. Otherwise it prints "
+                              "after the process inks and lies next to the part."));
     connect(spotFirst_, &QCheckBox::clicked, this, [this](bool isFirst) {
         change(QStringLiteral("layerSpotFirst"),
                [&](ArtworkLayer& layer) { layer.spotFirst = isFirst; });
@@ -292,7 +292,7 @@ void ArtworkPage::makePlaceFields(QFormLayout& form) {
               {tr("As a decal"), tr("Along an axis"), tr("Around an axis"), tr("From six sides")},
               [](ArtworkLayer& layer, int index) { layer.placement = LayerPlacement(index); });
     placement_->setToolTip(tr("A decal keeps lengths and straight lines around its centre. The "
-                              "others suit patterns that cover the whole part."));
+                              "other placements suit patterns that cover the whole part."));
     axis_ = combo("layerAxis", tr("Axis"),
                   {QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z"),
                    QStringLiteral("−X"), QStringLiteral("−Y"), QStringLiteral("−Z")},
@@ -307,19 +307,20 @@ void ArtworkPage::makePlaceFields(QFormLayout& form) {
                       -360, 360, tr("°"),
                       [](ArtworkLayer& l, double value) { l.turn = Degrees(value); });
     repeat_ = addNumber(form, "layerRepeat", tr("Repeat width"),
-                        tr("The width of one repeat on the part. Around an axis it is adjusted to "
-                           "a whole number of repeats."),
+                        tr("The width of one repeat on the part. Around an axis, the width is "
+                           "adjusted so that a whole number of repeats fits."),
                         0, largestLayer, mm,
                         [](ArtworkLayer& l, double value) { l.repeat = Millimetres(value); });
     repeat_->setSpecialValueText(tr("no repeat"));
     const std::array<QString, 3> labels{tr("Centre X"), tr("Centre Y"), tr("Centre Z")};
     constexpr std::array<const char*, 3> names{"layerX", "layerY", "layerZ"};
     for (std::size_t k = 0; k < 3; ++k) {
-        place_[k] = addNumber(
-            form, names[k], labels[k],
-            tr("In the model's coordinates. A decal uses the nearest place on the surface."),
-            -farthestLayer, farthestLayer, mm,
-            [k](ArtworkLayer& l, double value) { l.place[k] = Millimetres(value); });
+        place_[k] =
+            addNumber(form, names[k], labels[k],
+                      tr("The layer's centre in the model's coordinates. A decal is centred at the "
+                         "nearest place on the surface."),
+                      -farthestLayer, farthestLayer, mm,
+                      [k](ArtworkLayer& l, double value) { l.place[k] = Millimetres(value); });
     }
 }
 

@@ -1,4 +1,5 @@
-// The page that lists the artwork's layers and their fields. It only emits the user's changes.
+// The page that lists the artwork's layers and their fields. The page does not change the artwork;
+// it emits the user's changes.
 #pragma once
 
 #include "settings/Artwork.h"

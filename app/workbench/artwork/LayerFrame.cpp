@@ -9,7 +9,7 @@ namespace dipwright {
 namespace {
 
 constexpr double stalk = 1.25;  // position of the turn handle, in half heights
-constexpr int pieces = 16;      // of each side, so that it follows the surface
+constexpr int pieces = 16;      // of each side of the outline, so that it follows the surface
 constexpr double square = 0.06; // half a handle's side, in layer diagonals
 
 Eigen::Vector3d vectorOf(const std::array<Millimetres, 3>& place) {

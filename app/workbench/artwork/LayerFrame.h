@@ -18,14 +18,16 @@ public:
 
     // Returns lines on the body: the outline, a stalk to the turn handle, and the square handles.
     std::vector<ViewLine> lines(const QColor& colour) const;
-    // Returns the handle that a press takes hold of, if any. `reach`: distance to a handle, mm.
+    // Returns the handle that a press takes hold of, if any. `reach`: largest distance from the ray
+    // to a handle, mm.
     std::optional<FrameHandle> handleAt(const ViewRay& ray, double reach) const;
-    // Returns the layer after a drag of `handle` from one ray to another.
+    // Returns the layer after a drag of `handle` from the ray `from` to the ray `to`.
     ArtworkLayer dragged(FrameHandle handle, const ViewRay& from, const ViewRay& to) const;
     const Eigen::Vector3d& place() const { return place_; }
 
 private:
-    // Returns where a ray meets the tangent plane at the layer's centre: in the layer's axes, mm.
+    // Returns the place where a ray meets the tangent plane at the layer's centre, in the layer's
+    // axes, mm.
     std::optional<Eigen::Vector2d> flat(const ViewRay& ray) const;
     Eigen::Vector3f onBody(const Eigen::Vector2d& place) const;
 

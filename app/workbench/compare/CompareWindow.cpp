@@ -22,7 +22,8 @@ namespace dipwright {
 namespace {
 
 constexpr int progressSteps = 1000;
-// The second camera's position until it follows the first. It must not move the first.
+// The second camera's position until the second camera follows the first. This position must not
+// move the first camera.
 constexpr ViewCamera waiting{{0, 0, 500}, {0, 0, 0}, {0, 1, 0}, 100, false};
 
 } // namespace
@@ -64,7 +65,7 @@ CompareWindow::CompareWindow(const std::array<ComparedState, 2>& states,
     colourViews();
     resize(QSize(1100, 720).boundedTo(screen()->availableSize()));
     showSides();
-    views_[1]->setCamera(waiting); // after the new body has moved it
+    views_[1]->setCamera(waiting); // after the new body has moved the camera
     views_[0]->fit();
     for (const auto& side : sides_) {
         side->run();

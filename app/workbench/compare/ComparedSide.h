@@ -21,11 +21,12 @@ public:
 
     void run();
     void lookAt(std::size_t immersion);
-    // Before the dip, the body shows a preview of the painted area, estimated from its shape.
+    // Before the dip, the body shows a preview of the painted area, estimated from the body's
+    // shape.
     void show(ComparedLook look, const HeatScale& scale);
     std::shared_ptr<const FilmReadout> reading() const { return session_.reading(); }
     QString title() const { return title_; }
-    // Returns the figures given with the state, followed by those of the dips.
+    // Returns the figures given with the state, followed by the figures of the dips.
     std::vector<StateFigure> figures(LengthUnit unit) const;
     DipSession& session() { return session_; }
 

@@ -30,7 +30,7 @@ private:
     QWidget* makeComparison();
     QWidget* makeButtons();
     void showSnapshots(); // fills the lists
-    void compare();       // the selected snapshot with the state selected in the box
+    void compare();       // compares the selected snapshot with the state selected in the box
     void addRow(const QString& setting, const QString& first, const QString& second);
     void compareInView();
     void showMeasures(const QJsonObject& first, const QJsonObject& second);
@@ -40,7 +40,7 @@ private:
     std::vector<Snapshot> snapshots_;
     QLineEdit* name_;
     QListWidget* list_;
-    QComboBox* against_; // the current project, then the snapshots
+    QComboBox* against_; // lists the current project, then the snapshots
     QTableWidget* table_;
     QLabel* verdict_;
     QPushButton *take_, *goBack_, *sideBySide_, *remove_;

@@ -1,4 +1,4 @@
-// Simulates on request the last dip of a result with a greater depth, to show its film.
+// Simulates the last dip of a result again with a greater depth, so that its film can be shown.
 #pragma once
 
 #include "pipeline/JobResult.h"
@@ -14,10 +14,10 @@ public:
     DeeperFilm(JobRunner& jobs, const SolverRegistry& registry, Messages& messages,
                QObject* parent = nullptr);
 
-    // Simulates the last dip of `result`. Does nothing if that was the last request and was not
-    // cancelled.
+    // Simulates the last dip of `result`. Does nothing if the last request had the same result and
+    // was not cancelled.
     void start(const std::shared_ptr<const JobResult>& result);
-    void cancel(); // so that another dip need not wait for it
+    void cancel(); // cancels the simulation, so that another dip need not wait for it
 
 signals:
     void done(const std::shared_ptr<const dipwright::JobResult>& result,

@@ -16,7 +16,7 @@ class DipCacheUpdater : public QObject {
 public:
     DipCacheUpdater(DipSession& session, JobRunner& jobs, const SolverRegistry& registry,
                     Messages& messages, QObject* parent = nullptr);
-    ~DipCacheUpdater() override; // writes what is pending, and waits for it
+    ~DipCacheUpdater() override; // writes a pending result, and waits for the write
 
     // Switches the cache on or off. It starts off.
     void setWanted(bool wanted) { wanted_ = wanted; }
@@ -37,7 +37,7 @@ private:
     const SolverRegistry& registry_;
     Messages& messages_;
     bool wanted_ = false, told_ = false;
-    QTimer delay_; // after the last result, so that dips in a row are written once
+    QTimer delay_; // starts after each result, so that several results in a row are written once
     std::shared_ptr<const JobResult> result_; // pending; null: nothing to write
     QString path_;                            // the project file of result_
     QThreadPool writer_;

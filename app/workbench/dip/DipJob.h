@@ -9,7 +9,7 @@
 
 namespace dipwright {
 
-// One recording for each dip, shared by the job and the view.
+// Makes one recording for each dip. The job and the view share the recordings.
 using DipRecordings = std::vector<std::shared_ptr<DipRecording>>;
 DipRecordings makeRecordings(const Project& project, std::size_t mostPoints);
 
@@ -17,7 +17,7 @@ DipRecordings makeRecordings(const Project& project, std::size_t mostPoints);
 struct SheetPreview {
     QImage page;
     QSizeF size; // page size, mm
-    QRectF film; // the film on the page, mm
+    QRectF film; // the film's place on the page, mm
 };
 SheetPreview sheetPreview(const Sheet& sheet); // throws Error as pageSize() does
 
@@ -32,7 +32,7 @@ public:
     using Done = std::function<void(const DipOutcome&)>;
     using Failed = std::function<void(bool cancelled, std::exception_ptr)>;
 
-    // `previous` (may be null) is reused as far as it still fits.
+    // Reuses the parts of `previous` (may be null) that still fit the project.
     DipJob(const Project& project, const SolverRegistry& registry,
            std::shared_ptr<const JobResult> previous, DipRecordings recordings, Done done,
            Failed failed);

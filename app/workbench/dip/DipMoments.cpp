@@ -8,7 +8,7 @@ namespace dipwright {
 
 namespace {
 
-// Returns the descent at which the first film point with `counts` was held, mm.
+// Returns the smallest descent at which the body held a film point for which `counts` is true, mm.
 template <typename Counts>
 std::optional<double> firstHeld(const DipRecording& recording, const DippedFilm& film,
                                 const Counts& counts) {

@@ -12,7 +12,7 @@ namespace dipwright {
 // A coarser grid of the film's points: every n-th column and row, and always the last ones.
 struct ThinnedFilm {
     int columns = 0, rows = 0;
-    std::vector<std::uint32_t> points; // index in the film, row by row
+    std::vector<std::uint32_t> points; // indices in the film, row by row
 };
 // Chooses the smallest n that leaves about `mostPoints` points.
 ThinnedFilm thinFilm(const solver::FilmGrid& grid, std::size_t mostPoints);
@@ -25,22 +25,25 @@ struct RecordedFrame {
 // The simulating thread writes while the UI thread reads.
 class DipRecording {
 public:
-    // Keeps about `mostFrames` evenly spread frames at most, and always the newest.
+    // Keeps at most about `mostFrames` frames, spread evenly over the dip, and always the newest
+    // frame.
     DipRecording(const Immersion& immersion, std::size_t mostPoints, std::size_t mostFrames);
 
     const Immersion& immersion() const { return immersion_; }
-    // The grids of the frames. They are constant once there is a frame.
+    // The points of each frame. Constant once there is a frame.
     const ThinnedFilm& film() const { return film_; }
+    // The grid of the whole film. Constant once there is a frame.
     const solver::FilmGrid& grid() const { return grid_; }
 
     void add(const FilmFrame& frame);
     std::size_t size() const;
     std::shared_ptr<const RecordedFrame> frame(std::size_t number) const;
-    std::shared_ptr<const RecordedFrame> latest() const; // null: none yet
-    // Returns the descent of the first frame in which the film point is held, mm; NaN if none. Do
-    // not call it while the dip is recorded.
+    std::shared_ptr<const RecordedFrame> latest() const; // null: no frame yet
+    // Returns the descent of the first frame in which the body holds the film point, mm; NaN if
+    // there is no such frame. Do not call this while the dip is recorded.
     float heldAt(std::size_t point) const;
-    std::size_t frameAt(double descent) const; // the first frame at or below it, else the last
+    // Returns the first frame at `descent` or deeper, else the last frame.
+    std::size_t frameAt(double descent) const;
 
 private:
     void thinOut();
@@ -51,7 +54,7 @@ private:
     ThinnedFilm film_;
     mutable std::mutex mutex_;
     std::vector<std::shared_ptr<const RecordedFrame>> frames_;
-    std::vector<float> heldAt_; // mm, for each film point
+    std::vector<float> heldAt_; // the descent in mm for each film point, see heldAt()
     std::size_t added_ = 0;
     std::size_t keepEvery_ = 1;
 };

@@ -17,8 +17,8 @@ public:
     // Drops the results of the previous document. Null: no document.
     void setDocument(Document* document);
     Document* document() const { return document_; }
-    // Runs what is out of date. If jobs run, waits for them, but cancels a dip with older values.
-    // `mostPoints`: size of the recorded film.
+    // Runs the dips that are out of date. Waits for running jobs first, but cancels a running dip
+    // with older values. `mostPoints`: approximate number of film points that are recorded.
     void run(std::size_t mostPoints);
     // Sets the result that the first run can reuse.
     void setKept(std::shared_ptr<const JobResult> kept) { kept_ = std::move(kept); }
@@ -58,7 +58,7 @@ private:
     DipRecordings recordings_, live_;
     DipOutcome outcome_;
     std::shared_ptr<const JobResult> kept_;
-    CancelToken dip_; // of the running dip
+    CancelToken dip_; // cancels the running dip
     bool running_ = false;
     bool wanted_ = false; // run again when the current jobs have ended
     std::size_t mostPoints_ = 0;

@@ -8,19 +8,21 @@
 
 namespace dipwright {
 
-// Stretch of the dipped film relative to the floating film. Length: mean over a point's
+// Stretch of the dipped film relative to the floating film. Length is the mean over a point's
 // constraints.
 enum class FilmQuantity { Length, Area, Larger, Smaller };
 inline constexpr std::size_t filmQuantityCount = 4;
 
 struct FilmReadoutPoint {
-    Eigen::Vector2f rest = Eigen::Vector2f::Zero();  // on the floating film, see restPosition()
+    // Place on the floating film, see restPosition().
+    Eigen::Vector2f rest = Eigen::Vector2f::Zero();
     Eigen::Vector3f place = Eigen::Vector3f::Zero(); // pose frame, mm
     std::array<float, filmQuantityCount> values{};
     PrincipalStretch stretch; // of the triangle at this place
     bool adhered = false;
     SurfacePoint body; // invalid where the film does not lie on the body
-    Eigen::Vector3f outward = Eigen::Vector3f::Zero(); // normal of the body there, pose frame
+    // Normal of the body at this place, pose frame.
+    Eigen::Vector3f outward = Eigen::Vector3f::Zero();
 };
 
 class FilmReadout {
@@ -32,7 +34,7 @@ public:
     const std::vector<float>& values(FilmQuantity quantity) const {
         return values_[std::size_t(quantity)];
     }
-    // Values of the points that paint the body; of all points if none does.
+    // Values of the points that paint the body; values of all points if no point paints it.
     const std::vector<float>& paintedValues(FilmQuantity quantity) const {
         return painted_[std::size_t(quantity)];
     }
@@ -40,9 +42,10 @@ public:
     const Distribution& spread(FilmQuantity quantity) const {
         return spreads_[std::size_t(quantity)];
     }
-    // Reads at a place of the flat film, mm; nullopt outside the film.
+    // Reads the film at a place on the flat film, mm; nullopt outside the film.
     std::optional<FilmReadoutPoint> at(const Eigen::Vector2f& rest) const;
-    // Reads where a ray first meets the film, pose frame.
+    // Reads the film where a ray in the pose frame first meets it; nullopt if the ray misses the
+    // film.
     std::optional<FilmReadoutPoint> at(const Eigen::Vector3f& origin,
                                        const Eigen::Vector3f& direction) const;
 

@@ -32,7 +32,8 @@ private:
     const Document* document_ = nullptr;
     bool wanted_ = false;
     bool held_ = false;
-    std::optional<Project> cancelled_; // do not run projects with the same sheets
+    // The project at the last cancel. Projects with the same sheets do not run.
+    std::optional<Project> cancelled_;
     QTimer delay_;
 };
 

@@ -11,7 +11,8 @@ namespace dipwright {
 
 namespace {
 
-// Each step keeps two versions of the project, some kilobytes, because they share the model.
+// Each step keeps two versions of the project. They take only some kilobytes, because they share
+// the model.
 constexpr int undoLimit = 500;
 
 } // namespace

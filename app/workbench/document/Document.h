@@ -1,5 +1,5 @@
-// One open document: its project, undo steps and file, and the last result with what is out of
-// date. No widgets. UI thread only.
+// One open document: its project, undo steps and file, its last result, and which results are out
+// of date. No widgets. UI thread only.
 #pragma once
 
 #include "disk/FileLock.h"
@@ -37,7 +37,7 @@ public:
 
     // Applies `change` to the project as one undo step named `text`. Adds no step if nothing
     // changes. Steps in a row with the same `mergeKey` become one, until endMerge(); an empty key
-    // never merges. Passes on what `change` throws, and leaves the project unchanged then.
+    // never merges. If `change` throws, the project stays unchanged and the exception is passed on.
     void edit(const QString& text, const QString& mergeKey,
               const std::function<void(Project&)>& change);
     void endMerge() { ++mergeRound_; }
@@ -47,26 +47,26 @@ public:
     const FileVersion& version() const { return version_; } // last known version of the file
     QString title() const; // the file's name, else the project's name
     bool isModified() const {
-        return (path_.isEmpty() && !keptElsewhere_) || recovered_ || !undoStack_.isClean();
+        return (path_.isEmpty() && !markedUnmodified_) || recovered_ || !undoStack_.isClean();
     }
     // Marks a document without a file as unmodified until it is edited, such as a copy of a sample.
-    void markUnmodified() { keptElsewhere_ = true; }
+    void markUnmodified() { markedUnmodified_ = true; }
     // Marks a document that was restored after a crash as modified.
     void setRecovered() {
         recovered_ = true;
         emit fileChanged();
     }
-    // Takes the lock of the file if it is free. Returns the state that it found.
+    // Takes the lock of the file if it is free. Returns the state in which it found the lock.
     LockState lock() { return lock_->acquire(path_); }
-    // Throws ChangedFile if another program has written the file since, or Error. File and document
-    // are unchanged then.
+    // Throws ChangedFile if another program has written the file since version(), or Error. After
+    // an exception, file and document are unchanged.
     void save();
-    // Saves to another file and replaces it. Throws Error, also if that file is open elsewhere.
-    // With the document's own path, overwrites even what another program has written.
+    // Saves to `path` and replaces an existing file. Throws Error, also if that file is open
+    // elsewhere. With the document's own path, overwrites even what another program has written.
     void saveAs(const QString& path);
 
     // Returns whether the user chose this file or allowed to read it. False for paths that came
-    // with the project file, because that may be from a stranger.
+    // with the project file, because a stranger may have written that file.
     bool isTrusted(const QString& file) const { return !untrusted_.contains(file); }
     void trust(const QString& file) { untrusted_.removeAll(file); }
 
@@ -76,8 +76,8 @@ public:
     // Returns whether the result of `step` for dip `number` fits the current project. A run
     // then reuses it.
     bool isFresh(JobStep step, std::size_t number) const;
-    Freshness freshness(std::size_t number) const; // of each step
-    bool isFresh() const;                          // all steps of all dips
+    Freshness freshness(std::size_t number) const; // for each step of dip `number`
+    bool isFresh() const;                          // for all steps of all dips
 
 signals:
     void projectChanged();
@@ -93,7 +93,7 @@ private:
     QString path_;
     QUndoStack undoStack_;
     int mergeRound_ = 0;
-    bool recovered_ = false, keptElsewhere_ = false;
+    bool recovered_ = false, markedUnmodified_ = false;
     FileVersion version_;
     QStringList untrusted_; // paths of files
     std::unique_ptr<FileLock> lock_ = std::make_unique<FileLock>();

@@ -159,15 +159,15 @@ void DocumentSession::restore(const RecoveredDocument& recovered) {
 
 void DocumentSession::save() {
     document_->save();
-    tellSaved(document_->path());
+    reportSaved(document_->path());
 }
 
 void DocumentSession::saveAs(const QString& path) {
     document_->saveAs(path);
-    tellSaved(path);
+    reportSaved(path);
 }
 
-void DocumentSession::tellSaved(const QString& path) {
+void DocumentSession::reportSaved(const QString& path) {
     addRecentProject(path);
     emit saved(path);
     messages_.log(tr("Saved %1").arg(QDir::toNativeSeparators(path)));

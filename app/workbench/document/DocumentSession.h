@@ -35,18 +35,19 @@ public:
     Document* document() const { return document_.get(); } // null: none
     void setAutosaveInterval(int seconds);
 
-    // These open the document in this window if it has none, else in another window. A project that
-    // is already open is shown in its window.
+    // Opens a project in this window if it has no document, else in another window. If the project
+    // is already open, brings its window to the front.
     void openProject(const QString& path);
-    // Opens an untitled copy of a sample.
+    // Opens an untitled copy of a sample, in this window if it has no document, else in another.
     void openCopy(const QString& path);
-    // `complete` may change the new project before it is shown.
+    // Creates a project from a model and opens it, in this window if it has no document, else in
+    // another. `complete` may change the new project before it is shown.
     void importModel(const QString& path, const ImportOptions& options,
                      const std::function<void(Project&)>& complete = {});
-    void restore(const RecoveredDocument& recovered); // only without a document
+    void restore(const RecoveredDocument& recovered); // call it only without a document
 
-    // These throw Error, as Document's functions do.
-    void save();
+    void save(); // throws as Document::save() does
+    // Throws as Document::saveAs() does.
     void saveAs(const QString& path);
     void discardChanges(); // deletes the copy of unsaved changes
 
@@ -59,7 +60,7 @@ private:
     // On failure, reports to `teller` and calls `failed`.
     void readProject(const QString& file, Messages& teller, const std::function<void()>& failed);
     bool lockOrAsk(Document& document);
-    void tellSaved(const QString& path);
+    void reportSaved(const QString& path);
     void take(std::unique_ptr<Document> document);
     DocumentSession& emptySession();
 

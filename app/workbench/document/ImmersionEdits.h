@@ -5,7 +5,7 @@
 
 namespace dipwright {
 
-// Adds a second dip with the pose of the first, from the other side.
+// Adds a second dip with the pose of the first, but rotated by a further 180° about X.
 void addImmersion(Document& document);
 void removeImmersion(Document& document, std::size_t number);
 // Replaces all dips.

@@ -22,7 +22,7 @@ struct Preferences {
     QString filmProfile;                       // for new projects; empty: none
     QString printerProfile;                    // for new projects; empty: none
     bool liveUpdate = true;                // run again after each change, once there is a result
-    bool keepsResults = true;              // in a cache beside the project file
+    bool keepsResults = true;              // keep results in a cache beside the project file
     QMap<QString, QKeySequence> shortcuts; // by action name, only if not the default
     bool operator==(const Preferences&) const = default;
 };

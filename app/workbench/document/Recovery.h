@@ -1,8 +1,8 @@
 // Keeps copies of edited documents, to restore unsaved work after a crash.
 //
-// A copy is NAME.dipw, with NAME.json (the file that it belongs to) and a lock. The program that
-// edits the document holds the lock, so a free lock means a crash. The copy is removed only when
-// the document is saved or its changes are discarded.
+// A copy consists of NAME.dipw, NAME.json (which names the original file) and a lock. The program
+// that edits the document holds the lock, so a free lock means a crash. The copy is removed only
+// when the document is saved or its changes are discarded.
 #pragma once
 
 #include "disk/FileLock.h"
@@ -22,10 +22,10 @@ class Document;
 
 struct RecoveredDocument {
     QString copy;     // the recovery file
-    QString original; // the document's own file; empty: it had none
+    QString original; // the document's own file; empty: the document had none
     QString name;     // the project's name
     QDateTime saved;
-    std::optional<FileVersion> version = {}; // of the original before the edits, if known
+    std::optional<FileVersion> version = {}; // version of the original before the edits, if known
 };
 
 // Returns the copies in `folder` that a crash has left behind, newest first.
@@ -50,7 +50,8 @@ public:
     void discard();
 
 signals:
-    // The copy cannot be written; `why` is a sentence. Emitted once, until a write succeeds again.
+    // The copy cannot be written; `why` is a sentence. Emitted only for the first failure after a
+    // successful write.
     void failed(const QString& why);
 
 private:

@@ -8,7 +8,8 @@ namespace dipwright {
 
 QStringList savedLayouts(); // sorted names
 QByteArray savedLayout(const QString& name);
-void saveLayout(const QString& name, const QByteArray& state); // replaces one of the same name
+// Replaces a layout with the same name.
+void saveLayout(const QString& name, const QByteArray& state);
 void removeLayout(const QString& name);
 
 } // namespace dipwright

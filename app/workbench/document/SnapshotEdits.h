@@ -7,9 +7,10 @@
 
 namespace dipwright {
 
-// Returns the figures by which states are compared: "painted" (share of the body), "stretch" (95th
-// percentile over the film on the body, largest of all dips), "uncertain_mm2". Empty without a
-// result that fits the project.
+// Returns the figures by which states are compared: "painted" (share of the body's surface that is
+// painted), "stretch" (95th percentile over the film on the body, largest of all dips),
+// "uncertain_mm2" (area with too large a numerical error). Empty without a result that fits the
+// project.
 QJsonObject snapshotMeasures(const Document& document);
 
 void takeSnapshot(Document& document, const QString& name);

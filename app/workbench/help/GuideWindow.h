@@ -18,11 +18,12 @@ class GuideWindow : public QWidget {
 public:
     explicit GuideWindow(QWidget* parent = nullptr);
 
-    // Returns false if the chapter does not contain the words. Shows the chapter's beginning then.
+    // Shows the place. If the chapter does not contain the words, shows the chapter's beginning and
+    // returns false.
     bool showPlace(const GuidePlace& place);
 
 private:
-    void showFrom(int position); // scrolls it to the top
+    void showFrom(int position); // scrolls `position` to the top
     void makeContents();
     void makeSearch();
     void showPlaces(); // marks all matches, shows the first, lists their chapters

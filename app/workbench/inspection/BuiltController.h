@@ -17,7 +17,7 @@ public:
     BuiltPage* page() const { return page_; } // its window owns it
     // Call this when the session has another document.
     void showDocument();
-    // Sets the present measured part; null: none.
+    // Sets the current measured part; null: none.
     void setMeasured(std::shared_ptr<const MeasuredPart> measured);
 
 private:
@@ -30,7 +30,7 @@ private:
     Messages& messages_;
     BuiltPage* page_;
     std::shared_ptr<const MeasuredPart> measured_;
-    std::vector<BuiltPlace> places_; // the places behind the shown errors
+    std::vector<BuiltPlace> places_; // the places from which the shown errors were computed
 };
 
 } // namespace dipwright

@@ -34,7 +34,8 @@ BuiltPage::BuiltPage(QWidget* parent)
     parts_->setObjectName(QStringLiteral("builtParts"));
     parts_->setAccessibleName(tr("Measured parts of the job"));
     parts_->setHorizontalHeaderLabels({tr("Date"), tr("Accepted by"), tr("Photos"), tr("Error")});
-    parts_->horizontalHeaderItem(3)->setToolTip(tr("Root mean square on the sheet"));
+    parts_->horizontalHeaderItem(3)->setToolTip(
+        tr("Root mean square of the part's error, measured on the sheet"));
     parts_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     parts_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
     parts_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -163,9 +164,10 @@ void BuiltPage::showPicture() {
     const QImage picture = correctionPicture((*errors_)[std::size_t(dip)], width_, height_,
                                              built_.strength, pictureHeight);
     picture_->setPicture(picture, QSizeF(picture.size()) / 5);
-    legend_->setText(built_.corrects
-                         ? tr("The picture shows how the next sheets are corrected.")
-                         : tr("The correction is off. The picture shows what it would do."));
+    legend_->setText(
+        built_.corrects
+            ? tr("The picture shows how the next sheets are corrected.")
+            : tr("The correction is off. The picture shows how it would change the next sheets."));
 }
 
 void BuiltPage::setKeepable(bool keepable) {

@@ -150,7 +150,7 @@ QWidget* FilmPage::makeFields() {
     form->setContentsMargins(0, 0, 0, 0);
     form->addRow(tr("Dip begins after"), begin_);
     form->addRow(tr("Lot"), lot_);
-    form->addRow(tr("Water"), water_);
+    form->addRow(tr("Water temperature"), water_);
     return fields;
 }
 
@@ -162,22 +162,25 @@ QWidget* FilmPage::makeRulers() {
             box(part == 0 ? "cardAcross" : "cardDown", leastRuler, mostRuler, 0.1, millimetres);
         filmRulers_[at] =
             box(part == 0 ? "filmAcross" : "filmDown", leastRuler, mostRuler, 0.1, millimetres);
-        const QString which = part == 0 ? tr("Across") : tr("Down");
+        const QString which = part == 0 ? tr("Measured length of the horizontal ruler")
+                                        : tr("Measured length of the vertical ruler");
         for (NumberBox* one : {cardRulers_[at], filmRulers_[at]}) {
             one->setToolTip(which);
             one->setAccessibleName(which);
         }
     }
     rulerError_ = box("rulerError", 0, mostRulerError, 0.05, millimetres);
-    rulerError_->setToolTip(
-        tr("Reading error of each ruler. It widens the interval of the swell."));
+    rulerError_->setToolTip(tr("Reading error of each ruler. A larger reading error gives a wider "
+                               "95 % interval of the swell."));
     cardAbove_ = box("cardAbove", -mostCardAbove, mostCardAbove, 0.5, millimetres);
     focal_ = box("focalLength", none, mostFocal, 1, millimetres, tr("from the photos"));
-    focal_->setToolTip(tr("35 mm equivalent. Needed only if the card lies above the film."));
+    focal_->setToolTip(tr("Focal length of the lens as 35 mm equivalent. Needed only if the card "
+                          "lies above the film."));
     k1_ = box("lensK1", unknownLens, 1, 0.001, {}, tr("k1 ?"));
     k2_ = box("lensK2", unknownLens, 1, 0.001, {}, tr("k2 ?"));
     for (NumberBox* one : {k1_, k2_}) {
-        one->setToolTip(tr("Lens distortion of a calibrated camera. “?”: found from each photo."));
+        one->setToolTip(tr("Coefficients of the lens distortion of a calibrated camera. “?”: the "
+                           "coefficient is found from each photo."));
     }
     auto* fields = new QWidget;
     auto* form = new QFormLayout(fields);

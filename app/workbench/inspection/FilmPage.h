@@ -40,7 +40,8 @@ public:
 
 signals:
     void photosChosen(const QStringList& files);
-    // `what`: the name of the changed field. Changes of one field in a row are one undo step.
+    // `what`: the name of the changed field. Consecutive changes of the same field are one undo
+    // step.
     void filmChanged(const FilmOnWater& film, const QString& what);
     void measureAsked();
     void saveAsked();

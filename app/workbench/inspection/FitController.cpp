@@ -20,7 +20,7 @@ FittedPart fitted(const MeasuredPart& measured, const SolverRegistry& registry,
     part.pairs.picture = measured.photos.front().picture.size();
     part.pairs.printed = printedOnSheet(measured);
     part.pairs.where = project.name;
-    if (project.inspection.keepsCamera) { // else they are places in the image
+    if (project.inspection.keepsCamera) { // else the pairs are places in the image
         part.pairs.body = clickedPairs(project.inspection);
     }
     for (const PartPhoto& photo : measured.photos) {

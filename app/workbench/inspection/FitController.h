@@ -18,7 +18,7 @@ public:
                   Messages& messages, QWidget& window);
 
     FitPage* page() const { return page_; } // its window owns it
-    // Sets the present measured part; null: none. Hides a fit to another part, unless the project
+    // Sets the current measured part; null: none. Hides a fit to another part, unless the project
     // still uses that fit.
     void setMeasured(std::shared_ptr<const MeasuredPart> measured);
 

@@ -51,8 +51,8 @@ FitPage::FitPage(QWidget* parent)
     }
     hint_->setObjectName(QStringLiteral("fitHint"));
     words_->setObjectName(QStringLiteral("fitWords"));
-    correlations_->setToolTip(
-        tr("Near 1 or −1: the photos give the two quantities only together, not each one"));
+    correlations_->setToolTip(tr("Near 1 or −1: the photos determine only a combination of the two "
+                                 "quantities, not each quantity"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->addWidget(hint_);
@@ -70,8 +70,8 @@ QWidget* FitPage::makeButtons() {
     rows->setContentsMargins(0, 0, 0, 0);
     fit_ = new QPushButton(icon(QStringLiteral("run")), tr("&Fit film and dip"));
     fit_->setObjectName(QStringLiteral("fitFilm"));
-    fit_->setToolTip(tr("Finds the real film and dip: repeats the simulation until the image lies "
-                        "where the photos show it"));
+    fit_->setToolTip(tr("Changes film and dip and repeats the simulation until the simulated image "
+                        "lies where the photos show it"));
     use_ = new QPushButton(tr("&Use in project"));
     use_->setObjectName(QStringLiteral("useFit"));
     use_->setToolTip(tr("Puts the fitted film, placement and depth into the project. The film then "
@@ -133,7 +133,8 @@ void FitPage::showQuantities() {
     }
     const auto& found = fitted_->fit.quantities;
     quantities_->setColumnCount(4);
-    quantities_->setHorizontalHeaderLabels({{}, tr("Before"), tr("Found"), tr("95 %")});
+    quantities_->setHorizontalHeaderLabels(
+        {{}, tr("Before the fit"), tr("Fitted"), tr("95 % interval")});
     quantities_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     quantities_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     quantities_->setRowCount(int(found.size()));

@@ -164,7 +164,7 @@ void InspectionController::showProject() {
     const Document* document = session_.document();
     const bool holds =
         measured_ && document && measuresAlike(measured_->project, document->project());
-    const auto measured = holds ? measured_ : nullptr; // undo can bring it back
+    const auto measured = holds ? measured_ : nullptr; // undo can make measured_ valid again
     part_->setPart(document ? document->project().inspection : InspectedPart{});
     part_->setMeasured(measured);
     fit_->setMeasured(measured);

@@ -22,8 +22,8 @@ struct MeasuredPart {
 };
 
 std::vector<PlacePair> clickedPairs(const InspectedPart& part);
-// Returns the found corners at their places on the printed sheet. A corrected sheet has them
-// elsewhere than the simulated film.
+// Returns the found corners at their places on the printed sheet. A corrected sheet shows the
+// corners at other places than the simulated film.
 std::vector<PrintedPlace> printedOnSheet(const MeasuredPart& measured);
 
 } // namespace dipwright

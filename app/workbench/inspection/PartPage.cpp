@@ -60,10 +60,14 @@ PartPage::PartPage(QWidget* parent)
     figures_->setHorizontalHeaderLabels(
         {tr("N"), tr("R ± σ, px"), tr("R, %"), tr("95 %, mm"), tr("Worst, mm")});
     const QStringList help{
-        tr("Number of places"), tr("Mean distance in the photo and its standard deviation"),
-        tr("Mean distance divided by the photo's diagonal, as in Table II of the paper"),
-        tr("On the part, across the line of sight: 95 % of the places are within this distance"),
-        tr("On the part, across the line of sight: the largest distance")};
+        tr("N: number of measured places"),
+        tr("R: mean distance in the photo between a place and its expected place, ± standard "
+           "deviation σ, in pixels"),
+        tr("R as a share of the photo's diagonal, as in Table II of the paper of 2020"),
+        tr("95 % of the places on the part are within this distance of their expected places, "
+           "measured across the line of sight"),
+        tr("Largest distance of a place on the part from its expected place, measured across the "
+           "line of sight")};
     for (int column = 0; column < help.size(); ++column) {
         figures_->horizontalHeaderItem(column)->setToolTip(help[column]);
     }
@@ -140,13 +144,14 @@ QWidget* PartPage::makeMeasureBar() {
     rows->setContentsMargins(0, 0, 0, 0);
     chessboard_ = new QCheckBox(tr("Dipped with the c&hessboard film (17 mm)"));
     chessboard_->setObjectName(QStringLiteral("partChessboard"));
-    chessboard_->setToolTip(tr("Looks for the corners of the built-in chessboard. Otherwise looks "
-                               "for chess squares in the model's texture."));
+    chessboard_->setToolTip(
+        tr("If ticked, the program looks for the corners of the built-in chessboard. Otherwise it "
+           "looks for chess squares in the model's texture."));
     keepsCamera_ = new QCheckBox(tr("The pairs are places on the part &itself"));
     keepsCamera_->setObjectName(QStringLiteral("partKeepsCamera"));
     keepsCamera_->setToolTip(
-        tr("For tips and edges of the part, not places in the image. The pairs alone then set the "
-           "camera, so that a shift of the whole image shows."));
+        tr("Tick this if the pairs are tips and edges of the part, not places in the image. Then "
+           "only the pairs set the camera, so that a shift of the whole image becomes visible."));
     rows->addWidget(chessboard_);
     rows->addWidget(keepsCamera_);
     auto* row = new QHBoxLayout;

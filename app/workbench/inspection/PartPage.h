@@ -24,7 +24,7 @@ public:
     // Shows the project's photos and pairs. Keeps the shown photo if it still exists.
     void setPart(const InspectedPart& part);
     int photo() const { return photo_; } // the shown photo; −1: none
-    // Sets its picture. If it is null, shows `hint` instead.
+    // Sets the picture of the shown photo. If the picture is null, shows `hint` instead.
     void setPicture(const QImage& picture, const QString& hint);
     // The place in the photo that waits for its partner on the body.
     std::optional<QPointF> pending() const { return pending_; }
@@ -72,7 +72,7 @@ private:
     QCheckBox *chessboard_, *keepsCamera_;
     QPushButton *removePhoto_, *removePair_, *camera_, *corners_, *export_;
     QTableWidget* figures_;
-    int chosen_ = -1; // index in the project
+    int chosen_ = -1; // the chosen pair's index in the project; −1: none
 };
 
 } // namespace dipwright

@@ -12,9 +12,9 @@ namespace dipwright {
 
 namespace {
 
-constexpr double markRadius = 6; // all three in pixels of the window
-constexpr double grip = 9;       // a press this near takes hold of a mark
-constexpr double stillness = 4;  // a click moves less than this
+constexpr double markRadius = 6; // pixels of the window
+constexpr double grip = 9;       // pixels; a press this near takes hold of a mark
+constexpr double stillness = 4;  // pixels; a click moves less than this
 const QColor markColour(0x12, 0x8c, 0xe8);
 const QColor chosenColour(0xff, 0xb0, 0x20);
 const QColor residualColour(0xe0, 0x30, 0x50);

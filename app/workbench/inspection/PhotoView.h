@@ -16,7 +16,8 @@ public:
     void setMarks(const QList<QPointF>& marks);
     void setChosen(int mark);                             // −1: none
     void setPending(const std::optional<QPointF>& place); // a place without a partner
-    // Each line runs from the expected place to the place in the photo. Short lines are enlarged.
+    // Each line runs from the expected place to the place in the photo. If the lines are short, all
+    // are drawn enlarged.
     void setResiduals(const QList<QLineF>& residuals);
 
 signals:

@@ -20,8 +20,8 @@ public:
     static constexpr std::chrono::seconds longestEnd{30};
 
     explicit JobRunner(QObject* parent = nullptr);
-    // Cancels all jobs and waits for the worker; nothing is finalized any more. If a job does not
-    // end within `longestEnd`, the whole program is ended, because a hanging call cannot be ended
+    // Cancels all jobs and waits for the worker thread. Finalizes no more jobs. If a job does not
+    // end within `longestEnd`, ends the whole program, because a hanging call cannot be ended
     // alone. Unsaved work of other windows is kept (workbench/document/Recovery.h), and file writes
     // are atomic.
     ~JobRunner() override;

@@ -1,4 +1,5 @@
-// The messages of one window's work to its user. The window decides how they are shown.
+// Carries the messages of one window's jobs to the user. The window decides how the messages are
+// shown.
 #pragma once
 
 #include <QObject>

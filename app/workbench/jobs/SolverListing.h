@@ -1,6 +1,6 @@
-// Lists the solvers for the window. It shows their descriptions at once, and again when each has
-// been loaded far enough to know whether it can run here. Loading may wake a GPU or hang, so it
-// runs outside the UI thread.
+// Lists the solvers for the window. Shows their descriptions at once, and shows the list again when
+// it is known which solvers can run on this machine. To find this out, a solver must be loaded.
+// Loading may wake a GPU or hang, so it runs outside the UI thread.
 #pragma once
 
 #include "base/Progress.h"

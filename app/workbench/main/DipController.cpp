@@ -95,7 +95,7 @@ void DipController::takeSmallerFilm() {
         messages_.say(tr("The results are out of date; run the dip again first."));
         return;
     }
-    document.edit(tr("Film %1").arg(smaller->format), {},
+    document.edit(tr("Use film %1").arg(smaller->format), {},
                   [&](Project& project) { take(project, *smaller); });
 }
 

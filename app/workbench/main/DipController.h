@@ -1,5 +1,5 @@
-// Runs and cancels the dip of a window's document, also live, and checks its numerical error. Marks
-// results that no longer match the project.
+// Runs and cancels the dip of a window's document, on request or live, and checks its numerical
+// error. Marks results that no longer match the project.
 #pragma once
 
 #include "workbench/accuracy/NumericalErrorCheck.h"
@@ -52,7 +52,7 @@ private:
     QLabel& staleBanner_;
     LiveRun live_;
     DipCacheUpdater keeper_;
-    bool isLive_ = false; // the run in progress, or the last one
+    bool isLive_ = false; // whether the current or last run is a live run
     std::optional<bool> livePreference_;
 };
 

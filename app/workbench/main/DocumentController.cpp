@@ -75,7 +75,7 @@ bool DocumentController::askToOpenLocked(const Document& document, const LockSta
             .arg(holder.process),
         QMessageBox::Cancel, &window_);
     question.setInformativeText(
-        tr("If both of you save, the second one is asked which version to keep."));
+        tr("If both of you save, whoever saves second is asked which version to keep."));
     question.setObjectName(QStringLiteral("lockQuestion"));
     QPushButton* anyway = question.addButton(tr("Open anyway"), QMessageBox::AcceptRole);
     question.setDefaultButton(QMessageBox::Cancel);

@@ -1,4 +1,4 @@
-// The user's edits of the open document as a whole: undo, second dip, other model or texture.
+// The user's edits of the open document as a whole: undo, second dip, replaced model or texture.
 #pragma once
 
 #include "workbench/dip/DipSession.h"

@@ -17,7 +17,7 @@ class ExportController : public QObject {
     Q_OBJECT
 
 public:
-    // `stretch` says when its map is to be exported, and gives the map as shown.
+    // `stretch` requests the export of its map, and gives the map as shown.
     ExportController(const WindowActions& actions, const StretchPanel& stretch,
                      const DipSession& session, JobRunner& jobs, Messages& messages,
                      QWidget& window);

@@ -66,7 +66,8 @@ MainWindow::MainWindow(Workbench& workbench)
     connectActions();
     connectPanels();
     connectSession();
-    // After connectSession(), so that it hears of documents later than the session.
+    // Call this after connectSession(), so that the session handles a new document before the
+    // inspection does.
     addInspection();
     addPages();
     connectMenus();
@@ -99,9 +100,9 @@ void MainWindow::addInspection() {}
 #endif
 
 void MainWindow::addPages() {
-    const PageContext makings{*this, layout_, actions_, documents_, session_, jobs_, messages_};
-    addSearchPage(makings, workbench_);
-    addArtworkPage(makings, scene_, dip_, documentActions_);
+    const PageContext context{*this, layout_, actions_, documents_, session_, jobs_, messages_};
+    addSearchPage(context, workbench_);
+    addArtworkPage(context, scene_, dip_, documentActions_);
 }
 
 void MainWindow::connectActions() {

@@ -14,7 +14,7 @@ namespace dipwright {
 namespace {
 
 constexpr int progressSteps = 1000;
-constexpr std::chrono::seconds answerTime{15}; // for a cancelled job to end
+constexpr std::chrono::seconds answerTime{15}; // time for a cancelled job to end
 
 } // namespace
 

@@ -18,7 +18,7 @@ class StatusLine : public QObject {
     Q_OBJECT
 
 public:
-    StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel); // the bar's child
+    StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel); // becomes the bar's child
 
     void setReading(const QString& text);
     // A warning about the body's place. Stays until it is replaced; empty: none.
@@ -36,7 +36,7 @@ private:
     QLabel* job_;
     QProgressBar* progress_;
     QToolButton* cancel_;
-    QTimer unanswered_; // runs since a job was cancelled
+    QTimer unanswered_; // starts when a job is cancelled
 };
 
 } // namespace dipwright

@@ -77,7 +77,7 @@ private:
     void makeDocks(const SolverRegistry& registry);
     QDockWidget* addDock(Qt::DockWidgetArea area, const char* name, const QString& title,
                          QWidget* widget);
-    void sizeDocks(); // as the window's width allows
+    void sizeDocks(); // fits the docks to the window's width
 
     QMainWindow& window_;
     WindowParts parts_{};

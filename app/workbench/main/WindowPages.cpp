@@ -31,29 +31,29 @@ void openBy(const QAction& action, QDockWidget* dock) {
 
 } // namespace
 
-void addSearchPage(const PageContext& makings, const Workbench& workbench) {
-    auto* search = new SearchController(makings.session, makings.jobs, workbench.registry(),
-                                        makings.messages, &makings.window);
-    QObject::connect(search, &SearchController::comparisonAsked, &makings.window,
-                     [&workbench, &session = makings.session,
-                      &window = makings.window](const std::array<ComparedState, 2>& states) {
+void addSearchPage(const PageContext& context, const Workbench& workbench) {
+    auto* search = new SearchController(context.session, context.jobs, workbench.registry(),
+                                        context.messages, &context.window);
+    QObject::connect(search, &SearchController::comparisonAsked, &context.window,
+                     [&workbench, &session = context.session,
+                      &window = context.window](const std::array<ComparedState, 2>& states) {
                          (new CompareWindow(states, session.document()->result(),
                                             workbench.registry(), workbench.preferences(), &window))
                              ->open();
                      });
-    openBy(*makings.actions.findPoses,
-           makings.layout.addPage("searchDock", Text::tr("Pose search"), search->page()));
-    QObject::connect(&makings.documents, &DocumentSession::documentChanged, search,
+    openBy(*context.actions.findPoses,
+           context.layout.addPage("searchDock", Text::tr("Pose search"), search->page()));
+    QObject::connect(&context.documents, &DocumentSession::documentChanged, search,
                      &SearchController::showDocument);
 }
 
-void addArtworkPage(const PageContext& makings, DipScene& scene, DipController& dip,
+void addArtworkPage(const PageContext& context, DipScene& scene, DipController& dip,
                     DocumentController& files) {
-    auto* artwork = new ArtworkController(*makings.layout.parts().view, scene, makings.session,
-                                          makings.jobs, makings.messages, makings.window);
-    openBy(*makings.actions.artwork,
-           makings.layout.addPage("artworkDock", Text::tr("Artwork"), artwork->page()));
-    QObject::connect(&makings.documents, &DocumentSession::documentChanged, artwork,
+    auto* artwork = new ArtworkController(*context.layout.parts().view, scene, context.session,
+                                          context.jobs, context.messages, context.window);
+    openBy(*context.actions.artwork,
+           context.layout.addPage("artworkDock", Text::tr("Artwork"), artwork->page()));
+    QObject::connect(&context.documents, &DocumentSession::documentChanged, artwork,
                      &ArtworkController::showDocument);
     QObject::connect(artwork, &ArtworkController::held, &dip, &DipController::setHeld);
     QObject::connect(artwork, &ArtworkController::filesDropped, &files,

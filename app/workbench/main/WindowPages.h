@@ -16,7 +16,7 @@ class WindowActions;
 class WindowLayout;
 class Workbench;
 
-// What the pages need to be created. The pages do not keep it.
+// The objects that a page needs when it is created. Pages do not keep the context.
 struct PageContext {
     QMainWindow& window;
     WindowLayout& layout;
@@ -28,8 +28,8 @@ struct PageContext {
 };
 
 // Call these before WindowLayout::restore().
-void addSearchPage(const PageContext& makings, const Workbench& workbench);
-void addArtworkPage(const PageContext& makings, DipScene& scene, DipController& dip,
+void addSearchPage(const PageContext& context, const Workbench& workbench);
+void addArtworkPage(const PageContext& context, DipScene& scene, DipController& dip,
                     DocumentController& files);
 
 } // namespace dipwright

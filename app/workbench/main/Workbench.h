@@ -26,15 +26,15 @@ public:
     const SolverRegistry& registry() const { return registry_; }
     const QString& recovery() const { return recovery_; }
     const Preferences& preferences() const { return preferences_; }
-    void setPreferences(const Preferences& preferences); // and stores them
+    void setPreferences(const Preferences& preferences); // also stores them
 
     // A new window that shows the start page. Deletes itself when it is closed.
     MainWindow* openWindow();
     // Raises the window that has this file open. Returns false if there is none.
     bool bringForward(const QString& path);
-    // The queue runs projects one after the other. `project`: the one proposed in its window, or
-    // empty.
+    // The queue that runs projects one after the other.
     JobQueue& queue() { return queue_; }
+    // Opens the queue's window. It proposes the folder of `project` (may be empty) for the results.
     void showQueue(const QString& project);
     // Offers to restore unsaved work after a crash, each document in its own window.
     void offerRecovery();
@@ -47,7 +47,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    MainWindow* emptyWindow(); // one that shows the start page, or a new one
+    MainWindow* emptyWindow(); // a window that shows the start page; opens one if there is none
 
     PlainTexts plainTexts_; // must exist before any label
     SolverRegistry registry_;

@@ -16,7 +16,7 @@ namespace dipwright {
 namespace {
 
 constexpr int margin = 10;   // pixels
-constexpr double dot = 4;    // pixels, its radius
+constexpr double dot = 4;    // radius in pixels
 constexpr double reach = 10; // pixels around a dot that count as the dot
 
 // The measure with the sign that makes larger values better.

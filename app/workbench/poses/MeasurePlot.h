@@ -33,8 +33,8 @@ private:
     std::vector<RankedPoses> ranking_;
 };
 
-// Ranks of the poses that no other pose beats: none is better in one measure without being worse in
-// the other. In the ranking's order.
+// Returns the ranks of the poses that no other pose beats, in the ranking's order. A pose beats
+// another if it is better in one measure and not worse in the other.
 std::vector<std::size_t> paretoOptimalRanks(const std::vector<RankedPoses>& ranking, Measure one,
                                             Measure other);
 

@@ -52,10 +52,11 @@ double OrientationMap::radius() const {
     return std::max(1, std::min(width(), height()) / 2 - margin);
 }
 
-// Lambert's azimuthal projection of the whole sphere, from −Y.
+// Lambert's azimuthal projection of the whole sphere, centred on −Y.
 QPointF OrientationMap::placeOf(const Eigen::Vector3d& down) const {
     const double across = std::hypot(down.x(), down.z());
-    const double share = std::sqrt((1 + down.y()) / 2); // distance from the centre over the radius
+    // Distance from the centre divided by the radius.
+    const double share = std::sqrt((1 + down.y()) / 2);
     const double right = across > 0 ? down.x() / across : 1,
                  below = across > 0 ? down.z() / across : 0;
     return rect().toRectF().center() + radius() * share * QPointF(right, below);
@@ -138,7 +139,7 @@ bool OrientationMap::event(QEvent* event) {
         const auto down = directionAt(help.pos());
         if (const TriedDirection* tried = down ? nearest(*down) : nullptr) {
             QToolTip::showText(help.globalPos(),
-                               tr("Objective %1, click to try this side")
+                               tr("Objective %1; click to turn this side down")
                                    .arg(locale().toString(100 * *tried->objective, 'f', 1)),
                                this);
             return true;

@@ -1,4 +1,4 @@
-// Maps how good each side of the body is as the side that goes down first.
+// Maps the objective of a dip over the side of the body that goes down first.
 #pragma once
 
 #include "search/PoseSearch.h"
@@ -43,7 +43,7 @@ private:
     void draw();
 
     std::vector<TriedDirection> directions_; // the simulated ones
-    double lowest_ = 0, highest_ = 1;        // the range of their objectives
+    double lowest_ = 0, highest_ = 1;        // the range of the objectives of directions_
     std::vector<Eigen::Vector3d> chosen_;
     QImage picture_;
 };

@@ -124,7 +124,7 @@ SearchController::SearchController(const DipSession& session, JobRunner& jobs,
     connect(page_, &SearchPage::comparisonAsked, this,
             [this](const std::array<ComparedState, 2>& states) {
                 std::array<ComparedState, 2> whole = states;
-                for (ComparedState& state : whole) { // the project at the time of the search
+                for (ComparedState& state : whole) { // uses the project at the time of the search
                     const std::vector<Immersion> immersions = state.project.immersions;
                     state.project = searched_;
                     state.project.immersions = immersions;
@@ -193,8 +193,8 @@ void SearchController::start() {
         }));
 }
 
-// Called however the search ended. If it was cancelled before the first result, only the end of the
-// job tells.
+// Called at the end of every search. A search that was cancelled before its first result has no
+// other signal.
 void SearchController::end() {
     watcher_.reset();
     page_->setState(SearchPage::State::Idle);
@@ -212,7 +212,7 @@ void SearchController::apply(const std::vector<Immersion>& immersions) {
     }
 }
 
-// Turns the shown dip so that this side is down.
+// Turns the shown dip so that the side `down` points down.
 void SearchController::applySide(const Eigen::Vector3d& down) {
     if (Document* document = session_.document(); document && document->project().model) {
         std::vector<Immersion> immersions = document->project().immersions;

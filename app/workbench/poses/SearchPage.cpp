@@ -69,13 +69,14 @@ QWidget* SearchPage::makeSettings() {
     simulated_->setValue(usual.simulated);
     simulated_->setSuffix(tr(" poses"));
     simulated_->setObjectName(QStringLiteral("searchedPoses"));
-    simulated_->setToolTip(tr("Number of poses that are simulated with a coarse film, out of %1 "
-                              "that are judged by the part's shape. The best poses are refined.")
-                               .arg(usual.directions));
+    simulated_->setToolTip(
+        tr("Number of poses that are simulated with a coarse film. They are chosen from %1 poses "
+           "that are judged by the part's shape alone. The best simulated poses are refined.")
+            .arg(usual.directions));
     seed_->setRange(seedRange.least, seedRange.most);
     seed_->setValue(usual.seed);
     seed_->setToolTip(
-        tr("The same number gives the same table. Another number tries other directions."));
+        tr("The same seed gives the same table. Another seed tries other directions."));
     auto* form = new QFormLayout;
     form->addRow(tr("Dips"), immersions_);
     form->addRow(tr("Simulate"), simulated_);
@@ -139,10 +140,10 @@ QWidget* SearchPage::makeFound() {
     comparison_->setObjectName(QStringLiteral("poseComparison"));
     apply_->setObjectName(QStringLiteral("takePose"));
     apply_->setToolTip(
-        tr("Gives the dips the pose that is selected in the table. One undo step takes it back."));
+        tr("Gives the dips the pose that is selected in the table. This is one undo step."));
     sideBySide_->setObjectName(QStringLiteral("sideBySide"));
-    sideBySide_->setToolTip(tr(
-        "Shows two selected poses, or one and the project's own, with cameras that turn together"));
+    sideBySide_->setToolTip(tr("Shows two selected poses side by side with linked cameras. If only "
+                               "one pose is selected, shows it beside the project's own pose."));
     connect(sideBySide_, &QPushButton::clicked, this, &SearchPage::compareChosen);
     auto* pictures = new QHBoxLayout;
     pictures->addWidget(map_, 1);
@@ -249,7 +250,7 @@ ComparedState SearchPage::stateOf(const QString& title, const RankedPoses& poses
     ComparedState state{title, {}, {}};
     state.project.immersions = poses.immersions;
     for (const Measure measure : allMeasures()) {
-        if (!isOfTwoDips(measure) || searched_.immersions == 2) {
+        if (!appliesToTwoDips(measure) || searched_.immersions == 2) {
             state.figures.push_back(
                 {measureName(measure), poses.measures[measure],
                  [measure](double value) { return measureText(measure, value); },

@@ -44,8 +44,9 @@ signals:
     void pauseAsked(bool paused);
     void stopAsked();
     void applyAsked(const RankedPoses& poses);
-    void comparisonAsked(const std::array<dipwright::ComparedState, 2>& states); // without projects
-    void sideAsked(const Eigen::Vector3d& down);                                 // from the map
+    // The states have no projects yet.
+    void comparisonAsked(const std::array<dipwright::ComparedState, 2>& states);
+    void sideAsked(const Eigen::Vector3d& down); // from the map
 
 private:
     QWidget* makeSettings();

@@ -32,7 +32,7 @@ private:
     void fillLists();
     void explainFields();
     QWidget* makeShortcutPage(const QList<QAction*>& actions);
-    void checkShortcuts(); // a key assigned to two commands works for neither
+    void checkShortcuts(); // warns if two commands have the same key, which then works for neither
 
     Preferences preferences_;
     QComboBox* language_;

@@ -34,7 +34,7 @@ private:
     QWidget* makePageChoices();
     QWidget* makeMeasurements();
     void findPrinters();
-    void chooseQueue(); // the one of the profile
+    void chooseQueue(); // selects the profile's printer
     void showPage();
     void showScale(); // computed from the typed lengths
     void print();

@@ -66,7 +66,7 @@ private:
     void askProjects();
     void removeChosen();
     void chooseFilm();
-    void changed(); // lays out again if no dip must be run for it
+    void changed(); // lays out again if all projects have a result
     void layOut();
     void take(LaidOut laid);
     void showFilm(int number);

@@ -100,7 +100,8 @@ PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion,
     connect(&jobs_, &JobRunner::idle, this, [this] {
         if (printing_) { // cancelled: neither done nor failed
             printing_ = false;
-            setBusy(false, tr("Cancelled. What the printer has already begun may still come out."));
+            setBusy(false,
+                    tr("Cancelled. Pages that the printer has already begun may still come out."));
         }
     });
     resize(940, 660);
@@ -139,7 +140,7 @@ QWidget* PrintDialog::makeChoices() {
     const Project& project = outcome_.result->project;
     const auto& profile = project.profiles.printer;
     auto* profileName = new QLabel(
-        profile ? profile->name : tr("None: true size and sRGB (choose one under Sheet)"));
+        profile ? profile->name : tr("None: true size and sRGB (choose a profile under Sheet)"));
     profileName->setWordWrap(true);
     form->addRow(tr("Profile"), profileName);
     const QLocale locale;
@@ -223,7 +224,7 @@ void PrintDialog::showSheet(std::size_t number) {
             startProof(sheets_[number], page, proofing);
         }
     } catch (const Error&) {
-        preview_->clear(); // the verdict says why
+        preview_->clear(); // the verdict says why there is no page
     }
 }
 
@@ -238,7 +239,8 @@ void PrintDialog::startProof(const Sheet& sheet, const SheetPreview& page, int p
     small.plates.clear();
     if (small.wanted) {
         small.wanted->image = scaled(sheet.wanted->image);
-        small.wanted->stretch = sheet.wanted->stretch.scaled(small.image.size()); // values
+        // Unsmoothed, because the pixels are numbers.
+        small.wanted->stretch = sheet.wanted->stretch.scaled(small.image.size());
     }
     jobs_.start(std::make_unique<ValueJob<PrintProof>>(
         tr("Computing the soft proof"),
@@ -292,8 +294,8 @@ QWidget* PrintDialog::makeExceptions() {
     auto* box = new QGroupBox(tr("Print anyway"));
     auto* layout = new QVBoxLayout(box);
     for (QCheckBox* exception : {tile_, grey_, clipped_, otherPaper_}) {
-        exception->setToolTip(
-            tr("If this is not ticked, such a print is refused and the reason is shown."));
+        exception->setToolTip(tr("If this is not ticked, the program refuses a print with this "
+                                 "problem and shows the reason."));
         layout->addWidget(exception);
         connect(exception, &QCheckBox::toggled, this, &PrintDialog::judge);
     }
@@ -414,9 +416,10 @@ void PrintDialog::print() {
             const QString done = end.state == JobState::Printed
                                      ? tr("Printed on %1").arg(printer_->currentText())
                                      : tr("Handed to the queue of %1").arg(printer_->currentText());
-            emit printed(end.notKept.isEmpty()
-                             ? done
-                             : QStringLiteral("%1. %2").arg(done, historyErrorText(end.notKept)));
+            emit printed(
+                end.historyFailure.isEmpty()
+                    ? done
+                    : QStringLiteral("%1. %2").arg(done, historyErrorText(end.historyFailure)));
             accept();
         },
         [this](std::exception_ptr failure) {

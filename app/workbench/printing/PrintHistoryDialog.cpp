@@ -30,7 +30,7 @@ QString sizeText(QSizeF size, LengthUnit unit) {
         .arg(side(size.width()), side(size.height()), unitSuffix(Unit::Length, unit));
 }
 
-// In the order of the columns.
+// Returns a record's cells in the order of the columns.
 QStringList cells(const PrintRecord& record, LengthUnit unit) {
     return {QLocale().toString(record.when, QLocale::ShortFormat),
             record.job,
@@ -48,7 +48,7 @@ bool holdsAll(const QString& text, const QStringList& words) {
     });
 }
 
-// The facts that do not fit into the table, one on each line.
+// Returns the facts that do not fit into the table, one on each line.
 QString factsText(const PrintRecord& record) {
     QStringList lines{outcomeText(record)};
     const auto add = [&lines](const QString& sentence, const QString& fact) {

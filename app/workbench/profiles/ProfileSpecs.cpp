@@ -38,18 +38,19 @@ std::vector<PropertySection> printerSections() {
     size.specs.push_back(
         {.path = QStringLiteral("scale"),
          .label = Text::tr("Scale"),
-         .help =
-             Text::tr("Printed length over true length, across the paper and along its feed. "
-                      "Sheets are scaled down by this factor. “Calibrate printer” measures it."),
+         .help = Text::tr(
+             "Printed length divided by true length, across the paper (X) and along its feed (Y). "
+             "Sheets are scaled down by this factor. “Calibrate printer” measures the factor."),
          .unit = Unit::Ratio,
          .parts = {Text::tr("X"), Text::tr("Y")}});
-    size.specs.push_back({.path = QStringLiteral("margins_mm"),
-                          .label = Text::tr("Margins"),
-                          .help = Text::tr("The margins that the printer cannot reach at the left, "
-                                           "top, right and bottom edge of the paper."),
-                          .unit = Unit::Length,
-                          .parts = {Text::tr("L", "left"), Text::tr("T", "top"),
-                                    Text::tr("R", "right"), Text::tr("B", "bottom")}});
+    size.specs.push_back(
+        {.path = QStringLiteral("margins_mm"),
+         .label = Text::tr("Margins"),
+         .help = Text::tr("The margins that the printer cannot reach at the left (L), top (T), "
+                          "right (R) and bottom (B) edge of the paper."),
+         .unit = Unit::Length,
+         .parts = {Text::tr("L", "left"), Text::tr("T", "top"), Text::tr("R", "right"),
+                   Text::tr("B", "bottom")}});
     size.specs.push_back({.path = QStringLiteral("dpi"),
                           .label = Text::tr("Resolution"),
                           .help = Text::tr("Pixels per inch of the sheets for this printer."),
@@ -101,12 +102,14 @@ PropertySection filmMeasurement() {
          .whenPresent = 25},
         {.path = QStringLiteral("measured.swell"),
          .label = Text::tr("Measured swell"),
-         .help = Text::tr("The swell measured from the photos. 0: not measured."),
+         .help = Text::tr(
+             "The swell measured from the photos, in width (W) and height (H). 0: not measured."),
          .unit = Unit::Ratio,
          .parts = {Text::tr("W", "width"), Text::tr("H", "height")}},
         {.path = QStringLiteral("measured.swell_off"),
          .label = Text::tr("Swell error"),
-         .help = Text::tr("Uncertainty of the measured swell, at 95 %."),
+         .help = Text::tr("Uncertainty of the measured swell (±, 95 % confidence), in width (W) "
+                          "and height (H)."),
          .unit = Unit::Ratio,
          .parts = {Text::tr("W", "width"), Text::tr("H", "height")}},
         {.path = QStringLiteral("measured.growth_per_s"),
@@ -142,7 +145,7 @@ PropertySection filmPackage() {
     PropertySection film{{}, {nameSpec()}};
     film.specs.push_back({.path = QStringLiteral("size_mm"),
                           .label = Text::tr("Size"),
-                          .help = Text::tr("Width and height of the dry film."),
+                          .help = Text::tr("Width (W) and height (H) of the dry film."),
                           .unit = Unit::Length,
                           .parts = {Text::tr("W", "width"), Text::tr("H", "height")}});
     film.specs.push_back(
@@ -199,7 +202,7 @@ std::vector<PropertySection> filmSections() {
             {Text::tr("Sides"),
              {material("edges.left"), material("edges.right"), material("edges.top"),
               material("edges.bottom")}},
-            {Text::tr("Advanced: laws that are not measured"),
+            {Text::tr("Advanced: material laws that are not measured"),
              {material("overhang_deg"), material("grip_fade_deg"), material("tear_stretch"),
               material("gathering_stretch")}}};
 }
@@ -208,7 +211,7 @@ std::vector<PropertySection> tankSections() {
     PropertySection tank{{}, {nameSpec()}};
     tank.specs.push_back({.path = QStringLiteral("size_mm"),
                           .label = Text::tr("Size"),
-                          .help = Text::tr("Width and length of the water surface."),
+                          .help = Text::tr("Width (W) and length (L) of the water surface."),
                           .unit = Unit::Length,
                           .parts = {Text::tr("W", "width"), Text::tr("L", "length")}});
     tank.specs.push_back({.path = QStringLiteral("water_level_mm"),
@@ -218,8 +221,9 @@ std::vector<PropertySection> tankSections() {
     tank.specs.push_back(
         {.path = QStringLiteral("mark_distance_mm"),
          .label = Text::tr("Mark spacing"),
-         .help = Text::tr("Distance between the tank's marks, across and along. The sheet's "
-                          "registration marks are aligned with them. 0: no marks."),
+         .help =
+             Text::tr("Distance between the tank's marks, across (X) and along (Y) the tank. The "
+                      "sheet's registration marks are aligned with the tank's marks. 0: no marks."),
          .unit = Unit::Length,
          .parts = {Text::tr("X"), Text::tr("Y")}});
     return {tank,

@@ -22,11 +22,11 @@ class ProfilesDialog : public QDialog {
 public:
     ProfilesDialog(const ProfileLibrary& library, LengthUnit unit, QWidget* parent = nullptr);
 
-    void allowUse(bool allowed); // true if a project is open
+    void allowUse(bool allowed); // `allowed`: whether a project is open
     void choose(ProfileKind kind, const QString& name);
     const std::optional<Profile>& chosen() const { return chosen_; }
 
-    // What the buttons do once the user has chosen a file or a name. Throw Error.
+    // The actions of the buttons, after the user has chosen a file or a name. Each throws Error.
     void importFile(const QString& path);
     void exportFile(const QString& path) const;
     void setIccFile(const QString& path);
@@ -43,8 +43,8 @@ private:
     void addIccRow(QFormLayout& form);
     void edit(const QString& path, const QJsonValue& value);
     bool keep(); // saves the changes; false: refused, with a message
-    // Saves under the profile's name if the file still equals `known`. Otherwise asks the user;
-    // false: the other version stays.
+    // Saves the chosen profile under its name if the file still equals `known`. Otherwise asks the
+    // user. Returns false if the version in the file stays.
     bool store(const std::optional<Profile>& known);
     void removeChosen();
     void tell(const QString& sentence);

@@ -17,7 +17,8 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(FilmFacts)
 };
 
-// Expected time of a dip with `points` film points, scaled from a measured one.
+// Returns the expected time of a dip with `points` film points, scaled from the measured time of
+// another dip.
 double expectedSeconds(const DippedFilm& measured, std::size_t points) {
     const double ratio = double(points) / double(measured.grid.pointCount());
     return measured.wallSeconds * std::pow(ratio, 1.5);

@@ -11,9 +11,9 @@ namespace dipwright {
 
 class FilmFacts {
 public:
-    // One line for each dip and one on measurements. `result`, the last run, may be null. The
-    // expected time is scaled from it. Work grows with the number of points and of steps; smaller
-    // cells need more steps.
+    // Returns one line for each dip and one line on measurements. The expected time is scaled from
+    // `result`, the last run, which may be null. The time grows with the number of points and with
+    // the number of steps; smaller cells need more steps.
     QString text(const Project& project, const JobResult* result, LengthUnit unit);
 
 private:

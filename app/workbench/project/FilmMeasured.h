@@ -12,8 +12,8 @@ struct Project;
 
 // "measured on 2026-11-02" or "not measured".
 QString measuredText(const FilmProfile& film);
-// The same for the film values of a project: "Swell measured on 2026-11-02; growth, relaxation not
-// measured".
+// Says which film values of a project were measured: "Swell measured on 2026-11-02; growth,
+// relaxation not measured".
 QString measuredText(const Project& project);
 
 // Adds "None" and all film profiles with their measuredText(); each item's data is the name.

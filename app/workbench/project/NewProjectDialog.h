@@ -52,9 +52,9 @@ private:
     QComboBox* template_;
     QLabel* extent_;
     QPushButton* create_;
-    QTimer delay_;                         // while a name is typed
+    QTimer delay_;                         // runs while a name is typed
     std::optional<Eigen::Vector3d> sizes_; // of the model in the file's unit, once it was read
-    bool guesses_ = true;                  // until the user chooses
+    bool guesses_ = true;                  // guesses the unit until the user chooses
     JobRunner jobs_;
 };
 

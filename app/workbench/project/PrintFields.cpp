@@ -26,12 +26,12 @@ PrintFields::PrintFields(LengthUnit unit, Millimetres mostDeeper, QWidget* paren
     form->setContentsMargins(0, 0, 0, 0);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     dips_->setObjectName(QStringLiteral("printDips"));
-    dips_->setAccessibleName(tr("Show"));
+    dips_->setAccessibleName(tr("Show part"));
     dips_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     dips_->setMinimumContentsLength(8);
     dips_->addItem({}, 2);
     dips_->addItem({}, 1);
-    form->addRow(tr("Show"), dips_);
+    form->addRow(tr("Show part"), dips_);
     connect(dips_, &QComboBox::currentIndexChanged, this, &PrintFields::changed);
     const double shown = shownPerStored(Unit::Length, unit);
     const QString length = unitSuffix(Unit::Length, unit);

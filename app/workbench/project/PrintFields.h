@@ -28,7 +28,7 @@ public:
     PrintFields(LengthUnit unit, Millimetres mostDeeper, QWidget* parent = nullptr);
 
     ShownPrint print() const;
-    void setDips(const QString& first, const QString& second); // their names
+    void setDips(const QString& first, const QString& second); // names of the two dips
 
 signals:
     void changed();

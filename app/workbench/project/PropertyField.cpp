@@ -36,7 +36,7 @@ public:
     explicit PropertyNumberBox(QWidget* parent) : NumberBox(parent) {
         setKeyboardTracking(false);
         setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-        // An accepted value is no longer being typed.
+        // Setting the text again marks an accepted value as no longer being typed.
         connect(this, &QDoubleSpinBox::editingFinished, this,
                 [this] { lineEdit()->setText(lineEdit()->text()); });
     }
@@ -164,7 +164,7 @@ public:
         makeRow(this)->addWidget(box_);
         box_->setFocusPolicy(Qt::StrongFocus);
         box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        // As wide as its words, up to the panel's width; beyond that the row wraps.
+        // The box is as wide as its words, up to the panel's width; for longer words the row wraps.
         qsizetype letters = 6;
         for (const QString& word : rule.choices) {
             const QString text = spec.words.value(word, word);
@@ -247,7 +247,7 @@ private:
         });
         row.addWidget(swatch_);
     }
-    // An invalid colour gives an empty frame.
+    // Returns an empty frame for an invalid colour.
     QIcon swatchOf(const QColor& colour) const {
         QPixmap picture(QSize(14, 14) * devicePixelRatio());
         picture.setDevicePixelRatio(devicePixelRatio());

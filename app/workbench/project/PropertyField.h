@@ -24,8 +24,8 @@ struct PropertySpec {
     QString absent = {};               // what a missing value means: "Elastic"
     double whenPresent = 1;            // the value when the user sets one
     std::function<bool(const Project&)> relevant = {}; // empty: always shown
-    // The components usually have the same value. Typing one sets all, unless the user unlinks
-    // them.
+    // The components usually have the same value. Typing one component sets all, unless the user
+    // unlinks them.
     bool linked = false;
     bool isColour = false; // a text such as "#rrggbb", with a colour dialog
 };

@@ -91,12 +91,12 @@ void PropertyPanel::rebuild() {
         }
     }
     if (document_ && node_.part == ProjectPart::Share) {
-        addJoinFields(*form);
+        addSeamFields(*form);
         addPrintFields(*form);
     }
     if (document_ && node_.part == ProjectPart::Tolerance) {
         addZoneFields(*form);
-        addTellTolerances(*form);
+        addTolerancesButton(*form);
     }
     setWidget(page);
     refresh();
@@ -213,8 +213,8 @@ void PropertyPanel::addModelFacts(QFormLayout& form) {
         QStringList lines{
             project.modelOrigin.source.isEmpty()
                 ? tr("Embedded in the project")
-                : tr("From %1").arg(QFileInfo(project.modelOrigin.source).fileName()),
-            tr("%1 × %2 × %3")
+                : tr("Read from %1").arg(QFileInfo(project.modelOrigin.source).fileName()),
+            tr("Size: %1 × %2 × %3")
                 .arg(shownLength(size.x(), lengthUnit_), shownLength(size.y(), lengthUnit_),
                      shownLength(size.z(), lengthUnit_)),
             tr("Triangles: %1").arg(locale.toString(qulonglong(model.mesh.triangles.size()))),
@@ -298,7 +298,7 @@ void PropertyPanel::addMarkFields(QFormLayout& form, const QString& heading, Mar
     connect(&fields, &MarkFields::removeAllAsked, this, [this] { removeMarks<Mark>(*document_); });
 }
 
-void PropertyPanel::addJoinFields(QFormLayout& form) {
+void PropertyPanel::addSeamFields(QFormLayout& form) {
     auto* fields = new SeamFields(lengthUnit_);
     addMarkFields<ShareMark>(form, tr("Marks for the seam"), *fields);
     refreshers_.push_back([this, fields] {
@@ -318,7 +318,7 @@ void PropertyPanel::addZoneFields(QFormLayout& form) {
         [this, fields] { fields->setMarkCount(document_->project().tolerance.marks.size()); });
 }
 
-void PropertyPanel::addTellTolerances(QFormLayout& form) {
+void PropertyPanel::addTolerancesButton(QFormLayout& form) {
     auto* tell = new QPushButton(icon(QStringLiteral("tolerance")), tr("Compute tolerances…"));
     tell->setObjectName(QStringLiteral("tellTolerances"));
     tell->setToolTip(tr("Simulates dips with the expected deviations, each alone and all at once. "

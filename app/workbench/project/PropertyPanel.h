@@ -32,14 +32,14 @@ public:
     void setLengthUnit(LengthUnit unit);
     void showNode(const ProjectNode& node);
     void showField(const QString& path); // scrolls to a field of the shown node
-    void refresh();                      // profiles have changed
+    void refresh();                      // call this when profiles have changed
 
 signals:
     void failed(const QString& sentence);
     void reloadModelAsked();
     void replaceModelAsked();
     void replaceTextureAsked();
-    // How far the second film is displaced, in the view only.
+    // The print to show on the body. It affects only the view.
     void shownPrintChanged(const dipwright::ShownPrint& print);
     // What a click on the body marks.
     void brushChanged(const dipwright::MarkBrush& brush);
@@ -55,10 +55,10 @@ private:
     void addFilmFacts(QFormLayout& form);
     template <typename Mark>
     void addMarkFields(QFormLayout& form, const QString& heading, MarkFields& fields);
-    void addJoinFields(QFormLayout& form);
+    void addSeamFields(QFormLayout& form);
     void addPrintFields(QFormLayout& form);
     void addZoneFields(QFormLayout& form);
-    void addTellTolerances(QFormLayout& form);
+    void addTolerancesButton(QFormLayout& form);
     void addPreset(QFormLayout& form);
     void addSolver(QFormLayout& form);
     static void listSolvers(QComboBox& box, const std::vector<SolverInfo>& solvers);

@@ -58,8 +58,8 @@ PropertySection printedFilmProperties() {
          .words = {{QStringLiteral("custom"), Text::tr("Custom")}}},
         {.path = QStringLiteral("film.size_mm"),
          .label = Text::tr("Size"),
-         .help =
-             Text::tr("Width and height of the printed film. The grid spacing does not change."),
+         .help = Text::tr(
+             "Width (W) and height (H) of the printed film. The grid spacing does not change."),
          .unit = Unit::Length,
          .parts = {Text::tr("W", "width"), Text::tr("H", "height")}},
         {.path = QStringLiteral("film.resolution"),
@@ -82,8 +82,8 @@ PropertySection printedFilmProperties() {
              }},
         {.path = QStringLiteral("film.points"),
          .label = Text::tr("Points"),
-         .help = Text::tr("Number of points of the simulated film, across and down. More points "
-                          "show finer detail and take longer."),
+         .help = Text::tr("Number of points of the simulated film, across (W) and down (H). More "
+                          "points show finer detail and take longer."),
          .parts = {Text::tr("W", "width"), Text::tr("H", "height")},
          .relevant = [](const Project& project) {
              return isPaperModel(project) || project.film.resolution == FilmResolution::Points;
@@ -119,7 +119,7 @@ std::vector<PropertySection> filmProperties() {
             {Text::tr("Sides"),
              {material(film, "edges.left"), material(film, "edges.right"),
               material(film, "edges.top"), material(film, "edges.bottom")}},
-            {Text::tr("Advanced: laws that are not measured"),
+            {Text::tr("Advanced: material laws that are not measured"),
              {material(film, "grip_fade_deg"), material(film, "gathering_stretch")}}};
 }
 
@@ -261,8 +261,8 @@ std::vector<PropertySection> shareProperties() {
           {.path = QStringLiteral("share.overlap_mm"),
            .label = Text::tr("Overlap"),
            .help = Text::tr(
-               "Width of the area along the seam, on the part, that both dips paint and where they "
-               "fade into each other. It is widened where the registration error would show."),
+               "Width of the band along the seam on the part that both dips paint. The dips fade "
+               "into each other there. The band is wider where the registration error would show."),
            .unit = Unit::Length,
            .relevant = isShared},
           {.path = QStringLiteral("share.registration_error_mm"),
@@ -290,7 +290,7 @@ PropertySection pageProperties() {
                    {QStringLiteral("custom"), Text::tr("Custom")}}},
         {.path = QStringLiteral("sheet.custom_size_mm"),
          .label = Text::tr("Size"),
-         .help = Text::tr("Width and height of the page."),
+         .help = Text::tr("Width (W) and height (H) of the page."),
          .unit = Unit::Length,
          .parts = {Text::tr("W", "width"), Text::tr("H", "height")},
          .relevant = [](const Project& p) { return p.sheet.paper == QLatin1String("custom"); }},
@@ -433,7 +433,7 @@ PropertySection offProperties() {
         {.path = QStringLiteral("tolerance.position_mm"),
          .label = Text::tr("Part position"),
          .help = Text::tr("How far the part may be from its intended place when it meets the film. "
-                          "95 of 100 dips stay within a tolerance."),
+                          "95 of 100 dips are within this distance."),
          .unit = Unit::Length,
          .parts = {x, z}},
         {.path = QStringLiteral("tolerance.turn_deg"),
@@ -463,12 +463,12 @@ PropertySection offProperties() {
          .unit = Unit::Length},
         {.path = QStringLiteral("tolerance.speed"),
          .label = Text::tr("Speed"),
-         .help = Text::tr("How much faster or slower the dip may be, as a share of its speed."),
+         .help = Text::tr("How much faster or slower the dip may be, as a share of the set speed."),
          .unit = Unit::Share},
         {.path = QStringLiteral("tolerance.relaxation"),
          .label = Text::tr("Relaxation"),
-         .help = Text::tr(
-             "How much longer or shorter the film's relaxation time may be, as a share of it."),
+         .help = Text::tr("How much longer or shorter the film's relaxation time may be, as a "
+                          "share of the relaxation time."),
          .unit = Unit::Share}};
     return off;
 }
@@ -502,8 +502,8 @@ PropertySection verdictProperties() {
              Text::tr("The share of a marked zone A or B that may stay unpainted.")),
         {.path = QStringLiteral("verdict.edge_mm"),
          .label = Text::tr("Film's edge"),
-         .help = Text::tr("The smallest distance from the painting film to the film's edge. Nearer "
-                          "to the edge, film may curl or fold."),
+         .help = Text::tr("The smallest allowed distance between film that paints and the film's "
+                          "edge. Nearer to the edge, film may curl or fold."),
          .unit = Unit::Length},
         {.path = QStringLiteral("verdict.no_picture"),
          .label = Text::tr("No picture"),
@@ -531,7 +531,7 @@ std::vector<PropertySection> toleranceProperties() {
                .unit = Unit::Length,
                .parts = {QStringLiteral("A"), QStringLiteral("B"), QStringLiteral("C")}}}},
             verdictProperties(),
-            {Text::tr("Check"),
+            {Text::tr("Check with simulated dips"),
              {{.path = QStringLiteral("tolerance.samples"),
                .label = Text::tr("Dips"),
                .help = Text::tr("Number of simulated dips with all deviations at once. They check "

@@ -14,10 +14,10 @@ struct PropertySection {
     std::vector<PropertySpec> specs;
 };
 
-// Describes the field of the film's material at `path`.
+// Describes the film's material value at `path`.
 PropertySpec specOf(const QString& path, const FieldWords& words);
 
-// "Film", "Dipping"; for the project and for dips, their own names.
+// Returns the name of a tree node: "Film", "Dipping", or the name of the project or dip.
 QString partName(const ProjectNode& node, const Project& project);
 
 std::vector<PropertySection> propertySections(const ProjectNode& node);

@@ -14,7 +14,7 @@ public:
     explicit SeamFields(LengthUnit unit, QWidget* parent = nullptr);
 
     MarkBrush brush() const override;
-    void setDips(const QString& first, const QString& second); // their names
+    void setDips(const QString& first, const QString& second); // names of the two dips
 
 private:
     QCheckBox* face_;

@@ -18,7 +18,7 @@ enum class QueuedState { Waiting, Running, Done, Failed, Cancelled };
 struct QueuedProject {
     QString project, folder; // the project file, and the folder for its results
     QueuedState state = QueuedState::Waiting;
-    double share = 0;   // 0 … 1, while it runs
+    double share = 0;   // progress of the run, 0 … 1
     QString text = {};  // progress; later the result, or the reason of a failure
     double seconds = 0; // run time; 0: not ended yet
 };
@@ -32,7 +32,7 @@ public:
     // Adds projects at the end of the queue. Each gets its own folder in `folder`
     // (resultFolders()).
     void add(const QStringList& projects, const QString& folder);
-    void cancel(std::size_t number); // no effect if it has ended
+    void cancel(std::size_t number); // no effect if the project has ended
     void cancelAll();
     void removeEnded();
     // Whether dips are cached beside the projects, to be reused when a project is opened
@@ -41,7 +41,7 @@ public:
 
     const std::vector<QueuedProject>& projects() const { return projects_; }
     bool isBusy() const { return jobs_.isBusy(); }
-    // Estimated time until all are done, from the run times so far. Nothing while that is unknown.
+    // Estimated time until all are done, from the run times so far. nullopt while it is unknown.
     std::optional<double> secondsLeft() const;
 
 signals:

@@ -194,8 +194,8 @@ void QueueDialog::showChosen() {
     remove_->setEnabled(ended > 0);
     open_->setEnabled(rows.size() == 1 && rows.front() < projects.size());
     if (projects.empty()) {
-        sum_->setText(tr("Add projects. The last saved version of each is run, one after the "
-                         "other, and the results are written to the folder."));
+        sum_->setText(tr("Add projects. They run one after the other, each in its last saved "
+                         "version. The results are written to the results folder."));
         return;
     }
     QString sum = tr("%1 of %2 finished").arg(ended).arg(projects.size());

@@ -19,7 +19,8 @@ class QueueDialog : public QDialog {
 public:
     explicit QueueDialog(JobQueue& queue, QWidget* parent = nullptr);
 
-    // Opens the window; `project`, such as the open one, is proposed to be added first.
+    // Proposes the folder of `project` for the results if the queue is empty. `project` may be
+    // empty.
     void propose(const QString& project);
 
 signals:

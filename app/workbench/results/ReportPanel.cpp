@@ -94,7 +94,7 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
     table.row(Text::tr("Coverage"), percent(result.coverage->share));
     const Coverage& coverage = *result.coverage;
     table.row(
-        Text::tr("Part of it from torn, released or unconverged film"),
+        Text::tr("Painted by torn, released or unconverged film"),
         QStringLiteral("%1 · %2").arg(
             shownArea(coverage.marked.any, unit),
             percent(coverage.paintedArea > 0 ? coverage.marked.any / coverage.paintedArea : 0)));

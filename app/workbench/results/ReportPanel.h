@@ -18,11 +18,13 @@ public:
     explicit ReportPanel(QWidget* parent = nullptr);
 
     void setResult(std::shared_ptr<const JobResult> result, LengthUnit unit); // null: none yet
-    // Sentences on how far handling may move the colours, one for each zone. Empty: not computed.
+    // Sets one sentence for each zone on how far handling may move the colours. Empty: not
+    // computed.
     void setTolerances(const QStringList& sentences);
 
 signals:
-    void smallerFilmTaken(); // the film that smallerFilm() finds for the shown result
+    // The user accepts the film that smallerFilm() finds for the shown result.
+    void smallerFilmTaken();
 
 private:
     void show();

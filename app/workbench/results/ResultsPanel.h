@@ -1,5 +1,5 @@
 // Shows the results of the last dip in tabs: verdict, stretch, reverse texture, proof, sheet and
-// report. One linked cursor is shown in all of them.
+// report. One linked cursor is shown in all tabs.
 #pragma once
 
 #include "workbench/dip/DipJob.h"
@@ -27,8 +27,9 @@ public:
     void setLengthUnit(LengthUnit unit);
     void setFreshness(const Freshness& freshness); // marks the outdated tabs
     void showReading(const std::optional<FilmReadoutPoint>& point);
-    // Adds a button over the picture.
+    // Adds a button over the picture of the reverse texture.
     void addTextureAction(QAction* action);
+    // Adds a button over the picture of the sheet.
     void addSheetAction(QAction* action);
     StretchPanel& stretch() { return *stretch_; }
     ReportPanel& report() { return *report_; }
@@ -54,9 +55,9 @@ private:
     PicturePanel* texture_;
     PicturePanel* proof_;
     QAction* proofWithoutWhite_;
-    QAction* proofShares_; // the shares of the dips, in place of the proof …
+    QAction* proofShares_; // shows the shares of the dips in place of the proof
     PicturePanel* sheet_;
-    QAction* sheetShares_; // … and over the sheet
+    QAction* sheetShares_; // shows the shares of the dips over the sheet
     ReportPanel* report_;
 };
 

@@ -42,8 +42,8 @@ std::vector<StateFigure> stateFigures(const QJsonObject& measures, LengthUnit un
                    [](double share) {
                        return Text::tr("%1 %").arg(QLocale().toString(100 * share, 'f', 1));
                    }),
-            figure(Text::tr("Stretch below which 95 % of the film on the part stays"), "stretch",
-                   false, [](double stretch) { return QLocale().toString(stretch, 'f', 3); }),
+            figure(Text::tr("Stretch of the film on the part, 95th percentile"), "stretch", false,
+                   [](double stretch) { return QLocale().toString(stretch, 'f', 3); }),
             figure(Text::tr("Area with too large a numerical error"), "uncertain_mm2", false,
                    [unit](double area) { return shownArea(area, unit); })};
 }

@@ -17,19 +17,19 @@ struct StateFigure {
     QString text() const;
 };
 
-// A state and its known figures. Two compared states have the same list of figures.
+// A state of a project and its known figures. Two compared states have the same list of figures.
 struct ComparedState {
     QString title;
     Project project;
     std::vector<StateFigure> figures;
 };
 
-// The difference of the second value to the first, and whether it is better: "−3.0 %, worse". Empty
-// if there is nothing to compare.
+// Returns how the second value differs from the first, and whether it is better: "−3.0 %, worse".
+// Empty if one of the values is missing.
 QString differenceText(const StateFigure& first, const StateFigure& second);
 
-// Lists the figures that workbench/document/SnapshotEdits.h measures. They have no values where
-// `measures` is empty.
+// Lists the figures that workbench/document/SnapshotEdits.h measures. A figure that is not in
+// `measures` has no value.
 std::vector<StateFigure> stateFigures(const QJsonObject& measures, LengthUnit unit);
 
 } // namespace dipwright

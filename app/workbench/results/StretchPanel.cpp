@@ -32,7 +32,7 @@ QDoubleSpinBox* rangeBox(const QString& name) {
 constexpr double shownPixels = 900;  // the map's longer edge
 constexpr int exportedPixels = 2400; // the map's longer edge in a file
 
-// Spacing of isolines that divides the range into about ten parts.
+// Returns the spacing of isolines that divides the range into about ten parts.
 double isolineStep(const HeatScale& scale) {
     for (const double step : {0.01, 0.02, 0.05, 0.1, 0.2, 0.5}) {
         if ((scale.high - scale.low) / step <= 12) {

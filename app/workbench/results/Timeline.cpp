@@ -78,7 +78,7 @@ protected:
     }
 
 private:
-    // The x of the handle's centre at the mark's position.
+    // Returns the x of the handle's centre when the handle is at the mark.
     int placeOf(const TimelineMark& mark) const {
         QStyleOptionSlider option;
         initStyleOption(&option);

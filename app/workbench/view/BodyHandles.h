@@ -10,12 +10,12 @@
 
 namespace dipwright {
 
-// `immersion` with its body turned by `degrees` about the world's X, Y or Z. Its angles are rounded
-// to tenths of a degree.
+// Returns `immersion` with its body turned by `degrees` about the world's X, Y or Z axis. The
+// angles are rounded to 0.1°.
 Immersion turned(const Immersion& immersion, int axis, double degrees);
 
-// `immersion` turned so that the face with the normal `outward` (model coordinates) points down.
-// Uses the smallest rotation; the angles are rounded to tenths of a degree.
+// Returns `immersion` turned so that the face with the normal `outward` (model coordinates) points
+// down. Uses the smallest rotation. The angles are rounded to 0.1°.
 Immersion withFaceDown(const Immersion& immersion, const Eigen::Vector3d& outward);
 
 class BodyHandles : public QObject {
@@ -30,7 +30,7 @@ public:
 
 signals:
     void held(bool isHeld);         // while a ring or an arrow is dragged
-    void told(const QString& text); // how far it was dragged
+    void told(const QString& text); // says how far the body was dragged
 
 private:
     void turn(int axis, double degrees);
@@ -40,9 +40,8 @@ private:
 
     const DipSession& session_;
     LengthUnit unit_ = LengthUnit::Millimetre;
-    // The values at the start of the drag.
-    std::optional<Immersion> before_;
-    std::optional<Millimetres> depthBefore_;
+    std::optional<Immersion> before_;        // at the start of the drag
+    std::optional<Millimetres> depthBefore_; // depth of the dips at the start of the drag
 };
 
 } // namespace dipwright

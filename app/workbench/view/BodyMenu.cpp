@@ -12,7 +12,7 @@ namespace dipwright {
 BodyMenu::BodyMenu(DipView& view, const DipScene& scene, const DipSession& session,
                    QActionGroup& turns, QActionGroup& moves, QObject* parent)
     : QObject(parent), view_(view), scene_(scene), session_(session), turns_(turns), moves_(moves) {
-    connect(&view, &DipView::menuAsked, this, &BodyMenu::show);
+    connect(&view, &DipView::menuRequested, this, &BodyMenu::show);
     connect(&turns, &QActionGroup::triggered, this, [this](QAction* action) { turn(*action); });
     connect(&moves, &QActionGroup::triggered, this, [this](QAction* action) { move(*action); });
 }
@@ -33,7 +33,7 @@ void BodyMenu::show(const ViewRay& ray, const QPoint& place) {
     add("layFaceDown", tr("&Lay this face down"),
         [this](const SurfacePoint& point) { layDown(point.triangle); });
     add("faceMustBeGood", tr("Mark this face as &zone A"),
-        [this](const SurfacePoint& point) { markGood(point); });
+        [this](const SurfacePoint& point) { markAsZoneA(point); });
     menu->addSeparator();
     menu->addMenu(tr("&Turn"))->addActions(turns_.actions());
     menu->addMenu(tr("&Move"))->addActions(moves_.actions());
@@ -74,7 +74,7 @@ void BodyMenu::layDown(std::uint32_t triangle) {
     }
 }
 
-void BodyMenu::markGood(const SurfacePoint& place) {
+void BodyMenu::markAsZoneA(const SurfacePoint& place) {
     ZoneMark mark;
     mark.zone = Zone::A;
     mark.extent = ZoneExtent::Face;

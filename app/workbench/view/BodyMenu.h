@@ -1,5 +1,5 @@
 // Edits the body from its context menu and by keys: turn and move it by steps, lay a face down, or
-// mark a face as zone A. Each is one undo step.
+// mark a face as zone A. Each edit is one undo step.
 #pragma once
 
 #include "workbench/actions/BodyStep.h"
@@ -26,7 +26,7 @@ private:
     void turn(const QAction& action);
     void move(const QAction& action);
     void layDown(std::uint32_t triangle);
-    void markGood(const SurfacePoint& place);
+    void markAsZoneA(const SurfacePoint& place);
 
     DipView& view_;
     const DipScene& scene_;

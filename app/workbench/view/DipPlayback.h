@@ -42,7 +42,7 @@ private:
     Timeline& timeline_;
     LengthUnit unit_ = LengthUnit::Millimetre;
     QTimer liveTimer_;
-    std::shared_ptr<const RecordedFrame> shownFrame_; // the dip in progress
+    std::shared_ptr<const RecordedFrame> shownFrame_; // the shown frame of the dip in progress
 };
 
 } // namespace dipwright

@@ -56,10 +56,10 @@ QImage onBareFilm(const QImage& printed, const solver::FilmGrid& grid) {
     return picture;
 }
 
-// Longest side of a triangle that is drawn. This is a quick test for drawing, not the measure of
-// torn film (PrincipalStretch::isTorn). Live frames are drawn while the solver runs, from a thinned
-// film whose triangles differ from the real ones. Triangles between released film and film on the
-// body must be hidden too.
+// Returns the longest side of a triangle that is drawn. This is a quick test for drawing, not the
+// criterion for torn film (PrincipalStretch::isTorn). Live frames are drawn while the solver runs,
+// from a thinned film whose triangles differ from the real ones. Triangles between released film
+// and film on the body must be hidden too.
 float longestDrawnSide(const solver::FilmGrid& grid, const ThinnedFilm& film, double tearStretch) {
     const auto rest = [&](int column, int row) {
         return restPosition(grid, film.points[std::size_t(row * film.columns + column)]);
@@ -116,7 +116,7 @@ DipScene::DipScene(DipView& view, QObject* parent) : QObject(parent), view_(view
                 showBody(appearance);
             }
         });
-    connect(&artist_, &ArtworkPainter::painted, this,
+    connect(&artworkPainter_, &ArtworkPainter::painted, this,
             [this](const std::shared_ptr<const TexturedMesh>& model,
                    const std::shared_ptr<const TexturedMesh>& look) {
                 if (model == project_.model && !project_.artwork.isEmpty()) {
@@ -131,7 +131,7 @@ DipScene::DipScene(DipView& view, QObject* parent) : QObject(parent), view_(view
 
 void DipScene::paintArtwork() {
     if (!project_.artwork.isEmpty()) {
-        artist_.paint(project_.model, project_.artwork);
+        artworkPainter_.paint(project_.model, project_.artwork);
     } else if (own_ != project_.model) {
         const bool isShown = shown_.model == own_;
         own_ = project_.model;
@@ -444,7 +444,8 @@ void DipScene::updateFilm() {
     view_.setFilmPicture(linedFilm(shapeGrid_));
 }
 
-// Colours by the mean stretch of the thinned film's threads, the only measure known during the dip.
+// Colours the film by the mean stretch of the thinned film's threads, the only stretch known during
+// the dip.
 std::vector<QRgb> DipScene::frameColours() const {
     std::vector<QRgb> colours(shape_.points.size());
     const auto at = [this](int column, int row) {

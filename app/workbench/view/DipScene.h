@@ -28,15 +28,14 @@ public:
     void setResult(std::shared_ptr<const JobResult> result,
                    std::shared_ptr<const FilmReadout> reading);
 
-    // Moments of the dip: before it with the current settings, during it, and its end with the
-    // whole film.
-    void showSetup();
+    void showSetup(); // before the dip, with the current settings
+    // Shows a moment during the dip.
     void showFrame(const std::shared_ptr<const DipRecording>& recording,
                    const RecordedFrame& frame);
-    void showEnd();
+    void showEnd(); // the end of the dip, with the whole film
     // The world space that the body sweeps on its way down.
     const BoundingBox& bodyRoom() const { return bodyRoom_; }
-    // In mm below the water, at the shown moment.
+    // Depth of the body's lowest point below the water at the shown moment, mm.
     double depth() const { return descent_ - startHeight; }
 
     void setFilmLook(FilmLook look, const QImage& picture = {});
@@ -58,7 +57,8 @@ public:
     // While the user turns the body, it shows an estimate of the coverage from its shape.
     void setPreviewed(bool previewed);
 
-    // World to the pose frame at the end of the dip; nothing unless the end is shown.
+    // Returns the transform from the world to the pose frame at the end of the dip; nullopt unless
+    // the end is shown.
     std::optional<Eigen::Isometry3d> worldToEnd() const;
     std::shared_ptr<const TexturedMesh> model() const { return project_.model; } // null: none
     // The first place of the shown model that `ray` meets, in model coordinates.
@@ -90,13 +90,13 @@ private:
     void updateBody();
     void paintArtwork();
     void print();
-    void slip(FilmAppearance& film); // as the shown print displaces it
+    void slip(FilmAppearance& film); // displaces the film as in the shown print
     void showBody(BodyAppearance appearance);
     void showZones();
     void showPreview();
     void showLines();
-    void showEndAnew(); // if the end is shown
-    // The triangles to draw at the end, by extent. None over a body that shows its coverage.
+    void showEndAnew(); // draws the end again if it is shown
+    // The triangles to draw at the end, by extent. Empty over a body that shows its coverage.
     std::vector<FilmTriangle> shownTriangles(const LaidFilm& laid) const;
     std::vector<QRgb> frameColours() const;
 
@@ -105,7 +105,7 @@ private:
     std::size_t immersion_ = 0;
     BodyAppearance shown_;                    // the body as shown in the view
     std::shared_ptr<const TexturedMesh> own_; // the project's model with its painted artwork
-    ArtworkPainter artist_;
+    ArtworkPainter artworkPainter_;
     std::vector<ViewLine> frame_;
     FinishedPartPreview printer_;
     std::shared_ptr<const BodyShare> shared_; // `sharedBody_` was built for it
@@ -118,7 +118,7 @@ private:
     std::optional<MarkLines> marks_; // for the project's model; empty until there is a mark
     std::shared_ptr<const JobResult> result_;
     std::shared_ptr<const FilmReadout> reading_;
-    std::shared_ptr<const LaidFilm> deeper_; // the last film, dipped deeper; null: not computed yet
+    std::shared_ptr<const LaidFilm> deeper_; // last dip's film, dipped deeper; null: not computed
     // Whether the deeper film may be requested. Reset when result, look or print change, so that
     // redrawing the view does not restart a cancelled dip.
     bool asksForDeeper_ = true;

@@ -18,7 +18,7 @@ public:
 
     void setLengthUnit(LengthUnit unit) { unit_ = unit; }
     // Points the camera at the place on the body where film with rest position `rest` lies, and
-    // reads it there. The end of the dip must be shown.
+    // reads the film there. The end of the dip must be shown.
     void lookAtFilmPlace(const Eigen::Vector2f& rest);
 
 signals:

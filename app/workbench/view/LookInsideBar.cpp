@@ -55,10 +55,10 @@ LookInsideBar::LookInsideBar(QWidget* parent)
 
 QWidget* LookInsideBar::makeSection() {
     axis_->setObjectName(QStringLiteral("sectionAxis"));
-    axis_->addItems({tr("Across X"), tr("Horizontal, across Y"), tr("Across Z")});
+    axis_->addItems({tr("Cut across X"), tr("Horizontal cut, across Y"), tr("Cut across Z")});
     axis_->setCurrentIndex(2); // the front is cut away
-    axis_->setAccessibleName(tr("Direction of the section"));
-    axis_->setToolTip(tr("Direction of the section"));
+    axis_->setAccessibleName(tr("Axis that the section plane is perpendicular to"));
+    axis_->setToolTip(tr("Axis that the section plane is perpendicular to"));
     after_->setObjectName(QStringLiteral("sectionAfter"));
     after_->setIcon(icon(QStringLiteral("replace")));
     after_->setCheckable(true);
@@ -98,15 +98,15 @@ QWidget* LookInsideBar::makeOpacity() {
 
 void LookInsideBar::setSectionShown(bool shown) {
     hasSection_ = shown;
-    showAny();
+    updateVisibility();
 }
 
 void LookInsideBar::setOpacityShown(bool shown) {
     hasOpacity_ = shown;
-    showAny();
+    updateVisibility();
 }
 
-void LookInsideBar::showAny() {
+void LookInsideBar::updateVisibility() {
     sectionHalf_->setVisible(hasSection_);
     opacityHalf_->setVisible(hasOpacity_);
     setVisible(hasSection_ || hasOpacity_);

@@ -1,5 +1,5 @@
 // Controls for looking inside: the section plane through body and film, and the opacity of the
-// film. Each half can be hidden.
+// film. Section controls and opacity control can be hidden separately.
 #pragma once
 
 #include <QWidget>
@@ -20,12 +20,10 @@ public:
     void setSectionShown(bool shown);
     void setOpacityShown(bool shown);
 
-    // The section plane: its world axis, its position along the axis (0 … 1), and whether the side
-    // after it is drawn.
-    int axis() const;
-    double share() const;
-    bool isAfter() const;
-    void setShare(double share);        // and emits sectionChanged()
+    int axis() const;                   // world axis that the section plane is perpendicular to
+    double share() const;               // position of the section plane along the axis, 0 … 1
+    bool isAfter() const;               // whether the side beyond the section plane is drawn
+    void setShare(double share);        // also emits sectionChanged()
     void setPlace(const QString& text); // the position as text
     double filmOpacity() const;         // 0 … 1
 
@@ -36,7 +34,7 @@ signals:
 private:
     QWidget* makeSection();
     QWidget* makeOpacity();
-    void showAny();
+    void updateVisibility();
 
     QComboBox* axis_;
     QSlider *section_, *opacity_;

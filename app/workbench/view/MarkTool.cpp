@@ -5,7 +5,7 @@ namespace {
 
 constexpr double marksApart = 0.6; // times the brush's radius, along a stroke
 
-// Radius of a mark in mm. 0: it marks a whole face or material.
+// Returns the radius of a mark in mm. 0: the mark covers a whole face or material.
 double reach(const ShareMark& mark) {
     return mark.radius.value();
 }

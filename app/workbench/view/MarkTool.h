@@ -14,7 +14,7 @@ public:
     MarkTool(DipView& view, const DipScene& scene, const DipSession& session,
              QObject* parent = nullptr);
 
-    // Without a brush, presses on the body are left to others.
+    // Without a brush, the tool ignores presses on the body.
     void setBrush(const MarkBrush& brush) { brush_ = brush; }
 
 signals:
@@ -29,7 +29,7 @@ private:
     const DipScene& scene_;
     const DipSession& session_;
     MarkBrush brush_;
-    std::optional<Eigen::Vector3f> last_; // of the stroke's marks
+    std::optional<Eigen::Vector3f> last_; // place of the stroke's last mark
 };
 
 } // namespace dipwright

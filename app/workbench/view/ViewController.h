@@ -1,4 +1,4 @@
-// Controls camera and display of the 3D view by their actions.
+// Controls camera and display of the 3D view by the window's actions.
 #pragma once
 
 #include "workbench/document/Preferences.h"

@@ -23,8 +23,8 @@ std::vector<QRgb> colourTable(const QString& map) {
     return table;
 }
 
-// Where a pixel lies in a row or column of values: the value before it, and the fraction to the
-// next.
+// The place of a pixel in a row or column of values: the index of the value before the pixel, and
+// the fraction of the way to the next value.
 struct Place {
     int before;
     float past;

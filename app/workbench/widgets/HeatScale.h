@@ -22,16 +22,17 @@ struct HeatScale {
     bool operator==(const HeatScale&) const = default;
 };
 
-// Fits the range to the first and 99th percentile, rounded outwards to steps of 0.01.
+// Returns `scale` with its range fitted to the first and 99th percentile of `values`, rounded
+// outwards to steps of 0.01.
 HeatScale automaticScale(const HeatScale& scale, const std::vector<float>& values);
 
-// One value for each film point, drawn as a picture of `pixels` and interpolated between the
-// points.
+// Draws `values`, one for each film point, as a picture of the size `pixels`. Interpolates between
+// the points.
 QImage heatPicture(const std::vector<float>& values, const solver::FilmGrid& film, QSize pixels,
                    const HeatScale& scale);
 
-// Lines of equal value at multiples of `step`, by marching squares. In mm from the film's upper
-// left corner.
+// Returns lines of equal value at multiples of `step`, by marching squares. Their coordinates are
+// in mm from the film's upper left corner.
 QList<QLineF> isolines(const std::vector<float>& values, const solver::FilmGrid& film, double step);
 
 } // namespace dipwright

@@ -11,8 +11,8 @@ namespace {
 
 constexpr int barCount = 80;
 
-// The step of the form 1, 2 or 5 times a power of ten that divides `range` into about `wanted`
-// parts.
+// Returns a step that divides `range` into about `wanted` parts. The step is 1, 2 or 5 times a
+// power of ten.
 double roundStep(double range, double wanted) {
     const double raw = range / wanted;
     const double power = std::pow(10, std::floor(std::log10(raw)));

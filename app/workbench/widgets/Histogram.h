@@ -1,4 +1,5 @@
-// Draws how often each value occurs, in the colours of the scale. It also serves as the colour key.
+// Draws how often each value occurs, in the colours of the scale. The histogram also serves as the
+// colour key.
 #pragma once
 
 #include "workbench/widgets/HeatScale.h"

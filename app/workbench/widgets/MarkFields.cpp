@@ -37,7 +37,7 @@ MarkFields::MarkFields(const QString& name, LengthUnit unit, QWidget* parent)
     form_->setContentsMargins(0, 0, 0, 0);
     form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
     form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    form_->addRow(tr("A click"), kind_);
+    form_->addRow(tr("Click on part"), kind_);
     form_->addRow(tr("Radius"), radius_);
     form_->addRow(count_);
     auto* buttons = new QHBoxLayout;

@@ -37,7 +37,8 @@ protected:
     static constexpr int noKind = -1; // the first entry's data
     Millimetres radius() const;
     void setRadiusEnabled(bool enabled);
-    // The layout, for more fields between the kind and the radius, or unlabelled ones below it.
+    // The layout. Subclasses insert fields between the kind and the radius, or add unlabelled
+    // fields below the radius.
     QFormLayout& form() { return *form_; }
     static constexpr int radiusRow = 1; // unless rows were inserted above it
 

@@ -15,7 +15,7 @@
 
 namespace dipwright {
 
-// A value, or the reason why there is none.
+// A value, or the reason why there is no value.
 struct NumberBox::Reading {
     std::optional<double> value;
     QString refusal;
@@ -44,13 +44,14 @@ NumberBox::Reading NumberBox::read(const QString& text) const {
     }
     if (typed.values.empty()) {
         return {{},
-                own.isEmpty() ? tr("The field has no number")
+                own.isEmpty() ? tr("The field is empty; type a number")
                               : tr("“%1” is not a number").arg(own)};
     }
     return readingOf(own, typed.values);
 }
 
-// Chooses the value that the field accepts among `values`, which were typed as `own`.
+// Chooses among `values`, the possible meanings of the typed text `own`, the one that the field
+// accepts.
 NumberBox::Reading NumberBox::readingOf(const QString& own,
                                         const std::vector<double>& values) const {
     constexpr double rounding = 1e-9; // for limits converted to the shown unit
@@ -100,7 +101,7 @@ void NumberBox::fixup(QString& text) const {
         return;
     }
     emit refused(refusal);
-    // Tooltips close when the focus moves, which has not happened yet.
+    // Shown later, because a tooltip closes when the focus moves, and the focus has not moved yet.
     QTimer::singleShot(0, this, [this, refusal] {
         if (isVisible()) {
             constexpr int shownFor = 10'000; // ms

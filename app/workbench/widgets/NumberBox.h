@@ -6,12 +6,13 @@
 
 namespace dipwright {
 
-// Reads the text when the field loses the focus or Enter is pressed. Accepts any unit of the
+// The field reads its text when it loses the focus or Enter is pressed. Accepts any unit of the
 // suffix's quantity (TypedNumber.h): "2in" in a field in mm is 50.8. Comma and point are accepted
 // as decimal signs in any language, and as separators between groups of digits. Text that cannot be
-// read, is ambiguous, or lies outside the limits is red while it is typed. It is then refused with
-// a message, and the value stays. Keeps all typed digits; shows no more decimals than needed. The
-// wheel changes the value only while the field has the focus, so scrolling a page changes nothing.
+// read, is ambiguous, or lies outside the limits is red while it is typed. When it is entered, it
+// is refused with a message, and the value stays. Keeps all typed digits; shows no more decimals
+// than needed. The wheel changes the value only while the field has the focus, so scrolling a page
+// changes nothing.
 class NumberBox : public QDoubleSpinBox {
     Q_OBJECT
 

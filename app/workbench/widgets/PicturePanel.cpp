@@ -80,7 +80,8 @@ void PicturePanel::offerTrueSize() {
     bar_->addWidget(zoomLabel_);
 }
 
-// Its buttons take the focus, because unlike those of the window's tool bars they are in no menu.
+// The panel's buttons take the focus, because they are in no menu. The buttons of the window's tool
+// bars are.
 void PicturePanel::takeFocus(QAction* action) {
     bar_->widgetForAction(action)->setFocusPolicy(Qt::TabFocus);
 }

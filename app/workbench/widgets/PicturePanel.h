@@ -18,7 +18,7 @@ public:
     PictureView& view() { return *view_; }
     void setPicture(const QImage& picture, QSizeF millimetres);
     void clear();
-    // Shown under the picture; rich text; empty: none.
+    // Sets the text under the picture, which is rich text; empty: none.
     void setLegend(const QString& text);
     // Adds a button to the right of the zoom buttons. It is enabled while there is a picture.
     void addButton(QAction* action);

@@ -1,7 +1,8 @@
 // Keeps text from other sources from being shown as HTML. Names, paths and sentences that quote
-// them may come from untrusted files. By default a label guesses its text format. Rich text could
-// read pictures and style sheets that it names, within our process, and show links. So labels must
-// not guess. All other widgets with text are plain by default, or are explicitly set to rich text.
+// them may come from untrusted files. By default a label guesses its text format. Rich text can
+// name pictures and style sheets, which our process would then read, and can show links. So labels
+// must not guess. All other widgets with text are plain by default, or are explicitly set to rich
+// text.
 #pragma once
 
 #include <QObject>
@@ -12,8 +13,8 @@ namespace dipwright {
 
 // While this object exists, labels without an explicit format are plain. This includes labels in
 // Qt's own boxes and dialogs, and tooltips of widgets, items and actions, which are labels too. A
-// label becomes plain before its first layout and before a screen reader sees it. Only then would
-// Qt read what rich text names.
+// label becomes plain before its first layout and before a screen reader sees it. Earlier than
+// that, Qt reads no file that rich text names.
 //
 // A label with intended rich text sets QLabel::setTextFormat(Qt::RichText) and escapes foreign
 // text. Tooltips cannot do that; inLines() breaks their lines.

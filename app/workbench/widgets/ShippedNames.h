@@ -8,7 +8,7 @@ namespace dipwright {
 
 // Returns the user's own names unchanged.
 QString shownName(const QString& name);
-// The same for an identifier such as "turtle" or "lagoon".
+// Translates an identifier such as "turtle" or "lagoon" for display.
 QString shownTitle(const QString& identifier);
 
 } // namespace dipwright

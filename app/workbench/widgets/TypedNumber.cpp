@@ -64,7 +64,8 @@ std::optional<Measure> measureOf(const QString& unit) {
     return time == times().cend() ? std::nullopt : std::optional(Measure{0, 1, *time});
 }
 
-// The factor from a number in `typed` to one in `own`; none if their dimensions differ.
+// Returns the factor that converts a number in the unit `typed` to the unit `own`; nullopt if their
+// dimensions differ.
 std::optional<double> factor(const QString& typed, const QString& own) {
     if (typed.isEmpty() || typed == own) {
         return 1;
@@ -77,7 +78,7 @@ std::optional<double> factor(const QString& typed, const QString& own) {
     return from->size / to->size;
 }
 
-// Whether the digits are in groups of three, all separated by the same sign.
+// Returns whether the digits are in groups of three, all separated by the same sign.
 bool isGrouped(const QString& whole) {
     static const QRegularExpression groups(
         QStringLiteral("^\\d{1,3}(?<sign>[.,'’ \\x{00a0}\\x{202f}])\\d{3}(?:\\k<sign>\\d{3})*$"));
@@ -89,8 +90,8 @@ QString digitsOf(QString number) {
     return number.remove(others);
 }
 
-// The possible values of digits with separators, without a leading sign. None if they are not a
-// number.
+// Returns the possible values of digits with separators, without a leading sign. Empty if the text
+// is not a number.
 std::vector<double> readings(const QString& number, const QLocale& locale) {
     static const QRegularExpression whole(QStringLiteral("^\\d+$"));
     const auto sign =

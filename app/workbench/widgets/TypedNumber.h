@@ -8,18 +8,18 @@
 
 namespace dipwright {
 
-// The possible meanings of a typed text. `values` are in the field's unit. There is usually one.
-// There is none if the text is not a number or its unit does not fit the quantity. There are two,
-// the decimal reading first, if a sign may be a decimal sign or separate groups of digits, as in
-// the English "1,234".
+// The possible meanings of a typed text. `values` are in the field's unit. Usually there is one
+// value. There is no value if the text is not a number or its unit does not fit the quantity. There
+// are two values, the decimal reading first, if a sign may be a decimal sign or separate groups of
+// digits, as in the English "1,234".
 struct TypedNumber {
     std::vector<double> values;
     QString unknownUnit; // as typed; empty: no unit, or a known one
 };
 
 // `unit`: the field's unit without spaces, such as "mm". Lengths are read in mm, cm, m, µm, in and
-// ft; speeds in these per s or min; times in ms, s, min and h. Other quantities are read only in
-// the field's unit. A number without a unit is in the field's unit.
+// ft; speeds in these units per s or min; times in ms, s, min and h. Other quantities are read only
+// in the field's unit. A number without a unit is in the field's unit.
 TypedNumber typedNumber(const QString& text, const QString& unit, const QLocale& locale);
 
 } // namespace dipwright

@@ -13,14 +13,14 @@
 namespace dipwright {
 namespace {
 
-constexpr double samePlace = 0.01;     // mm on the model
-constexpr double leastScatter = 0.005; // mm: photos resolve no less
-constexpr std::size_t fewPlaces = 150; // enough to choose reach and size
+constexpr double samePlace = 0.01;     // mm on the model: nearer places count as one place
+constexpr double leastScatter = 0.005; // mm: photos do not resolve less
+constexpr std::size_t fewPlaces = 150; // number of places from which reach and size are chosen
 // Candidates for the reach, relative to the extent of the places.
 constexpr std::array<double, 5> reaches{0.2, 0.33, 0.55, 0.9, 1.5};
-// Candidates for the size of the repeating error, relative to the measured errors.
+// Candidates for the size of the repeating error, as multiples of the measured errors.
 constexpr std::array<double, 6> sizes{0.25, 0.5, 1, 2, 4, 8};
-// Candidates for the scatter if there is only one part, relative to the measured errors.
+// Candidates for the scatter if only one part was measured, as multiples of the measured errors.
 constexpr std::array<double, 5> guessedScatters{0.03, 0.06, 0.12, 0.25, 0.5};
 
 struct PartError {
@@ -32,8 +32,9 @@ Eigen::Vector2d vectorOf(const std::array<Millimetres, 2>& place) {
     return {place[0].value(), place[1].value()};
 }
 
-// Correlation of the errors at two places: the squared exponential kernel of a Gaussian process
-// (C. E. Rasmussen and C. K. I. Williams, "Gaussian Processes for Machine Learning", 2.2).
+// Returns the correlation between the errors at two places: the squared exponential kernel of a
+// Gaussian process (C. E. Rasmussen and C. K. I. Williams, "Gaussian Processes for Machine
+// Learning", 2.2).
 double alike(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double reach) {
     return std::exp(-(a - b).squaredNorm() / (2 * reach * reach));
 }
@@ -66,7 +67,8 @@ Eigen::MatrixX2d offsOf(const std::vector<RepeatedPlace>& places, const Eigen::V
     return offs;
 }
 
-// Returns the log-likelihood of the means, up to a constant; both axes share the parameters.
+// Returns the log-likelihood of the mean errors, up to a constant. Both axes have the same
+// parameters.
 double likelihood(const std::vector<RepeatedPlace>& places, const Eigen::MatrixX2d& offs,
                   const Chosen& chosen) {
     const Eigen::LLT<Eigen::MatrixXd> factors(covarianceOf(places, chosen));
@@ -110,7 +112,8 @@ void RepeatingError::gather(const AsBuilt& built, int dip) {
     }
     parts_ = int(parts.size());
     double squares = 0, freedom = 0;
-    std::map<int, std::pair<Eigen::Vector2d, int>> ofParts; // sum and number of deviations
+    std::map<int, std::pair<Eigen::Vector2d, int>>
+        ofParts; // per part: sum and number of deviations
     for (const auto& [key, errors] : byPlace) {
         RepeatedPlace& place = places_.emplace_back();
         place.parts = int(errors.size());
@@ -136,7 +139,7 @@ void RepeatingError::gather(const AsBuilt& built, int dip) {
     if (freedom == 0) {
         return;
     }
-    // A shift of a whole part is not scatter of its places; it is subtracted.
+    // The shift of a whole part is subtracted, because it is not scatter of single places.
     double whole = 0, seen = 0;
     for (const auto& [part, off] : ofParts) {
         whole += off.first.squaredNorm() / off.second;
@@ -152,7 +155,8 @@ void RepeatingError::fit() {
     for (const RepeatedPlace& place : places_) {
         mean_ += place.mean / double(places_.size());
     }
-    // A mean no larger than the scatter of whole parts counts as 0 (W. James and C. Stein, 1961).
+    // The mean is shrunk towards 0; if it is not larger than the scatter of whole parts, it counts
+    // as 0 (W. James and C. Stein, 1961).
     const double ofMean = partScatter_ * partScatter_ / parts_ +
                           scatter_ * scatter_ / (parts_ * double(places_.size()));
     const double square = mean_.squaredNorm() / 2;
@@ -174,7 +178,7 @@ void RepeatingError::fit() {
     }
     Chosen best;
     for (const double scatter : scatters) {
-        // Size 0 stands for scatter without a repeating error.
+        // Size 0 means that there is only scatter, without a repeating error.
         for (const double size :
              {0.0, sizes[0], sizes[1], sizes[2], sizes[3], sizes[4], sizes[5]}) {
             for (const double reach : reaches) {

@@ -14,7 +14,7 @@ namespace dipwright {
 struct RepeatedPlace {
     Eigen::Vector2d sheet{0, 0}, mean{0, 0}; // the place, and its mean error over the parts
     double scatter = 0;                      // root mean square along each axis; 0 for one part
-    int parts = 0;                           // parts that it was measured on
+    int parts = 0;                           // number of parts on which the place was measured
 };
 
 // The repeating error of one dip, as a smooth displacement of the sheet. Immutable; any thread may
@@ -30,12 +30,12 @@ public:
     Eigen::Vector2d at(const Eigen::Vector2d& sheet) const;
 
     const std::vector<RepeatedPlace>& places() const { return places_; }
-    // Standard deviations along each axis, in mm.
-    double scatter() const { return scatter_; }         // of single places, between parts
+    // The next three are standard deviations along each axis, in mm.
+    double scatter() const { return scatter_; }         // of single places between parts
     double partScatter() const { return partScatter_; } // of whole parts
     double repeating() const { return repeating_; }     // of the repeating error
-    double reach() const { return reach_; }             // its correlation length, mm
-    int parts() const { return parts_; }
+    double reach() const { return reach_; } // correlation length of the repeating error, mm
+    int parts() const { return parts_; }    // number of measured parts
 
 private:
     void gather(const AsBuilt& built, int dip);

@@ -19,7 +19,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::SheetCorrection)
 };
 
-constexpr double stepsInReach = 8; // interpolation is then accurate to 1/500
+constexpr double stepsInReach = 8; // makes the interpolation accurate to 0.2 %
 
 // The error on a grid over the sheet, interpolated bilinearly.
 class DenseError {
@@ -56,7 +56,7 @@ private:
     std::vector<Eigen::Vector2d> values_;
 };
 
-// Interpolates the colours of an image; it is transparent beyond its edges.
+// Interpolates the colours of an image. Places beyond the image's edges are transparent.
 class Between {
 public:
     explicit Between(const QImage& image) : image_(image), code_(image) {}
@@ -65,7 +65,8 @@ public:
     void write(uchar* pixel, double x, double y) const {
         const int column = int(std::floor(x - 0.5)), row = int(std::floor(y - 0.5));
         const double u = x - 0.5 - column, v = y - 0.5 - row;
-        Eigen::Array4d sum = Eigen::Array4d::Zero(); // light times alpha, and alpha
+        Eigen::Array4d sum =
+            Eigen::Array4d::Zero(); // three channels of light times alpha, then alpha
         for (int corner = 0; corner < 4; ++corner) {
             const bool right = corner % 2 != 0, down = corner / 2 != 0;
             add(sum, column + int(right), row + int(down),
@@ -147,7 +148,7 @@ QImage correctedImage(const QImage& filmImage, Millimetres width, Millimetres he
 
 Eigen::Vector2d printedAt(const Eigen::Vector2d& place, const RepeatingError& error,
                           double strength) {
-    constexpr int rounds = 20; // the error is smooth: each round changes a tenth of the last
+    constexpr int rounds = 20; // each round changes the result by about 10 % of the previous change
     Eigen::Vector2d at = place;
     for (int round = 0; round < rounds; ++round) {
         at = place - strength * error.at(at);

@@ -1,4 +1,4 @@
-#include "accuracy/numericalError/LawChange.h"
+#include "accuracy/error/LawChange.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -2,7 +2,7 @@
 // (docs/film-model.md, "Assumed constants").
 #pragma once
 
-#include "accuracy/numericalError/SheetChange.h"
+#include "accuracy/error/SheetChange.h"
 
 #include <functional>
 
@@ -12,19 +12,21 @@ namespace dipwright {
 struct LawChange {
     QString setting;                      // path in the project: "process.overhang_deg"
     double value = 0, less = 0, more = 0; // the value in use, and the two variations
-    // The larger of both moves in mm, over evenly spread points that all three films paint.
+    // Distribution, in mm, over evenly spread points that all three films paint. Each point counts
+    // with the larger of its two moves.
     Distribution distance;
-    // Shares of the painted area for which at least one variation has this effect:
-    double moved = 0; // moves farther than the limit mostHalfSpacingChange
-    double lost = 0;  // is no longer painted
+    // Shares of the painted area on which at least one of the variations has this effect:
+    double moved = 0; // the place moves farther than mostHalfSpacingChange
+    double lost = 0;  // the place is no longer painted
 
-    double dependent() const { return moved + lost; } // no place counts in both
+    double dependent() const { return moved + lost; } // no place counts twice
 };
 
-// Fills in the measured values. The films are of one body in one pose. All cores, deterministic.
+// Fills in `distance`, `moved` and `lost`. All films belong to one body in one pose. Uses all
+// cores; deterministic.
 void measureLaw(LawChange& change, const LaidFilm& own, const LaidFilm& less, const LaidFilm& more);
 
-// A sentence for the user: "Overhang (°) varied from 16 to 24 …". `length` formats mm.
+// Returns a sentence for the user: "Overhang (°) varied from 16 to 24 …". `length` formats mm.
 QString lawText(const LawChange& change, const std::function<QString(double)>& length);
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-#include "accuracy/numericalError/NumericalErrorEstimate.h"
+#include "accuracy/error/NumericalErrorEstimate.h"
 
 #include "base/Error.h"
 #include "parallel/ParallelFor.h"
@@ -16,9 +16,10 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Certainty)
 };
 
-constexpr int leastCells = 4; // per side; fewer cells tell nothing
+constexpr int leastCells = 4; // per side; fewer cells give no meaningful comparison
 
-// The steps of the production film are given in cells, so they double too.
+// Doubling the cells also doubles the steps, because the production film's steps are given in
+// cells.
 FilmSettings withDoubleSpacing(FilmSettings film) {
     film.refinement /= 2;
     return film;

@@ -1,8 +1,8 @@
-// Estimates the numerical error of a sheet from two coarser dips. Together they take no longer than
-// the dip itself (docs/film-validation.md, "The verdict").
+// Estimates the numerical error of a sheet from two coarser dips, which together take no longer
+// than the dip itself (docs/film-validation.md, "The verdict").
 #pragma once
 
-#include "accuracy/numericalError/SheetChange.h"
+#include "accuracy/error/SheetChange.h"
 #include "base/Progress.h"
 #include "dip/Dip.h"
 
@@ -10,48 +10,49 @@
 
 namespace dipwright {
 
-// The films of two coarser dips, laid on the body. One has cells and steps twice as long, the other
-// has steps twice as long on the same cells.
+// The films of two coarser dips, laid on the body. One dip has cells and steps twice as long; the
+// other has the same cells and steps twice as long.
 struct CoarserFilms {
     std::shared_ptr<const LaidFilm> doubleSpacing, doubleStep; // null if `failure` is set
-    QString failure; // why there are none, for the user: too few cells, or a solver failed
+    QString failure; // tells the user why there are no films: too few cells, or a solver failed
 };
 
-// Simulates both dips as a batch, with the settings of the dip itself. If one fails, only the
-// comparison fails, not the job. Any thread. `isCancelled` is called from one thread at a time;
-// throws Cancelled soon after it returns true.
+// Simulates both dips as a batch, with the settings of the dip itself. If a coarser dip fails, only
+// the comparison fails, not the job. Any thread. `isCancelled` is called from one thread at a time.
+// Throws Cancelled soon after `isCancelled` returns true.
 CoarserFilms coarserFilms(const std::shared_ptr<const PosedBody>& body, const DistanceField& field,
                           const Immersion& immersion, const FilmSettings& film,
                           const ProcessSettings& process, const solver::SolverModule& module,
                           const std::function<bool()>& isCancelled);
 
-// Ratio of the change expected from a finer dip to the change measured with a coarser one. Half for
-// the cells, whose error is of first order. One for the step, whose error shows no order on bodies
-// with limbs. Chosen by measurement; docs/film-validation.md, "The verdict".
+// Ratio of the change expected from a finer dip to the change measured with a coarser dip. It is
+// 0.5 for cells, whose error is of first order. It is 1 for steps, whose error shows no order on
+// bodies with limbs. Both are chosen by measurement (docs/film-validation.md, "The verdict").
 inline constexpr double halfSpacingShare = 0.5;
 inline constexpr double halfStepShare = 1;
 
 // The estimated numerical error of one sheet.
 struct NumericalErrorEstimate {
-    SheetChange doubleSpacing, doubleStep; // as measured
-    // Numerical error in mm: the larger of both changes. For an error of first order it is the
-    // distance to the sheet of an infinitely fine film. Sampled at points spread evenly over the
-    // body, where all three dips paint.
+    SheetChange doubleSpacing, doubleStep; // measured changes
+    // Numerical error in mm: the larger of both changes, at evenly spread points of the body that
+    // all three dips paint. For an error of first order, this is the distance to the sheet of an
+    // infinitely fine film.
     Distribution offBy;
     // Numerical error of each film point on the body; NaN where not all dips paint, 0 off the body.
     std::vector<float> pointErrors;
-    QString failure; // why nothing could be compared; all else is then empty
+    QString failure; // why the comparison failed; all other members are then empty
 
-    // The changes expected from cells and steps half as long.
+    // Returns the change expected from cells and steps half as long.
     SheetChange halfSpacing() const;
+    // Returns the change expected from steps half as long.
     SheetChange halfStep() const;
 };
 
-// Estimates the numerical error of the film `own`. All cores, deterministic.
+// Estimates the numerical error of the film `own`. Uses all cores; deterministic.
 NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const CoarserFilms& coarser);
 
-// Returns the numerical error at each of `places` on the body, in mm. 0 where `own` does not paint
-// or nothing is known. All cores.
+// Returns the numerical error at each of `places` on the body, in mm. It is 0 where `own` does not
+// paint or the error is unknown. Uses all cores.
 std::vector<float> numericalErrorAt(const NumericalErrorEstimate& estimate, const LaidFilm& own,
                                     const std::vector<SurfacePoint>& places);
 

@@ -1,4 +1,4 @@
-#include "accuracy/numericalError/SheetChange.h"
+#include "accuracy/error/SheetChange.h"
 
 #include "geometry/SurfaceSamples.h"
 #include "parallel/ParallelFor.h"
@@ -8,7 +8,7 @@
 namespace dipwright {
 namespace {
 
-constexpr double wantedSamples = 40'000; // over the body
+constexpr double wantedSamples = 40'000; // number of points on the body
 
 float move(const LaidFilm& own, const LaidFilm& other, const SurfacePoint& place) {
     const auto before = own.place(place);

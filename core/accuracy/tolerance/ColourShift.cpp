@@ -55,7 +55,7 @@ std::vector<Eigen::Vector2f> ColourPlaces::touched(const LaidFilm& other, double
     return films;
 }
 
-Eigen::Vector3f ColourPlaces::shiftNear(std::size_t place, const Eigen::Vector2f& film) const {
+Eigen::Vector3f ColourPlaces::linearShift(std::size_t place, const Eigen::Vector2f& film) const {
     return films_[place]->fromFilm * (films_[place]->rest - film);
 }
 

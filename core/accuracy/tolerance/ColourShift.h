@@ -8,31 +8,32 @@
 
 namespace dipwright {
 
-// The nominal film at given places of the body. Prepares what all comparisons with other dips
-// share. Keeps a reference to the film. Any thread may read it.
+// The nominal film at given places of the body, prepared for comparisons with many other dips.
+// Keeps a reference to the film. Any thread may read it.
 class ColourPlaces {
 public:
-    // Invalid places count as unpainted. So do places for which `isPainted` returns false, because
-    // they belong to another dip; `isPainted` may be empty.
+    // Invalid places count as unpainted. `isPainted` returns false for places that belong to
+    // another dip; they also count as unpainted. `isPainted` may be empty.
     ColourPlaces(const LaidFilm& nominal, const std::vector<SurfacePoint>& places,
                  const std::function<bool(const SurfacePoint&)>& isPainted);
 
     std::size_t count() const { return places_.size(); }
     bool isPainted(std::size_t place) const { return films_[place].has_value(); }
-    // Whether this film should paint the place but does not.
+    // Tells whether this film should paint the place but does not.
     bool isBare(std::size_t place) const { return isOurs_[place] != 0 && !isPainted(place); }
 
-    // Returns the film that touches each place in another dip of the same body; NaN where none
-    // does. In mm of the nominal floating film; the other film is `swell` times as large. All
-    // cores.
+    // Returns which point of the film touches each place in another dip of the same body; NaN where
+    // no film touches it. Points are in mm of the nominal floating film; the other film is `swell`
+    // times as large. Uses all cores.
     std::vector<Eigen::Vector2f> touched(const LaidFilm& other, double swell) const;
 
-    // Returns the vector from where the colour of `film` belongs to the painted place where it
-    // landed. Model coordinates, mm. First order, by the film's stretch at the place: it lies in
-    // the surface and also exists for film that was not printed for the body.
-    Eigen::Vector3f shiftNear(std::size_t place, const Eigen::Vector2f& film) const;
-    // Returns the same vector, measured on the laid film at any distance. Nothing where the sheet
-    // has no colour for the body.
+    // Returns how far the colour of the film point `film` lands from its place: the vector from
+    // that place to the painted place `place`, in model coordinates, mm. Computed to first order
+    // from the film's stretch at `place`. The vector lies in the surface and exists even if the
+    // sheet has no colour at `film`.
+    Eigen::Vector3f linearShift(std::size_t place, const Eigen::Vector2f& film) const;
+    // Returns the same vector, measured exactly on the laid film. None where the sheet has no
+    // colour for the body.
     std::optional<Eigen::Vector3f> shift(std::size_t place, const Eigen::Vector2f& film) const;
 
 private:
@@ -47,7 +48,7 @@ private:
     Eigen::Isometry3f toModel_;
     std::vector<SurfacePoint> places_;
     std::vector<std::uint8_t> isOurs_;
-    std::vector<std::optional<OnFilm>> films_; // nothing where unpainted
+    std::vector<std::optional<OnFilm>> films_; // none where unpainted
 };
 
 } // namespace dipwright

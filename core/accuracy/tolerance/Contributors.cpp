@@ -18,7 +18,7 @@ struct Text {
 
 constexpr double percent = 0.01;
 
-// Returns `angles` followed by the rotation `by` about fixed axes, exactly.
+// Returns the angles of the rotation `angles` followed by the rotation `by` about fixed axes.
 std::array<Degrees, 3> turned(const std::array<Degrees, 3>& angles, const Eigen::Matrix3d& by) {
     const Eigen::Vector3d zyx = (by * rotationMatrix(angles)).eulerAngles(2, 1, 0);
     const auto degrees = [](double angle) { return Degrees(angle * 180 / pi); };
@@ -35,8 +35,8 @@ void scale(solver::FilmGrid& grid, double factor) {
     }
 }
 
-// Turns the body about the centre of its bounding box. The centre keeps its path, so the dip begins
-// earlier or later if the body's lowest point is lower or higher.
+// Turns the body about the centre of its bounding box. The centre keeps its path. The dip therefore
+// begins earlier if the turn lowers the body's lowest point, and later if the turn raises it.
 void turn(ChangedDip& dip, const TriangleMesh& body, const Eigen::Vector3d& degrees) {
     const double angle = degrees.norm() * pi / 180;
     if (angle == 0) {
@@ -90,21 +90,21 @@ double toleranceOf(const ToleranceSettings& settings, Contributor contributor) {
 QString contributorText(Contributor contributor) {
     switch (contributor) {
     case Contributor::PositionX:
-        return Text::tr("Part along X");
+        return Text::tr("Position of the part along X");
     case Contributor::PositionZ:
-        return Text::tr("Part along Z");
+        return Text::tr("Position of the part along Z");
     case Contributor::TurnX:
-        return Text::tr("Part about X");
+        return Text::tr("Rotation of the part about X");
     case Contributor::TurnY:
-        return Text::tr("Part about Y");
+        return Text::tr("Rotation of the part about Y");
     case Contributor::TurnZ:
-        return Text::tr("Part about Z");
+        return Text::tr("Rotation of the part about Z");
     case Contributor::FilmPositionX:
-        return Text::tr("Film along X");
+        return Text::tr("Position of the film along X");
     case Contributor::FilmPositionZ:
-        return Text::tr("Film along Z");
+        return Text::tr("Position of the film along Z");
     case Contributor::FilmTurn:
-        return Text::tr("Film about Y");
+        return Text::tr("Rotation of the film about Y");
     case Contributor::Swell:
         return Text::tr("Swell");
     case Contributor::WaterLevel:
@@ -195,7 +195,7 @@ ChangedDip changed(const NominalDip& dip, const DipChange& change) {
     setup.motion.start[2] += z;
     turn(result, dip.model.mesh,
          {of(change, Freedom::TurnX), of(change, Freedom::TurnY), of(change, Freedom::TurnZ)});
-    // The body must come down to the water at least.
+    // The body must at least reach the water.
     setup.motion.travel =
         std::max(setup.motion.travel + of(change, Freedom::WaterLevel), startHeight);
     scale(setup.film, 1 + of(change, Freedom::Swell));

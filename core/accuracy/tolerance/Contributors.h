@@ -35,24 +35,24 @@ inline constexpr Contributor contributorAt(std::size_t number) {
 
 // Returns the tolerance in the contributor's unit: mm, degrees or per cent.
 double toleranceOf(const ToleranceSettings& settings, Contributor contributor);
-// The name and the unit for the user: "Part along X", "mm".
+// Return the name and the unit for the user: "Position of the part along X", "mm".
 QString contributorText(Contributor contributor);
 QString contributorUnit(Contributor contributor);
-// The key for files: "position_x".
+// Returns the key for files: "position_x".
 QString contributorKey(Contributor contributor);
 
-// The independent ways in which a dip can deviate. A displaced film is not a separate way: nothing
-// else holds the film, so the body is displaced the opposite way instead.
+// The independent ways in which a dip can deviate. A displaced film is not a separate way: it has
+// the same effect as a body displaced in the opposite direction.
 enum class Freedom : std::uint8_t {
-    X, // body relative to the film, mm
+    X, // position of the body relative to the film along X, mm
     Z,
-    TurnX, // body about the centre of its bounding box, fixed axes; degrees
+    TurnX, // rotation of the body about the centre of its bounding box, fixed axes, degrees
     TurnY,
     TurnZ,
-    Swell,      // fraction of the film's length
-    WaterLevel, // mm that the body goes deeper
-    Speed,      // fraction
-    Relaxation, // fraction
+    Swell,      // growth as a fraction of the film's length
+    WaterLevel, // additional depth of the dip, mm
+    Speed,      // change as a fraction of the speed
+    Relaxation, // change as a fraction of the relaxation time
 };
 inline constexpr std::size_t freedomCount = 9;
 // The deviation of a dip, one value for each Freedom.
@@ -64,26 +64,27 @@ inline double of(const DipChange& change, Freedom freedom) {
     return change[int(freedom)];
 }
 
-// Returns the deviation caused by one unit of a contributor. Linear, as turns are small. The film
-// turns about its own centre; a body away from that centre therefore moves as well.
+// Returns the deviation caused by one unit of a contributor. Linear, because turns are small. The
+// film turns about its own centre; a body away from that centre therefore also changes its
+// position.
 DipChange changeBy(Contributor contributor, const Immersion& immersion);
 
 // A dip as planned, and its film.
 struct NominalDip {
-    const TexturedMesh& model; // as imported, mm
+    const TexturedMesh& model; // imported model, mm
     const Immersion& immersion;
-    const solver::DipSetup& setup; // of its simulation
+    const solver::DipSetup& setup; // setup of the dip's simulation
 };
 
 // A dip that deviates from the nominal one.
 struct ChangedDip {
-    Immersion immersion;    // the pose in which its film lies on the body
-    solver::DipSetup setup; // with the same film points
+    Immersion immersion;    // pose in which the dip's film lies on the body
+    solver::DipSetup setup; // setup with the same film points as the nominal dip
 };
 // Applies a deviation to a dip.
 ChangedDip changed(const NominalDip& dip, const DipChange& change);
 
-// Whether a deviation of this kind changes the dip at all.
+// Tells whether a deviation of this kind has any effect on a dip.
 bool matters(Freedom freedom, const solver::Settings& settings);
 
 } // namespace dipwright

@@ -10,8 +10,9 @@
 namespace dipwright {
 namespace {
 
-// Returns a normally distributed number by Box and Muller, from two uniform numbers in (0, 1]. The
-// standard library's distributions differ between systems.
+// Returns a normally distributed number, computed by the method of Box and Muller from two uniform
+// numbers in (0, 1]. Does not use the standard library's distributions, because they differ between
+// systems.
 double normal(std::mt19937_64& random) {
     const auto even = [&] { return (double(random() >> 11) + 1) / 9007199254740992.0; };
     const double radius = std::sqrt(-2 * std::log(even()));
@@ -31,7 +32,7 @@ Eigen::MatrixXd evenDraws(int dips, int quantities, int seed) {
     }
     const Eigen::MatrixXd covariance = half.transpose() * half / pairs;
     const Eigen::MatrixXd factor = covariance.llt().matrixL();
-    // This makes the covariance the identity.
+    // Makes the covariance the identity matrix.
     half = factor.triangularView<Eigen::Lower>().solve(half.transpose()).transpose().eval();
     Eigen::MatrixXd draws(2 * pairs, quantities);
     draws << half, -half;

@@ -1,4 +1,4 @@
-// Draws random deviations of all quantities at once, for a few dips that represent all dips.
+// Draws random deviations of all quantities for a few dips that represent all possible dips.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,9 +7,9 @@ namespace dipwright {
 
 // Returns one row for each dip and one column for each quantity: normally distributed values with
 // mean 0 and variance 1, drawn from `seed`. Dips come in pairs with opposite deviations. The values
-// are transformed so that means, variances and correlations are exactly 0, 1 and 0. The result of
-// anything linear in the quantities is therefore exact. That needs at least two dips for each
-// quantity; `dips` is raised to that, and to an even number. Equal on all machines except for
+// are transformed so that means, variances and correlations are exactly 0, 1 and 0. Results that
+// are linear in the quantities are therefore exact. This needs an even number of dips, at least two
+// per quantity; `dips` is raised to such a number. All machines give the same values except for
 // rounding.
 Eigen::MatrixXd evenDraws(int dips, int quantities, int seed);
 

@@ -21,21 +21,21 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Tolerance)
 };
 
-constexpr double wantedPlaces = 40'000; // on the body, and pieces of its mesh
-constexpr double deviations = 2;        // standard deviations in a tolerance
+constexpr double wantedPlaces = 40'000; // places on the body, and triangles of toleranceMesh()
+constexpr double deviations = 2;        // a tolerance is this many standard deviations
 constexpr double leastEffect = 1e-12;   // mm, degrees or fractions: smaller effects count as 0
 constexpr std::size_t mostWorst = 5;
-constexpr float worstApart = 10; // mm
+constexpr float worstApart = 10; // least distance between worst places, mm
 
 bool isFinite(const Eigen::Vector2f& film) {
     return std::isfinite(film.x());
 }
 
-// The deviation by each contributor's tolerance: one column per contributor, one row per Freedom.
-// Rows that do not change the dip are 0.
+// The deviations that the contributors' tolerances cause: one column per contributor, one row per
+// Freedom. Rows that have no effect on the dip are 0.
 using Effects = Eigen::Matrix<double, int(freedomCount), Eigen::Dynamic>;
 
-// The film that the places touch in other dips.
+// Finds which film the places touch in other dips.
 class OtherDips {
 public:
     OtherDips(const TolerancedDip& dip, const ColourPlaces& places)
@@ -68,10 +68,10 @@ private:
     solver::DipSetup setup_;
 };
 
-// How the colours react to one kind of deviation.
+// How colours move for one kind of deviation.
 struct Sensitivity {
-    std::vector<Eigen::Vector3f> shifts; // of each place, mm, for the deviation tried
-    std::size_t lost = 0, gained = 0;    // number of places, the larger of both ways
+    std::vector<Eigen::Vector3f> shifts; // per place: movement for the tried deviation, mm
+    std::size_t lost = 0, gained = 0;    // number of places: the larger number of both directions
 };
 
 Sensitivity sensitivity(const ColourPlaces& places, std::size_t compared,
@@ -86,10 +86,10 @@ Sensitivity sensitivity(const ColourPlaces& places, std::size_t compared,
         const bool hasMore = isFinite(more[place]), hasLess = isFinite(less[place]);
         Eigen::Vector3f& shift = found.shifts[place];
         if (hasMore) {
-            shift += places.shiftNear(place, more[place]);
+            shift += places.linearShift(place, more[place]);
         }
         if (hasLess) {
-            shift -= places.shiftNear(place, less[place]);
+            shift -= places.linearShift(place, less[place]);
         }
         shift /= hasMore && hasLess ? 2.0f : 1.0f;
     });
@@ -134,8 +134,8 @@ Effects effectsOf(const std::vector<Contribution>& contributions, const Immersio
     return (effects.array().abs() < leastEffect).select(0, effects);
 }
 
-// Tries each Freedom in both ways, by the deviation `steps` of all contributors together. A step of
-// 0 is skipped.
+// Tries each Freedom in both directions, by its step in `steps`, the deviation of all contributors
+// together. Skips a step of 0.
 std::vector<Sensitivity> sensitivities(const OtherDips& dips, const ColourPlaces& places,
                                        std::size_t compared, const DipChange& steps,
                                        const Progress& progress) {
@@ -163,7 +163,7 @@ std::vector<Sensitivity> sensitivities(const OtherDips& dips, const ColourPlaces
     return found;
 }
 
-// The linear effect of each contributor, deviating by its tolerance.
+// The linear effect of each contributor when it deviates by its tolerance.
 class Linear {
 public:
     Linear(const std::vector<Sensitivity>& sensitivities, const Effects& effects,
@@ -208,7 +208,8 @@ private:
     const DipChange& steps_;
 };
 
-// Fills in everything except the worst places and the samples. `area`: mm² for each place.
+// Fills in everything except the worst places and the samples. `area` is the area that each place
+// stands for, in mm².
 DipTolerances combined(const ColourPlaces& places, std::size_t compared, std::size_t filmPoints,
                        const Linear& linear, std::vector<Contribution> contributions, double area) {
     DipTolerances result;
@@ -290,7 +291,7 @@ SampledSpread sampled(const OtherDips& dips, const ColourPlaces& places,
     for (Eigen::Index row = 0; row < draws.rows(); ++row) {
         changes.emplace_back(effects * draws.row(row).transpose());
     }
-    std::vector<float> sums(linear.size(), 0.0f); // below 0: some dip does not paint the place
+    std::vector<float> sums(linear.size(), 0.0f); // below 0: a dip does not paint the place
     dips.run(changes, progress, [&](std::size_t, const std::vector<Eigen::Vector2f>& touched) {
         parallelFor(std::size_t(0), sums.size(), [&](std::size_t place) {
             if (linear[place] < 0 || sums[place] < 0) {

@@ -15,20 +15,20 @@ namespace dipwright {
 
 class DistanceField;
 
-// mm, over the painted places.
+// Statistics over the painted places, mm.
 struct Spread {
     double median = 0, percentile95 = 0, maximum = 0;
 };
 Spread spreadOf(std::vector<float> values);
 
-// The effect of one contributor alone, deviating by its tolerance.
+// The effect of one contributor alone when it deviates by its tolerance.
 struct Contribution {
     Contributor contributor = Contributor::PositionX;
-    double tolerance = 0; // in its unit
-    double share = 0;     // of the total mean square; all shares add up to 1
+    double tolerance = 0; // in the contributor's unit
+    double share = 0;     // share of the total mean square; all shares add up to 1
     Spread spread;
-    double lost = 0;   // mm² at the border that are no longer painted, the larger of both ways
-    double gained = 0; // mm² at the border that are painted additionally, likewise
+    double lost = 0;   // mm² at the border that lose their paint; the larger of both directions
+    double gained = 0; // mm² at the border that are newly painted; the larger of both directions
 };
 
 struct WorstPlace {
@@ -37,56 +37,59 @@ struct WorstPlace {
     Contributor contributor = Contributor::PositionX; // the largest contributor
 };
 
-// The spread from sampled dips, in which everything deviates at once.
+// The spread from sampled dips, in which all contributors deviate at once.
 struct SampledSpread {
     int dips = 0;
     double percentile95 = 0; // mm
-    double linear = 0;       // mm: the spread by contributions, at the same places
-    bool agrees() const;     // whether both agree within sampledTolerance
+    double linear = 0;       // spread from the contributions at the same places, mm
+    // Tells whether both spreads agree within sampledTolerance.
+    bool agrees() const;
 };
 
-// The spread of each place: two standard deviations of where its colour lands. Of 100 dips, 95
-// (deviation along one line) to 98 (equal in all directions) land within it.
+// The tolerances of one dip. The spread of a place is two standard deviations of where its colour
+// lands. In 95 % (if it deviates along one line) to 98 % (if equally in all directions) of dips,
+// the colour lands within the spread.
 struct DipTolerances {
-    std::vector<Contribution> contributions; // those with a tolerance, in the enumeration's order
+    std::vector<Contribution> contributions; // for each contributor with a tolerance, in enum order
     std::vector<float> places;               // spread of each compared place, mm, or unpaintedPlace
     // For each contribution, in order: its squared effect at each compared place, mm².
     std::vector<std::vector<float>> squares;
     std::vector<float> pieces; // spread of each triangle of toleranceMesh(), mm, or unpaintedPlace
-    std::vector<float> filmPoints; // spread of each film point, mm; 0 where it does not paint
+    std::vector<float> filmPoints; // spread of each film point, mm; 0 where the film does not paint
     Spread spread;
-    std::vector<WorstPlace> worst;        // apart from each other, the worst first
+    std::vector<WorstPlace> worst; // places at some distance from each other, the worst first
     std::optional<SampledSpread> sampled; // none if no samples were asked for
 };
 inline constexpr float unpaintedPlace = -1;
-// Describes the compared place `place`, which lies at `position`.
+// Returns the spread and largest contributor of the compared place `place`, which lies at
+// `position`.
 WorstPlace worstAt(const DipTolerances& tolerances, std::size_t place,
                    const Eigen::Vector3f& position);
-inline constexpr double sampledTolerance = 0.1; // greatest relative difference of sampled dips
+inline constexpr double sampledTolerance = 0.1; // largest relative difference of both spreads
 
 // Tells the user whether the sampled dips agree with the contributions. `length` formats mm.
 QString sampledText(const SampledSpread& sampled, const std::function<QString(double)>& length);
 
 // The input of dipTolerances().
 struct TolerancedDip {
-    const TexturedMesh& model; // as imported, mm
+    const TexturedMesh& model; // imported model, mm
     const Immersion& immersion;
     const FilmSettings& film;
     const ProcessSettings& process;
     const DistanceField& field;
     std::shared_ptr<const LaidFilm> own; // the film of the nominal dip
-    // Whether this dip should paint a place; empty: it paints all that it reaches.
+    // Tells whether this dip should paint a place; empty: it paints every place that it reaches.
     std::function<bool(const SurfacePoint&)> isPainted;
     const solver::SolverModule& module;
 };
 
-// Returns the compared places: spread evenly, each stands for the same area.
+// Returns the compared places. They are spread evenly; each stands for the same area.
 std::vector<SurfacePoint> tolerancePlaces(const TexturedMesh& model);
 // Returns a finely divided mesh of the body, for marking zones and showing tolerances.
 RefinedMesh toleranceMesh(const TexturedMesh& model);
 
-// Computes the tolerances of a dip. Simulates two dips for each Freedom and settings.samples more.
-// All cores; deterministic. Throws Error if the solver fails, or Cancelled.
+// Computes the tolerances of a dip. Simulates two dips for each Freedom and settings.samples
+// further dips. Uses all cores; deterministic. Throws Error if the solver fails, or Cancelled.
 DipTolerances dipTolerances(const TolerancedDip& dip, const ToleranceSettings& settings,
                             const Progress& progress);
 

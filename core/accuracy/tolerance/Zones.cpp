@@ -18,7 +18,7 @@ QString percent(double share) {
     return QLocale().toString(100 * share, 'f', 1);
 }
 
-// Returns the dip with the largest spread at a place; none where no dip paints it.
+// Returns the dip with the largest spread at a place; none if no dip paints the place.
 std::optional<std::size_t> worstDip(const std::vector<const DipTolerances*>& dips,
                                     std::size_t place) {
     std::optional<std::size_t> worst;
@@ -32,7 +32,7 @@ std::optional<std::size_t> worstDip(const std::vector<const DipTolerances*>& dip
     return worst;
 }
 
-// Collects the places of a zone.
+// Collects the errors at the places of a zone.
 struct ZoneSum {
     std::vector<float> spread, together;
     std::size_t unpainted = 0, within = 0;
@@ -89,7 +89,7 @@ void ZonedBody::obey(const ZoneMark& mark) {
         set(trianglesWithin(fine_.mesh(), middle, float(mark.radius.value())), mark.zone);
         break;
     case ZoneExtent::Face:
-        set(faceRound(fine_.mesh(), middle.triangle), mark.zone);
+        set(faceAround(fine_.mesh(), middle.triangle), mark.zone);
         break;
     case ZoneExtent::Material:
         for (std::uint32_t piece = 0; piece < zones_.size(); ++piece) {

@@ -30,7 +30,7 @@ public:
     void join(std::uint32_t a, std::uint32_t b) {
         const std::uint32_t one = of(a), other = of(b);
         parent_[std::max(one, other)] = std::min(one, other);
-        parent_[a] = parent_[b] = std::min(one, other); // shortens later searches
+        parent_[a] = parent_[b] = std::min(one, other); // also shortens later searches
     }
 
 private:
@@ -71,7 +71,7 @@ public:
     }
 
     std::vector<PlaceToCheck> places() const {
-        std::map<std::uint32_t, PlaceToCheck> byPart; // in the points' order
+        std::map<std::uint32_t, PlaceToCheck> byPart; // key: the set's first point
         for (const PieceToCheck& piece : uncertain_) {
             PlaceToCheck& place = byPart[parts_.of(piece.corners[0])];
             const bool isFirst = place.area == 0;
@@ -155,7 +155,8 @@ private:
         return Zone::C;
     }
 
-    // An unknown error counts as 0: Kind::Border covers the border of the paint.
+    // An unknown error counts as 0, because it occurs only at the border of the paint, which
+    // Kind::Border judges.
     double offBy(std::uint32_t point) const {
         return offBy_.empty() || std::isnan(offBy_[point]) ? 0 : double(offBy_[point]);
     }

@@ -12,10 +12,11 @@ using Kind = VerdictReason::Kind;
 
 const std::vector<float> nothingKnown;
 
-// Tells whether the steps or the cells cause a zone's numerical error. For cells, it proposes the
-// size that would suffice if the error shrinks in proportion to the cells.
-VerdictReason tooFarOff(const ZoneError& error, const NumericalErrorEstimate& estimate,
-                        const solver::FilmGrid& grid) {
+// Returns the reason for a zone whose numerical error is too large. It says whether the steps or
+// the cells cause the error. For cells, it proposes the size that would suffice if the error
+// shrinks in proportion to the cells.
+VerdictReason numericalErrorReason(const ZoneError& error, const NumericalErrorEstimate& estimate,
+                                   const solver::FilmGrid& grid) {
     const double allowed = numericalShare * error.limit;
     VerdictReason reason{Kind::OffBy,
                          error.percentile95 > error.limit ? Advice::DoNotPrint : Advice::CheckFirst,
@@ -32,27 +33,28 @@ VerdictReason tooFarOff(const ZoneError& error, const NumericalErrorEstimate& es
 }
 
 // Adds the reasons that follow from the numerical error in a zone.
-void objectToZone(ReasonList& found, const ZoneError& error, const NumericalErrorEstimate& estimate,
-                  const solver::FilmGrid& grid, std::optional<Zone> named) {
+void addZoneReasons(ReasonList& found, const ZoneError& error,
+                    const NumericalErrorEstimate& estimate, const solver::FilmGrid& grid,
+                    std::optional<Zone> named) {
     if (error.percentile95 > numericalShare * error.limit) {
-        VerdictReason reason = tooFarOff(error, estimate, grid);
+        VerdictReason reason = numericalErrorReason(error, estimate, grid);
         reason.zone = named;
         found.add(std::move(reason));
     }
     if (error.percentile95 <= error.limit && error.far > mostFarOffArea) {
-        found.add(
-            {Kind::FarOffPlaces,
-             error.far > spoiltTimes * mostFarOffArea ? Advice::DoNotPrint : Advice::CheckFirst,
-             error.far,
-             error.limit,
-             {},
-             0,
-             named});
+        found.add({Kind::FarOffPlaces,
+                   error.far > doNotPrintFactor * mostFarOffArea ? Advice::DoNotPrint
+                                                                 : Advice::CheckFirst,
+                   error.far,
+                   error.limit,
+                   {},
+                   0,
+                   named});
     }
 }
 
-void objectToEstimate(ReasonList& found, const NumericalErrorEstimate& estimate,
-                      const std::vector<ZoneError>& zones, const JudgedDip& dip) {
+void addEstimateReasons(ReasonList& found, const NumericalErrorEstimate& estimate,
+                        const std::vector<ZoneError>& zones, const JudgedDip& dip) {
     const SheetChange spacing = estimate.halfSpacing();
     const SheetChange step = estimate.halfStep();
     if (spacing.painted == 0 || step.painted == 0 || zones.empty()) {
@@ -60,8 +62,8 @@ void objectToEstimate(ReasonList& found, const NumericalErrorEstimate& estimate,
         return;
     }
     for (const ZoneError& zone : zones) {
-        objectToZone(found, zone, estimate, dip.laid.film().grid,
-                     dip.zones ? std::optional(zone.zone) : std::nullopt);
+        addZoneReasons(found, zone, estimate, dip.laid.film().grid,
+                       dip.zones ? std::optional(zone.zone) : std::nullopt);
     }
     const double once = std::max(spacing.paintedOnce, step.paintedOnce);
     if (once > mostPaintedOnce) {
@@ -73,8 +75,8 @@ void objectToEstimate(ReasonList& found, const NumericalErrorEstimate& estimate,
     }
 }
 
-void objectToNumerics(ReasonList& found, const JudgedDip& dip,
-                      const std::vector<ZoneError>& zones) {
+void addNumericalReasons(ReasonList& found, const JudgedDip& dip,
+                         const std::vector<ZoneError>& zones) {
     const solver::EquilibriumAccount& rest = dip.laid.film().equilibrium;
     if (rest.stepsWithout > 0) {
         found.add({Kind::Unbalanced,
@@ -89,7 +91,7 @@ void objectToNumerics(ReasonList& found, const JudgedDip& dip,
     } else if (!dip.numericalError->failure.isEmpty()) {
         found.add({Kind::NotCompared, Advice::CheckFirst, 0, 0, dip.numericalError->failure});
     } else {
-        objectToEstimate(found, *dip.numericalError, zones, dip);
+        addEstimateReasons(found, *dip.numericalError, zones, dip);
     }
 }
 
@@ -102,7 +104,7 @@ double edgeDistance(const LaidFilm& laid) {
     return std::max(double(least), 0.0);
 }
 
-void objectToPaint(ReasonList& found, const JudgedDip& dip, const VerdictSettings& limits) {
+void addPaintReasons(ReasonList& found, const JudgedDip& dip, const VerdictSettings& limits) {
     const double painted = dip.coverage.paintedArea;
     if (painted <= 0) {
         found.add({Kind::Unpainted, Advice::DoNotPrint});
@@ -132,7 +134,7 @@ void ReasonList::add(VerdictReason reason) {
 void ReasonList::addShare(Kind kind, double share, double limit, std::optional<Zone> zone) {
     if (share > limit) {
         add({kind,
-             share > spoiltTimes * limit ? Advice::DoNotPrint : Advice::CheckFirst,
+             share > doNotPrintFactor * limit ? Advice::DoNotPrint : Advice::CheckFirst,
              share,
              limit,
              {},
@@ -162,8 +164,8 @@ Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
         placesToCheck(dip.laid, dip.numericalError ? dip.numericalError->pointErrors : nothingKnown,
                       dip.zones, tolerance);
     ReasonList found;
-    objectToNumerics(found, dip, uncertain.zones);
-    objectToPaint(found, dip, limits);
+    addNumericalReasons(found, dip, uncertain.zones);
+    addPaintReasons(found, dip, limits);
     Verdict judged = std::move(found).verdict();
     judged.places = uncertain.places;
     judged.areaToCheck = uncertain.area;
@@ -188,7 +190,7 @@ namespace {
 
 struct KindWords {
     const char* key;
-    const char* limit; // the project's field
+    const char* limit; // the project's field that holds the limit
 };
 
 // In the order of VerdictReason::Kind.

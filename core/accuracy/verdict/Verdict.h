@@ -3,7 +3,7 @@
 // print dialog all show this verdict.
 #pragma once
 
-#include "accuracy/numericalError/NumericalErrorEstimate.h"
+#include "accuracy/error/NumericalErrorEstimate.h"
 #include "accuracy/tolerance/Zones.h"
 #include "dip/Coverage.h"
 #include "settings/VerdictSettings.h"
@@ -15,23 +15,23 @@ namespace dipwright {
 // One reason for a verdict.
 struct VerdictReason {
     enum class Kind : std::uint8_t {
-        // About one dip. Shares in `value` are 0 … 1.
-        NotAsked,     // the job did not ask for an estimate of the numerical error
+        // Reasons about one dip. Shares in `value` are 0 … 1.
+        NotAsked,     // the job did not request an estimate of the numerical error
         NotCompared,  // the numerical error could not be estimated: `text` says why
         Unpainted,    // the film paints nothing of the body
         NothingAlike, // this dip and the coarser dips paint no place in common
         Certain,      // numerical error: 95 % of the painted area is within `value` mm
-        OffBy,        // the same, above the limit; `most`: cell to try, mm; 0 if not a graded film
-        OffByMuch,    // the same, too large to tell which cell would suffice
-        Step,         // the same, and longer steps change more than wider cells
-        FarOffPlaces, // the error exceeds `limit` mm on the share `value` of the painted area
+        OffBy,     // as Certain, above the limit; `most`: cell to try, mm; 0 if film is not graded
+        OffByMuch, // as OffBy, but too large to tell which cell would suffice
+        Step,      // as OffBy, and longer steps change the sheet more than wider cells do
+        FarOffPlaces, // numerical error exceeds `limit` mm on the share `value` of the painted area
         Border,       // only one of the compared dips paints the share `value` of the body
         Unbalanced,   // `value` steps ended without equilibrium; `most`: the largest residual
         Air,          // trapped air keeps the share `value` of the body's surface dry
         Pale,         // the share `value` of the painted area will be too pale
         Damaged,      // film tore or was released on the share `value` of the painted area
         FilmEdge,     // the painted film comes within `value` mm of the film's edge
-        // About all dips together.
+        // Reasons about all dips together.
         Unreached,    // neither dip paints the share `value` of the body's surface
         Narrow,       // the share `value` of the overlap is too narrow
         ZoneBare,     // the share `value` of the zone is not painted
@@ -42,9 +42,9 @@ struct VerdictReason {
         GuessedFilm,  // the film's swell was not measured
     };
     Kind kind;
-    Advice advice = Advice::Print; // the verdict if this were the only reason
+    Advice advice = Advice::Print; // the verdict if this is the only reason
     double value = 0;
-    double limit = 0; // for `value`; 0: none
+    double limit = 0; // limit for `value`; 0: no limit
     QString text = {};
     double most = 0;
     std::optional<Zone> zone = {}; // set if the reason is about one zone
@@ -53,10 +53,10 @@ struct VerdictReason {
 // A connected part of the painted film to check: its numerical error exceeds the limit of its zone,
 // or a step ended there without equilibrium.
 struct PlaceToCheck {
-    Eigen::Vector2f rest;  // its worst point on the flat film, mm
-    Eigen::Vector3f place; // that point on the body, model coordinates, mm
+    Eigen::Vector2f rest;  // worst point of this part, on the flat film, mm
+    Eigen::Vector3f place; // the same point on the body, model coordinates, mm
     double area = 0;       // mm² of the body
-    double limit = 0;      // numerical error allowed there, mm
+    double limit = 0;      // allowed numerical error at the worst point, mm
     double offBy = 0;      // numerical error at the worst point, mm
 };
 
@@ -64,35 +64,37 @@ struct PlaceToCheck {
 struct Verdict {
     Advice advice = Advice::NotJudged;
     std::vector<VerdictReason> reasons; // the worst first
-    // The largest first; at most mostPlaces, each of at least leastPlaceArea.
+    // The places to check, the largest first: at most mostPlaces, each of at least leastPlaceArea.
     std::vector<PlaceToCheck> places;
-    double areaToCheck = 0; // of all places to check, mm² of the body
+    double areaToCheck = 0; // total area of all places to check, mm² of the body
 };
 
-// The share of a zone's limit that the numerical error may use; handling has the rest. 95 % of the
-// zone's painted area must keep this share, and at most mostFarOffArea may exceed the whole limit.
+// The share of a zone's limit that the numerical error may use; the rest is for handling. On 95 %
+// of the zone's painted area the error must be within this share. It may exceed the whole limit on
+// at most the share mostFarOffArea.
 inline constexpr double numericalShare = 1.0 / 3;
 inline double allowedError(Zone zone, const ToleranceSettings& tolerance) {
     return numericalShare * tolerance.limits[std::size_t(zone)].value();
 }
 inline constexpr double mostFarOffArea = 0.01;
-inline constexpr double spoiltPaintedOnce = 0.15; // of the body's surface
-// The smallest cell that a reason proposes, relative to the film's own. An error so large that it
-// needs smaller cells need not shrink in proportion to them.
+// Do not print if only one of the compared dips paints more than this share of the body's surface.
+inline constexpr double spoiltPaintedOnce = 0.15;
+// The smallest cell that a reason proposes, relative to the film's own cell. If an error needed
+// even smaller cells, it would not shrink in proportion to the cells.
 inline constexpr double finestCellNamed = 0.15;
 inline constexpr std::size_t mostPlaces = 12;
 inline constexpr double leastPlaceArea = 1; // mm²: smaller places cannot be inspected
 
-// A dip and all that its verdict needs.
+// A dip and everything that its verdict needs.
 struct JudgedDip {
     const LaidFilm& laid;
     const Coverage& coverage;
-    const NumericalErrorEstimate* numericalError = nullptr; // null: not asked for
+    const NumericalErrorEstimate* numericalError = nullptr; // null: not requested
     double paleArea = 0;                                    // mm² of the body with too little ink
     const ZonedBody* zones = nullptr;                       // null: the whole body is in zone C
 };
 
-// Judges one dip by `tolerance` and `limits`.
+// Returns the verdict on one dip by the limits in `tolerance` and `limits`.
 Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
                 const VerdictSettings& limits);
 
@@ -100,33 +102,36 @@ Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
 class ReasonList {
 public:
     void add(VerdictReason reason);
-    // Adds a reason if the share exceeds its limit: check first, or do not print above spoiltTimes
-    // the limit.
+    // Adds a reason if the share exceeds its limit. The advice is to check first; above
+    // doNotPrintFactor the limit, not to print.
     void addShare(VerdictReason::Kind kind, double share, double limit,
                   std::optional<Zone> zone = {});
     bool isEmpty() const { return reasons_.empty(); }
-    // Sorts the reasons, the worst first and otherwise as added. Without reasons: `Print`.
+    // Returns the verdict with the reasons sorted, the worst first, otherwise in the order in which
+    // they were added. Without reasons the advice is `Print`.
     Verdict verdict() &&;
 
 private:
     std::vector<VerdictReason> reasons_;
 };
 
-// Returns the worse of two; NotJudged if one is not judged and the other says print.
+// Returns the worse of the two; NotJudged if one is NotJudged and the other is Print.
 Advice worst(Advice one, Advice other);
 
-// Texts for the user. `length` and `area` format mm and mm².
+// The next functions return texts for the user. `length` and `area` format mm and mm².
 QString adviceText(Advice advice); // "Print it"
 using LengthText = std::function<QString(double)>;
 QString millimetres(double length); // "0.12 mm"
 QString reasonText(const VerdictReason& reason, const LengthText& length);
 QString placeText(const PlaceToCheck& place, const LengthText& length, const LengthText& area);
-// The whole verdict in one line: "Top: Print it. 95 % of the sheet is within …".
+// Returns the whole verdict in one line: "Top: Print it. 95 % of the sheet is within …".
 QString verdictText(const QString& immersion, const Verdict& verdict);
-// Keys for files: "print", "look_first", "do_not_print" or "not_judged"; and "air" and so on.
+// Returns the key for files: "print", "look_first", "do_not_print" or "not_judged".
 QString adviceKey(Advice advice);
+// Returns the key for files: "air" and so on.
 QString reasonKey(VerdictReason::Kind kind);
-// The project's field that holds the limit of such a reason, "verdict.air"; empty if none does.
+// Returns the project's field that holds the limit for this kind of reason, such as "verdict.air";
+// empty if there is none.
 QString limitField(VerdictReason::Kind kind);
 
 } // namespace dipwright

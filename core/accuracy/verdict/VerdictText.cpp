@@ -91,7 +91,7 @@ QString paintText(const VerdictReason& reason, const LengthText& length) {
     }
 }
 
-// Reasons about all dips together.
+// Returns the text of a reason about all dips together.
 QString jobText(const VerdictReason& reason, const LengthText& length) {
     switch (reason.kind) {
     case Kind::Unreached:
@@ -104,8 +104,9 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
                         "or turn the part in one of the dips.")
             .arg(percent(reason.value), percent(reason.limit));
     case Kind::ZoneBare:
-        return Text::tr("%1 % is not painted; the limit is %2 %. Turn the part so that film "
-                        "reaches it.")
+        return Text::tr(
+                   "%1 % of the zone is not painted; the limit is %2 %. Turn the part so that film "
+                   "reaches it.")
             .arg(percent(reason.value), percent(reason.limit));
     case Kind::ZoneExceeded:
         return Text::tr("Handling and numerical error together: 95 % of the painted area is "

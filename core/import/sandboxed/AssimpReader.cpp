@@ -133,7 +133,8 @@ private:
     QStringList missing_, warnings_;
     PicturePlacements placements_;
     QString fault_;
-    Assimp::IOStream* model_ = nullptr; // while it is open; a model may name itself as another file
+    // The model file's stream while it is open; a model may name itself as another file.
+    Assimp::IOStream* model_ = nullptr;
 };
 
 QByteArray bytesForAssimp(const QString& format, const ModelSource& source, QStringList& warnings) {
@@ -211,8 +212,8 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
     const Progress readingPart = progress.part(0, 0.8);
     Assimp::Importer importer;
     keepOnly(loader, importer);
-    // A name without a folder. From it assimp finds the loader, and the name of a material file
-    // beside the model.
+    // The name has no folder. From the name assimp finds the loader, and the name of a material
+    // file beside the model.
     const std::string name =
         (QFileInfo(source.path).completeBaseName() + u'.' + format).toStdString();
     auto* files = new ModelFileSystem(source, name, bytesForAssimp(format, source, warnings));

@@ -16,7 +16,7 @@ struct Text {
 
 struct Accessor {
     QString array;
-    double end = 0; // number of array values that it needs; may be absurd
+    double end = 0; // number of array values that the accessor reads; may be absurd
 };
 
 double number(const QXmlStreamAttributes& attributes, const char* name, double otherwise) {
@@ -41,10 +41,10 @@ bool isWholeNumbers(const QString& text, bool areSigned) {
     });
 }
 
-// Elements that hold indices. At any other word in them, assimp loops for ever.
+// Elements that hold indices. assimp loops for ever at a word in them that is not a number.
 const QStringList indexLists{QStringLiteral("p"), QStringLiteral("h"), QStringLiteral("v"),
                              QStringLiteral("vcount")};
-// The one of them (vertex weights) in which −1 is a valid value.
+// The element among them (vertex weights) in which −1 is a valid value.
 const QString signedIndexList = QStringLiteral("v");
 
 } // namespace
@@ -62,7 +62,7 @@ void checkCollada(const ModelSource& source) {
             continue;
         }
         const QXmlStreamAttributes attributes = xml.attributes();
-        // assimp allocates this many at once.
+        // assimp allocates memory for this number of values at once.
         if (number(attributes, "count", 0) > double(source.bytes.size())) {
             source.throwDamaged(Text::tr("line %1 declares more values than the file can hold")
                                     .arg(xml.lineNumber()));

@@ -57,8 +57,8 @@ QJsonObject documentOf(const ModelSource& source) {
     return document.object();
 }
 
-// Material extensions add light and gloss. Colours and texture coordinates can be read without
-// them.
+// Whether models that require this extension can be read. Material extensions add light and gloss;
+// colours and texture coordinates can be read without them.
 bool isRead(const QString& extension) {
     return extension.startsWith(QStringLiteral("KHR_materials_")) ||
            extension == QStringLiteral("KHR_lights_punctual") || extension == textureTransform ||
@@ -117,8 +117,8 @@ bool lacksPicture(const QJsonObject& texture, const QJsonObject& model) {
     return named.isObject() && !named.toObject().contains(u"source");
 }
 
-// Whether assimp 5.2 would misplace a texture. It applies an offset correctly, but rotates and
-// scales about the wrong point and ignores a change of texture coordinates.
+// Whether assimp 5.2 would misplace a texture. It applies an offset correctly. But it rotates and
+// scales about the wrong point, and ignores a change of texture coordinates.
 bool isMovedOtherwise(const QJsonObject& texture) {
     const QJsonObject transform = texture[u"extensions"].toObject()[textureTransform].toObject();
     const QJsonArray scale = transform[u"scale"].toArray();

@@ -26,7 +26,7 @@ bool startsWithAny(QByteArrayView line, std::initializer_list<const char*> words
 }
 
 // Whether assimp needs a current material at this line. It does for pictures and for the values of
-// physically based materials. It skips anything else, also a heading such as "Alias OBJ Material
+// physically based materials. It skips any other line, even a heading such as "Alias OBJ Material
 // File".
 bool needsMaterial(QByteArrayView line) {
     return startsWithAny(line, {"map_", "bump", "disp", "decal", "refl", "norm"},
@@ -39,7 +39,8 @@ QByteArrayView firstWord(QByteArrayView line) {
                                        [](char byte) { return byte == ' ' || byte == '\t'; })};
 }
 
-// Whether the line names a picture. A heading may begin alike, so the whole first word counts.
+// Whether the line names a picture. A heading may begin with the same letters, so the whole first
+// word counts.
 bool isPicture(QByteArrayView line) {
     const QByteArray word = firstWord(line).toByteArray().toLower();
     return word.startsWith("map_") || word == "bump" || word == "disp" || word == "decal" ||
@@ -50,7 +51,7 @@ bool endsLine(char byte) {
     return byte == '\n' || byte == '\r' || byte == '\f' || byte == '\0';
 }
 
-// Keywords that assimp knows in this case only, but that some programs write differently.
+// Keywords that assimp knows only with these capitals, though some programs write others.
 constexpr const char* knownWords[] = {"newmtl", "map_Kd", "Kd"};
 
 QByteArray inKnownCase(QByteArrayView word) {
@@ -100,7 +101,7 @@ public:
     }
 
 private:
-    // Returns false where the name begins.
+    // Reads one option. Returns false where the name begins.
     bool readOption() {
         const QByteArray option = words_[options_.end].toByteArray().toLower();
         if (option == "-s" || option == "-o" || option == "-t") {
@@ -180,7 +181,7 @@ public:
             readLine(begin, QByteArrayView(file_.bytes).sliced(begin, next - begin).trimmed());
             begin = next + 1;
         }
-        if (hasPicture_ || (firstMaterial_ < 0 && hasAny_)) {
+        if (hasPicture_ || (firstMaterial_ < 0 && hasMaterialLine_)) {
             file_.fault =
                 Text::tr("%1 sets material properties before its first material").arg(name_);
         }
@@ -199,7 +200,7 @@ private:
         }
         if (firstMaterial_ < 0) {
             hasPicture_ |= isPicture(line);
-            hasAny_ |= needsMaterial(line);
+            hasMaterialLine_ |= needsMaterial(line);
         } else if (word == "map_Kd") {
             readPicture(at, line);
         }
@@ -211,7 +212,7 @@ private:
         }
     }
 
-    // Reads the options of a line that begins `at`, and blanks them out of it.
+    // Reads the options of a line that begins at `at`, and overwrites them with blanks.
     void readPicture(qsizetype at, QByteArrayView line) {
         const std::vector<QByteArrayView> words = wordsOf(line);
         const PictureOptions options = OptionReader(words).read();
@@ -230,10 +231,11 @@ private:
     }
 
     MaterialFile file_;
-    QString material_; // the current one
+    QString material_; // the current material
     QString name_;
-    qsizetype firstMaterial_ = -1;             // where it begins in the file
-    bool hasPicture_ = false, hasAny_ = false; // before the first material
+    qsizetype firstMaterial_ = -1; // position in the file; −1 until it is found
+    // Whether a picture, or any line that needs a material, is before the first material.
+    bool hasPicture_ = false, hasMaterialLine_ = false;
 };
 
 } // namespace

@@ -18,22 +18,22 @@ struct PicturePlacement {
         return coordinate.cwiseProduct(scale) + offset;
     }
 };
-using PicturePlacements = std::map<QString, PicturePlacement>; // by name of the material
+using PicturePlacements = std::map<QString, PicturePlacement>; // keyed by the material's name
 
 struct MaterialFile {
-    QByteArray bytes;     // for assimp
+    QByteArray bytes;     // the prepared file, for assimp
     QString fault;        // empty if the file can be read
     QStringList warnings; // options that are ignored, in sentences for the user
     PicturePlacements placements;
 };
 
 // Returns the file from its first material on, without a byte order mark, and with colour keywords
-// in the case that assimp expects. Options before the name of a colour's picture are parsed here
-// and blanked out. After -s, -o and -t the format allows one to three numbers. assimp 5.2.5 wants
-// three, and then ignores them.
-// Reports a fault for a picture, or a value of physically based materials, that belongs to no
-// material. assimp 5.2.5 crashes at it or drops it silently. A picture is checked if it is before
-// the first material. In a file without materials, such values are checked, too.
+// in the capitals that assimp expects. Options before the name of a colour's picture are parsed
+// here and overwritten with blanks. After -s, -o and -t the format allows one to three numbers;
+// assimp 5.2.5 expects three, and then ignores them.
+// Reports a fault for pictures and values of physically based materials that belong to no material.
+// At them assimp 5.2.5 crashes, or drops them silently. Pictures before the first material are
+// always a fault. Such values are a fault only in a file without materials.
 MaterialFile materialFile(const QByteArray& bytes, const QString& name);
 
 // Converts a text with a byte order mark to UTF-8 and removes the mark. Returns other texts

@@ -39,7 +39,7 @@ void ModelSource::checkTriangleCount(std::size_t count) const {
     requireWithin(Budget::Triangles, qint64(count), path, files.bytesRead());
 }
 
-bool areFurtherRows(QByteArrayView left, qsizetype rowBytes) {
+bool mayBeFurtherRows(QByteArrayView left, qsizetype rowBytes) {
     return left.size() % rowBytes == 0 &&
            std::any_of(left.begin(), left.end(), [](char byte) { return byte != '\0'; });
 }

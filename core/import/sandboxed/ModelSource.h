@@ -14,24 +14,25 @@ namespace dipwright {
 // use. The mesh is not welded or checked, but its indices are valid. Readers do not fill the
 // charts.
 struct ModelSource {
-    QString path;            // of the model file, as the user gave it; for messages
+    QString path;            // path of the model file as the user gave it; for messages
     QByteArray bytes;        // content of the model file
     UntrustedFiles& files;   // the files that the model names
-    PictureReader& pictures; // decodes all its pictures
+    PictureReader& pictures; // decodes all pictures of the model
     bool withTextures;       // false if another picture will replace the model's own
 
     // Returns a picture that the model names. If it is missing, returns a null image and adds a
     // warning.
     QImage readPicture(const QString& name, QStringList& warnings) const;
 
-    // Both throw Error.
+    // Throws Error with a sentence that says why the model cannot be read.
     [[noreturn]] void throwDamaged(const QString& reason) const;
+    // Throws Error if Budgets.h does not allow so many triangles.
     void checkTriangleCount(std::size_t count) const;
 };
 
 // Whether the bytes after the last row of a binary file may be further rows that its header does
-// not count. Meaningless bytes are common there; zeros are not a row.
-bool areFurtherRows(QByteArrayView left, qsizetype rowBytes);
+// not count. Meaningless bytes are common there. Zeros are never taken for rows.
+bool mayBeFurtherRows(QByteArrayView left, qsizetype rowBytes);
 
 // Texture coordinates of a triangle that has none.
 inline std::array<Eigen::Vector2f, 3> noCoordinates() {

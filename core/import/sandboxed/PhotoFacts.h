@@ -1,4 +1,4 @@
-// Reads what a camera has written into its photo, from untrusted bytes.
+// Reads the data that a camera writes into a photo, from untrusted bytes.
 #pragma once
 
 #include "import/trusted/ReaderMessages.h"

@@ -40,8 +40,8 @@ constexpr qsizetype largestProfile = 16 << 20; // bytes
                 where);
 }
 
-// PNG (ISO/IEC 15948), chunk iCCP: name, 0, method 0, zlib stream. Read here because libpng drops
-// an RGB profile in a grey picture.
+// Returns the profile in chunk iCCP of a PNG file (ISO/IEC 15948): name, 0, method 0, zlib stream.
+// It is read here because libpng drops an RGB profile in a grey picture.
 QByteArray profileOfPng(const QByteArray& file, const QString& where) {
     qsizetype at = 8;
     while (at + 12 <= file.size()) {
@@ -53,7 +53,7 @@ QByteArray profileOfPng(const QByteArray& file, const QString& where) {
         if (kind == "iCCP") {
             const QByteArray chunk = file.mid(at + 8, length);
             const qsizetype stream = chunk.indexOf('\0') + 2;
-            // Qt wants a length first; it allocates more if that is too small.
+            // qUncompress() expects a length first; it allocates more if that is too small.
             QByteArray packed(4, '\0');
             qToBigEndian(quint32(4096), packed.data());
             const QByteArray profile =
@@ -68,8 +68,9 @@ QByteArray profileOfPng(const QByteArray& file, const QString& where) {
     return {};
 }
 
-// JPEG, segments APP2 (ICC.1, annex B.4): "ICC_PROFILE", 0, number from 1, count, part. Some
-// programs number from 0 or give no count; libjpeg refuses such files.
+// Returns the profile in the segments APP2 of a JPEG file (ICC.1, annex B.4): "ICC_PROFILE", 0,
+// number from 1, count, part. Some programs number from 0 or give no count; libjpeg refuses such
+// files.
 QByteArray profileOfJpeg(const QByteArray& file, const QString& where) {
     std::map<int, QByteArray> parts;
     int count = 0;
@@ -94,7 +95,7 @@ QByteArray profileOfJpeg(const QByteArray& file, const QString& where) {
     return profile;
 }
 
-// WebP, whose header says whether it has a profile.
+// Returns the profile of a WebP file, whose header says whether it has one.
 QByteArray profileOfWebp(const QByteArray& file, const QString& where) {
     const WebPData data{reinterpret_cast<const uchar*>(file.constData()), std::size_t(file.size())};
     const std::unique_ptr<WebPDemuxer, decltype(&WebPDemuxDelete)> webp(WebPDemux(&data),
@@ -197,8 +198,8 @@ bool isTiff(const QByteArray& file) {
            file.startsWith(QByteArrayView("MM\0*", 4));
 }
 
-// Returns the size of a picture of 8 or 16 bits in rows. Returns nothing if it is stored otherwise
-// or has fewer than `least` samples per pixel.
+// Returns the size of a picture that is stored in rows, with 8 or 16 bits per sample. Returns
+// nothing if it is stored otherwise or has fewer than `least` samples per pixel.
 std::optional<QSize> rowsOf(const TiffFile& tiff, int least) {
     const auto samples = tiff.number<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL);
     const auto bits = tiff.number<std::uint16_t>(TIFFTAG_BITSPERSAMPLE);
@@ -335,7 +336,7 @@ struct DeleteTransform {
 using ProfileHandle = std::unique_ptr<void, CloseProfile>;
 using Transform = std::unique_ptr<void, DeleteTransform>;
 
-// Colour space of the result. Open keeps colours beyond wide, as values below 0 or above 1.
+// Colour space of the result. `Open` keeps colours outside wide, as values below 0 or above 1.
 enum class Target { Srgb, Wide, Open };
 
 ProfileHandle profileFrom(const QByteArray& bytes) {
@@ -437,8 +438,8 @@ QSize sizeOf(const LabPicture& picture) {
     return picture.size;
 }
 
-// A row in floating point, to find colours beyond a colour space. Empty for inks and grey, whose
-// colours cannot be far beyond.
+// A row in floating point, to find colours outside a colour space. Empty for inks and grey, whose
+// colours cannot be far outside.
 struct OpenRow {
     cmsUInt32Number numbers = 0;
     std::vector<float> values;
@@ -466,7 +467,8 @@ OpenRow openRow(const QImage& picture, const QByteArray& profile, int y) {
     return row;
 }
 
-// Whether any colour is at an end of the wide space's range. Only such colours can be beyond it.
+// Whether a row has a colour at an end of the wide space's range. Only the originals of such
+// colours can be outside the range.
 bool touchesWideEnds(const QImage& texture, int y) {
     const auto* pixel = reinterpret_cast<const quint16*>(texture.constScanLine(y));
     for (int x = 0; x < texture.width(); ++x, pixel += 4) {
@@ -478,7 +480,8 @@ bool touchesWideEnds(const QImage& texture, int y) {
     return false;
 }
 
-// Returns the share of pixels of a wide texture whose colours were visibly beyond its space.
+// Returns the share of pixels of a wide texture whose original colours were visibly outside its
+// space.
 template <typename Picture>
 double clippedShare(const Picture& picture, const QByteArray& profile, const QImage& texture,
                     const QString& where) {
@@ -518,7 +521,8 @@ QImage converted(const Picture& picture, const QByteArray& profile, const QStrin
     return texture;
 }
 
-// Whether any colour is at an end of sRGB's range. Only such colours can be beyond it.
+// Whether a row has a colour at an end of sRGB's range. Only the originals of such colours can be
+// outside the range.
 bool touchesEnds(const uchar* row, int width) {
     for (const uchar* pixel = row; pixel < row + qsizetype(width) * 4; pixel += 4) {
         const auto [least, most] = std::minmax({pixel[0], pixel[1], pixel[2]});

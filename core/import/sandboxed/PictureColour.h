@@ -22,7 +22,7 @@ struct InkPicture {
     std::vector<std::array<quint16, 4>> inks;
 };
 
-bool isOfInks(const QByteArray& profile); // whether it is for CMYK, by its header
+bool isOfInks(const QByteArray& profile); // whether the profile's header says that it is for CMYK
 
 // Returns the pixels of a JPEG or TIFF file in CMYK (or YCCK). Returns nothing for any other file,
 // and for a file that is damaged or stored in an unsupported way (tiles, planes).
@@ -34,16 +34,16 @@ struct LabPicture {
     std::vector<std::array<float, 3>> colours;
 };
 
-bool isOfLab(const QByteArray& file); // whether it is a TIFF file in CIE L*a*b*, by its tags
-// Returns its pixels. Returns nothing if it is damaged or stored in an unsupported way: tiles,
-// planes, or not 8 or 16 bits.
+bool isOfLab(const QByteArray& file); // whether a file's tags say that it is TIFF in CIE L*a*b*
+// Returns the pixels of such a file. Returns nothing if the file is damaged or stored in an
+// unsupported way: tiles, planes, or not 8 or 16 bits.
 std::optional<LabPicture> readLab(const QByteArray& file);
 
-// Converts to a texture by lcms2, relative colorimetric: RGBA8888 in sRGB if that holds the
-// colours, otherwise wide (base/WideGamut.h). `profile` describes the picture's own space: CMYK for
-// inks, grey or RGB for an image. An image's own colour space is ignored.
-// All throw Error, naming `where`, if the profile is damaged or does not match the pixels. If
-// colours lie visibly outside wide's primaries, the texture has a note of how many
+// Converts to a texture by lcms2, relative colorimetric. The texture is RGBA8888 in sRGB if sRGB
+// contains the colours, otherwise wide (base/WideGamut.h). `profile` describes the picture's own
+// space: CMYK for inks, grey or RGB for an image. An image's own colour space is ignored.
+// All overloads throw Error, naming `where`, if the profile is damaged or does not match the
+// pixels. If colours lie visibly outside wide's primaries, the texture has a note of their share
 // (base/ColourNote.h).
 QImage textureOf(const LabPicture& picture, const QString& where);
 QImage textureOf(const InkPicture& picture, const QByteArray& profile, const QString& where);

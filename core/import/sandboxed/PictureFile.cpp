@@ -29,7 +29,8 @@ Number numberAt(const QByteArray& file, qsizetype at) {
     return qFromLittleEndian<Number>(file.constData() + at);
 }
 
-// Some programs omit the padding of the last row to a multiple of four bytes.
+// Whether a BMP file is cut off. Some programs omit the padding of the last row to a multiple of
+// four bytes.
 bool isBmpCutOff(const QByteArray& file) {
     constexpr qsizetype fileHeader = 14, longHeader = 40, shortHeader = 12;
     if (file.size() < fileHeader + shortHeader) {
@@ -50,7 +51,7 @@ bool isBmpCutOff(const QByteArray& file) {
     const qint64 rowBits = width * numberAt<quint16>(file, isShort ? 24 : 28);
     const qint64 begin = std::max(qint64(numberAt<quint32>(file, 10)), fileHeader + header);
     const qint64 gaplessRow = (rowBits + 7) / 8, row = (rowBits + 31) / 32 * 4;
-    // Double, as the header may be absurd.
+    // A double, because the header may hold absurd numbers.
     const double rows = double(row) * double(std::abs(height) - 1);
     return double(begin + gaplessRow) + rows > double(file.size());
 }

@@ -10,7 +10,7 @@ namespace dipwright {
 struct JpegMarker {
     int kind = 0;       // the byte after 0xff
     QByteArray segment; // its data, without the length
-    qsizetype end = 0;  // position from which to search for the next one
+    qsizetype end = 0;  // position from which to search for the next marker
 };
 
 // Returns the first marker of a JPEG file (ITU-T T.81, annex B) at or after `at`. Skips fill bytes

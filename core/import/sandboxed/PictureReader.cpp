@@ -23,7 +23,8 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Texture)
 };
 
-// A picture that only states a gamma near 2.2 means sRGB; every program shows it so.
+// Whether the space counts as sRGB. Every program shows a picture that only states a gamma near 2.2
+// as sRGB.
 bool isAsGoodAsSRgb(const QColorSpace& space) {
     return !space.isValid() || space == QColorSpace::SRgb ||
            (space.primaries() == QColorSpace::Primaries::SRgb &&
@@ -31,7 +32,8 @@ bool isAsGoodAsSRgb(const QColorSpace& space) {
             std::abs(space.gamma() - 2.2F) < 0.05F);
 }
 
-// `profile` is the file's ICC profile, which Qt reads for RGB only; may be empty.
+// Converts a decoded picture. `profile` is the file's ICC profile, which Qt reads for RGB only; may
+// be empty.
 QImage asTexture(QImage image, const QByteArray& profile, const QString& where,
                  PictureReader::Turned turned) {
     if (!profile.isEmpty() && image.colorSpace() != QColorSpace(QColorSpace::SRgb)) {

@@ -15,13 +15,13 @@ public:
     // loaded later.
     static void prepare();
 
-    // Decodes to RGBA8888 in sRGB, or to wide for a texture with colours outside sRGB. Reads PNG,
-    // JPEG, BMP, TIFF and WebP by their content, and HEIF if Qt has a plugin for it. Throws Error,
-    // naming `where`, if the bytes are no such picture, have no pixels or exceed Budgets.h. The
-    // size is checked before anything is decoded.
-    // `Upright` is for photos that people look at: always in sRGB, rotated as the file says that
-    // the camera was held.
+    // `Upright` is for photos that people look at. They are always in sRGB, and rotated as the file
+    // says that the camera was held.
     enum class Turned { AsStored, Upright };
+    // Decodes to RGBA8888 in sRGB, or to wide (base/WideGamut.h) for a texture with colours outside
+    // sRGB. Reads PNG, JPEG, BMP, TIFF and WebP by their content, and HEIF if Qt has a plugin for
+    // it. Throws Error, naming `where`, if the bytes are not such a picture, have no pixels or
+    // exceed Budgets.h. The size is checked before anything is decoded.
     QImage read(const QByteArray& bytes, const QString& where, Turned turned = Turned::AsStored);
 
     // Takes pixels that were not in a file of their own. Checks them like other pictures and

@@ -188,7 +188,7 @@ public:
     }
 
 private:
-    // Per property: its numbers; one if it is not a list.
+    // Per property: its numbers. A property that is not a list has one number.
     using Row = std::vector<std::vector<double>>;
 
     void readHeader() {
@@ -269,7 +269,7 @@ private:
         }
     }
 
-    // `row` is reused, so that nothing is allocated per line.
+    // Reuses `row`, so that nothing is allocated per line.
     void readRow(const Element& element, Row& row) {
         row.resize(element.properties.size());
         for (std::size_t i = 0; i < row.size(); ++i) {
@@ -310,7 +310,7 @@ private:
                                    header_.elements.back().name == "face";
         if (header_.encoding == Encoding::Ascii
                 ? scanner_.hasWordsLeft()
-                : endsWithFaces && areFurtherRows(scanner_.left(), lastRowBytes_)) {
+                : endsWithFaces && mayBeFurtherRows(scanner_.left(), lastRowBytes_)) {
             source_.throwDamaged(Text::tr("it holds more data than its header declares"));
         }
     }
@@ -446,7 +446,8 @@ private:
     Scanner scanner_;
     Header header_;
     TexturedMesh model_;
-    std::vector<Eigen::Vector2f> pointCoordinates_; // per point; empty if there are none
+    // Texture coordinates per point; empty if there are none.
+    std::vector<Eigen::Vector2f> pointCoordinates_;
     qsizetype lastRowBytes_ = 0;
     bool hasColours_ = false;
 };

@@ -35,7 +35,7 @@ public:
 
     struct Found {
         std::uint16_t material; // index into the model's materials
-        unsigned channel;       // of the texture coordinates in the scene's mesh
+        unsigned channel;       // channel of texture coordinates in the scene's mesh
         PicturePlacement placement;
     };
 

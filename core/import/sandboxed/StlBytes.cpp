@@ -17,8 +17,9 @@ struct Text {
 constexpr qsizetype countPlace = 80, headerBytes = 84, triangleBytes = 50;
 
 // Returns the size of header and triangles of a binary file; nothing if the file is not binary. The
-// first word does not decide, as many binary files begin with "solid". In an ASCII file, the four
-// letters at the place of the count give a number far too large for the file.
+// first word does not decide, as many binary files begin with "solid". Instead, the count of
+// triangles decides: in an ASCII file, its four bytes are letters that give a number far too large
+// for the file.
 std::optional<qsizetype> binarySize(const QByteArray& bytes) {
     if (bytes.size() < headerBytes) {
         return std::nullopt;
@@ -43,7 +44,7 @@ bool isInCapitals(QByteArrayView text) {
 QByteArray stlForAssimp(const ModelSource& source) {
     const QByteArray& bytes = source.bytes;
     if (const auto size = binarySize(bytes)) {
-        if (areFurtherRows(QByteArrayView(bytes).sliced(*size), triangleBytes)) {
+        if (mayBeFurtherRows(QByteArrayView(bytes).sliced(*size), triangleBytes)) {
             source.throwDamaged(Text::tr("it holds more data than its header declares"));
         }
         return QByteArray::fromRawData(bytes.constData(), *size);

@@ -36,7 +36,7 @@ public:
         requireWithin(Budget::Entries, zip_.getEntriesCount(), source.path);
     }
 
-    // Returns nothing if there is no such file; throws if it is damaged.
+    // Returns a file of the package; nothing if there is no such file. Throws if it is damaged.
     std::optional<QByteArray> find(const QString& name) {
         const QString path = name.startsWith(u'/') ? name.sliced(1) : name;
         QuaZipFileInfo64 info;
@@ -51,7 +51,7 @@ public:
         QuaZipFile file(&zip_);
         QByteArray bytes;
         if (file.open(QIODevice::ReadOnly)) {
-            // Never more, whatever the archive holds.
+            // Reads at most one byte more than declared, whatever the archive holds.
             bytes = file.read(qint64(info.uncompressedSize) + 1);
             file.close(); // checks the checksum
         }
@@ -65,7 +65,7 @@ private:
     const ModelSource& source_;
     QBuffer buffer_;
     QuaZip zip_;
-    qint64 unpacked_ = 0; // bytes so far
+    qint64 unpacked_ = 0; // bytes unpacked so far
 };
 
 constexpr int noGroup = -1, noTexture = -1;
@@ -74,7 +74,7 @@ constexpr int noGroup = -1, noTexture = -1;
 struct PropertyGroup {
     std::vector<Material> materials;          // base materials and colours
     std::vector<Eigen::Vector2f> coordinates; // texture coordinates
-    int texture = noTexture;                  // of the coordinates
+    int texture = noTexture;                  // index of the texture that the coordinates are for
     QString picture;                          // file of that texture
 };
 
@@ -99,7 +99,7 @@ struct Object {
 
 // One file of the package that holds a model.
 struct Part {
-    double unit = 1; // mm
+    double unit = 1; // in mm
     std::map<int, QString> pictures;
     std::map<int, PropertyGroup> groups;
     std::map<int, Object> objects;
@@ -132,7 +132,7 @@ QList<QStringView> wordsOf(QStringView text) {
     return text.split(space, Qt::SkipEmptyParts);
 }
 
-// "#RRGGBB" or "#RRGGBBAA".
+// Parses "#RRGGBB" or "#RRGGBBAA".
 QColor colourNamed(QStringView name) {
     const QColor colour(name.first(std::min<qsizetype>(name.size(), 7)));
     return colour.isValid() ? colour : Material().colour;
@@ -378,14 +378,14 @@ private:
     const CancelToken& cancelToken_;
     QBuffer buffer_; // Qt reads it in pieces; from a byte array it would decode everything at once
     QXmlStreamReader xml_;
-    // Of the current element; cached, as Qt makes a new list per call.
+    // Attributes of the current element; cached, as Qt makes a new list per call.
     QXmlStreamAttributes attributes_;
     Part part_;
     Object* openObject_ = nullptr;
     PropertyGroup* openGroup_ = nullptr;
     int objectGroup_ = noGroup, objectProperty_ = 0;
-    std::set<int> usedGroups_;     // groups that pid attributes name
-    std::set<int> otherResources_; // of extensions that are not, or not fully, supported
+    std::set<int> usedGroups_;     // IDs of the groups that pid attributes name
+    std::set<int> otherResources_; // IDs from extensions that are not, or not fully, supported
 };
 
 class ThreeMfReader {

@@ -13,12 +13,13 @@ namespace dipwright {
 // numbers, a duplicate ID, and a missing material or texture. Throws Error.
 //
 // Neither of the known libraries is used. assimp 5.2.5 takes texture coordinates in the order of
-// the points, not by their index. It does not read the pictures, ignores the unit and the parts
+// the points, not by their index. It does not read pictures, and ignores the unit and the parts
 // that components name. It crashed at one of 400 packages in which three bytes had been changed.
 // lib3mf 1.8.1 is faster, but drops colours that come after the objects that use them. It refuses
-// white space as character references, and accepts packages whose materials and units do not exist.
-// Its time doubles with every object that places the previous one twice; this reader counts first.
-// Its interface is gone from version 2.x, which other systems have.
+// white space that is written as character references, and accepts packages whose materials and
+// units do not exist. Its time doubles with every object that places the previous one twice; this
+// reader counts triangles first. Version 2.x, which other systems have, no longer has this
+// interface.
 TexturedMesh readThreeMf(const ModelSource& source, QStringList& warnings,
                          const CancelToken& cancelToken);
 

@@ -18,7 +18,8 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
 };
 
-// The beginning of a file is more reliable than its name, if it is conclusive.
+// Returns the format. The beginning of a file decides if it is conclusive; otherwise the file's
+// name does.
 QString formatOf(const ModelSource& source) {
     constexpr qsizetype longestPrologue = 4096;
     const QByteArray begin = source.bytes.left(longestPrologue);

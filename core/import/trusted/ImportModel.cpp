@@ -22,9 +22,9 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
 };
 
-// mm; far larger than any dip tank.
+// Largest allowed edge of a model, mm; far larger than any dip tank.
 constexpr double maximumEdge = 1e5;
-// Beyond it a float cannot resolve a place in a picture.
+// Largest allowed texture coordinate. Beyond it, a float cannot resolve a place in a picture.
 constexpr float maximumTextureCoordinate = 1e5F;
 
 void checkOptions(const ImportOptions& options) {
@@ -56,7 +56,7 @@ void checkFile(const QString& path) {
     }
 }
 
-// Returns a null image if there is no path.
+// Returns the picture at a path; a null image if the path is empty.
 QImage replacementTexture(const QString& path) {
     return path.isEmpty() ? QImage() : readPictureFile(path);
 }
@@ -77,8 +77,8 @@ void checkPositions(const TriangleMesh& mesh, const QString& path) {
     }
 }
 
-// Returns a function to call during repairs. It throws if they are cancelled, or take longer than a
-// busy machine needs for `fileBytes` bytes.
+// Returns a function to call during repairs. The function throws if the repairs are cancelled, or
+// if they take longer than a busy machine needs for `fileBytes` bytes.
 std::function<void()> repairCheckpoint(const QString& path, qint64 fileBytes,
                                        const Progress& progress) {
     constexpr int busyMachine = 2; // factor on the computing time
@@ -118,8 +118,8 @@ ModelRepairs repair(TexturedMesh& model, const QString& path,
                 path);
 }
 
-// Floats have seven digits. Farther away, rounding would distort the body by more than 1/2000 of
-// its size.
+// Throws if the mesh is too far from its origin. Floats have seven digits. Farther away than
+// `farthest`, rounding would distort the body by more than 1/2000 of its size.
 void requireNearOrigin(const TriangleMesh& mesh, double longestEdge, const QString& path) {
     constexpr double farthest = 1e4; // longest edges
     const Eigen::AlignedBox3f box = boundingBox(mesh);
@@ -211,7 +211,8 @@ void replaceTextures(TexturedMesh& model, const QImage& texture) {
     }
 }
 
-// Files outside the folder are reported first, whatever other errors their absence caused.
+// Reads a model file. Reports files outside the folder first, whatever other errors their absence
+// caused.
 UntrustedModel readModelFile(const QString& path, ModelFolder& folder, bool withTextures,
                              const Progress& progress) {
     const auto checkOutside = [&] {
@@ -265,7 +266,7 @@ ImportedModel import(const QString& path, const ImportOptions& options, const Pr
 } // namespace
 
 double guessedUnit(double longestEdge) {
-    constexpr double smallest = 10, largest = 1000; // mm; size of typical parts
+    constexpr double smallest = 10, largest = 1000; // sizes of typical parts, mm
     for (const double unit : {1.0, 10.0, 1000.0, millimetresPerInch}) {
         if (longestEdge * unit >= smallest && longestEdge * unit <= largest) {
             return unit;

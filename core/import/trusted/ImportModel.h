@@ -15,15 +15,17 @@ namespace dipwright {
 struct ImportOptions {
     // If set, the bounding box's longest edge is scaled to this.
     std::optional<Millimetres> longestEdge;
-    double unitMillimetres = 1; // otherwise: one unit of the file in mm
+    double unitMillimetres = 1; // size of the file's unit in mm; used if longestEdge is not set
     QString texture;            // path of a picture that replaces the model's own, or empty
-    // Files outside the model's folder that may be read: all, or these absolute paths.
+    // Whether all files outside the model's folder may be read.
     bool allowOutside = false;
+    // Absolute paths of the files outside the folder that may be read.
     QStringList outsideFiles;
 };
 
-// Guesses the unit of a model's file, in mm. Returns the first usual unit, starting with
-// millimetres, in which `longestEdge` has the size of a typical part. Returns 1 if there is none.
+// Guesses the unit of a model's file, in mm. Tries the usual units, beginning with millimetres.
+// Returns the first unit in which `longestEdge` has the size of a typical part, or 1 if there is
+// none.
 double guessedUnit(double longestEdge);
 
 // Thrown if a model names existing files that do not belong to its folder. They are outside it,
@@ -57,13 +59,13 @@ struct ImportedModel {
     ImportReport report;
 };
 
-// Reads `path`, in one of modelFormats(), with textures beside it or embedded.
-// Repairs: welds duplicate positions, closes cracks that rounding has opened, removes degenerate
-// and duplicate triangles. Recomputes unset normals, and turns reversed triangles and inside-out
-// parts.
-// Throws Error if the model or its textures are unreadable, or if it exceeds Budgets.h. Throws
-// Error if it has no triangles, no extent, or coordinates that are not finite. Throws OutsideFiles
-// if it names such files and they are not allowed.
+// Imports the model file `path`, in one of modelFormats(), with textures beside it or embedded.
+// Repairs the model: welds duplicate positions, closes cracks that rounding has opened, removes
+// degenerate and duplicate triangles. Recomputes unset normals, and turns reversed triangles and
+// inside-out parts.
+// Throws Error if the model or its textures are unreadable, or if the model exceeds Budgets.h.
+// Throws Error if the model has no triangles, no extent, or coordinates that are not finite. Throws
+// OutsideFiles if the model names files outside its folder that are not allowed.
 ImportedModel importModel(const QString& path, const ImportOptions& options,
                           const Progress& progress);
 

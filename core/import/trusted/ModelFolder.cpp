@@ -11,7 +11,7 @@ namespace dipwright {
 
 namespace {
 
-// Returns the entry of `folder` with this name, in any case; empty if there is none.
+// Returns the entry of `folder` with this name in upper or lower case; empty if there is none.
 QString entryIgnoringCase(const QDir& folder, const QString& name) {
     for (const QString& entry : folder.entryList(QDir::AllEntries | QDir::NoDotAndDotDot)) {
         if (entry.compare(name, Qt::CaseInsensitive) == 0) {

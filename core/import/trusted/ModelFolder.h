@@ -15,7 +15,8 @@ class ModelFolder : public UntrustedFiles {
 public:
     ModelFolder(const QString& modelFile, bool allowOutside, const QStringList& allowedFiles);
 
-    // Existing files that were requested but not read because they are outside; absolute paths.
+    // Absolute paths of files that were requested but not read, because they are outside the
+    // folder.
     const QStringList& outside() const { return outside_; }
 
 private:

@@ -11,11 +11,11 @@
 namespace dipwright {
 
 struct Photo {
-    QString where;                  // the file
+    QString where;                  // path of the file
     QImage picture;                 // upright, RGBA8888 in sRGB
-    QString sha256;                 // of the file, hexadecimal
-    std::optional<QDateTime> taken; // by the camera's clock, to the second; no time zone
-    // Of the lens, in units of half the diagonal of the picture.
+    QString sha256;                 // SHA-256 of the file, hexadecimal
+    std::optional<QDateTime> taken; // time by the camera's clock, to the second; no time zone
+    // Focal length of the lens, in units of half the diagonal of the picture.
     std::optional<double> focalLength;
 };
 

@@ -19,7 +19,8 @@ struct PackedPicture {
 // bytes.
 class PictureCount {
 public:
-    // `packedBytes` is the size of its file. Throws Error if the budget is exceeded.
+    // Adds a picture. `packedBytes` is the size of its file. Throws Error if the budget is
+    // exceeded.
     void add(const QImage& picture, qint64 packedBytes, const QString& where);
 
 private:

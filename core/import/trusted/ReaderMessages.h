@@ -17,11 +17,12 @@ enum class ReaderMessage : quint8 {
     Ask,      // request for a file: its name, UTF-8
     Progress, // share (double), text
     Photo,    // metadata of a photo (PhotoFacts); a Picture message with the photo follows
-    // Width, height, dots per metre of both, wide, colour note: assumed inks (each i32), clipped
-    // share (double); then rows without gaps.
+    // Data of a picture, each an i32: width, height, dots per metre in both directions, whether it
+    // is wide, and whether its colour note says that inks were assumed. Then the note's clipped
+    // share (double) and the rows of pixels without gaps.
     Picture,
     Model, // warnings; a Mesh message follows
-    Mesh,  // as in StoredModel
+    Mesh,  // a mesh in the format of StoredModel
     Failed // message and place of an Error
 };
 
@@ -30,9 +31,9 @@ constexpr qint64 readerHeaderBytes = 9;
 struct ReaderJob {
     enum class Kind : quint8 { Model, Pictures, Photos };
     Kind kind = Kind::Model;
-    QStringList names;        // of the model file, or of each picture
-    bool withTextures = true; // for a model
-    QString language;         // of messages, such as "de"; empty is English
+    QStringList names;        // name of the model file, or of each picture
+    bool withTextures = true; // whether to read a model's textures
+    QString language;         // language of messages, such as "de"; empty is English
 };
 
 // Data that a camera writes into a photo (EXIF 2.3).

@@ -51,7 +51,7 @@ class ReaderProcess {
 public:
     ReaderProcess(const QString& where, UntrustedFiles& files, const Progress& progress)
         : where_(where), files_(files), progress_(progress) {}
-    // The process has returned everything, or its result is no longer needed.
+    // Kills the process: it has returned everything, or its result is no longer needed.
     ~ReaderProcess() {
         process_.kill();
         process_.waitForFinished();
@@ -83,7 +83,7 @@ public:
     std::pair<ReaderMessage, qint64> nextResult() {
         while (true) {
             const auto [kind, length] = readHeader(read(readerHeaderBytes));
-            requireInTime(); // a process that sends messages for ever hangs, too
+            requireInTime(); // a process that sends messages for ever counts as hanging, too
             switch (kind) {
             case ReaderMessage::Ask:
                 answer(QString::fromUtf8(readShort(length)));
@@ -213,7 +213,7 @@ private:
         throw Error(sentenceOf(Budget::Milliseconds, files_.bytesRead()), where_);
     }
 
-    // Throws if there is nothing to wait for any more.
+    // Throws if the process can return nothing more: cancelled, out of time or ended.
     void checkAlive() {
         progress_.cancelToken.throwIfCancelled();
         requireInTime();

@@ -27,6 +27,7 @@ struct ReadPhoto {
     QImage picture;   // upright
     PhotoFacts facts; // within their limits, but not otherwise checked
 };
+// Reads a photo from the file `name`.
 ReadPhoto readPhotoInProcess(const QString& name, UntrustedFiles& files, const Progress& progress);
 
 } // namespace dipwright

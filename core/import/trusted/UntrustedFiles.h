@@ -1,4 +1,4 @@
-// Defines how untrusted files reach the readers, and how models leave them.
+// Defines how readers get untrusted files, and the form in which they return models.
 #pragma once
 
 #include "model/TexturedMesh.h"

@@ -25,8 +25,8 @@ QString nameOf(const PieceToPack& piece) {
     return QStringLiteral("%1, %2").arg(piece.sheet.job.project, piece.sheet.job.immersion);
 }
 
-// Collects the plates of all pieces, without their tints. White becomes the last plate before the
-// four inks or after them.
+// Collects the plates of all pieces, without their tints. White becomes the last of the plates
+// printed before the four inks, or of the plates printed after them.
 std::vector<SheetPlate> platesOf(const std::vector<PieceToPack>& pieces) {
     std::vector<SheetPlate> plates;
     std::vector<SheetPlate> white;
@@ -54,8 +54,8 @@ std::vector<SheetPlate> platesOf(const std::vector<PieceToPack>& pieces) {
     return plates;
 }
 
-// Throws Error if the jobs differ in their white: a printer lays white either before all colours or
-// after them.
+// Throws Error if the jobs differ in their white, because a printer prints white either before all
+// colours or after all colours.
 void refuseMixedWhite(const std::vector<PieceToPack>& pieces) {
     const Sheet* first = nullptr;
     for (const PieceToPack& piece : pieces) {
@@ -73,7 +73,7 @@ void refuseMixedWhite(const std::vector<PieceToPack>& pieces) {
     }
 }
 
-// The layout of an upright piece round its picture, in pixels.
+// The layout of an upright piece around its picture, in pixels.
 struct PieceLayout {
     QSize size;
     QRect picture;
@@ -152,7 +152,7 @@ PlannedFilm plannedFilm(const std::vector<PackPlace>& places,
     return film;
 }
 
-// Sets the film's size and used share. A roll is cut off behind its last piece.
+// Sets the film's size and used share. A roll is cut off after its last piece.
 void finish(PlannedFilm& planned, const PackingFilm& film, QSize most, DotsPerInch resolution) {
     const Pixels pixels(resolution);
     planned.pixels = most;
@@ -207,7 +207,7 @@ SheetPiece sheetPiece(const PieceToPack& piece, const PlannedPiece& planned,
     return result;
 }
 
-// Describes the pieces on the film in its job line.
+// Returns the film's job line, which describes its pieces.
 JobLine filmJob(const Sheet& sheet, const PlannedFilm& film, std::size_t number,
                 std::size_t count) {
     QStringList projects, jobs;
@@ -245,7 +245,7 @@ FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& fi
                                    Millimetres(std::min(film.size.height(), longest)), resolution);
     const QRect room = roomOf(film, most, resolution);
     const int spacing = pixels.of(film.spacing.value());
-    const QSize between(spacing, spacing); // behind each piece and once behind the room
+    const QSize between(spacing, spacing); // added to each piece, and once to the room
     FilmPlan plan;
     std::vector<PackItem> items;
     std::vector<std::pair<std::size_t, int>> copies;
@@ -284,7 +284,7 @@ FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& fi
 
 namespace {
 
-// Returns the settings by which CMYK printers compensate all pieces; none if the pieces differ.
+// Returns the ink settings that all pieces share, for CMYK printers; none if the pieces differ.
 std::optional<InkSettings> commonInk(const std::vector<PieceToPack>& pieces) {
     const std::optional<WantedInk>& first = pieces.front().sheet.wanted;
     const bool isCommon =

@@ -10,32 +10,32 @@
 namespace dipwright {
 
 inline constexpr double leastPieceMargin = 7; // mm that the marks need
-inline constexpr int mostPieces = 2000;       // of all jobs together
+inline constexpr int mostPieces = 2000;       // largest number of pieces of all jobs together
 inline constexpr int mostFilms = 99;
 
 // The film that takes the pieces.
 struct PackingFilm {
-    // mm. For a roll: its width, and the greatest length that may be used. That length is also
-    // limited to what a sheet's image may have. The film is cut off behind the last piece.
+    // Size in mm. For a roll: its width, and the greatest length that may be used; the roll is cut
+    // off after the last piece. The largest image of a sheet limits the length as well.
     QSizeF size{210, 297};
     bool isRoll = false;
     Millimetres spacing{3};               // between two pieces
     Millimetres margin{leastPieceMargin}; // least width of bare film round the inked part
-    QMarginsF edges{5, 5, 5, 10};         // kept free of pieces, mm; ruler and job line stand there
+    QMarginsF edges{5, 5, 5, 10};         // mm without pieces, for the ruler and the job line
 };
 
 struct PieceToPack {
     Sheet sheet;
     int dip = 1; // number of the dip in its project, from 1
     int copies = 1;
-    // Film swells more along its web. A film image may be turned only if that does not matter.
+    // Whether the image may be turned. Film swells more along its web, so turning may distort it.
     Turning turning = Turning::Never;
 };
 
 struct PlannedPiece {
     std::size_t piece = 0; // index among the pieces to pack
     int copy = 1;
-    QRect box; // on the film, pixels
+    QRect box; // place on the film, pixels
     bool turned = false;
 };
 
@@ -47,15 +47,15 @@ struct PlannedFilm {
 };
 
 struct FilmPlan {
-    std::vector<QRect> inked; // inked box of each sheet's image, pixels
+    std::vector<QRect> inked; // box around the ink in each sheet's image, pixels
     std::vector<PlannedFilm> films;
 };
 
-// Plans the films. Throws Error if there is no piece, a piece without ink, a piece larger than the
-// film, sheets of different resolutions, or more than the limits above.
+// Plans the films. Throws Error if there is no piece, a piece has no ink or is larger than the
+// film, the resolutions differ, or a limit above is exceeded.
 FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& film);
 
-// Returns the film `number`, counted from 0, ready to be written and printed like any sheet. Each
+// Returns the film `number`, counted from 0, as a sheet that can be written and printed. Each
 // picture keeps the pixels of its own sheet, turned if the piece is turned. Needs no
 // QGuiApplication.
 Sheet filmSheet(const std::vector<PieceToPack>& pieces, const PackingFilm& film,

@@ -15,7 +15,7 @@ bool isWithin(QSize size, QSize room) {
     return size.width() <= room.width() && size.height() <= room.height();
 }
 
-// A bin that keeps its free room as overlapping rectangles, each as large as possible.
+// A bin that stores its free room as overlapping rectangles, each as large as possible.
 class Bin {
 public:
     explicit Bin(QSize size) : free_{QRect({0, 0}, size)} {}

@@ -13,7 +13,7 @@ struct PackItem {
     Turning turning = Turning::Never;
 };
 
-// `box` has the turned size if `turned`.
+// The place of an item. If `turned` is true, `box` has the width and height of the turned item.
 struct PackPlace {
     std::size_t item = 0; // index of the item
     QRect box;
@@ -23,10 +23,11 @@ struct PackPlace {
 // Tells whether an item fits an empty bin.
 bool fits(const PackItem& item, QSize bin);
 
-// Packs the items into as few bins as it finds; of the last bin it fills only the upper part.
-// Returns the places per bin. Each item must fit a bin. Items of one size lie in rows. Uses maximal
-// rectangles (Jylänki 2010, "A Thousand Ways to Pack the Bin"): the uppermost place first, in
-// several orders, of which the best is returned. Deterministic. Some thousand items take a second.
+// Packs the items into as few bins as possible and fills only the upper part of the last bin.
+// Returns the places in each bin. Each item must fit a bin. Items of one size lie in rows. Uses
+// maximal rectangles (Jylänki 2010, "A Thousand Ways to Pack the Bin"), takes the uppermost place
+// first, tries several orders of the items and returns the best result. Deterministic. Some
+// thousand items take a second.
 std::vector<std::vector<PackPlace>> packed(const std::vector<PackItem>& items, QSize bin);
 
 } // namespace dipwright

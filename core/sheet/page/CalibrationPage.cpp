@@ -18,8 +18,8 @@ struct Text {
 };
 
 constexpr double square = 17;     // mm, as in the accuracy experiment
-constexpr double headHeight = 34; // mm for the text
-constexpr double shortest = 50;   // mm, the shortest useful ruler
+constexpr double headHeight = 34; // mm at the top of the page, for the text
+constexpr double shortest = 50;   // mm: length of the shortest useful ruler
 
 double wholeCentimetres(double millimetres) {
     return std::floor(millimetres / 10 + 1e-9) * 10;
@@ -78,7 +78,7 @@ void paintChessboard(QPainter& painter, const QRectF& room) {
 } // namespace
 
 CalibrationLengths calibrationLengths(const CalibrationPage& page) {
-    const double margins = 2 * page.clearance.value() + 2 * rulerEnd;
+    const double margins = 2 * page.clearance.value() + 2 * rulerEndRoom;
     const double x = wholeCentimetres(page.paper.width() - margins - rulerDepth);
     const double y = wholeCentimetres(page.paper.height() - margins - headHeight - rulerDepth);
     if (x < shortest || y < shortest) {
@@ -97,11 +97,13 @@ void paintCalibrationPage(QPainter& painter, const CalibrationPage& page) {
     const double bottom = page.paper.height() - page.clearance.value();
     const SheetStrip across{{left + rulerDepth, bottom - rulerDepth},
                             0,
-                            {lengths.x.value() + 2 * rulerEnd, rulerDepth},
+                            {lengths.x.value() + 2 * rulerEndRoom, rulerDepth},
                             false};
-    // Reads upwards, with its scale towards the page's edge.
-    const SheetStrip along{
-        {left, bottom - rulerDepth}, -90, {lengths.y.value() + 2 * rulerEnd, rulerDepth}, false};
+    // This ruler reads upwards; its scale is on the side of the page's edge.
+    const SheetStrip along{{left, bottom - rulerDepth},
+                           -90,
+                           {lengths.y.value() + 2 * rulerEndRoom, rulerDepth},
+                           false};
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     paintWords(painter, page);

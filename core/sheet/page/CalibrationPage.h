@@ -18,7 +18,7 @@ struct CalibrationPage {
     QString printer;        // shown on the page
     double scaleX = 1;
     double scaleY = 1;
-    Millimetres clearance{10}; // between the page's edges and what is drawn
+    Millimetres clearance{10}; // empty border of the page
 
     bool verifies() const { return scaleX != 1 || scaleY != 1; }
 };
@@ -38,8 +38,8 @@ void paintCalibrationPage(QPainter& painter, const CalibrationPage& page);
 void writeCalibrationPdf(const CalibrationPage& page, QIODevice& device);
 
 // Returns the scale for the printer's profile: a ruler of the nominal length `length` was printed
-// with the scale `printed` and measures `measured` mm. Throws Error if the result is more than 10 %
-// from 1; then the printer was told to scale.
+// with the scale `printed` and measures `measured` mm. Throws Error if the result differs from 1 by
+// more than 10 %, because the printer then scales the page on purpose.
 double calibratedScale(double printed, Millimetres length, Millimetres measured);
 
 } // namespace dipwright

@@ -1,17 +1,17 @@
-// Defines a chessboard that shows, for each of its squares, which square it is and which way round
-// the board lies.
+// Defines a chessboard on which a photo of any part shows which squares these are and how the board
+// is turned.
 //
 // Some squares have a dot of the other colour in their middle. A fixed pattern without repetitions
-// (isDottedSquare) chooses them. A few neighbouring squares occur at one place of the pattern only,
-// and nowhere when turned or mirrored. The two kinds of board share no such group. So a picture may
-// show any part of a board, and a board may have any size.
+// (isDottedSquare) chooses them. Any group of a few neighbouring squares occurs only once in the
+// patterns of both boards, even if it is turned or mirrored. A picture may therefore show any part
+// of a board, and a board may have any size.
 #pragma once
 
 namespace dipwright {
 
 enum class BoardKind {
-    Film, // printed on the film that is measured
-    Card  // printed on a stiff card beside the film, as the scale for lengths
+    Film, // board printed on the film that is measured
+    Card  // board printed on a stiff card beside the film, as the scale for lengths
 };
 
 // Edge length of the squares, mm. The film's squares are as large as in the paper's accuracy
@@ -20,10 +20,10 @@ constexpr double boardSquare(BoardKind kind) {
     return kind == BoardKind::Film ? 17 : 10;
 }
 
-// Columns are counted to the right and rows downwards, both from 0. The upper left square is black.
-inline constexpr int mostBoardSquares = 64; // per side
+inline constexpr int mostBoardSquares = 64; // most squares per side of a board
 inline constexpr double boardDot = 0.32;    // diameter of a dot, in squares
 
+// Columns count rightwards and rows downwards, both from 0. The upper left square is black.
 constexpr bool isBlackSquare(int column, int row) {
     return (column + row) % 2 == 0;
 }

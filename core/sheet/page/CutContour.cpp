@@ -11,14 +11,14 @@
 namespace dipwright {
 namespace {
 
-constexpr double finestPlace = 0.1; // mm
-constexpr double mostPlaces = 4000; // along one side
+constexpr double finestPlace = 0.1; // mm: least side of a cell
+constexpr double mostPlaces = 4000; // cells along one side of the film
 constexpr double straight = 0.02;   // mm: points nearer to the line are dropped
 
 // Divides the film into square cells and marks those that contain ink. A border of empty cells
 // surrounds them.
 struct InkedPlaces {
-    double size = finestPlace; // mm
+    double size = finestPlace; // side of a cell, mm
     QSize grid;
     std::vector<unsigned char> inked;
 
@@ -50,7 +50,7 @@ private:
     }
 };
 
-// Follows the line where a height over a grid equals `level`, with lower heights on its left
+// Follows the line along which the heights on a grid equal `level`, with lower heights on its left
 // (marching squares, https://doi.org/10.1145/37402.37422).
 class LevelLine {
 public:
@@ -102,8 +102,9 @@ private:
         // Clockwise from the top; side i lies between the corners i and i + 1.
         const qint64 sides[4] = {edge(x, y, false), edge(x + 1, y, true), edge(x, y + 1, false),
                                  edge(x, y, true)};
-        // The line enters through a side where, clockwise, heights rise above the level. It leaves
-        // through the next side where they fall below it. So two corners that touch stay apart.
+        // Clockwise round the cell, the line enters where the heights rise above the level and
+        // leaves at the next side where they fall below it. Two high corners at opposite ends of a
+        // cell therefore stay separate.
         for (int side = 0; side < 4; ++side) {
             if (!low[side] || low[(side + 1) % 4]) {
                 continue;
@@ -121,7 +122,7 @@ private:
     QSize grid_;
     float level_;
     std::unordered_map<qint64, qint64> next_;
-    std::vector<qint64> starts_; // in a fixed order, unlike next_
+    std::vector<qint64> starts_; // keys of next_ in a fixed order
 };
 
 double doubleArea(const QPolygonF& loop) {
@@ -190,7 +191,7 @@ QPainterPath cutContour(const Sheet& sheet, const SheetLayout& layout) {
         for (int x = 0; x < places.grid.width(); ++x) {
             if (x == 0 || y == 0 || x + 1 == places.grid.width() || y + 1 == places.grid.height()) {
                 distances[std::size_t(y) * std::size_t(places.grid.width()) + std::size_t(x)] =
-                    1e9f; // the border, so that every line is closed
+                    1e9f; // heights of the border, so that every line is closed
             }
         }
     }

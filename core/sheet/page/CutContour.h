@@ -8,9 +8,10 @@
 namespace dipwright {
 
 // Returns closed paths on the page, in mm. The settings choose between the film's edge (with
-// several jobs, the edge of each piece) and a line round the ink. That line keeps the settings'
-// distance from the ink of all plates, white and spot inks included. It stays within the film and
-// does not cut out holes. Empty if no line is asked for or nothing is printed.
+// several jobs, the edge of each piece) and a line round the ink. The line round the ink keeps the
+// settings' distance from all plates, white and spot inks included. It stays within the film and
+// does not cut out holes. The result is empty if the settings ask for no line or nothing is
+// printed.
 QPainterPath cutContour(const Sheet& sheet, const SheetLayout& layout);
 
 } // namespace dipwright

@@ -16,12 +16,12 @@ struct DrawnPage {
     QSizeF paper; // mm
     // The printer's printed length over true length, across and along the page.
     double scaleX = 1, scaleY = 1;
-    std::function<void(QPainter&)> paint; // in mm, origin at the page's upper left corner
-    QByteArray inks = {}; // ICC profile of the inks that a PDF is drawn in; empty: sRGB
+    std::function<void(QPainter&)> paint; // draws in mm; origin: the page's upper left corner
+    QByteArray inks = {};                 // ICC profile of the inks for a PDF; empty: sRGB
     QString inksName = {};
 };
 
-// The same page gives the same bytes. Throws Error if `device` cannot be written.
+// Write the page. The same page gives the same bytes. Throw Error if `device` cannot be written.
 void writeDrawnPdf(const DrawnPage& page, QIODevice& device);
 void writeDrawnPng(const DrawnPage& page, DotsPerInch resolution, QIODevice& device);
 

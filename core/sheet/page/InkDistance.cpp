@@ -10,7 +10,7 @@ namespace {
 
 constexpr float far = std::numeric_limits<float>::infinity();
 
-// Replaces a column's marks by the squared distances along the column.
+// Replaces the marks of a column by each cell's squared distance to the nearest mark in the column.
 void measureColumn(const std::vector<unsigned char>& marked, QSize grid, int column,
                    std::vector<float>& squares) {
     const auto at = [&](int row) {

@@ -5,11 +5,11 @@
 
 namespace dipwright {
 
-// Which plates count as ink: the picture alone, as on an RGB printer, or all plates, white and spot
-// inks included.
+// Which plates count as ink: only the picture, as on an RGB printer, or all plates, including white
+// and spot inks.
 enum class InkedPlates { Picture, All };
 
-// Returns a mask of a part of the film image, in its pixels: 255 where it gets ink, else 0.
+// Returns a mask of a part of the film image, pixel by pixel: 255 where there is ink, else 0.
 // Grayscale8. Uses all cores.
 QImage inkedPixels(const Sheet& sheet, const QRect& part, InkedPlates plates = InkedPlates::All);
 

@@ -15,9 +15,9 @@ struct Text {
 };
 
 constexpr double markOff = 3.5; // mm from the picture's edges to a mark's centre
-constexpr double codeSide = 11; // mm
+constexpr double codeSide = 11; // side of the QR code, mm
 constexpr double type = 2.2, lineHeight = 3.4;
-constexpr double tick = 3; // mm
+constexpr double tick = 3; // length of a tick, mm
 
 void paintMarksOf(QPainter& painter, const SheetPiece& piece) {
     const QRectF centres = piece.picture.adjusted(-markOff, -markOff, markOff, markOff);
@@ -29,9 +29,9 @@ void paintMarksOf(QPainter& painter, const SheetPiece& piece) {
     }
 }
 
-// Draws ticks beside the picture at the centre of the job's own film, to which the body's offset
-// refers. There are none where that centre lies outside the picture.
-void paintMiddle(QPainter& painter, const SheetPiece& piece) {
+// Draws ticks beside the picture that show the centre of the job's own film. The body's offset
+// refers to that centre. Draws no tick where the centre lies outside the picture.
+void paintCentreTicks(QPainter& painter, const SheetPiece& piece) {
     const QRectF& picture = piece.picture;
     const QPointF& middle = piece.middle;
     QPainterPath ticks;
@@ -93,7 +93,7 @@ void paintPiece(QPainter& painter, const SheetPiece& piece) {
     painter.drawRect(QRectF({0, 0}, piece.size));
     if (piece.marks) {
         paintMarksOf(painter, piece);
-        paintMiddle(painter, piece);
+        paintCentreTicks(painter, piece);
     }
     if (piece.jobLine) {
         paintFoot(painter, piece);

@@ -7,8 +7,8 @@
 
 namespace dipwright {
 
-inline constexpr double pieceFoot = 12;       // mm below the marks, for the code and the job line
-inline constexpr double leastPieceWidth = 40; // mm, so that the job line fits
+inline constexpr double pieceFoot = 12;       // mm below the marks for the code and the job line
+inline constexpr double leastPieceWidth = 40; // mm that the job line needs
 
 // Returns the content of a piece's code: job, dip and copy, as in "b7b773909db3/1/2".
 QString pieceCode(const SheetPiece& piece);

@@ -7,8 +7,8 @@
 
 namespace dipwright {
 
-// Draws black squares on white in `place`, with the quiet zone of four squares that ISO/IEC 18004
-// asks for. Uses libqrencode with error correction M. `text` has at most some hundred letters.
+// Draws the code, black on white, in `place`, with the quiet zone of four squares that ISO/IEC
+// 18004 requires. Uses libqrencode with error correction M. `text` may have some hundred letters.
 void paintQrCode(QPainter& painter, const QRectF& place, const QString& text);
 
 } // namespace dipwright

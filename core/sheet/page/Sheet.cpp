@@ -85,7 +85,8 @@ void paintSheet(QPainter& painter, const Sheet& sheet) {
     painter.drawImage(layout.film, replacesImages(painter) ? QImage(1, 1, QImage::Format_RGB888)
                                                            : flattened(sheet.image));
     if (isInkedPage(painter)) {
-        const SpotInk cutter{sheet.settings.cutName, {0, 1, 0, 0}}; // magenta if unknown
+        const SpotInk cutter{sheet.settings.cutName,
+                             {0, 1, 0, 0}}; // magenta where the name is unknown
         strokeCut(painter, cutContour(sheet, layout), hairline, cutter,
                   sheet.settings.cutBleed.value());
     }

@@ -1,7 +1,7 @@
 // Describes and draws the printed page: film image, marks, ruler and job line at true size.
 //
-// All functions that set type need a QGuiApplication; the "offscreen" platform suffices.
-// sheetPixels, pageSize and flattened set no type. All functions are reentrant.
+// Functions that draw text need a QGuiApplication; the "offscreen" platform suffices. sheetPixels,
+// pageSize and flattened draw no text. All functions are reentrant.
 #pragma once
 
 #include "base/Units.h"
@@ -17,25 +17,26 @@ namespace dipwright {
 
 class PrinterColour;
 
-// The content of the job line. The hash identifies image and settings. There is no time of day, so
-// that the same project gives the same sheet bit for bit; `date` is the project's own date.
+// The content of the job line. `hash` identifies image and settings. `date` is the project's own
+// date, not the current one, so that the same project always gives the same sheet.
 struct JobLine {
     QString project, immersion, date, film, scale, hash;
 };
 
 // One of several jobs on a film (FilmPacking.h): its place in the sheet's image, and what is
-// printed round it. Lengths in mm.
+// printed around it. Lengths in mm.
 struct SheetPiece {
     QPointF corner;      // upper left corner of its box on the page
     QSizeF size;         // size of the whole cut-out piece, upright
     QRectF picture;      // inked part, in the upright piece
     QPointF middle;      // centre of its job's film (offset 0), in the upright piece
-    bool turned = false; // by a quarter turn clockwise on the page
+    bool turned = false; // whether the piece is turned clockwise by 90° on the page
     JobLine job;
     int dip = 1, copy = 1, copies = 1; // counted from 1
     bool marks = true, jobLine = true;
 
-    QRectF box() const { return {corner, turned ? size.transposed() : size}; } // on the page
+    // The piece's box on the page.
+    QRectF box() const { return {corner, turned ? size.transposed() : size}; }
 };
 
 // A plate besides the four inks: white, varnish or another spot colour.
@@ -43,7 +44,7 @@ struct SheetPlate {
     QString name;       // ink name that raster image processors know
     QImage tint;        // size of the film image, Grayscale8, 255 is full tint
     bool first = false; // printed before the four inks, so that it lies outermost on the part
-    QColor alternate{}; // shown for full ink where the name is unknown; invalid: nothing
+    QColor alternate{}; // colour of full ink where the name is unknown; invalid: no colour
 };
 
 // What a CMYK printer needs to compensate each ink separately, after separation.
@@ -53,38 +54,39 @@ struct WantedInk {
     InkSettings settings;
 };
 
-// A film image at its printed size, and what is printed round it.
+// A film image at its printed size, and what is printed around it.
 struct Sheet {
     QImage image;                                // ink side up, the whole film; sRGB or wide
     Millimetres filmWidth{210}, filmHeight{297}; // size as printed
     SheetSettings settings;
     JobLine job;
-    // Distance of marks, ruler and job line from the page's edge; larger if the printer's margins
-    // are.
+    // Distance of marks, ruler and job line from the page's edge; larger for printers with larger
+    // margins.
     Millimetres clearance{3};
     std::vector<SheetPlate> plates = {};  // in printing order
     std::optional<WantedInk> wanted = {}; // none: print the image as it is
-    std::vector<SheetPiece> pieces = {};  // empty: the image is of one job
+    std::vector<SheetPiece> pieces = {};  // several jobs on the film; empty: a single job
 };
 
 // Returns the job number of several sheets together: twelve hex digits of a SHA-256. `jobs` holds
 // the sheets' job numbers.
 QString hashOfJobs(const QStringList& jobs);
 
-inline constexpr int mostSheetPixels = 32'000; // per side: QImage and QPainter count in 16 bits
+// Most pixels per side of a sheet, because QImage and QPainter count in 16 bits.
+inline constexpr int mostSheetPixels = 32'000;
 // Returns the film image's size in pixels at true size: A4 at 300 dpi is 2480 × 3508. Throws Error
-// above mostSheetPixels per side.
+// if a side has more than mostSheetPixels.
 QSize sheetPixels(Millimetres width, Millimetres height, DotsPerInch resolution);
 // Returns the page size in mm for this film. Throws Error if the paper is unknown or smaller than
 // the film.
 QSizeF pageSize(const Sheet& sheet);
 // Returns the film image on white, opaque, in its own colours: RGB888 in sRGB, or wide (RGBX64).
 QImage onWhitePaper(const QImage& filmImage);
-// Returns the film image on white in sRGB (Format_RGB888). It is shown on screen and sent to
-// printers without an ICC profile.
+// Returns the film image on white in sRGB (Format_RGB888), for the screen and for printers without
+// an ICC profile.
 QImage flattened(const QImage& filmImage);
-// Returns the same picture reduced to `width` pixels, its height in proportion. A large picture is
-// not copied as a whole.
+// Returns the picture reduced to `width` pixels in width and proportionally in height. Does not
+// copy a large picture as a whole.
 QImage reduced(const QImage& filmImage, int width);
 // Draws the whole page for PDF, printer and preview. The painter's unit is the millimetre, its
 // origin the page's upper left corner.
@@ -92,15 +94,15 @@ void paintSheet(QPainter& painter, const Sheet& sheet);
 
 // Corrections that one printer's paper needs for true size and colour.
 struct PrintCorrection {
-    // Measured printed length over true length. The page is drawn smaller by these factors about
-    // its middle, so that it comes out true.
+    // Measured printed length over true length. The page is divided by these factors about its
+    // middle, so that it is printed at true size.
     double scaleX = 1, scaleY = 1;
     const PrinterColour* colour = nullptr; // not owned; null: sRGB
-    // Limit of total area coverage: the largest sum of the four inks at one place, where full ink
-    // of one counts 1. None: no limit.
+    // Limit of total area coverage: the largest sum of the four inks at one place. Full ink of one
+    // plate counts as 1. None: no limit.
     std::optional<double> totalInk = {};
-    // The page is turned by a quarter: its upper left corner lies in the paper's upper right
-    // corner.
+    // True if the page is turned by 90°, so that its upper left corner lies in the paper's upper
+    // right corner.
     bool acrossPaper = false;
 };
 

@@ -14,7 +14,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Sheet)
 };
 
-constexpr double rim = 0.5; // mm of white round what stands on ink
+constexpr double rim = 0.5; // mm of white around lines and text that stand on ink
 
 QPen whitePen(double width) {
     return {Qt::white, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
@@ -85,15 +85,15 @@ void paintRuler(QPainter& painter, const SheetStrip& strip) {
     painter.save();
     enter(painter, strip);
     const SheetInk ink(painter, strip.overPaint);
-    const int length = int(std::lround(strip.size.width() - 2 * rulerEnd));
+    const int length = int(std::lround(strip.size.width() - 2 * rulerEndRoom));
     const double base = strip.size.height() - hairline / 2;
     QPainterPath lines;
-    lines.moveTo(rulerEnd - hairline / 2, base);
-    lines.lineTo(rulerEnd + length + hairline / 2, base);
+    lines.moveTo(rulerEndRoom - hairline / 2, base);
+    lines.lineTo(rulerEndRoom + length + hairline / 2, base);
     for (int mm = 0; mm <= length; ++mm) {
         const double tick = mm % 10 == 0 ? 2.6 : mm % 5 == 0 ? 1.9 : 1.2;
-        lines.moveTo(rulerEnd + mm, base);
-        lines.lineTo(rulerEnd + mm, base - tick);
+        lines.moveTo(rulerEndRoom + mm, base);
+        lines.lineTo(rulerEndRoom + mm, base - tick);
     }
     ink.stroke(lines);
     constexpr double type = 1.6;
@@ -101,7 +101,7 @@ void paintRuler(QPainter& painter, const SheetStrip& strip) {
     for (int mm = 0; mm <= length; mm += 10) {
         const QString number = QString::number(mm);
         const double half = metrics.horizontalAdvance(number) * typeUnit / 2;
-        ink.text({rulerEnd + mm - half, base - 3.1}, type,
+        ink.text({rulerEndRoom + mm - half, base - 3.1}, type,
                  mm == length ? Text::tr("%1 mm").arg(mm) : number);
     }
     painter.restore();

@@ -18,10 +18,10 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Sheet)
 };
 
-constexpr double stripClearance = 2; // mm between two items
+constexpr double stripClearance = 2; // mm between two strips or marks
 constexpr double jobLineDepth = 3.5;
 constexpr double jobLineType = 2.2;
-constexpr int longestName = 40; // letters of a name on the job line
+constexpr int longestName = 40; // longest name on the job line, in letters
 
 QSizeF paperSize(const SheetSettings& settings, QSizeF film) {
     const QString& paper = settings.paper;
@@ -44,8 +44,8 @@ QSizeF paperSize(const SheetSettings& settings, QSizeF film) {
     return settings.landscape ? portrait.transposed() : portrait;
 }
 
-// Tells which share of a part of the page gets ink from the film's plates. Keeps a reference to the
-// sheet.
+// Computes which share of an area of the page gets ink from the film's plates. Keeps a reference to
+// the sheet.
 class Paint {
 public:
     Paint(const Sheet& sheet, const QRectF& film) : sheet_(sheet), film_(film) {}
@@ -149,13 +149,13 @@ private:
     }
 
     QSizeF page_;
-    double clearance_; // to the page's edge
+    double clearance_; // distance from the page's edge, mm
     const Paint& paint_;
     std::vector<QRectF> taken_;
 };
 
 // Places the marks outside the film if the paper has room, so that they also show where to cut;
-// otherwise inside.
+// otherwise inside the film.
 std::vector<SheetMark> placeMarks(const QRectF& film, double clearance, const Paint& paint) {
     const double inset = clearance + markReach;
     const bool outside = std::min(film.left(), film.top()) >= 2 * inset;
@@ -175,9 +175,9 @@ std::vector<SheetMark> placeMarks(const QRectF& film, double clearance, const Pa
 }
 
 std::optional<SheetStrip> placeRuler(Places& places) {
-    const double room = places.longest() - 2 * rulerEnd;
+    const double room = places.longest() - 2 * rulerEndRoom;
     for (int length = std::min(100, int(room / 10) * 10); length >= 20; length -= 10) {
-        const QSizeF size(length + 2 * rulerEnd, rulerDepth);
+        const QSizeF size(length + 2 * rulerEndRoom, rulerDepth);
         if (auto strip = places.take(size, {2, 0, 3, 1})) {
             return strip;
         }
@@ -190,7 +190,7 @@ QString shortened(const QString& name) {
     return text.size() <= longestName ? text : text.left(longestName - 1) + u'…';
 }
 
-// Returns the job line's texts, from the full one to the shortest, for tiny sheets.
+// Returns texts for the job line, from the full text to the shortest, which is for tiny sheets.
 QStringList jobLineTexts(const JobLine& job) {
     const QString hash = job.hash.simplified();
     return {Text::tr("%1 · %2 · %3 · Film %4 · Scale %5 · Job %6")
@@ -272,9 +272,9 @@ QFont sheetFont(double height) {
                       QStringLiteral("Arial"), QStringLiteral("Helvetica")});
     font.setStyleHint(QFont::SansSerif);
     font.setHintingPreference(QFont::PreferNoHinting);
-    // Letters with spacing are not joined to ligatures: the "ff" of a job number stays two letters
-    // that can be searched for.
-    constexpr double leastSpacing = 0.05; // units
+    // Spacing prevents ligatures, so that the "ff" in a job number stays two letters and can be
+    // searched for.
+    constexpr double leastSpacing = 0.05; // spacing in units of the painter
     font.setLetterSpacing(QFont::AbsoluteSpacing, leastSpacing);
     font.setPixelSize(std::max(1, int(std::lround(height / typeUnit))));
     return font;

@@ -1,8 +1,8 @@
 // Places the film, the registration marks, the ruler and the job line on a sheet.
 //
-// Marks, ruler and job line keep away from the page's edge, which printers do not reach. They take
-// a place that the film image leaves unprinted. If there is none, because the image fills the whole
-// film, they stand on the image with a white rim to be legible.
+// Marks, ruler and job line keep a distance from the page's edge, where printers do not print. They
+// stand where the film image is unprinted. If the image fills the whole film, they stand on the
+// image, with a white rim.
 #pragma once
 
 #include "sheet/page/Sheet.h"
@@ -12,9 +12,9 @@
 
 namespace dipwright {
 
-// A strip along one edge of the page, with its own coordinates: (0, 0) at `origin`, the first axis
-// along the reading direction. `size` is in mm. The strip is turned clockwise on the page by
-// `angle` degrees.
+// A strip along one edge of the page. It has its own coordinates: (0, 0) is at `origin`, and the
+// first axis is the reading direction. `size` is in mm. `angle` is the strip's clockwise rotation
+// on the page in degrees.
 struct SheetStrip {
     QPointF origin;
     double angle = 0;
@@ -30,34 +30,35 @@ struct SheetMark {
     QRectF box() const; // on the page
 };
 
-// Page coordinates: mm from the page's upper left corner.
+// The places of all items on the page, in mm from the page's upper left corner.
 struct SheetLayout {
     QSizeF page;
     QRectF film;
     std::vector<SheetMark>
         marks; // at the film's corners: upper left, upper right, lower left, lower right
-    std::optional<SheetStrip> ruler; // its scale fills the strip except `rulerEnd` at each end
+    std::optional<SheetStrip> ruler; // the scale leaves `rulerEndRoom` free at each end
     std::optional<SheetStrip> jobLine;
     QString jobLineText;
     double jobLineHeight = 0;       // type height, mm
-    std::vector<SheetPiece> pieces; // with several jobs; each has its own marks and job line
+    std::vector<SheetPiece> pieces; // several jobs, each with its own marks and job line
 };
 
-// Tells whether a pixel prints. It has one byte each for red, green, blue and alpha.
+// Tells whether a pixel is printed. `pixel` points to one byte each for red, green, blue and alpha.
 inline bool prints(const uchar* pixel) {
     return pixel[3] != 0 && (pixel[0] & pixel[1] & pixel[2]) != 255;
 }
 
-inline constexpr double markReach = 3;  // mm from a mark's centre to the ends of its cross
-inline constexpr double rulerEnd = 5;   // mm of the ruler's strip before 0 and after the last line
+inline constexpr double markReach = 3; // mm from a mark's centre to the ends of its cross
+inline constexpr double rulerEndRoom =
+    5;                                  // mm of the ruler's strip before 0 and after the last line
 inline constexpr double rulerDepth = 5; // mm
 
-// Throws the same errors as pageSize().
+// Returns the layout. Throws the same errors as pageSize().
 SheetLayout sheetLayout(const Sheet& sheet);
 
-// Returns the font of the marks, `height` mm high for a painter whose unit is `typeUnit` mm, since
-// a QFont has no sizes below a whole unit.
+// Painter unit for text, mm. It is small because a QFont has no sizes below a whole unit.
 inline constexpr double typeUnit = 0.01;
+// Returns the font of the marks, `height` mm high, for a painter whose unit is `typeUnit`.
 QFont sheetFont(double height);
 
 } // namespace dipwright

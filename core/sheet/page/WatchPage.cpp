@@ -19,7 +19,7 @@ struct Text {
 
 constexpr double sideRoom = 11;   // mm left and right of the board, for the upright ruler
 constexpr double headHeight = 38; // mm above the board, for the text
-constexpr double footHeight = 22; // mm below it, for the horizontal ruler
+constexpr double footHeight = 22; // mm below the board, for the horizontal ruler
 constexpr double markInset = 8;   // mm from the page's edges to the corner marks
 constexpr double rulerInset = 5;  // mm from the page's edge to the upright ruler
 
@@ -84,9 +84,9 @@ void paintBoard(QPainter& painter, BoardKind kind, const WatchBoard& board) {
 }
 
 void paintRulers(QPainter& painter, const WatchPage& page, const WatchBoard& board) {
-    const QSizeF size(watchRuler + 2 * rulerEnd, rulerDepth);
+    const QSizeF size(watchRuler + 2 * rulerEndRoom, rulerDepth);
     paintRuler(painter, {{board.box.left(), board.box.bottom() + 6}, 0, size, false});
-    // Reads upwards.
+    // The ruler beside the board reads upwards.
     const double bottom = std::min(board.box.bottom(), page.paper.height() - markInset);
     paintRuler(painter, {{rulerInset, bottom}, -90, size, false});
 }
@@ -108,7 +108,7 @@ WatchBoard watchBoard(const WatchPage& page) {
     };
     board.columns = squares(page.paper.width() - 2 * sideRoom);
     board.rows = squares(page.paper.height() - headHeight - footHeight);
-    const double rulers = watchRuler + 2 * rulerEnd;
+    const double rulers = watchRuler + 2 * rulerEndRoom;
     if ((board.columns - 1) * (board.rows - 1) < leastWatchCorners ||
         board.columns * square < rulers || board.rows * square < rulers) {
         throw Error(Text::tr("Paper of %1 × %2 mm is too small for a chessboard with %3 corners; "

@@ -17,7 +17,7 @@ struct WatchPage {
     QSizeF paper{210, 297}; // mm
     // The printer's printed length over true length, across and along the page.
     double scaleX = 1, scaleY = 1;
-    QString lot, date; // as printed on the page; empty: a line to write on
+    QString lot, date; // printed on the page; empty: the page has a blank line to fill in
 };
 
 // Size of the board and its place on the page, mm.
@@ -28,11 +28,11 @@ struct WatchBoard {
 
 // The fewest corners between four squares, on either board, that suffice to measure a film.
 inline constexpr int leastWatchCorners = 60;
-// Length of both rulers on the page.
+// Length of each of the two rulers on the page.
 inline constexpr int watchRuler = 100; // mm
 
-// Returns a board with as many whole squares as the paper has room for. Throws Error if these are
-// too few.
+// Returns a board with as many whole squares as the paper has room for. Throws Error if it has
+// fewer than leastWatchCorners.
 WatchBoard watchBoard(const WatchPage& page);
 
 // Draws the page without scale correction. The painter's unit is the millimetre, its origin the

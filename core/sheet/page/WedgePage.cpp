@@ -15,12 +15,12 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::WedgePage)
 };
 
-constexpr double margin = 12;     // mm
+constexpr double margin = 12;     // mm around the page
 constexpr double headHeight = 46; // mm above the first row, for text and tones
 constexpr double nameWidth = 20;  // mm left of each row
 constexpr double gap = 8;         // mm between rows, for handwriting
-constexpr double mostPatch = 14;  // mm
-constexpr double leastPatch = 8;  // mm: a densitometer's opening with some room round it
+constexpr double mostPatch = 14;  // largest side of a patch, mm
+constexpr double leastPatch = 8;  // least side, mm: room for a densitometer's opening
 
 double patchSize(const WedgePage& page) {
     std::size_t most = 1;
@@ -28,12 +28,12 @@ double patchSize(const WedgePage& page) {
         most = std::max(most, row.patches.size());
     }
     const double wide = (page.paper.width() - 2 * margin - nameWidth) / double(most);
-    // The upright ruler needs room below the rows, too.
+    // The upright ruler also needs room below the rows.
     const double high = (page.paper.height() - headHeight - 2 * margin - rulerDepth) /
                             double(std::max<std::size_t>(page.rows.size(), 1)) -
                         gap;
     const double size = std::min({wide, high, mostPatch});
-    const double rulers = wedgeRuler + 2 * rulerEnd;
+    const double rulers = wedgeRuler + 2 * rulerEndRoom;
     if (size < leastPatch || page.paper.width() < rulers + 2 * margin ||
         page.paper.height() < headHeight + rulers + margin) {
         throw Error(Text::tr("Paper of %1 × %2 mm is too small for the wedge; use larger paper")
@@ -86,9 +86,9 @@ void paintWedge(QPainter& painter, const WedgePage& page) {
         }
         top += size + gap;
     }
-    const QSizeF ruler(wedgeRuler + 2 * rulerEnd, rulerDepth);
+    const QSizeF ruler(wedgeRuler + 2 * rulerEndRoom, rulerDepth);
     paintRuler(painter, {{left, top}, 0, ruler, false});
-    // Stands beside the rows and reads upwards.
+    // The ruler beside the rows reads upwards.
     const double bottom = std::min(headHeight + ruler.width(), page.paper.height() - margin / 2);
     paintRuler(painter, {{margin / 2, bottom}, -90, ruler, false});
 }

@@ -23,20 +23,20 @@ struct WedgePage {
     // The printer's printed length over true length, across and along the page.
     double scaleX = 1, scaleY = 1;
     std::vector<WedgeRow> rows;
-    // ICC profile of the printer, and its name. The patches are then CMYK colours in the printer's
-    // inks. Empty: the patches are in sRGB. PDF only.
+    // ICC profile of the printer, and its name. With a profile, the patches are CMYK colours in the
+    // printer's inks (PDF only). Empty: the patches are in sRGB.
     QByteArray inks;
     QString inksName;
     QStringList tones; // captions of the columns
-    QString lot, date; // as printed on the page; empty: a line to write on
+    QString lot, date; // printed on the page; empty: the page has a blank line to fill in
 };
 
-// Length of both rulers before the film is stretched.
+// Length of each of the two rulers before the film is stretched.
 inline constexpr int wedgeRuler = 100; // mm
 
-// Write the page at true size, with the scales corrected. The same page gives the same bytes. Need
-// a QGuiApplication. Throw Error if the paper is too small for the rows or `device` cannot be
-// written.
+// Write the page at true size, with the scales corrected. The same page gives the same bytes. Both
+// need a QGuiApplication. Both throw Error if the paper is too small for the rows or `device`
+// cannot be written.
 void writeWedgePdf(const WedgePage& page, QIODevice& device);
 void writeWedgePng(const WedgePage& page, DotsPerInch resolution, QIODevice& device);
 

@@ -11,7 +11,7 @@
 namespace dipwright {
 namespace {
 
-constexpr int dotsPerInch = 1200; // resolution of the drawing's coordinates; images keep their own
+constexpr int dotsPerInch = 1200; // resolution of the drawing's coordinates, not of its images
 
 class Writer : public QPdfWriter {
 public:

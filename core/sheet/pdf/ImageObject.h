@@ -7,7 +7,8 @@
 
 namespace dipwright {
 
-// `space`: the colour space, with as many channels as the pixels. The image is stored without loss.
+// Returns the image, stored without loss. The colour space `space` has as many channels as the
+// pixels.
 QPDFObjectHandle imageObject(QPDF& pdf, const PackedPixels& pixels, const QPDFObjectHandle& space);
 
 } // namespace dipwright

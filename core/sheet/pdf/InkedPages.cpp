@@ -13,7 +13,7 @@
 namespace dipwright {
 namespace {
 
-// PDF numbers have no exponents.
+// Returns the number without an exponent, which PDF does not allow.
 QByteArray plain(double number) {
     return QByteArray::number(number, 'f', 9);
 }
@@ -90,7 +90,7 @@ public:
     bool begin(QPaintDevice*) override { return true; }
     bool end() override { return true; }
     Type type() const override { return User; }
-    void updateState(const QPaintEngineState&) override {} // drawing asks the painter
+    void updateState(const QPaintEngineState&) override {} // the engine asks the painter instead
     void drawPath(const QPainterPath& path) override {
         const QPen pen = painter()->pen();
         const QBrush brush = painter()->brush();
@@ -127,7 +127,7 @@ public:
                 onPage.mapRect(path.boundingRect().adjusted(-bleed, -bleed, bleed, bleed)));
         }
     }
-    // In points from the page's upper left corner; empty: the page's own box.
+    // Returns the trim box in points from the page's upper left corner; empty: the page's own box.
     const QRectF& trim() const { return trim_; }
     const QRectF& bleed() const { return bleed_; }
     // Returns the name of a spot ink's colour space on the page.
@@ -155,7 +155,8 @@ private:
         }
         content_ += operators + "Q\n";
     }
-    // Draws the plates' images in the box. An image's own square is 1 × 1, its first row on top.
+    // Draws the plates' images in the box. In PDF, an image fills a square of 1 × 1, first row on
+    // top.
     void place(const QRectF& box) {
         QByteArray draw = plates_ > 1 ? "/Over gs\n" : "";
         for (int plate = 0; plate < plates_; ++plate) {
@@ -164,7 +165,7 @@ private:
         add(matrix(QTransform(box.width(), 0, 0, -box.height(), box.x(), box.bottom())) + draw);
     }
 
-    int plates_; // images per picture
+    int plates_; // number of plates: each picture becomes one image per plate
     QByteArray content_;
     std::vector<SpotInk> spots_;
     QRectF trim_, bleed_;
@@ -229,7 +230,8 @@ QPDFObjectHandle separation(QPDF& pdf, const SpotInk& spot) {
     return pdf.makeIndirectObject(space);
 }
 
-// Compresses without loss. qCompress() puts the length before the data that PDF calls FlateDecode.
+// Compresses without loss (FlateDecode). qCompress() writes the length before the data; PDF does
+// not want it.
 QPDFObjectHandle compressed(QPDF& pdf, const QByteArray& bytes) {
     const QByteArray packed = qCompress(bytes).mid(4);
     QPDFObjectHandle stream = QPDFObjectHandle::newStream(&pdf);
@@ -238,7 +240,7 @@ QPDFObjectHandle compressed(QPDF& pdf, const QByteArray& bytes) {
     return stream;
 }
 
-// `format` has as many bytes per pixel as `bytes`.
+// Returns the image object of `bytes`. `format` is any format with as many bytes per pixel.
 QPDFObjectHandle imageOf(QPDF& pdf, QSize size, const QByteArray& bytes, QImage::Format format,
                          const QPDFObjectHandle& space) {
     const int channels = int(bytes.size() / (qsizetype(size.width()) * size.height()));
@@ -250,7 +252,7 @@ QPDFObjectHandle imageOf(QPDF& pdf, QSize size, const QByteArray& bytes, QImage:
     return imageObject(pdf, packedPixels({size, channels, 8, rows}), space);
 }
 
-// In printing order.
+// Returns the plates' images in printing order.
 std::vector<QPDFObjectHandle> plateImages(QPDF& pdf, const Plates& plates) {
     std::vector<QPDFObjectHandle> images;
     if (plates.size.isEmpty()) { // pages without a picture
@@ -266,7 +268,7 @@ std::vector<QPDFObjectHandle> plateImages(QPDF& pdf, const Plates& plates) {
     };
     add(true);
     images.push_back(imageOf(pdf, plates.size, plates.cmyk,
-                             QImage::Format_RGBX8888, // any format of four bytes
+                             QImage::Format_RGBX8888, // stands for any format of four bytes
                              QPDFObjectHandle::newName("/DeviceCMYK")));
     add(false);
     return images;
@@ -276,7 +278,7 @@ QPDFObjectHandle boxOf(QSizeF points) {
     return QPDFObjectHandle::newFromRectangle({0, 0, points.width(), points.height()});
 }
 
-// `box` is measured from the upper left corner of the page.
+// Returns a PDF box. `box` is measured from the upper left corner of the page.
 QPDFObjectHandle boxOf(QRectF box, QSizeF page) {
     box = box.intersected(QRectF(QPointF(), page));
     return QPDFObjectHandle::newFromRectangle(
@@ -322,9 +324,9 @@ void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const Plates& i
             spaces.replaceKey(('/' + drawn.engine().spotName(spot)).toStdString(),
                               separation(pdf, spot));
         }
-        // With the blend mode Multiply, a plate removes nothing of the others (ISO 32000-1,
-        // 11.7.3), on screens and in separations. Many viewers ignore overprinting; white would
-        // then hide the rest.
+        // With the blend mode Multiply, a plate removes no ink of the other plates, on screens and
+        // in separations (ISO 32000-1, 11.7.3). Overprinting is no alternative: many viewers ignore
+        // it, and white would then hide the other plates.
         QPDFObjectHandle resources =
             QPDFObjectHandle::parse("<< /ExtGState << /Over << /BM /Multiply >> >> "
                                     "/XObject << >> >>");

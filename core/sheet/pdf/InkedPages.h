@@ -9,19 +9,19 @@ class QPDF;
 
 namespace dipwright {
 
-// Black on every plate, spot plates included, for marks that show whether the plates register.
+// Full ink on every plate, including spot plates, for marks that show whether the plates register.
 inline const QColor registrationBlack = QColor::fromCmyk(255, 255, 255, 255);
 
-// Adds the pages, drawn by their painters, to a document. Greys are in black ink only, CMYK colours
-// are kept, and registrationBlack becomes the separation All. Any image that a page draws is
-// replaced by `plates`.
+// Adds the pages, drawn by their painters, to a document. Greys become black ink only, CMYK colours
+// stay as they are, and registrationBlack becomes the separation All. `plates` replaces any image
+// that a page draws.
 void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const Plates& plates);
 
-// Tells whether the painter's page is in inks.
+// Tells whether the painter draws on a page of addInkedPages().
 bool isInkedPage(const QPainter& painter);
-// Draws the cut contour in its own spot ink, printed over the other inks. The page must take spots.
-// If there is a bleed, the contour's bounding box becomes the page's trim box, and that box
-// enlarged by `bleed` mm becomes its bleed box.
+// Draws the cut contour in its own spot ink, printed over the other inks. The page must be an inked
+// page. If `bleed` is not 0, the contour's bounding box becomes the page's trim box, and the trim
+// box enlarged by `bleed` mm becomes its bleed box.
 void strokeCut(QPainter& painter, const QPainterPath& path, double width, const SpotInk& spot,
                double bleed);
 

@@ -15,7 +15,8 @@
 namespace dipwright {
 namespace {
 
-// Sets the exact boxes, in points, from Qt's upper left corner, where the drawing starts.
+// Sets the page's boxes to the exact size in points, measured from Qt's upper left corner, where
+// the drawing starts.
 void setExactBox(QPDFObjectHandle page, QSizeF size) {
     const double top = page.getKey("/MediaBox").getArrayAsRectangle().ury;
     for (const char* box : {"/MediaBox", "/TrimBox"}) {
@@ -24,9 +25,8 @@ void setExactBox(QPDFObjectHandle page, QSizeF size) {
     }
 }
 
-// Adds the output intent, the colour space of the pages. It is a PDF/X intent only in a PDF/X
-// document. Otherwise it is the kind that PDF/A uses, because a screen's colours belong to no
-// printer.
+// Adds the output intent, which names the colour space of the pages. In a PDF/X document it is a
+// PDF/X intent. Otherwise it is a PDF/A intent, because the profile is not a printer's.
 void addOutputIntent(QPDF& pdf, const QByteArray& profile, const PdfSettings& settings) {
     QPDFObjectHandle stream = QPDFObjectHandle::newStream(&pdf, profile.toStdString());
     stream.getDict().replaceKey("/N", QPDFObjectHandle::newInteger(settings.inks ? 4 : 3));
@@ -54,7 +54,7 @@ QByteArray written(QPDF& pdf) {
     return {reinterpret_cast<const char*>(bytes->getBuffer()), qsizetype(bytes->getSize())};
 }
 
-// Adds RGB pages that Qt has drawn. `picture` replaces their images; null: they stay.
+// Adds RGB pages that Qt has drawn. `picture` replaces their images; null: the images stay.
 void addDrawnPages(QPDF& pdf, const std::vector<PdfPage>& pages, const QByteArray& drawn,
                    const PackedPixels* picture) {
     pdf.processMemoryFile("drawn.pdf", drawn.constData(), std::size_t(drawn.size()));

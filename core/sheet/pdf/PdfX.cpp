@@ -37,8 +37,9 @@ QString documentId(QPDF& pdf) {
     return QStringLiteral("uuid:") + id.toString(QUuid::WithoutBraces);
 }
 
-// PDF/X requires a time. The clock's would make two different files of one sheet. If the project
-// has no date, 1970-01-01 is used, which nobody mistakes for a real one.
+// Returns the time that PDF/X requires. It does not come from the clock, so that the same sheet
+// gives the same file. If the project has no date, it is 1970-01-01, which is clearly not a real
+// date.
 QString moment(const QString& date) {
     const QDate day = QDate::fromString(date, Qt::ISODate);
     return (day.isValid() ? day : QDate(1970, 1, 1)).toString(Qt::ISODate) +

@@ -1,6 +1,6 @@
 // Declares a document as PDF/X-4 (ISO 15930-7:2010), which a print shop accepts without inspection.
-// It says which inks it is for, where the page is trimmed, that it is not trapped yet and, in XMP,
-// what it is. Private to this folder.
+// Such a document states its inks and trim boxes, that it is not trapped yet, and, in XMP, its
+// title and type. Private to this folder.
 #pragma once
 
 #include "sheet/pdf/PdfDocument.h"
@@ -14,8 +14,8 @@ namespace dipwright {
 bool isOutputDevice(const QByteArray& profile);
 
 // Adds XMP metadata and matching document information, without anything from the clock. The caller
-// provides the rest: embedded fonts, a trim box on each page, an output intent, and colours of its
-// space only.
+// must already have provided embedded fonts, a trim box on each page, an output intent, and only
+// colours of its space.
 void declarePdfX(QPDF& pdf, const PdfSettings& settings);
 
 } // namespace dipwright

@@ -13,9 +13,9 @@ namespace dipwright {
 // An ink besides cyan, magenta, yellow and black: white, varnish, another spot colour or a cutter's
 // line.
 struct SpotInk {
-    QString name; // known to raster image processors
+    QString name; // name that raster image processors know
     // Cyan, magenta, yellow and black, 0 … 1, that replace full ink where the name is unknown. All
-    // 0: nothing.
+    // 0: the ink is not shown there.
     std::array<double, 4> alternate{};
 };
 
@@ -26,7 +26,7 @@ struct SpotPlate {
 };
 
 struct Plates {
-    QSize size;      // of the picture, pixels
+    QSize size;      // size of the picture, pixels
     QByteArray cmyk; // four bytes per pixel, 0 no ink … 255 full, rows without padding
     std::vector<SpotPlate> spots; // in printing order
 

@@ -9,7 +9,7 @@
 namespace dipwright {
 namespace {
 
-constexpr int steps = 256; // of the stretch, from the least to the largest; linear between steps
+constexpr int steps = 256; // tabulated values of the stretch; linear in between
 constexpr float visibleDensity = 0.05f;
 constexpr FilmInk inkOrder[4] = {FilmInk::Cyan, FilmInk::Magenta, FilmInk::Yellow, FilmInk::Black};
 
@@ -23,15 +23,15 @@ float stepOf(float areaStretch) {
 
 } // namespace
 
-float PlateCompensation::OneInk::density(double amount) const {
+float PlateCompensation::InkTable::density(double amount) const {
     const int below = std::clamp(int(amount), 0, 254);
     const auto share = float(amount - below);
     return densities[std::size_t(below)] +
            share * (densities[std::size_t(below) + 1] - densities[std::size_t(below)]);
 }
 
-// Returns the least amount of at least this density; full ink if there is none.
-double PlateCompensation::OneInk::amount(float density) const {
+// Returns the smallest amount with at least this density; full ink if there is none.
+double PlateCompensation::InkTable::amount(float density) const {
     const auto above = std::lower_bound(densities.begin(), densities.end(), density);
     if (above == densities.begin() || above == densities.end()) {
         return above == densities.end() ? 255 : 0;
@@ -47,13 +47,14 @@ PlateCompensation::PlateCompensation(const PrinterColour& colour, const InkSetti
     parallelFor(0, 4, [&](int ink) { fill(inks_[std::size_t(ink)], float(settings.limit)); });
 }
 
-void PlateCompensation::fill(OneInk& ink, float limit) const {
+void PlateCompensation::fill(InkTable& ink, float limit) const {
     ink.printed.reserve(256 * (steps + 1));
     for (int wanted = 0; wanted < 256; ++wanted) {
         const float shows = ink.densities[std::size_t(wanted)];
         for (int step = 0; step <= steps; ++step) {
             if (shows <= 0) {
-                ink.printed.push_back(float(wanted)); // invisible on any film
+                ink.printed.push_back(
+                    float(wanted)); // without density there is nothing to compensate
                 continue;
             }
             const float density = shows * ink.law.byShown(std::log(shows), stretchAt(step));
@@ -73,7 +74,7 @@ std::uint8_t PlateCompensation::printed(int ink, std::uint8_t wanted, float area
 }
 
 double PlateCompensation::shown(int ink, double printed, float areaStretch) const {
-    const OneInk& one = inks_[std::size_t(ink)];
+    const InkTable& one = inks_[std::size_t(ink)];
     const float density = one.density(printed);
     return density > 0 ? one.amount(density / one.law.byPrinted(std::log(density), areaStretch))
                        : printed;
@@ -81,7 +82,7 @@ double PlateCompensation::shown(int ink, double printed, float areaStretch) cons
 
 bool PlateCompensation::fallsShort(int ink, std::uint8_t wanted, std::uint8_t printed,
                                    float areaStretch) const {
-    const OneInk& one = inks_[std::size_t(ink)];
+    const InkTable& one = inks_[std::size_t(ink)];
     return one.density(wanted) - one.density(shown(ink, printed, areaStretch)) > visibleDensity;
 }
 

@@ -1,5 +1,6 @@
 // Compensates each of a printer's four inks for the stretch of the film, by the ink's own law
-// (docs/film-model.md, "Ink"). It works after separation, on the amount of each ink.
+// (docs/film-model.md, "Ink"). The compensation follows the separation and changes the amount of
+// each ink.
 #pragma once
 
 #include "settings/InkSettings.h"
@@ -12,8 +13,8 @@
 
 namespace dipwright {
 
-// The printer's ICC profile gives the density of each amount of ink: −log10 of the light that the
-// ink lets through alone. The light is red, green or blue of wide colour's primaries; for black it
+// The printer's ICC profile gives the density of each amount of ink: −log10 of the light that this
+// ink alone lets through. The light is the red, green or blue primary of wide colour; for black it
 // is all three. Const members may be used from several threads.
 class PlateCompensation {
 public:
@@ -21,16 +22,17 @@ public:
     PlateCompensation(const PrinterColour& colour, const InkSettings& settings);
 
     // Returns the amount to print of ink `ink`, 0 … 255, so that `wanted` shows where the film's
-    // area has grown by `areaStretch`. It is at most full ink. Its density stays within the ink
+    // area has grown by `areaStretch`. Never more than full ink. Keeps the density within the ink
     // limit unless `wanted` itself is denser.
     std::uint8_t printed(int ink, std::uint8_t wanted, float areaStretch) const;
-    // Returns the amount, 0 … 255, that looks as dense on film that is not stretched.
+    // Returns the amount, 0 … 255, that has the same density on unstretched film as `printed` has
+    // here.
     double shown(int ink, double printed, float areaStretch) const;
-    // Tells whether the result is visibly paler than `wanted`.
+    // Tells whether the result of printing `printed` is visibly paler than `wanted`.
     bool fallsShort(int ink, std::uint8_t wanted, std::uint8_t printed, float areaStretch) const;
 
 private:
-    struct OneInk {
+    struct InkTable {
         Thinning law;
         std::array<float, 256> densities; // never decreasing
         std::vector<float> printed;       // amounts by wanted amount, then by step of the stretch
@@ -38,9 +40,9 @@ private:
         float density(double amount) const;
         double amount(float density) const;
     };
-    void fill(OneInk& ink, float limit) const;
+    void fill(InkTable& ink, float limit) const;
 
-    std::vector<OneInk> inks_;
+    std::vector<InkTable> inks_;
 };
 
 } // namespace dipwright

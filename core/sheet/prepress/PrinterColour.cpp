@@ -66,7 +66,7 @@ QImage withAlphaOf(const QImage& picture, const QImage& opaque) {
     return result;
 }
 
-// Transforms for pictures in one colour space.
+// The transforms for pictures in one colour space.
 struct FromPicture {
     TransformHandle toPrinter;
     TransformHandle wanted; // to Lab
@@ -84,8 +84,8 @@ struct PrinterColour::Data {
     bool cmyk = false;
     FromPicture fromSrgb;     // RGB888
     FromPicture fromWide;     // RGBX64
-    TransformHandle toScreen; // from the printer, to sRGB, relative to the paper
-    TransformHandle printed;  // from the printer, to Lab
+    TransformHandle toScreen; // from printer colours to sRGB, relative to the paper
+    TransformHandle printed;  // from printer colours to Lab
 
     int channels() const { return cmyk ? 4 : 3; }
     const FromPicture& from(const QImage& opaque) const {
@@ -113,8 +113,8 @@ PrinterColour::PrinterColour(const QByteArray& iccProfile, RenderingIntent inten
             Text::tr("This file is not an ICC profile, or it is damaged; choose another file"),
             where);
     }
-    // Compares the header's bytes instead of calling cmsGetColorSpace: that returns an enumeration,
-    // which has no value for unknown bytes.
+    // Compares the header's bytes. cmsGetColorSpace() would return an enumeration that has no value
+    // for unknown bytes.
     const QByteArray space = iccProfile.mid(16, 4);
     if (space != "RGB " && space != "CMYK") {
         throw Error(Text::tr("This ICC profile does not belong to an RGB or CMYK printer; choose "
@@ -128,7 +128,7 @@ PrinterColour::PrinterColour(const QByteArray& iccProfile, RenderingIntent inten
         cmsOpenProfileFromMem(wideIcc.constData(), cmsUInt32Number(wideIcc.size())));
     const ProfileHandle lab(cmsCreateLab4Profile(nullptr));
     const cmsUInt32Number device = d.cmyk ? TYPE_CMYK_8 : TYPE_RGB_8;
-    // Without the one-pixel cache, several threads may use a transform at once.
+    // Without lcms2's one-pixel cache, several threads may use a transform at the same time.
     const cmsUInt32Number blackPointFlag = blackPoint ? cmsFLAGS_BLACKPOINTCOMPENSATION : 0u;
     const cmsUInt32Number relative = INTENT_RELATIVE_COLORIMETRIC;
     const auto way = [&](const ProfileHandle& from, cmsUInt32Number pixels, cmsUInt32Number flags) {
@@ -140,7 +140,7 @@ PrinterColour::PrinterColour(const QByteArray& iccProfile, RenderingIntent inten
                                     where)};
     };
     d.fromSrgb = way(screen, TYPE_RGB_8, cmsFLAGS_NOCACHE);
-    // Optimised lookup tables are too coarse for 16 bits.
+    // NOOPTIMIZE, because optimised lookup tables are too coarse for 16 bits.
     d.fromWide = way(wide, TYPE_RGBA_16, cmsFLAGS_NOCACHE | cmsFLAGS_NOOPTIMIZE);
     d.toScreen = required(cmsCreateTransform(d.printer.get(), device, screen.get(), TYPE_RGB_8,
                                              relative, cmsFLAGS_NOCACHE),
@@ -170,7 +170,7 @@ const QByteArray& PrinterColour::iccProfile() const {
 QImage PrinterColour::rgb(const QImage& picture) const {
     Q_ASSERT(!isCmyk());
     const QImage source = opaque(picture);
-    QImage result(source.size(), QImage::Format_RGB888); // its numbers are printer colours
+    QImage result(source.size(), QImage::Format_RGB888); // holds printer colours
     uchar* const bits = result.bits();
     parallelFor(0, source.height(), [&, stride = result.bytesPerLine()](int y) {
         const std::vector<uchar> row = data_->printerRow(source, y);

@@ -21,7 +21,7 @@ struct GamutWarning {
 class PrinterColour {
 public:
     // `iccProfile` is the file of an RGB or CMYK device. `blackPoint` turns on black point
-    // compensation. Throws Error, naming `where`, for any other file.
+    // compensation. Throws Error, naming `where`, if the file is not such a profile.
     PrinterColour(const QByteArray& iccProfile, RenderingIntent intent, bool blackPoint,
                   const QString& where);
     ~PrinterColour();
@@ -30,18 +30,19 @@ public:
     QString description() const; // the profile's own name
     const QByteArray& iccProfile() const;
 
-    // Pictures are in sRGB or wide colour (base/WideGamut.h).
+    // Pictures below are in sRGB or wide colour (base/WideGamut.h).
 
-    // Converts a picture to the printer's RGB: Format_RGBA8888 if it has alpha, else RGB888. RGB
-    // printers only.
+    // Converts a picture to the printer's RGB: Format_RGBA8888 if the picture has alpha, else
+    // RGB888. RGB printers only.
     QImage rgb(const QImage& picture) const;
     // Converts an opaque picture to the printer's CMYK: four bytes per pixel, 0 no ink … 255 full,
     // rows without padding. CMYK printers only.
     QByteArray cmyk(const QImage& picture) const;
 
     // Returns the density of each amount, 0 … 255, of one ink alone (cyan, magenta, yellow, black).
-    // It is −log10 of the light relative to bare paper. The light is red, green or blue of wide
-    // colour's primaries; for black it is the luminance. Never decreasing. CMYK printers only.
+    // The density is −log10 of the light relative to bare paper. The light is the red, green or
+    // blue primary of wide colour; for black it is the luminance. Never decreasing. CMYK printers
+    // only.
     std::array<float, 256> inkDensities(int ink) const;
 
     // Returns the picture as the print will look, in sRGB. Keeps alpha.

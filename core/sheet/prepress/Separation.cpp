@@ -45,7 +45,7 @@ QImage chokedPart(const QImage& tint, double choke) {
     for (int y = 0; y < tint.height(); ++y) {
         uchar* row = smaller.scanLine(y);
         for (std::size_t x = 0; x < width; ++x) {
-            // A bare pixel ends half a pixel from its middle.
+            // Subtracts the half pixel between a bare pixel's middle and its edge.
             if (distances[std::size_t(y) * width + x] - 0.5 < choke) {
                 row[x] = 0;
             }
@@ -54,7 +54,8 @@ QImage chokedPart(const QImage& tint, double choke) {
     return smaller;
 }
 
-// Returns the smallest box of all tinted pixels, one pixel wider on each side within the picture.
+// Returns the smallest box around all tinted pixels, enlarged by one pixel on each side within the
+// picture.
 QRect tintedBox(const QImage& tint) {
     QRect box;
     for (int y = 0; y < tint.height(); ++y) {

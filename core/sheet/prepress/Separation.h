@@ -12,12 +12,12 @@ namespace dipwright {
 // compensated by its own law (PlateCompensation). Uses all cores.
 Plates separate(const Sheet& sheet, const PrintCorrection& correction);
 
-// Returns the area of the part, in mm², where the inks stay visibly paler than wanted: full ink
-// does not compensate the stretch, or one of the two ink limits prevents it. 0 if the sheet does
+// Returns the area of the part, in mm², that stays visibly paler than wanted. There, full ink does
+// not compensate the stretch, or one of the two ink limits forbids more ink. 0 if the sheet does
 // not have the film's stretch.
 double inkShortfall(const Sheet& sheet, const PrintCorrection& correction);
 
-// Returns bare paper in these inks, as it surrounds the film.
+// Returns the amounts of the four inks on the bare paper around the film.
 std::array<char, 4> bareInks(const PrinterColour& colour);
 
 // Returns the plate without the pixels nearer than `choke` pixels to a pixel without tint.
@@ -25,8 +25,8 @@ std::array<char, 4> bareInks(const PrinterColour& colour);
 QImage choked(const QImage& tint, double choke);
 
 // Reduces pixels whose four inks sum to more than `most` (4: full ink of each). Cyan, magenta and
-// yellow are scaled by one factor, which keeps the hue. Black is reduced only if it exceeds `most`
-// alone, because it gives the most darkness for the least ink.
+// yellow are scaled by one factor, which keeps the hue. Black is reduced only if black alone
+// exceeds `most`, because it gives the most darkness for the least ink.
 void limitInk(QByteArray& cmyk, double most);
 
 } // namespace dipwright

@@ -108,14 +108,15 @@ QByteArray inkedPage(const Sheet& sheet, const SheetLayout& layout, const Plates
             for (int channel = 0; channel < channels; ++channel) {
                 ink[channel] = uchar((ink[channel] * (255 - cover) + 127) / 255);
             }
-            const int black = cover - qRed(row[x]); // premultiplied: equals cover where white
+            const int black =
+                cover - qRed(row[x]); // the colour is premultiplied, so white equals `cover`
             ink[3] = uchar(std::min(255, ink[3] + black));
         }
     }
     return inks;
 }
 
-// A TIFF file that libtiff writes to memory.
+// Memory to which libtiff writes a TIFF file.
 class TiffBuffer {
 public:
     TiffBuffer()
@@ -172,8 +173,8 @@ struct Resolution {
     DotsPerInch x, y;
 };
 
-// Declares the inks. Inks beyond the four are extra samples that CMYK readers ignore. TIFF lists
-// all ink names one after the other, each ending in a zero.
+// Declares the inks. Inks beyond the four are extra samples, which CMYK readers ignore. In TIFF,
+// the ink names follow each other, each ending with a zero byte.
 void setInks(TIFF* tiff, const std::vector<SpotPlate>& spots) {
     TIFFSetField(tiff, TIFFTAG_INKSET, INKSET_CMYK);
     if (!spots.empty()) {

@@ -11,8 +11,8 @@ namespace dipwright {
 
 struct TileSettings {
     QSizeF paper{210, 297};        // mm
-    QMarginsF margins{5, 5, 5, 5}; // of the paper; only labels are printed there
-    double overlap = 10;           // mm shared by neighbours
+    QMarginsF margins{5, 5, 5, 5}; // mm; tiles stay within the margins of the paper
+    double overlap = 10;           // mm that neighbouring tiles share
 };
 
 // Returns the tiles in page coordinates, in mm, row by row. Each is as large as the paper within

@@ -11,7 +11,7 @@ namespace {
 using Cell = Eigen::Vector3i;
 using Triangle = std::array<std::uint32_t, 3>;
 
-// The field's values at the grid points of a uniform grid.
+// Holds the field's values at the points of a uniform grid.
 class SampledGrid {
 public:
     SampledGrid(const Field& field, const BoundingBox& box, float step)
@@ -47,8 +47,8 @@ Cell cornerOfCell(int corner) {
     return {corner & 1, (corner >> 1) & 1, (corner >> 2) & 1};
 }
 
-// Computes the mean of the places where the surface crosses the cell's edges. Returns false if it
-// crosses none.
+// Computes the mean of the places where the surface crosses the cell's edges. Returns false if the
+// surface crosses no edge.
 bool crossingMean(const SampledGrid& grid, const Cell& cell, Eigen::Vector3f& mean) {
     mean.setZero();
     int crossings = 0;
@@ -188,7 +188,8 @@ TriangleMesh cutAtGround(TriangleMesh mesh, float snap) {
 
     std::vector<Triangle> triangles;
     for (const Triangle& triangle : mesh.triangles) {
-        // The triangle's outline with the crossings inserted, divided where it meets the plane.
+        // The triangle's outline, with a point inserted where it crosses the plane. The outline is
+        // divided at these points.
         std::vector<std::uint32_t> above;
         std::vector<std::uint32_t> below;
         for (int corner = 0; corner < 3; ++corner) {

@@ -16,8 +16,8 @@ double cross(const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
     return double(a.x()) * b.y() - double(a.y()) * b.x();
 }
 
-// Calls `paint(x, y, weights)` for each pixel whose centre is in the triangle. `weights`:
-// barycentric coordinates.
+// Calls `paint(x, y, weights)` for each pixel whose centre is in the triangle. `weights` holds the
+// centre's barycentric coordinates.
 template <typename Paint>
 void rasterise(const std::array<Eigen::Vector2f, 3>& corners, const Paint& paint) {
     const double area = cross(corners[1] - corners[0], corners[2] - corners[0]);
@@ -84,7 +84,8 @@ void paintLetters(QPainter& painter, QPointF centre, double height, const QStrin
     QPainterPath letters;
     letters.addText(0, 0, font, text);
     const QRectF box = letters.boundingRect();
-    const double scale = height / 73; // height of a capital letter at 100 pixels
+    // 73: height of a capital letter at a font size of 100 pixels.
+    const double scale = height / 73;
     QTransform place;
     place.translate(centre.x(), centre.y());
     place.scale(scale * widening, scale);

@@ -11,8 +11,8 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr double seamLongitude = 45; // degrees to the right of the front
 
-// Returns the place's angle around the globe from the seam, 0 … 1, increasing to the right as seen
-// from outside.
+// Returns the place's angle around the globe from the seam, as a share 0 … 1 of a full turn. It
+// increases to the right as seen from outside.
 double turn(const Eigen::Vector3f& place) {
     const double longitude = std::atan2(place.x(), place.z()) * 180 / pi;
     const double turns = (longitude - seamLongitude) / 360;
@@ -27,7 +27,8 @@ std::array<Eigen::Vector2f, 3> globeCoordinates(const std::array<Eigen::Vector3f
     const double middle = turn(corners[0] + corners[1] + corners[2]);
     std::array<Eigen::Vector2f, 3> result;
     for (int i = 0; i < 3; ++i) {
-        // A pole has no longitude, so it takes the triangle's. At the seam, 0 and 1 are the same.
+        // A pole has no longitude, so it gets the longitude of the triangle's other corners. At the
+        // seam, 0 and 1 are the same longitude.
         const bool pole = std::hypot(corners[i].x(), corners[i].z()) < 1e-3;
         const double own = pole ? middle : turn(corners[i]);
         result[i] = {float(own - std::round(own - middle)), height(corners[i])};
@@ -41,7 +42,8 @@ QPointF onPicture(double longitude, double latitude) {
     return {texturePixels * (turns - std::floor(turns)), texturePixels * (0.5 - latitude / 180)};
 }
 
-// Returns how much wider than high to paint, so that it looks even on the globe.
+// Returns the factor by which drawings must be widened at this latitude, so that they look
+// undistorted on the globe.
 double widening(double latitude) {
     return 0.5 / std::cos(latitude * pi / 180);
 }
@@ -51,7 +53,7 @@ constexpr double fieldWidth = texturePixels * fieldDegrees / 360.0;
 constexpr double fieldHeight = texturePixels * fieldDegrees / 180.0;
 const QColor ink(24, 38, 66);
 
-// Paints fields around the globe in all hues, alternately lighter and darker.
+// Paints coloured fields around the globe, in all hues, alternately lighter and darker.
 void paintFields(QPainter& painter) {
     for (int column = 0; column < 24; ++column) {
         for (int row = 0; row < 12; ++row) {
@@ -64,7 +66,8 @@ void paintFields(QPainter& painter) {
     }
 }
 
-// Paints lines of constant width on the globe; in the picture, meridians widen towards the poles.
+// Paints meridians and parallels that have a constant width on the globe. In the picture, meridians
+// widen towards the poles.
 void paintGraticule(QPainter& painter) {
     for (int longitude = 0; longitude < 360; longitude += fieldDegrees) {
         const double x = onPicture(longitude, 0).x();
@@ -74,7 +77,7 @@ void paintGraticule(QPainter& painter) {
             const double latitude = 90 - (y + 0.5) * 180 / texturePixels;
             if (std::abs(latitude) < end) {
                 const double width = (strong ? 14 : 7) * widening(latitude);
-                // Both ends of the picture share the meridian of the seam.
+                // Both ends of the picture show the meridian of the seam.
                 for (const double wrap : {0, texturePixels}) {
                     painter.fillRect(QRectF(x - width / 2 + wrap, y, width, 1), ink);
                 }

@@ -12,14 +12,16 @@ constexpr double edge = 60;                              // mm
 constexpr double faceHeight = edge * 0.8660254037844386; // mm
 constexpr double pixelsPerMillimetre = texturePixels / 128.0;
 
-// Returns the origin of the face's quarter of the picture, mm from the lower left corner.
+// Returns the origin of the face's quarter of the picture, in mm from the picture's lower left
+// corner.
 Eigen::Vector2d quarter(std::size_t face) {
     const auto column = double(face % 2);
     const double row = face < 2 ? 0 : 1;
     return {2 + 64 * column, 6 + 64 * row};
 }
 
-// Places the face in its quarter with the first corner at the lower left.
+// Returns the texture coordinates of the face in its quarter. The first corner is at the lower
+// left.
 std::array<Eigen::Vector2f, 3> faceCoordinates(std::size_t face) {
     const std::array<Eigen::Vector2d, 3> corners{{{0, 0}, {edge, 0}, {edge / 2, faceHeight}}};
     std::array<Eigen::Vector2f, 3> result;
@@ -29,7 +31,8 @@ std::array<Eigen::Vector2f, 3> faceCoordinates(std::size_t face) {
     return result;
 }
 
-// Rotates a triangle's corners so that it stands on its lowest edge and its letter is upright.
+// Rotates the order of a triangle's corners so that the triangle stands on its lowest edge. The
+// letter is then upright.
 std::array<std::uint32_t, 3> standing(const TriangleMesh& mesh,
                                       const std::array<std::uint32_t, 3>& corners) {
     const auto height = [&](int i) { return mesh.positions[corners[i % 3]].y(); };
@@ -48,7 +51,7 @@ void paintGrid(QPainter& painter, const QColor& ink) {
     }
 }
 
-// Paints in millimetres; y points up from the face's lower left corner.
+// Paints one face in millimetres; y points up from the face's lower left corner.
 void paintFace(QPainter& painter, std::size_t face) {
     const std::array<QColor, 4> grounds{QColor(0xf2, 0xb1, 0x34), QColor(0x3f, 0xa7, 0xa0),
                                         QColor(0xd9, 0x5d, 0x59), QColor(0x5b, 0x7d, 0xb8)};
@@ -74,7 +77,7 @@ void paintFace(QPainter& painter, std::size_t face) {
     painter.save();
     painter.translate(middle);
     painter.scale(1, -1);
-    // Letters that no mirroring or rotation makes look right.
+    // Letters that look wrong when they are mirrored or rotated.
     constexpr std::array<char16_t, 4> letters{u'F', u'G', u'P', u'R'};
     paintLetters(painter, QPointF(0, 0), 14, QChar(letters[face]));
     painter.restore();

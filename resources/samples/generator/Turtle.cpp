@@ -12,11 +12,12 @@ using Eigen::Vector3f;
 
 namespace {
 
-using Piece = std::vector<std::uint32_t>;                 // triangles
-using Coordinates = std::vector<std::array<Vector2f, 3>>; // of each triangle's corners
+using Piece = std::vector<std::uint32_t>; // indices of triangles
+// Texture coordinates of each triangle's corners.
+using Coordinates = std::vector<std::array<Vector2f, 3>>;
 
-// Returns the triangles above and below the outline. `level`: the positions before the turtle is
-// bent.
+// Returns the triangles above and below the outline. `level` holds the positions before the turtle
+// is bent.
 std::array<Piece, 2> halves(const TriangleMesh& mesh, const std::vector<Vector3f>& level) {
     std::array<Piece, 2> pieces;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -29,7 +30,8 @@ std::array<Piece, 2> halves(const TriangleMesh& mesh, const std::vector<Vector3f
     return pieces;
 }
 
-// Flattens one half, head up, as seen from outside. From below, left and right are swapped.
+// Flattens one half, with the head up, as seen from outside. Seen from below, left and right are
+// swapped.
 std::vector<Vector2f> flatHalf(const TriangleMesh& mesh, const Piece& piece, bool fromAbove) {
     std::vector<Vector2f> plan;
     plan.reserve(mesh.positions.size());

@@ -38,7 +38,7 @@ float scattered(int x, int y, int z) {
     return float((bits ^ (bits >> 15)) >> 8) / float(1 << 24);
 }
 
-// The nearest seed, and the distance to the border of its cell.
+// The nearest seed of a place, and the distance to the border of the seed's cell.
 struct CellPlace {
     std::size_t seed = 0;
     float toSeed = 0;   // mm
@@ -66,7 +66,7 @@ CellPlace cellPlace(const std::vector<Vector3f>& seeds, const Vector3f& place) {
     return result;
 }
 
-// Returns the point on the shell above or below the point (x, z) of its plan.
+// Returns the point on the shell above or below the point (x, z) in the plane of the outline.
 Vector3f onShell(float x, float z, bool above) {
     const Vector2f offset((x - turtleShell.centre.x()) / turtleShell.across,
                           (z - turtleShell.centre.y()) / turtleShell.along);
@@ -98,8 +98,8 @@ std::vector<Vector3f> bellyPlates() {
     return seeds;
 }
 
-// A place around the rim: the plate, counted from the tail, and the distance to the next border,
-// mm.
+// A place around the rim: the number of its plate, counted from the tail, and the distance to the
+// plate's next border, mm.
 struct RimPlace {
     int plate;
     float toBorder;
@@ -115,8 +115,8 @@ RimPlace rimPlace(const Vector3f& place) {
     return {int(std::floor(turns)), std::min(within, 1 - within) * length};
 }
 
-// Returns the colour of a plate: amber in the middle, darker outwards, with growth rings and a dark
-// border.
+// Returns the colour of a plate: amber in the middle, darker towards the edge, with growth rings
+// and a dark border.
 Colour plateColour(float toSeed, float toBorder, float size, float shade) {
     const Colour amber{222, 158 + 14 * shade, 74};
     const Colour moss{104 + 14 * shade, 104, 44};
@@ -162,8 +162,8 @@ Colour shellColour(const Vector3f& place) {
     return mixed(outline, colour, edge);
 }
 
-// Returns dark scales with light skin between them, computed in space, so that the charts do not
-// show.
+// Returns dark scales with light skin between them. They are computed from the place in space, so
+// that the charts' borders are invisible.
 Colour skinColour(const Vector3f& place) {
     constexpr float scale = 4.6F; // mm
     const Vector3f own = mirrored(place) / scale;
@@ -206,7 +206,7 @@ Colour withFace(Colour colour, const Vector3f& place) {
     colour = mixed({236, 222, 150}, colour, smoothStep(2.9F, 3.2F, fromEye));
     colour = mixed({24, 22, 20}, colour, smoothStep(2.3F, 2.5F, fromEye));
     colour = mixed({255, 255, 255}, colour, smoothStep(0.75F, 0.95F, fromGlint));
-    // The mouth runs around the snout above the outline and rises at its corners.
+    // The mouth runs around the snout above the outline and rises at both ends.
     const float line = 1.1F + 0.04F * std::pow(std::max(52 - place.z(), 0.0F), 2.0F);
     const float toEnd = std::max(place.z() - 46.5F, 0.0F);
     const float toMouth = std::abs(place.y() - line);
@@ -214,8 +214,8 @@ Colour withFace(Colour colour, const Vector3f& place) {
                  std::max(smoothStep(0.25F, 0.45F, toMouth), 1 - smoothStep(0, 0.5F, toEnd)));
 }
 
-// Returns the maker's mark, 1 where there is ink. It is an R, which no mirroring or rotation makes
-// look right.
+// Returns the maker's mark as a mask: 1 where there is ink. The mark is an R, which looks wrong
+// when it is mirrored or rotated.
 QImage makersMark() {
     QImage image(1000, 1000, QImage::Format_Grayscale8);
     image.fill(Qt::black);
@@ -245,8 +245,8 @@ Colour withMark(const Colour& colour, const Vector3f& place) {
     return mixed(colour, ink, float(qGray(mark.pixel(x, y))) / 255);
 }
 
-// Returns the distance to the edge of the shell, negative where the shell is nearer than the limbs.
-// The outline gets an even width from it.
+// Returns the distance to the edge of the shell, mm; negative where the shell is nearer than the
+// limbs. It gives the outline a constant width.
 float toShellEdge(const Vector3f& place) {
     const Field difference = [](const Vector3f& at) {
         return shellDistance(at) - limbDistance(at);

@@ -1,4 +1,4 @@
-// Computes the turtle's colours from the place on it.
+// Computes the turtle's colours from places on its surface.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,8 +6,8 @@
 
 namespace dipwright::samples {
 
-// Returns the colour of a place on the level turtle's surface (TurtleShape.h), independent of the
-// charts.
+// Returns the colour of a place on the surface of the turtle before bending (TurtleShape.h). It
+// does not depend on the charts.
 QRgb turtleColour(const Eigen::Vector3f& place);
 
 } // namespace dipwright::samples

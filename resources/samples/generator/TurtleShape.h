@@ -1,8 +1,8 @@
 // Defines the turtle's shape as the zero set of a function.
 //
-// The turtle is defined level: each part is an ellipsoid about a centre in the plane y = 0, higher
-// above the plane than below. So the outline lies in that plane. Above and below it the surface has
-// no overhangs, so film can reach it. Finally the turtle is bent (lift).
+// Each part of the turtle is an ellipsoid about a centre in the plane y = 0, higher above the plane
+// than below. So the outline lies in that plane. The surface above and below it has no overhangs,
+// so film can reach it. Finally the turtle is bent (lift()).
 #pragma once
 
 #include <Eigen/Core>
@@ -11,8 +11,8 @@ namespace dipwright::samples {
 
 struct Part {
     Eigen::Vector2f centre; // x, z
-    float turned;           // radians, from the Z axis towards the X axis
-    float along;            // radii
+    float turned;           // rotation in radians, from the Z axis towards the X axis
+    float along;            // radii of the ellipsoid, mm
     float across;
     float above;
     float below;
@@ -23,16 +23,17 @@ float smoothStep(float from, float to, float value);
 
 extern const Part turtleShell;
 
-// Return approximately the distances to the shell and to all other parts, mm; negative inside.
+// Returns approximately the distance to the shell, mm; negative inside.
 float shellDistance(const Eigen::Vector3f& place);
+// Returns approximately the distance to all other parts, mm; negative inside.
 float limbDistance(const Eigen::Vector3f& place);
-// Returns the distance to both, with a smooth transition between them.
+// Returns the distance to the whole turtle, with a smooth transition between shell and other parts.
 float turtleField(const Eigen::Vector3f& place);
 
-// Returns how far a place is raised by the bending, mm: the head looks up, the flippers hang down.
+// Returns how far bending raises a place, mm. The head looks up, and the flippers hang down.
 float lift(const Eigen::Vector3f& place);
 
-// Returns the mirrored place on the side x ≥ 0. The turtle is symmetric.
+// Returns the place mirrored to the side x ≥ 0, because the turtle is symmetric.
 Eigen::Vector3f mirrored(const Eigen::Vector3f& place);
 
 } // namespace dipwright::samples

@@ -14,7 +14,7 @@ float cross(const Vector2f& a, const Vector2f& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-// A triangle laid flat, with its centroid at the origin.
+// A triangle's true shape in the plane, with its centroid at the origin.
 struct FlatShape {
     std::array<std::uint32_t, 3> corners;
     std::array<Vector2f, 3> places;
@@ -31,11 +31,11 @@ FlatShape flatShape(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>
     return {corners, {-centroid, b - centroid, c - centroid}};
 }
 
-// Moves the triangle's corners towards its own shape in the best-fitting rotation.
+// Moves the triangle's corners towards its true shape, which is rotated to fit best.
 void restoreShape(const FlatShape& shape, std::vector<Vector2f>& flat) {
     const Vector2f centroid =
         (flat[shape.corners[0]] + flat[shape.corners[1]] + flat[shape.corners[2]]) / 3;
-    Vector2f turn = Vector2f::Zero(); // cosine and sine times a common factor
+    Vector2f turn = Vector2f::Zero(); // cosine and sine, both times the same factor
     for (int i = 0; i < 3; ++i) {
         const Vector2f place = flat[shape.corners[i]] - centroid;
         turn += Vector2f(shape.places[i].dot(place), cross(shape.places[i], place));
@@ -54,8 +54,8 @@ bool isFolded(const FlatShape& shape, const std::vector<Vector2f>& flat) {
     return cross(flat[shape.corners[1]] - origin, flat[shape.corners[2]] - origin) <= 0;
 }
 
-// Moves the corners of folded triangles to the mean of their neighbours. Returns false if there
-// were none.
+// Moves the corners of folded triangles to the mean of their neighbours. Returns false if no
+// triangle is folded.
 bool unfold(const std::vector<FlatShape>& shapes, std::vector<Vector2f>& flat) {
     std::vector<std::uint8_t> isTangled(flat.size(), 0);
     for (const FlatShape& shape : shapes) {

@@ -17,7 +17,7 @@ namespace {
 
 using namespace dipwright;
 
-// A sample. The film is as large as the dips need, plus a rim of at least 20 mm
+// A sample project. Its film is as large as the dips need, plus a margin of at least 20 mm
 // (pipeline/SmallerFilm.h).
 struct Sample {
     QString name;
@@ -35,10 +35,10 @@ Immersion immersion(const QString& name, double x, double y, double z) {
 std::vector<Sample> allSamples() {
     ProcessSettings shallow; // sharp edges and steep faces would need a much finer film
     shallow.depth = Millimetres(2);
-    VerdictSettings twoFaces; // of four faces, one per dip; the dips need no overlap
+    VerdictSettings twoFaces; // each dip paints one of four faces; the dips need no overlap
     twoFaces.unreached = 0.5;
     twoFaces.narrow = 1;
-    ProcessSettings clinging; // so that the two dips meet around the flippers
+    ProcessSettings clinging; // settings with which the two dips meet around the flippers
     clinging.overhang = Degrees(25);
     return {
         {QStringLiteral("sphere"),
@@ -75,7 +75,8 @@ void write(const Sample& sample, const QDir& folder) {
     const QString source = QStringLiteral("models/%1.obj").arg(sample.name);
     Project project;
     project.name = sample.name.left(1).toUpper() + sample.name.mid(1);
-    project.date = QStringLiteral("2026-01-01"); // so that the file is always the same
+    // A fixed date, so that the file is always the same.
+    project.date = QStringLiteral("2026-01-01");
     applyPreset(project, QStringLiteral("production"));
     resizeFilm(project.film, Millimetres(sample.film.width()), Millimetres(sample.film.height()));
     project.film.resolution = FilmResolution::Automatic;
@@ -91,7 +92,7 @@ void write(const Sample& sample, const QDir& folder) {
 } // namespace
 
 int main(int argc, char** argv) {
-    qputenv("QT_QPA_PLATFORM", "offscreen"); // fonts, but no window
+    qputenv("QT_QPA_PLATFORM", "offscreen"); // allows fonts without a window
     const QGuiApplication application(argc, argv);
     if (argc != 2) {
         std::fputs("usage: dipwright-samples FOLDER\n", stderr);

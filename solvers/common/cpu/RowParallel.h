@@ -1,4 +1,5 @@
-// Distributes the rows of a grid over all cores. The bands do not depend on the number of threads.
+// Distributes the rows of a grid over all cores in bands that do not depend on the number of
+// threads.
 #pragma once
 
 #include "common/cpu/FlushDenormals.h"
@@ -11,7 +12,7 @@ namespace dipwright::cpu {
 
 inline constexpr int pointsPerBand = 8192;
 
-// Calls work(begin, end) for bands of rows of a grid.
+// Calls work(begin, end) for each band of rows of a grid.
 template <typename Work>
 void forRowBands(int rows, int columns, const Work& work) {
     const int rowsPerBand = std::max(pointsPerBand / columns, 8);

@@ -8,7 +8,7 @@
 namespace dipwright::cuda {
 
 // Returns `device` and all other GPUs of the same kind. A dip gives the same result on each of
-// them. Makes no context; never throws.
+// these GPUs. Creates no CUDA context; never throws.
 std::vector<Device> alikeDevices(const Device& device);
 
 } // namespace dipwright::cuda

@@ -6,7 +6,7 @@ namespace dipwright::cuda {
 
 namespace {
 
-constexpr int leastCapability = 75; // oldest that CUDA 13 supports
+constexpr int leastCapability = 75; // oldest compute capability that CUDA 13 supports
 
 std::string version(int number) {
     return std::to_string(number / 1000) + "." + std::to_string(number % 1000 / 10);
@@ -39,7 +39,7 @@ std::string sentence(cudaError_t error) {
     }
 }
 
-// Returns why the films cannot run on the device, or an empty string if they can.
+// Returns why the device cannot run the films, or an empty string if it can.
 std::string unfitness(const cudaDeviceProp& properties) {
     const std::string name = properties.name;
     if (10 * properties.major + properties.minor < leastCapability) {

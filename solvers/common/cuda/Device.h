@@ -14,7 +14,7 @@ struct Device {
     int index = 0;
     std::string name;
     int multiprocessors = 0;
-    std::size_t sharedBytes = 0; // largest shared memory of a block
+    std::size_t sharedBytes = 0; // largest shared memory of a block, bytes
 };
 
 // A usable device, or a sentence that says why there is none.
@@ -24,8 +24,8 @@ struct DeviceSearch {
     std::string reason;
 };
 
-// Returns the GPU with the most multiprocessors among the usable ones. Makes no context on it;
-// never throws.
+// Returns the usable GPU with the most multiprocessors. Creates no CUDA context on it; never
+// throws.
 DeviceSearch findDevice();
 
 // Throws std::runtime_error with a sentence for the user if `result` is an error.

@@ -1,4 +1,4 @@
-// Runs one or several dips together on one GPU. Their films are equal, their bodies may differ.
+// Runs one or several dips together on one GPU. Their films are equal; their bodies may differ.
 #pragma once
 
 #include "common/cuda/Device.h"
@@ -12,7 +12,7 @@
 
 namespace dipwright::cuda {
 
-// A film's memory on the device, in one piece.
+// The contiguous device memory that holds one film.
 struct StoredFilm {
     const std::byte* onDevice = nullptr;
     std::size_t bytes = 0;
@@ -38,13 +38,13 @@ public:
     virtual void readMarks(std::size_t dip, std::span<std::uint8_t> marks) const;
 
     virtual StoredFilm stored(std::size_t dip) const = 0;
-    // Decodes a host copy of the stored film that was made at `dipState`. The output is the same as
+    // Decodes `stored`, a host copy of the stored film that was made at `dipState`. The output is
     // that of solver::FilmSolver::read.
     void unpack(std::size_t dip, const std::byte* stored, const solver::DipState& dipState,
                 std::span<float> positions, std::span<solver::PointState> states) const;
 
 private:
-    // Implements `unpack`. The arrays match the film.
+    // Does the work of `unpack`. The arrays have the size of the film.
     virtual void unpackPoints(std::size_t dip, const std::byte* stored,
                               const solver::DipState& dipState, std::span<float> positions,
                               std::span<solver::PointState> states) const = 0;
@@ -55,7 +55,8 @@ private:
 
 using Setups = std::span<const solver::DipSetup* const>;
 
-// Returns whether two dips fit into one Dips: film, settings, speed and field spacing are equal.
+// Returns whether one Dips object can run both dips: their films, settings, speeds and field
+// spacings are equal.
 bool canShareBatch(const solver::DipSetup& a, const solver::DipSetup& b);
 
 } // namespace dipwright::cuda

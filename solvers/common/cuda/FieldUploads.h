@@ -27,7 +27,7 @@ public:
     }
 
 private:
-    std::map<const float*, DeviceArray<float>> samples_; // key: the host's address
+    std::map<const float*, DeviceArray<float>> samples_; // key: the samples' address on the host
 };
 
 } // namespace dipwright::cuda

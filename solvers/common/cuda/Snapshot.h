@@ -9,7 +9,7 @@
 namespace dipwright::cuda {
 
 // Copies the film on the device between two steps, which takes microseconds. That copy is
-// transferred to the host in parallel with the next steps.
+// transferred to the host while the next steps run.
 class Snapshot {
 public:
     // Takes snapshots of one film. `dips` must outlive this object.
@@ -38,8 +38,9 @@ private:
     std::unique_ptr<std::byte, Destroyer<cudaFreeHost>> onHost_;
     Event copied_ = makeEvent(), arrived_ = makeEvent();
     std::unique_ptr<CUstream_st, Destroyer<cudaStreamDestroy>>
-        way_;                                  // to the host, parallel to the steps
-    std::optional<solver::DipState> underWay_; // state of the dip when the film was copied
+        way_; // copies to the host, in parallel to the steps
+    std::optional<solver::DipState>
+        underWay_; // state of the dip when the film was copied; empty if no copy is in transfer
 };
 
 } // namespace dipwright::cuda

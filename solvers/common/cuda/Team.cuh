@@ -14,8 +14,8 @@ struct TeamMemory {
     double values[2][mostBlocks][mostValues] = {};
 };
 
-// A block's access to its team, in shared memory. All threads of all blocks call all members
-// together and in the same order. All blocks must be resident on the device.
+// Gives a block access to its team; the object lies in shared memory. All threads of all blocks
+// call all members together and in the same order. All blocks must be resident on the device.
 class Team {
 public:
     static constexpr int threads = 512; // per block
@@ -34,8 +34,8 @@ public:
 
     __device__ int blocks() const { return blocks_; }
     __device__ int block() const { return block_; }
-    // The index of this thread in the team and the number of threads, for loops over a film's
-    // points.
+    // The index of this thread in the team, and the number of threads. Loops over a film's points
+    // use both.
     __device__ int thread() const { return block_ * threads + int(threadIdx.x); }
     __device__ int threadCount() const { return blocks_ * threads; }
 
@@ -54,8 +54,8 @@ public:
         __syncthreads();
     }
 
-    // Replaces `values` in every thread by the team's sum or maximum. Always adds in the same
-    // order. Acts as a barrier.
+    // Replaces `values` in every thread by the team's sum or maximum. Always adds the values in the
+    // same order. Acts as a barrier.
     template <int count>
     __device__ void sum(double (&values)[count]) {
         sum(values, count);
@@ -111,7 +111,7 @@ private:
         }
     }
 
-    // Combines the first `used` values of the first `lanes` lanes in lane 0.
+    // Combines the first `used` values of the first `lanes` lanes into lane 0.
     template <int count, typename Join>
     __device__ static void joinWarp(double (&values)[count], int used, int lanes,
                                     const Join& join) {

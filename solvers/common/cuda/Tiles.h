@@ -3,8 +3,8 @@
 
 namespace dipwright::cuda {
 
-// Returns the first column (or row) of tile `index` of `count` over `points`. This is also the end
-// of the previous tile.
+// Divides `points` columns (or rows) into `count` tiles and returns the first column of tile
+// `index`. The previous tile ends there.
 constexpr int tileStart(int points, int count, int index) {
     return int(static_cast<long long>(points) * index / count);
 }

@@ -1,5 +1,5 @@
-// The loops are compiled for each instruction set that Highway supports and chosen at run time,
-// like those of the film.
+// The loops are compiled for each instruction set that Highway supports, and the best one is chosen
+// at run time, as for the film.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "measuring/cpu/CpuCeiling.cpp"
@@ -18,7 +18,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr hn::ScalableTag<float> lanes;
 
 // Multiplies and adds in enough independent chains to hide an operation's latency. Returns the
-// number of floating point operations. `sink` keeps the compiler from removing them.
+// number of floating point operations. Writing to `sink` keeps the compiler from removing them.
 double multiplyAdd(int rounds, float* sink) {
     const auto factor = hn::Set(lanes, 0.999f), term = hn::Set(lanes, 0.001f);
     auto a = hn::Set(lanes, 1.0f), b = hn::Set(lanes, 1.1f), c = hn::Set(lanes, 1.2f),

@@ -1,4 +1,4 @@
-// Measures the ceiling of the CPU.
+// Measures the highest performance of the CPU.
 #pragma once
 
 #include <dipwright/FilmSolver.h>

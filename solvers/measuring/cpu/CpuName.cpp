@@ -29,7 +29,7 @@ CpuRegisters cpuid([[maybe_unused]] unsigned leaf) {
 
 std::string cpuName() {
     constexpr unsigned firstLeaf = 0x80000002,
-                       lastLeaf = 0x80000004; // three leaves with the brand string
+                       lastLeaf = 0x80000004; // the brand string takes three leaves
     if (cpuid(0x80000000)[0] < lastLeaf) {
         return "CPU";
     }

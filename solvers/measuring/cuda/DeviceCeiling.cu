@@ -7,10 +7,10 @@ namespace dipwright::cuda {
 namespace {
 
 constexpr int threads = 256;
-constexpr int blocksPerMultiprocessor = 8; // fills a multiprocessor with threads
-constexpr int chains = 8;                  // enough to hide an operation's latency
+constexpr int blocksPerMultiprocessor = 8; // enough threads to fill a multiprocessor
+constexpr int chains = 8; // enough independent chains to hide an operation's latency
 constexpr int rounds = 1 << 15;
-constexpr std::size_t quadruples = std::size_t(1) << 25; // of floats: 512 MiB per array
+constexpr std::size_t quadruples = std::size_t(1) << 25; // groups of four floats: 512 MiB per array
 
 __global__ void multiplyAdd(float* sink) {
     float values[chains];
@@ -40,7 +40,7 @@ __global__ void triad(float4* a, const float4* b, const float4* c) {
     }
 }
 
-// For work on the device.
+// Returns the shortest time of `work` on the device, in seconds.
 template <typename Work>
 double leastSeconds(const Work& work) {
     return numerics::leastSeconds([&] {

@@ -1,4 +1,4 @@
-// Measures the ceiling of a GPU.
+// Measures the highest performance of a GPU.
 #pragma once
 
 #include "common/cuda/Device.h"

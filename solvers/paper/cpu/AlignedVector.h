@@ -1,4 +1,4 @@
-// Arrays that are aligned to a pair of cache lines.
+// Arrays whose memory is aligned to a pair of cache lines.
 #pragma once
 
 #include <cstddef>

@@ -9,8 +9,9 @@ namespace dipwright::cpu {
 namespace {
 
 constexpr int arraysPerWorkingRow = 4;
-// Film that has moved at all wakes the film beside it. The motion is so sensitive that leaving out
-// a millionth of a millimetre would change the result. With 0, sleeping does not change a bit.
+// A point that is farther than this from rest, in mm, wakes the film beside it. The motion is so
+// sensitive that ignoring a millionth of a millimetre would change the result. With 0, sleeping
+// film does not change a bit of the result.
 constexpr float wakeDistance = 0;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -35,7 +36,8 @@ PaperBand::PaperBand(const PaperModel& model, SharedFilm& shared, int first, int
       lastLoaded_(std::min(model.grid.rows, last + reach_)),
       ringRows_((sweeps + 2) * rowsPerSweep(model.settings.relaxation)) {
     const auto stride = std::size_t(model.stride);
-    // One more cache line keeps the rows' arrays from mapping to the same lines of the cache.
+    // One more cache line of padding keeps the rows' arrays from mapping to the same lines of the
+    // cache.
     ring_.resize(std::size_t(ringRows_) * (arraysPerWorkingRow * stride + chunkColumns));
     noRow_.resize(arraysPerWorkingRow * stride);
     fromAbove_.resize(3 * stride * std::size_t(sweeps));
@@ -63,9 +65,9 @@ void PaperBand::run(const PaperPass& pass) {
     }
 }
 
-// Processes row after row: each row is loaded, and each sweep follows one row behind the previous
-// sweep. So the rows in use stay in the cache. Near the end of the pass, the sweeps leave out the
-// neighbours' rows, which are no longer known.
+// Processes the rows in order. Each row is loaded, and each sweep follows one row behind the
+// previous sweep, so the rows in use stay in the cache. Near the end of the pass, the sweeps leave
+// out the neighbours' rows, whose values are no longer known.
 void PaperBand::runJacobi() {
     const int rows = model_.grid.rows, sweeps = pass_.sweeps;
     const int firstLoaded = std::max(0, first_ - sweeps);
@@ -122,9 +124,9 @@ void PaperBand::jacobi(int row, int sweep, const std::uint8_t* isBusy) {
     }
 }
 
-// Does the same over pairs of rows, 2·pair and 2·pair + 1. A sweep first solves a pair's
-// constraints along its rows, then those between its two rows, and last those to the pair above.
-// The next sweep follows one pair behind.
+// Processes the rows in pairs, 2·pair and 2·pair + 1. A sweep first solves the constraints along
+// the pair's rows, then those between its two rows, and last those to the pair above. The next
+// sweep follows one pair behind.
 void PaperBand::runGaussSeidel() {
     const int rows = model_.grid.rows, sweeps = pass_.sweeps;
     const int first = first_ / 2, last = (last_ + 1) / 2, allPairs = (rows + 1) / 2;
@@ -220,13 +222,14 @@ void PaperBand::load(int row) {
     model_.kernels.load(task);
 
     for (std::size_t chunk = 0; pass_.predicts && chunk < chunks; ++chunk) {
-        // The points moved this far in the last step and may move as far again until the end of
-        // this one.
+        // The points moved by `motion_` in the last step. They may move as far again until the end
+        // of this step.
         approach[chunk].travelled += motion_[chunk];
         if (approach[chunk].isNear(margin + motion_[chunk])) {
             findContacts(row, int(chunk));
             if (isOwn(row) && approach[chunk].isNear(margin)) {
-                shared_.activity.hasMoved(row)[chunk] = 1; // awake before contact with the body
+                shared_.activity.hasMoved(row)[chunk] =
+                    1; // film near the body must be awake before it makes contact
             }
         }
     }
@@ -263,7 +266,7 @@ void PaperBand::store(int row) {
     }
 }
 
-// Tests the chunk's predicted points that may have reached the body.
+// Tests the points of the chunk whose predicted positions may touch the body.
 void PaperBand::findContacts(int row, int chunk) {
     WorkingRow points = splitsColumns() ? workingRow(unsplit_.data(), model_.stride) : working(row);
     Approach& approach = approaches(row)[chunk];
@@ -292,7 +295,7 @@ void PaperBand::findContacts(int row, int chunk) {
     }
 }
 
-// Makes the point adhere where ∇φ leads it to the contact distance.
+// Makes the point adhere at the contact distance, where ∇φ leads from `place`.
 void PaperBand::adhere(int row, int column, numerics::Vector3<double> place) {
     place = numerics::onLevel(model_.field, place, model_.settings.contactDistance);
     const numerics::Vector3<double> anchor = model_.frameAtStart.toWorld(place);

@@ -1,6 +1,6 @@
 // Works on a band of the film's rows with one thread, through several Jacobi or Gauss–Seidel sweeps
-// between two barriers. It recomputes the neighbours' rows that it needs with the same arithmetic.
-// So the result does not depend on how the film is divided.
+// between two barriers. It recomputes the neighbours' rows that it needs, with the same arithmetic.
+// So the result does not depend on the division into bands.
 #pragma once
 
 #include "paper/cpu/PaperModel.h"
@@ -9,14 +9,15 @@ namespace dipwright::cpu {
 
 // The work of all bands between two barriers.
 struct PaperPass {
-    bool predicts = false; // starts with the prediction and the contact search
+    bool predicts = false; // the pass starts with the prediction and the contact search
     int sweeps = 0;
-    double descent = 0;                // of the body, mm
-    numerics::BodyFrame<double> frame; // at that descent
+    double descent = 0;                // descent of the body, mm
+    numerics::BodyFrame<double> frame; // the body's frame at `descent`
 };
 
 // The points that all bands share. Each band writes its own rows of `film`. It also writes the rows
-// that its neighbours read into `published`, one copy of which is read while the other is written.
+// that its neighbours need into `published`. Bands read one copy of `published` while they write
+// the other.
 struct SharedFilm {
     FilmRows film;
     std::array<FilmRows, 2> published;
@@ -29,19 +30,20 @@ int rowsPerSweep(solver::Relaxation relaxation);
 
 class PaperBand {
 public:
-    // Owns rows first … last − 1; `first` is even. A pass has at most `sweeps` sweeps.
+    // The band owns rows first … last − 1; `first` is even. A pass has at most `sweeps` sweeps.
     PaperBand(const PaperModel& model, SharedFilm& shared, int first, int last, int sweeps);
 
     void run(const PaperPass& pass);
 
 private:
-    // Tracks how far a chunk's points are from the body. The distance field tells how far they can
-    // travel before contact, and until then they are not sampled.
+    // Tracks how far a chunk's points are from the body. The distance field gives the distance that
+    // each point can travel before contact. The point is not sampled again before that.
     struct Approach {
-        float travelled = 0; // mm, upper bound for body and film together
-        float nearest = 0;   // the smallest of `points`
+        float travelled = 0; // mm, upper bound of the travel of the body and the film together
+        float nearest = 0;   // the smallest value of `points`
         std::array<float, chunkColumns>
-            points{}; // travel at which each point may reach the body, from its φ
+            // The value of `travelled` at which each point may reach the body, computed from its φ.
+            points{};
 
         bool isNear(float margin) const { return nearest <= travelled + margin; }
     };
@@ -73,17 +75,17 @@ private:
     const PaperModel& model_;
     SharedFilm& shared_;
     const int first_, last_;
-    const int reach_; // rows on each side that are computed again
+    const int reach_; // number of rows on each side of the band that are recomputed
     const int firstLoaded_, lastLoaded_;
     const int ringRows_;
     PaperPass pass_;
     AlignedVector<float> ring_;      // the working rows in use
     AlignedVector<float> unsplit_;   // a working row before its columns are split by parity
     AlignedVector<float> noRow_;     // points of weight 0
-    AlignedVector<float> fromAbove_; // three arrays per sweep
+    AlignedVector<float> fromAbove_; // three arrays per sweep, see JacobiTask::fromAbove
     AlignedVector<float> evenHasRight_, oddHasRight_, allExist_; // per pair of columns
     std::vector<Approach> approaches_;                           // per loaded row and chunk
-    std::vector<float> motion_; // per chunk of the row being loaded
+    std::vector<float> motion_; // motion per chunk of the row that is being loaded, mm
     std::vector<std::uint8_t> isNeeded_;
 };
 

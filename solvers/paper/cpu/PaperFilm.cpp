@@ -15,8 +15,8 @@ namespace dipwright::cpu {
 
 namespace {
 
-constexpr int maximumSweepsPerPass = 8; // more would recompute too many rows
-constexpr int pointsPerBand = 4000;     // fewer are not worth a thread
+constexpr int maximumSweepsPerPass = 8; // more sweeps would recompute too many rows
+constexpr int pointsPerBand = 4000;     // a band of fewer points is not worth a thread
 
 void require(bool holds, const char* sentence) {
     if (!holds) {
@@ -158,8 +158,8 @@ void PaperFilm::sweepWithSelfContact(double descent) {
     }
 }
 
-// Adds the contacts' corrections to those of the sweep from `before` to `after`. In a Jacobi sweep
-// they are averaged with a point's other constraints. In a Gauss–Seidel sweep they come after them.
+// Adds the contacts' corrections to the corrections of the sweep from `before` to `after`. A Jacobi
+// sweep averages them with the point's other constraints. A Gauss–Seidel sweep applies them last.
 void PaperFilm::keepApart(const FilmPoints& before, const FilmPoints& after) {
     const bool isJacobi = model_.settings.relaxation == solver::Relaxation::Jacobi;
     for (const ContactPush& push : selfContact_->pushes(isJacobi ? before : after)) {

@@ -1,4 +1,4 @@
-// The paper's film in plain C++, as a reference for the vector kernels.
+// The kernels of the paper's film in plain C++. They are the reference for the vector kernels.
 
 #include "paper/cpu/PaperKernels.h"
 
@@ -22,8 +22,8 @@ Pull operator*(Pull a, float factor) {
     return {a.x * factor, a.y * factor, a.z * factor};
 }
 
-// Returns how far a constraint moves its point of `first` if that has weight 1. The point of
-// `second` moves as far in the opposite direction. Zero if the constraint does not exist.
+// Returns how far a constraint moves its point of `first`, if that point has weight 1. The point of
+// `second` moves as far in the opposite direction. Returns zero if the constraint does not exist.
 Pull pull(const WorkingRow& first, int a, const WorkingRow& second, int b, float restX, float restZ,
           float length, float exists) {
     const float dx = restX + (second.x[b] - first.x[a]);
@@ -31,7 +31,7 @@ Pull pull(const WorkingRow& first, int a, const WorkingRow& second, int b, float
     const float dz = restZ + (second.z[b] - first.z[a]);
     const float squared = std::max((dx * dx + dy * dy) + dz * dz, shortestSquared);
     const float excess = 1.0f - length / std::sqrt(squared);
-    // 1/(w1 + w2): one half if both are free.
+    // 1/(w1 + w2), which is one half if both points are free.
     const float sharing = exists - 0.5f * (first.weight[a] * second.weight[b]);
     return Pull{dx, dy, dz} * (excess * sharing);
 }

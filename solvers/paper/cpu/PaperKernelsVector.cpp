@@ -1,6 +1,6 @@
-// The paper's film in vector instructions, compiled for each instruction set that Highway supports
-// and chosen at run time. The arithmetic is that of PaperKernelsScalar.cpp, line by line: no fused
-// multiply-add, and exact square root and division.
+// The kernels of the paper's film in vector instructions. They are compiled for each instruction
+// set that Highway supports, and the best one is chosen at run time. The arithmetic is that of
+// PaperKernelsScalar.cpp, line by line: no fused multiply-add, and exact square root and division.
 
 #include "paper/cpu/PaperKernels.h"
 
@@ -19,7 +19,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// At most one chunk, so that a chunk always consists of whole vectors.
+// A vector is at most one chunk long, so a chunk always consists of whole vectors.
 using Lanes = hn::CappedTag<float, chunkColumns>;
 using Vector = hn::Vec<Lanes>;
 constexpr Lanes lanes;
@@ -67,7 +67,7 @@ HWY_INLINE Pull pull(const Points& first, const Points& second, Vector restX, Ve
     return difference * hn::Mul(excess, sharing);
 }
 
-// Shifts lanes by one: lane i becomes lane i − 1 of `values`, and lane 0 the last lane of the
+// Shifts lanes by one: lane i receives lane i − 1 of `values`, and lane 0 the last lane of the
 // previous vector.
 class LaneShift {
 public:
@@ -273,7 +273,7 @@ namespace {
 
 HWY_EXPORT(kernels);
 
-// Returns the name that users know.
+// Returns the instruction set's name that users know.
 std::string commonName(const std::string& target) {
     if (target.starts_with("AVX3")) {
         return "AVX-512";

@@ -8,9 +8,9 @@ namespace dipwright::cpu {
 
 namespace {
 
-// Returns the sum of the stiffnesses of a point's constraints. With diagonals: edges 1, diagonals
-// 1/2, edges on the film's border 1/2 (docs/film-model.md, "Lattice with diagonals"). Without: the
-// number of constraints.
+// Returns the sum of the stiffnesses of a point's constraints. With diagonals, edges count 1,
+// diagonals 1/2, and edges on the film's border 1/2 (docs/film-model.md, "Lattice with diagonals").
+// Without diagonals, it is the number of constraints.
 float stiffnessSum(const solver::FilmGrid& grid, int column, int row, bool hasDiagonals) {
     const int alongRow = (column > 0) + (column < grid.columns - 1);
     const int alongColumn = (row > 0) + (row < grid.rows - 1);
@@ -47,7 +47,7 @@ PaperModel::PaperModel(const solver::DipSetup& setup, PaperKernels usedKernels)
         columnStiffness[i] = isBorder ? 0.5f : 1.0f;
     }
     // Between two places, the trilinear φ of a distance field falls by at most their distance plus
-    // a cell's diagonal.
+    // the diagonal of a cell.
     clearanceMargin = settings.contactDistance + 1.01 * std::numbers::sqrt3 * field.spacing;
 }
 

@@ -13,7 +13,7 @@
 
 namespace dipwright::cpu {
 
-// The constants of a dip.
+// The constants of a dip of the paper's film.
 struct PaperModel {
     PaperModel() = default;
     PaperModel(const solver::DipSetup& setup, PaperKernels kernels);
@@ -22,16 +22,16 @@ struct PaperModel {
     solver::Settings settings;
     solver::BodyMotion motion;
     numerics::FieldGrid<double> field;
-    numerics::BodyFrame<double> frameAtStart; // of the body, at descent 0
+    numerics::BodyFrame<double> frameAtStart; // the body's frame at descent 0
     PaperKernels kernels;
 
-    int chunks = 0; // per row, of chunkColumns columns
-    int stride = 0; // floats per row, padding included
+    int chunks = 0; // chunks per row, each of chunkColumns columns
+    int stride = 0; // floats per row, including the padding
     bool hasDiagonals = false;
     float vertical = 1;          // 0: the water keeps free points in its plane
-    std::array<float, 3> rest{}; // lengths: along a row, between rows, along a diagonal
-    // Per column. A share is 1 / the sum of a point's constraint stiffnesses: `borderShare` in the
-    // first and last row, `innerShare` in the others.
+    std::array<float, 3> rest{}; // rest lengths: along a row, between rows, along a diagonal
+    // All four have one value per column. A share is 1 / the sum of a point's constraint
+    // stiffnesses: `borderShare` in the first and last row, `innerShare` in the others.
     AlignedVector<float> borderShare, innerShare, hasRight, columnStiffness;
     double clearanceMargin = 0; // mm: a point farther than this from the body cannot touch it
 
@@ -66,21 +66,21 @@ private:
     AlignedVector<float> values_;
 };
 
-// Tracks which parts of the film need work. Film at rest far from the body, and film that has
-// adhered entirely, sleeps in tiles. A tile wakes if film beside it has moved or the body is near.
-// Motion spreads by at most one tile in a Jacobi pass, so sleep does not change a bit. Gauss–Seidel
-// sweeps spread it farther, so there the film never sleeps.
+// Tracks which parts of the film need work. Tiles of film sleep if they are at rest far from the
+// body, or have adhered entirely. A tile wakes if film beside it has moved or the body is near.
+// Motion spreads by at most one tile in a Jacobi pass, so sleep does not change a bit of the
+// result. Gauss–Seidel sweeps spread motion farther, so there the film never sleeps.
 class FilmActivity {
 public:
     FilmActivity() = default;
     FilmActivity(int rows, int chunks);
 
-    // Per row and chunk. Written by the thread that works on the row.
+    // One flag per chunk of the row. Written by the thread that works on the row.
     std::uint8_t* hasMoved(int row) { return &hasMoved_[cell(row, 0)]; }
     std::uint8_t* freePoints(int row) { return &freePoints_[cell(row, 0)]; }
-    // Per chunk, with one extra: whether its free points move, and whether it or a neighbour is
-    // busy.
+    // One flag per chunk, and one extra flag: whether the chunk's free points move.
     const std::uint8_t* isBusy(int row) const { return &isBusy_[tile(row)]; }
+    // One flag per chunk, and one extra flag: whether the chunk or a neighbour is busy.
     const std::uint8_t* isPresent(int row) const { return &isPresent_[tile(row)]; }
     const std::uint8_t* nothing() const { return nothing_.data(); }
 

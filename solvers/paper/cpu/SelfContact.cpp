@@ -10,12 +10,14 @@ namespace dipwright::cpu {
 
 namespace {
 
-constexpr float reachFactor = 1.5f; // candidates may come closer by this factor within one step
+// Points up to this factor farther apart than the kept distance are candidates, as they may touch
+// within one step.
+constexpr float reachFactor = 1.5f;
 
 using Cell = std::array<std::int32_t, 3>;
 
-// Groups points by their cell in space. Different cells may share a slot; distance tells them
-// apart.
+// Groups points by their cell in space. Different cells may share a slot, so callers must check the
+// distance.
 class SpatialHash {
 public:
     SpatialHash(const std::vector<numerics::Vector3<float>>& positions, float cellSize)
@@ -33,7 +35,8 @@ public:
         }
     }
 
-    // Calls visit(point) for all points in the cells around `position`, and possibly for others.
+    // Calls visit(point) for all points in the cells around `position`, and possibly for other
+    // points.
     template <typename Visit>
     void around(const numerics::Vector3<float>& position, const Visit& visit) const {
         std::array<std::size_t, 27> slots{};
@@ -67,11 +70,11 @@ private:
 
     float inverseCellSize_;
     std::size_t mask_;
-    std::vector<std::uint32_t> starts_; // per slot, index into points_
+    std::vector<std::uint32_t> starts_; // per slot: index of its first entry in points_
     std::vector<std::uint32_t> points_;
 };
 
-// Sums the entries of each point.
+// Adds up the entries of each point, so that one entry per point is left.
 std::vector<ContactPush> summedByPoint(std::vector<ContactPush> pushes) {
     std::stable_sort(pushes.begin(), pushes.end(),
                      [](const ContactPush& a, const ContactPush& b) { return a.point < b.point; });

@@ -1,5 +1,5 @@
-// Handles the film's self-contact: keeps points apart that are neighbours in space but not in the
-// film's grid (docs/film-model.md, "The paper's model").
+// Handles the film's self-contact: keeps points apart that are close in space but not adjacent in
+// the film's grid (docs/film-model.md, "The paper's model").
 #pragma once
 
 #include "common/Vector3.h"
@@ -29,8 +29,8 @@ class SelfContact {
 public:
     explicit SelfContact(const solver::FilmGrid& grid);
 
-    // Returns the distance to keep: half the smaller spacing. Film without folds never comes
-    // closer.
+    // Returns the distance that points keep, mm: half the smaller spacing. The points of unfolded
+    // film never come closer than this.
     float distance() const { return distance_; }
 
     // Finds the pairs that may touch within this step, with a spatial hash.

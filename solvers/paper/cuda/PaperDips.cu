@@ -1,4 +1,4 @@
-// Runs the paper's films on the GPU, host side.
+// Runs the paper's films on the GPU: the host's part.
 
 #include "paper/cuda/PaperDips.h"
 
@@ -18,7 +18,8 @@ namespace {
 
 using Kernel = void (*)(PaperModel, const PaperDip*, PaperWork, int, int);
 
-constexpr int passesPerLaunch = 2048; // some milliseconds, so that the host can cancel
+// These take some milliseconds, so that the host can cancel soon.
+constexpr int passesPerLaunch = 2048;
 constexpr int stripRowsWithDiagonals = 2;
 
 bool hasDiagonals(const solver::DipSetup& setup) {
@@ -40,13 +41,12 @@ Kernel kernel(int stripRows, bool withDiagonals) {
 }
 
 std::size_t sharedBytes(int warps) {
-    constexpr std::size_t rowsPerWarp = 4; // first and last row, double buffered
+    constexpr std::size_t rowsPerWarp = 4; // a warp's first and last row, double buffered
     return rowsPerWarp * std::size_t(warps) * PaperTiles::lanes * sizeof(paper::Position);
 }
 
-// Returns the share that a point takes of its constraints' summed corrections. It is 1 / their
-// number, or with diagonals 1 / their total stiffness (docs/film-model.md, "Lattice with
-// diagonals").
+// Returns the factor on the sum of a point's corrections: 1 / the number of its constraints, or
+// with diagonals 1 / their total stiffness (docs/film-model.md, "Lattice with diagonals").
 float share(int alongX, int alongZ, bool withDiagonals) {
     if (!withDiagonals) {
         return 1 / float(alongX + alongZ);
@@ -79,7 +79,7 @@ PaperModel paperModel(const solver::DipSetup& setup, const PaperTiles& tiles) {
     model.stepLength = setup.motion.speed * setup.settings.timeStep;
     model.contactDistance = setup.settings.contactDistance;
     // Between two places, the trilinear φ of a distance field falls by at most their distance plus
-    // a cell's diagonal.
+    // the diagonal of a cell.
     model.clearanceMargin =
         float(model.contactDistance + 1.01 * std::numbers::sqrt3 * setup.field.spacing);
     model.noContactDistance = float(model.contactDistance + 0.001 * setup.field.spacing);
@@ -96,7 +96,8 @@ int stepsOf(const solver::DipSetup& setup, double stepLength) {
         throw std::invalid_argument("the dip would take too many steps; choose a longer time step");
     }
     int count = int(steps);
-    while (double(count) * stepLength < setup.motion.travel) { // corrects rounding
+    // The count above may have been rounded down.
+    while (double(count) * stepLength < setup.motion.travel) {
         ++count;
     }
     return count;
@@ -130,8 +131,7 @@ int blocksAtOnce(const PaperTiles& tiles, bool withDiagonals) {
     return blocks;
 }
 
-// Chooses the tiles for `dips` films that run together. A sweep ends sooner with fewer rows per
-// strip.
+// Chooses the tiles for `dips` films that run together. Strips with fewer rows make a sweep faster.
 PaperTiling chooseTiling(const Device& device, const solver::DipSetup& setup, std::size_t dips) {
     const bool withDiagonals = hasDiagonals(setup);
     for (const int stripRows : {1, 2, 4}) {
@@ -146,7 +146,7 @@ PaperTiling chooseTiling(const Device& device, const solver::DipSetup& setup, st
             }
         }
     }
-    // The film is too large for the device: run as many blocks as needed, one after the other.
+    // The film is too large for the device, so its blocks run one after the other.
     std::optional<PaperTiles> tiles;
     for (int most = device.multiprocessors; !tiles; most *= 2) {
         tiles = paperTiles(setup.film, setup.settings.iterations, stripRowsWithDiagonals, most);
@@ -175,7 +175,7 @@ private:
     bool allBlocksRunTogether_ = false;
     Kernel kernel_ = nullptr;
     FieldUploads fields_;
-    DeviceArray<StoredPoint> points_; // four films per dip
+    DeviceArray<StoredPoint> points_; // four arrays of the film's points per dip
     std::vector<PaperDip> dips_;
     DeviceArray<PaperDip> dipsOnDevice_;
     int stepsDone_ = 0, mostSteps_ = 0;
@@ -202,10 +202,10 @@ void PaperDips::layFlat(Setups setups) {
         const solver::DipSetup& setup = *setups[i];
         PaperDip dip;
         dip.field = numerics::fieldGrid<double>(setup.field);
-        dip.coarseField = numerics::fieldGrid<float>(setup.field);
-        dip.field.distance = dip.coarseField.distance = fields_.onDevice(setup.field);
+        dip.singleField = numerics::fieldGrid<float>(setup.field);
+        dip.field.distance = dip.singleField.distance = fields_.onDevice(setup.field);
         dip.frameAtStart = numerics::bodyFrame<double>(setup.motion, 0);
-        dip.coarseFrameAtStart = numerics::bodyFrame<float>(setup.motion, 0);
+        dip.singleFrameAtStart = numerics::bodyFrame<float>(setup.motion, 0);
         dip.travel = setup.motion.travel;
         dip.steps = stepsOf(setup, model_.stepLength);
         dip.now = points_.data() + filmsPerDip * i * pointCount();

@@ -1,15 +1,15 @@
 // The paper's step on the GPU (docs/film-model.md, "The paper's model").
 //
-// A block keeps its tile of the film in registers while the kernel runs, with a halo as wide as the
-// reach of one pass's sweeps. A warp's lanes hold neighbours along a row; neighbouring rows are
-// read from shared memory. A pass begins with a halo exchange: each block sends its own points near
-// its edges and receives its halo from the neighbouring blocks. Each sent point carries the number
-// of the pass, so its own bytes signal that it has arrived. So no block waits longer than it needs,
-// and there is no barrier between blocks.
+// A block keeps its tile of the film in registers while the kernel runs. Around the tile lies a
+// halo, as wide as the reach of one pass's sweeps. A warp's lanes hold neighbours along a row;
+// neighbouring rows are read from shared memory. A pass begins with a halo exchange: each block
+// sends its own points near its edges and receives its halo from the neighbouring blocks. Each sent
+// point carries the number of the pass, so the receiver sees when the point has arrived. So no
+// block waits longer than it needs, and there is no barrier between blocks.
 //
 // As on the CPU, points are displacements from the flat film. The arithmetic is the CPU's,
-// operation by operation, so compile this file without contraction. The motion is so sensitive that
-// a difference of a millionth of a millimetre would change the result.
+// operation by operation, so this file must be compiled without contraction. The motion is so
+// sensitive that a difference of a millionth of a millimetre would change the result.
 #pragma once
 
 #include "common/BodyFrame.h"
@@ -24,8 +24,8 @@ namespace dipwright::cuda {
 // How a point is held.
 enum class Hold : unsigned { Free, Pinned, Adhered, Missing }; // missing: outside the film
 
-// A point in memory: its displacement and how it is held. When it is sent, `mark` also contains the
-// pass.
+// A point in memory: its displacement and how it is held. In a sent point, `mark` also contains the
+// number of the pass.
 struct alignas(16) StoredPoint {
     float x, y, z;
     unsigned mark;
@@ -41,14 +41,15 @@ constexpr unsigned sentIn(int pass) {
 struct PaperModel {
     int columns = 0, rows = 0;
     double width = 0, depth = 0, spacingX = 0, spacingZ = 0; // mm
-    float restX = 0, restZ = 0, restDiagonal = 0;            // lengths
-    float firstX = 0, firstZ = 0;                            // of the first column and row
-    float vertical = 1;     // 0: the water keeps free points in its plane
+    float restX = 0, restZ = 0, restDiagonal = 0;            // rest lengths of the constraints, mm
+    float firstX = 0, firstZ = 0; // rest position of the first column and row, mm
+    float vertical = 1;           // 0: the water keeps free points in its plane
     float share[3][3] = {}; // 1 / total stiffness, by a point's number of neighbours along X and Z
     double stepLength = 0;  // descent of the body in one step, mm
     double contactDistance = 0;
-    float clearanceMargin = 0;   // mm: a point farther than this from the body cannot touch it
-    float noContactDistance = 0; // mm: farther than this in single precision, there is no contact
+    float clearanceMargin = 0; // mm: a point farther than this from the body cannot touch it
+    // mm: a point that is farther away in single precision has no contact
+    float noContactDistance = 0;
     int iterations = 0, passesPerStep = 0;
     PaperTiles tiles;
 };
@@ -56,18 +57,19 @@ struct PaperModel {
 // The data of one dip.
 struct PaperDip {
     numerics::FieldGrid<double> field;
-    numerics::FieldGrid<float> coarseField; // the same samples
+    numerics::FieldGrid<float> singleField; // the same field, for arithmetic in single precision
     numerics::BodyFrame<double> frameAtStart;
-    numerics::BodyFrame<float> coarseFrameAtStart;
+    numerics::BodyFrame<float> singleFrameAtStart;
     double travel = 0;
     int steps = 0;
-    StoredPoint* now = nullptr;    // adhered points at their height at descent 0
+    StoredPoint* now = nullptr;    // adhered points are stored at their height at descent 0
     StoredPoint* before = nullptr; // one step ago
-    StoredPoint* halo[2] = {};     // by pass modulo 2; adhered points at their place in that step
+    // One for even and one for odd passes; adhered points are at their place in that step.
+    StoredPoint* halo[2] = {};
 };
 
-// The work of a launch: everything, or one part of one pass if not all blocks fit on the device at
-// the same time.
+// The work of a launch: the whole passes, or one part of one pass if the device cannot run all
+// blocks at the same time.
 enum class PaperWork { All, Send, Sweep };
 
 namespace paper {
@@ -85,9 +87,9 @@ __device__ inline Pull operator*(Pull a, float factor) {
     return {a.x * factor, a.y * factor, a.z * factor};
 }
 
-// Computes length / √squared with both operations rounded as in IEEE 754, for numbers far from the
-// limits of the range. This is the compiler's code without its checks, and with one estimate for
-// both operations.
+// Computes length / √squared, with both operations rounded as in IEEE 754. Valid for numbers far
+// from the limits of the floating point range. This is the code that the compiler generates,
+// without its range checks and with one estimate for both operations.
 __device__ inline float lengthOverRoot(float length, float squared) {
     float inverse;
     asm("rsqrt.approx.ftz.f32 %0, %1;" : "=f"(inverse) : "f"(squared));
@@ -98,8 +100,8 @@ __device__ inline float lengthOverRoot(float length, float squared) {
     return __fmaf_rn(inverse, __fmaf_rn(quotient, -root, length), quotient);
 }
 
-// A point in the arithmetic of the sweeps. Weight 1: free; 0: held; 2: missing, because then a
-// constraint between a free and a missing point has share 0.
+// A point as the sweeps use it. Weight 1: free; 0: held; 2: missing. With 2, a constraint between a
+// free and a missing point has share 0.
 struct Position {
     float x, y, z, weight;
 };
@@ -108,22 +110,22 @@ __device__ inline float weightOf(Hold hold) {
     return hold == Hold::Free ? 1.0f : hold == Hold::Missing ? 2.0f : 0.0f;
 }
 
-// 1/(w1 + w2): one half if both are free.
+// 1/(w1 + w2), which is one half if both points are free.
 __device__ inline float sharing(float weight, float other) {
     return 1.0f - 0.5f * weight * other;
 }
 
-// Returns how far a constraint moves its first end if that is free. The second end moves as far in
-// the opposite direction. (dx, dy, dz) points from the first end to the second.
+// Returns how far a constraint moves its first end, if that end is free. The second end moves as
+// far in the opposite direction. (dx, dy, dz) points from the first end to the second.
 __device__ inline Pull pull(float dx, float dy, float dz, float length, float share) {
-    constexpr float shortestSquared = 1e-20f; // mm²; coincident points do not pull
+    constexpr float shortestSquared = 1e-20f; // mm²; points that are closer than this do not pull
     const float squared = fmaxf((dx * dx + dy * dy) + dz * dz, shortestSquared);
     const float excess = 1.0f - lengthOverRoot(length, squared);
     return Pull{dx, dy, dz} * (excess * share);
 }
 
-// Return the value of the adjacent lane in the same row. The result of the outermost lane is never
-// used.
+// Both functions return the value of the adjacent lane in the same row. The result of the outermost
+// lane is never used.
 __device__ inline float fromRight(float value) {
     return __shfl_down_sync(0xffffffff, value, 1);
 }
@@ -135,7 +137,7 @@ __device__ inline Pull fromLeft(const Pull& p) {
     return {__shfl_up_sync(all, p.x, 1), __shfl_up_sync(all, p.y, 1), __shfl_up_sync(all, p.z, 1)};
 }
 
-// Writes 16 bytes as one. receivePoint reads them as one.
+// Writes the point's 16 bytes in one operation; receivePoint reads them in one operation.
 __device__ inline void sendPoint(StoredPoint* to, const StoredPoint& point) {
     const std::uint64_t low =
         std::uint64_t(__float_as_uint(point.x)) | std::uint64_t(__float_as_uint(point.y)) << 32;
@@ -161,7 +163,7 @@ __device__ inline StoredPoint receivePoint(const StoredPoint* from) {
 struct Span {
     int first, last;
     __device__ bool owns(int index) const { return index >= first && index < last; }
-    // Returns whether the point is in another tile's halo.
+    // Returns whether the point lies in the halo of another tile.
     __device__ bool isNearEdge(int index, int reach) const {
         return index < first + reach || index >= last - reach;
     }
@@ -171,22 +173,23 @@ __device__ inline Span tileSpan(int points, int tiles, int tile) {
     return {tileStart(points, tiles, tile), tileStart(points, tiles, tile + 1)};
 }
 
-// A point in the registers of its thread.
+// A point in the registers of its thread. Positions are displacements in mm.
 struct Point {
-    float x, y, z;                   // now; if adhered: in the world
-    float beforeX, beforeY, beforeZ; // free: one step ago; held: beforeY is the stored height
-    float clearance;                 // lower bound of the distance to the body, mm
+    float x, y, z; // now; y of an adhered point is its height in the world
+    // Free point: position one step ago; held point: beforeY is the stored height.
+    float beforeX, beforeY, beforeZ;
+    float clearance; // lower bound of the distance to the body, mm
     Hold hold;
 };
 
-// The place where a point adheres if it touches the body: where ∇φ leads it to the contact
-// distance.
+// The place where a point adheres if it touches the body. It lies at the contact distance, where ∇φ
+// leads from the point.
 struct Anchor {
-    float x, y, z; // displacement, at descent 0
+    float x, y, z; // displacement with the body at descent 0
     bool holds;
 };
 
-// Not inlined, because few points get here and the sweeps need the registers.
+// Not inlined, because few points call it and the sweeps need the registers.
 __device__ __noinline__ Anchor anchorOf(const PaperModel& film, const PaperDip& dip, int column,
                                         int row, double descent, float x, float y, float z) {
     const double restX = -film.width / 2 + column * film.spacingX;
@@ -204,8 +207,8 @@ __device__ __noinline__ Anchor anchorOf(const PaperModel& film, const PaperDip& 
     return {float(anchor.x - restX), float(anchor.y), float(anchor.z - restZ), true};
 }
 
-// Moves a free point to its place at the end of the step without constraints. Returns whether it
-// may be near the body there.
+// Moves a free point to its place at the end of the step, without constraints. Returns whether the
+// point may be near the body there.
 __device__ inline bool moveOn(const PaperModel& film, Point& point, float& motion) {
     const Pull step{point.x - point.beforeX, point.y - point.beforeY, point.z - point.beforeZ};
     point.beforeX = point.x;
@@ -221,7 +224,7 @@ __device__ inline bool moveOn(const PaperModel& film, Point& point, float& motio
 }
 
 // Moves one column of a strip from the end of a step to the start of the next step's sweeps.
-// Samples the points together, to wait for memory only once.
+// Samples the field for all points together, to overlap the memory accesses.
 template <int stripRows>
 __device__ inline void predict(const PaperModel& film, const PaperDip& dip, int column,
                                int firstRow, double descent, Point (&points)[stripRows],
@@ -236,13 +239,13 @@ __device__ inline void predict(const PaperModel& film, const PaperDip& dip, int 
     if (!anyNear) {
         return;
     }
-    numerics::BodyFrame<float> frame = dip.coarseFrameAtStart;
+    numerics::BodyFrame<float> frame = dip.singleFrameAtStart;
     frame.translation.y -= float(descent);
     numerics::FieldSample<float> samples[stripRows];
 #pragma unroll
     for (int r = 0; r < stripRows; ++r) {
         samples[r] = numerics::sampleField(
-            dip.coarseField,
+            dip.singleField,
             frame.toBody({film.firstX + column * film.restX + points[r].x, points[r].y,
                           film.firstZ + (firstRow + r) * film.restZ + points[r].z}));
     }
@@ -268,11 +271,11 @@ __device__ inline void predict(const PaperModel& film, const PaperDip& dip, int 
 // The shares of the constraints in one strip of points.
 template <int stripRows, bool hasDiagonals>
 struct StripShares {
-    static constexpr int gaps = stripRows + 1; // above the first row … below the last
-    float right[stripRows], down[gaps];        // indexed by the row above
+    static constexpr int gaps = stripRows + 1; // above the first row … below the last row
+    float right[stripRows], down[gaps];        // `down` is indexed by the row above
     float rightDown[hasDiagonals ? gaps : 1], rightUp[hasDiagonals ? gaps : 1];
 
-    // `weights`: of the row above, the strip's rows and the row below.
+    // `weights` belong to the row above, the strip's rows and the row below.
     __device__ void set(const float (&weights)[stripRows + 2]) {
         float onRight[stripRows + 2];
 #pragma unroll
@@ -294,11 +297,11 @@ struct StripShares {
 };
 
 // A warp's strip of a tile and its halo: `stripRows` rows, with one column per lane. All threads of
-// the block call all members. They are inlined, so that the points stay in registers.
+// the block call all members. The members are inlined, so that the points stay in registers.
 template <int stripRows, bool hasDiagonals>
 class Strip {
 public:
-    // `edgeRows`: indexed by parity, warp, first or last row, and lane.
+    // `edgeRows` is indexed by parity, warp, first or last row, and lane.
     __device__ __forceinline__ Strip(const PaperModel& film, const PaperDip& dip, int tile,
                                      Position* edgeRows)
         : film_(film), dip_(dip), edgeRows_(edgeRows), reach_(film.tiles.reach),
@@ -318,8 +321,8 @@ public:
         predict(film_, dip_, column_, firstRow_, descent, points_, isOwn_);
     }
 
-    // Moves adhered points with the body to `descent` and sends the points that lie in other
-    // blocks' halos. Sends all points if another launch runs the sweeps.
+    // Moves adhered points with the body to `descent`. Sends the points that lie in other blocks'
+    // halos, or all points if another launch runs the sweeps.
     __device__ __forceinline__ void sendHalo(int pass, double descent, bool sendsAll) {
         StoredPoint* halo = haloIn(pass);
 #pragma unroll
@@ -370,7 +373,8 @@ public:
             keepEdges(1 - parity_, 0, 0);
         }
         for (int sweep = 1; sweep <= sweeps; ++sweep) {
-            const int left = sweeps - sweep; // rows beside the tile that are still needed
+            // Number of rows beside the tile that are still needed.
+            const int left = sweeps - sweep;
             if (works && firstRow_ + stripRows > rows_.first - left &&
                 firstRow_ < rows_.last + left) {
                 sweepOnce();
@@ -392,7 +396,7 @@ public:
                 const int index = firstIndex_ + r * film_.columns;
                 const Point& point = points_[r];
                 const bool isFree = point.hold == Hold::Free;
-                // Before the sweeps, the next place is known only for held points.
+                // Before the sweeps, only the held points have their next place.
                 if (work != PaperWork::Send || !isFree) {
                     dip_.now[index] = {point.x, isFree ? point.y : point.beforeY, point.z,
                                        unsigned(point.hold)};
@@ -415,7 +419,7 @@ private:
                          row < min(film_.rows, rows_.last + reach_);
             isSent_[r] = isOwn_[r] &&
                          (columns_.isNearEdge(column_, reach_) || rows_.isNearEdge(row, reach_));
-            // Points outside the film exist here, but are missing.
+            // Points outside the film exist here; they are marked as missing.
             points_[r] = {0, 0, 0, 0, 0, 0, -INFINITY, Hold::Missing};
             if (isOwn_[r]) {
                 const int index = firstIndex_ + r * film_.columns;
@@ -503,7 +507,8 @@ private:
                         shares_.rightUp[v]) *
                    0.5f;
         };
-        // The correction by the constraints to the row above. A point of this row subtracts it.
+        // The correction from the constraints to the row above. It is subtracted from a point of
+        // this row.
         Pull above = down(0);
         if constexpr (hasDiagonals) {
             above = (above + fromLeft(rightDown(0))) - rightUp(0);
@@ -536,16 +541,16 @@ private:
     const PaperDip& dip_;
     Position* edgeRows_;
     int reach_;
-    Span columns_, rows_; // of the tile
+    Span columns_, rows_; // columns and rows of the tile
     int lane_, warp_;
-    int column_, firstRow_, firstIndex_; // of this thread's first point
-    int alongX_;                         // number of neighbours
+    int column_, firstRow_, firstIndex_; // column, row and index of this thread's first point
+    int alongX_;                         // number of neighbours along X
     float columnStiffness_;
     Point points_[stripRows];
     bool isHalo_[stripRows], isOwn_[stripRows], isSent_[stripRows];
     StripShares<stripRows, hasDiagonals> shares_;
-    float share_[stripRows]; // of the summed corrections
-    int parity_ = 0;         // of the edge rows to read
+    float share_[stripRows]; // factors on the summed corrections
+    int parity_ = 0;         // parity of the edge rows that are read next
 };
 
 } // namespace paper

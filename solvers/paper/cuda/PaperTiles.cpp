@@ -6,7 +6,7 @@ namespace dipwright::cuda {
 
 namespace {
 
-constexpr int mostSweepsPerPass = 8; // more would recompute too many points
+constexpr int mostSweepsPerPass = 8; // more sweeps would recompute too many points
 
 int roundedUp(int value, int divisor) {
     return (value + divisor - 1) / divisor;

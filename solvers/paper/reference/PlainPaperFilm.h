@@ -1,6 +1,6 @@
-// The paper's step exactly as in docs/film-model.md, "The paper's model", in double precision: one
-// point, one constraint and one sweep after the other. It is slow, and the reference for the film
-// on the CPU.
+// The paper's step exactly as in docs/film-model.md, "The paper's model", in double precision.
+// Computes one point, one constraint and one sweep after the other. Slow; the reference for the
+// film on the CPU.
 #pragma once
 
 #include "common/BodyFrame.h"

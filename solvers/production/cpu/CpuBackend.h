@@ -1,6 +1,6 @@
-// Runs the production film on the CPU's cores, row by row (FilmBackend.h). Linear systems are
-// solved by the method of least residuals with a multigrid cycle as preconditioner. The result is
-// bit-identical for any number of threads.
+// Runs the production film on the CPU's cores, row by row (FilmBackend.h). Solves linear systems by
+// GMRES with a multigrid cycle as preconditioner. The result is bit-identical for any number of
+// threads.
 #pragma once
 
 #include "parallel/ParallelFor.h"
@@ -64,10 +64,11 @@ public:
     double linearResidual(float drag, numerics::Tangent tangent);
 
 private:
-    static constexpr std::size_t trianglesAtOnce = 32; // that one thread unfolds
+    // Triangles that one thread unfolds at a time.
+    static constexpr std::size_t trianglesAtOnce = 32;
 
-    // Returns the triangles that satisfy `crosses`. Only cells with held and free corners are
-    // tested.
+    // Returns the triangles that satisfy `crosses`. Tests only cells with both held and free
+    // corners.
     template <typename Crosses>
     std::vector<int> crossingTriangles(const Crosses& crosses) const;
     double dot(const PlaneVector& a, const PlaneVector& b) const;
@@ -77,8 +78,8 @@ private:
 
     PlaneFilm film_;
     StiffnessMultigrid multigrid_;
-    std::vector<float> masked_; // 0: held at the last setFree()
-    std::vector<float> areas_;  // film area per point, relative to the finest cell
+    std::vector<float> masked_; // per point: 0 if it was held at the last setFree()
+    std::vector<float> areas_;  // per point: film area relative to the finest cell
     PlaneVector gradient_, step_, residual_, start_, best_;
     std::vector<PlaneVector> basis_, smoothed_;
     numerics::GmresProblem leastResiduals_;

@@ -18,7 +18,7 @@ using numerics::Tangent;
 namespace {
 
 // The forces on the edges of one row of cells: on the lower (first) and upper (second) horizontal
-// edges, and each cell's part on its left and right vertical edges.
+// edges, and each cell's contribution to its left and right vertical edges.
 struct EdgeForces {
     explicit EdgeForces(std::size_t count) : storage(8 * count), cells(count) {}
     float* array(int which) { return storage.data() + std::size_t(which) * cells; }
@@ -201,7 +201,7 @@ double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result)
     std::vector<double> squares(std::size_t(rows_ - 1), 0.0);
     gatherForces(columns_, rows_, result, [&](int j, bool owned, EdgeForces& forces) {
         const std::size_t first = std::size_t(j) * cells;
-        // Both bands compute a row of cells between them, but only one keeps its states.
+        // Both bands compute the row of cells between them, but only one band keeps its states.
         std::vector<float> spare;
         if (!owned) {
             spare.resize(8 * cells);
@@ -219,7 +219,8 @@ double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result)
         gradientRow(cells, unsigned(j) & 1u, rowOfPoints(displacement, width, j), shapesOf(j),
                     model_.gatheredResistance, states, rowOfForces(forces));
         const auto [begin, end] = crossingInRow(j);
-        for (std::size_t k = begin; k < end; ++k) { // recompute the few crossing triangles
+        // Recomputes the few triangles that cross the contact line.
+        for (std::size_t k = begin; k < end; ++k) {
             const Crossing& triangle = crossing_[k];
             const std::size_t i = triangle.cell - first;
             StressState<float> state;

@@ -2,8 +2,8 @@
 // regular grid.
 //
 // Each triangle has one horizontal and one vertical grid edge. So forces act on edges, and a row of
-// cells takes a few plain loops. The diagonal of a cell only decides which edges its two triangles
-// use (FilmSolver.h, FilmGrid).
+// cells needs only a few simple loops. The diagonal of a cell only decides which edges its two
+// triangles use (FilmSolver.h, FilmGrid).
 #pragma once
 
 #include "common/cpu/RowParallel.h"
@@ -26,27 +26,27 @@ public:
     // `model` must outlive the film.
     explicit PlaneFilm(const numerics::FilmModel<float>& model);
 
-    // `free`: one entry per film point, 1 if it moves, 0 if it is held.
+    // `free` has one entry per film point: 1 if the point moves, 0 if it is held.
     void setFree(const std::vector<float>& free);
 
-    // Sets the triangles that cross the contact line, sorted by cell. If they are the same as
-    // before, they keep their anchors. Otherwise the caller must set the anchors.
+    // Sets the triangles that cross the contact line, sorted by cell. If the triangles are the same
+    // as before, their anchors are kept. Otherwise the caller must set the anchors.
     void setCrossing(std::vector<Crossing> triangles);
 
     // Computes the gradient at `displacement` (from rest, mm) and keeps the states for hessian().
-    // Returns the root of the sum of the squared forces on horizontal edges. The residual is
-    // compared with it. Triangles without a free corner do not count.
+    // Returns the root of the sum of the squared forces on horizontal edges; the residual is
+    // relative to this number. Triangles without a free corner do not count.
     double gradient(const PlaneVector& displacement, PlaneVector& result);
 
     // Multiplies the Hessian at the last gradient by `direction`.
     void hessian(const PlaneVector& direction, numerics::Tangent tangent,
                  PlaneVector& result) const;
-    // Returns the projected stiffness of the first and second triangles in a row of cells. The
+    // Computes the projected stiffness of the first and second triangles in a row of cells. The
     // lines are those of stiffnessRow().
     void stiffness(int row, const Lines<float>& first, const Lines<float>& second) const;
 
-    // Triangles are numbered cell by cell, two per cell.
-    numerics::Matrix2<float> shape(int triangle) const { // the inverse of its rest shape
+    // Triangles are numbered cell by cell, two per cell. Returns the inverse of the rest shape.
+    numerics::Matrix2<float> shape(int triangle) const {
         return inverseShape(std::size_t(triangle / 2), triangle % 2 != 0);
     }
     void setShape(int triangle, const numerics::Matrix2<float>& shape) {
@@ -54,7 +54,7 @@ public:
         crept_[std::size_t(triangle / 2 / (columns_ - 1))] = 1;
     }
     numerics::EdgePair<float> edges(int triangle, const PlaneVector& displacement) const;
-    bool moves(int triangle) const { // returns whether a corner is free
+    bool moves(int triangle) const { // whether a corner is free
         return moving_[triangle % 2][std::size_t(triangle / 2)] > 0;
     }
 
@@ -71,7 +71,8 @@ public:
     int rows() const { return rows_; }
 
 private:
-    // Four numbers per triangle, each in its own array. Lower and upper triangles are separate.
+    // Four numbers per triangle, each in a separate array. The first and the second triangles of
+    // the cells are stored separately.
     struct TriangleArrays {
         std::vector<float> a, b, c, d;
     };
@@ -81,12 +82,12 @@ private:
 
     template <typename Floating>
     void forFloating(int row, const Floating& floating) const;
-    RowOfSizes sizesOf(int row) const; // of cells
+    RowOfSizes sizesOf(int row) const; // sizes of the cells in the row
     RowOfShapes shapesOf(int row) const;
     float areaOf(const Crossing& triangle) const;
     RowOfStates<const float*> statesOf(int row) const;
     numerics::StressState<float> stateOf(const Crossing& triangle) const;
-    // Returns begin and end, in crossing_, of the triangles in a row of cells.
+    // Returns the begin and the end in crossing_ of the triangles in a row of cells.
     std::pair<std::size_t, std::size_t> crossingInRow(int row) const;
     numerics::Matrix2<float> inverseShape(std::size_t cell, bool second) const;
     void setInverseShape(std::size_t cell, bool second, const numerics::Matrix2<float>& shape);
@@ -99,14 +100,16 @@ private:
 
     int columns_, rows_;
     const numerics::FilmModel<float>& model_;
-    std::vector<float> inversesX_, inversesZ_; // of the undeformed edges
-    std::vector<std::uint8_t> crept_; // per row of cells; 0: all rest shapes are undeformed
+    std::vector<float> inversesX_, inversesZ_; // inverse lengths of the undeformed edges
+    // Per row of cells; 0: all rest shapes in the row are undeformed.
+    std::vector<std::uint8_t> crept_;
     TriangleArrays inverseShape_[2];
     States state_[2];
     std::vector<float> moving_[2];   // first and second triangles: 1 if a corner is free
     std::vector<Crossing> crossing_; // sorted by cell
-    std::vector<numerics::CrossingAnchor<float>> anchors_; // of crossing_
-    std::vector<std::size_t> firstCrossing_;               // per row of cells, plus the end
+    std::vector<numerics::CrossingAnchor<float>> anchors_; // one per entry of crossing_
+    // Per row of cells, plus the end: index into crossing_.
+    std::vector<std::size_t> firstCrossing_;
 };
 
 template <typename Work>

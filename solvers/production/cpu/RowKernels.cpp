@@ -1,6 +1,6 @@
 // There are two kinds of loops. Loops with few operations use Highway's vectors. Loops with the
-// film's law, which all devices share (PlaneStress.h), are plain. The compiler vectorises them for
-// each of Highway's instruction sets. GCC and Clang do so; MSVC uses the instruction set of the
+// film's elastic law, which all devices share (PlaneStress.h), are plain C++. GCC and Clang
+// vectorise these for each of Highway's instruction sets; MSVC uses the instruction set of the
 // whole program.
 
 #include "production/cpu/RowKernels.h"
@@ -21,7 +21,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Number of running sums in a row, for all vector lengths.
+// Number of partial sums in a row, for all vector lengths.
 constexpr std::size_t sumCount = 16;
 
 using Lanes = hn::CappedTag<float, sumCount>;
@@ -35,8 +35,8 @@ HWY_INLINE std::size_t laneCount() {
     return hn::Lanes(lanes);
 }
 
-// Sets out[i] = whole(i) in whole vectors from `first` on, and out[i] = one(i) for the rest up to
-// `last`. Both must use the same arithmetic.
+// Sets out[i] = whole(i) in whole vectors from `first` on, and out[i] = one(i) for the remaining
+// numbers up to `last`. Both must use the same arithmetic.
 template <typename Whole, typename One>
 HWY_INLINE void forRow(std::size_t first, std::size_t last, float* out, const Whole& whole,
                        const One& one) {
@@ -49,7 +49,8 @@ HWY_INLINE void forRow(std::size_t first, std::size_t last, float* out, const Wh
     }
 }
 
-// Returns the sum of product(i) over whole groups of sixteen, plus one(i) over the rest.
+// Returns the sum of product(i) over whole groups of sixteen, plus the sum of one(i) over the
+// remaining numbers.
 template <typename Product, typename One>
 HWY_INLINE double sumOfRow(std::size_t count, const Product& product, const One& one) {
     HWY_ALIGN float sums[sumCount] = {};
@@ -154,8 +155,8 @@ HWY_INLINE numerics::Matrix2<float> shapeAt(const RowOfShapes& shapes, bool seco
     }
 }
 
-// The parameters are passed by value, so that the compiler sees that the loop does not overwrite
-// its own pointers.
+// The parameters are passed by value. So the compiler knows that the loop does not overwrite its
+// own pointers.
 template <bool crept>
 HWY_INLINE void gradientCells(std::size_t cells, unsigned parity, RowOfPoints p, RowOfShapes shapes,
                               float gatheredResistance, RowOfStates<float*> states,

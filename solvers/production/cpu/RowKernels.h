@@ -1,6 +1,6 @@
-// The row loops that take most of the CPU time of the production film. Each is compiled for each
-// instruction set that Highway supports and chosen at run time. All give the same bits: no fused
-// multiply-add, and sums always in the same order.
+// The row loops that take most of the CPU time of the production film. They are compiled for each
+// instruction set that Highway supports, and the best one is chosen at run time. All instruction
+// sets give the same bits: no fused multiply-add, and sums always in the same order.
 #pragma once
 
 #include "production/formulas/GridTriangle.h"
@@ -10,43 +10,46 @@
 
 namespace dipwright::cpu {
 
-// Return Σ a·b and Σ weight·a², with sixteen running sums.
+// Both return sums with sixteen partial sums: Σ a·b, and Σ weight·a².
 double rowDot(const float* a, const float* b, std::size_t count);
 double rowWeightedSquares(const float* weight, const float* a, std::size_t count);
 
-void addScaled(std::size_t count, float factor, const float* a, float* out); // out += factor·a
-void scaleRow(std::size_t count, float factor, float* out);                  // out *= factor
-// out += factor·weight·a, and out += factor·weight·(a − b)
+void addScaled(std::size_t count, float factor, const float* a,
+               float* out);                                 // computes out +=  factor·a
+void scaleRow(std::size_t count, float factor, float* out); // computes out *=  factor
+// Computes out += factor·weight·a.
 void addWeighted(std::size_t count, float factor, const float* weight, const float* a, float* out);
+// Computes out += factor·weight·(a − b).
 void addDifference(std::size_t count, float factor, const float* weight, const float* a,
                    const float* b, float* out);
-void multiplyBy(std::size_t count, const float* a, float* out); // out *= a
+void multiplyBy(std::size_t count, const float* a, float* out); // computes out *=  a
 
-// Several numbers per point, cell or triangle of a row, each in its own line.
+// Several numbers per point, cell or triangle of a row. Each kind of number has its own line.
 template <typename Number>
 struct Lines {
     Number* first = nullptr;
-    std::size_t pitch = 0; // distance between lines, in numbers
+    std::size_t pitch = 0; // distance from line to line, in numbers
     Number* operator[](std::size_t line) const { return first + line * pitch; }
 };
 
-// The points of a row of cells: x0, z0 in the lower row, x1, z1 in the upper row.
+// The coordinates of the points around a row of cells: x0, z0 in the lower row of points, x1, z1 in
+// the upper row.
 struct RowOfPoints {
     const float *x0, *z0, *x1, *z1;
 };
 // The forces on the edges of a row of cells: on the lower (first) and upper (second) horizontal
-// edges, and each cell's part on its left and right vertical edges.
+// edges, and each cell's contribution to its left and right vertical edges.
 struct RowOfForces {
     float *firstX, *firstZ, *secondX, *secondZ, *leftX, *leftZ, *rightX, *rightZ;
 };
-// The undeformed edges of a row of cells and their inverses: one per column along X, one for all
-// columns along Z.
+// The lengths of the undeformed edges of a row of cells, and their inverses: one value per column
+// along X, one for all columns along Z.
 struct RowOfSizes {
     const float *edgesX, *inversesX;
     float edgeZ = 0, inverseZ = 0;
 };
-// The rest state of a row of cells: the inverse rest shapes of the first and second triangles. They
-// are unused if all are undeformed.
+// The rest state of a row of cells: the inverse rest shapes of the first and second triangles. If
+// all shapes are undeformed, they are unused.
 struct RowOfShapes {
     struct Pointers {
         const float *a, *b, *c, *d;
@@ -56,15 +59,15 @@ struct RowOfShapes {
     RowOfSizes sizes;
 };
 template <typename Pointer>
-struct RowOfStates { // of the first and second triangles (StressState)
+struct RowOfStates { // states of the first and second triangles (StressState)
     struct Pointers {
         Pointer cosine, sine, turn, resists;
     };
     std::array<Pointers, 2> states{};
 };
 
-// Returns the edges of one triangle of cell `i`. `right`: its vertical edge is the right one of the
-// cell. restX, restZ: the rest edges for displacements, 0 for directions.
+// Returns the edges of one triangle of cell `i`. `right`: its vertical edge is the cell's right
+// edge. restX, restZ: the rest edges for displacements, 0 for directions.
 inline numerics::EdgePair<float> cellEdges(const RowOfPoints& p, std::size_t i, bool second,
                                            bool right, float restX, float restZ) {
     const float* hx = second ? p.x1 : p.x0;
@@ -76,7 +79,7 @@ inline numerics::EdgePair<float> cellEdges(const RowOfPoints& p, std::size_t i, 
 }
 
 // Computes the gradient of the elastic energy at displaced points, and the states for the Hessian.
-// `parity`: of the row. In an even cell, the first triangle has the right vertical edge.
+// `parity` is that of the row: in an even cell, the first triangle has the right vertical edge.
 void gradientRow(std::size_t cells, unsigned parity, const RowOfPoints& points,
                  const RowOfShapes& shapes, float gatheredResistance,
                  const RowOfStates<float*>& states, const RowOfForces& forces);
@@ -84,20 +87,21 @@ void gradientRow(std::size_t cells, unsigned parity, const RowOfPoints& points,
 void hessianRow(std::size_t cells, unsigned parity, const RowOfPoints& direction,
                 const RowOfShapes& shapes, const RowOfStates<const float*>& states,
                 numerics::Tangent tangent, const RowOfForces& forces);
-// Computes the stiffness of the first and second triangles: 16 lines each (EdgeStiffness.h: hh, hv,
-// vh, vv).
+// Computes the stiffness of the first and second triangles in a row of cells, 16 lines each
+// (EdgeStiffness.h: hh, hv, vh, vv).
 void stiffnessRow(std::size_t cells, const RowOfShapes& shapes,
                   const RowOfStates<const float*>& states, const Lines<float>& first,
                   const Lines<float>& second);
-// The largest λ1² + λ2² and the smallest λ1 λ2 of the moving triangles in a row of cells, relative
-// to the undeformed film.
+// The range of stretch of the moving triangles in a row of cells, relative to the undeformed film:
+// the largest λ1² + λ2² and the smallest λ1 λ2.
 struct StretchRange {
     float largestSquares = 0, leastArea = 0;
 };
 StretchRange stretchRange(std::size_t cells, unsigned parity, const RowOfPoints& points,
                           const std::array<const float*, 2>& moving, const RowOfSizes& sizes);
-// Adds the forces of a row of cells to a row of points. For the lower row, `sign` is −1 and `edge`
-// the first horizontal edges. For the upper row, they are +1 and the second edges.
+// Adds the forces of a row of cells to a row of points. For the lower row of points, `sign` is −1
+// and `edge` the first horizontal edges. For the upper row, `sign` is +1 and `edge` the second
+// horizontal edges.
 void addForces(std::size_t cells, float sign, const float* edge, const float* left,
                const float* right, float* out);
 

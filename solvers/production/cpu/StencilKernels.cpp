@@ -1,5 +1,5 @@
-// As in RowKernels.cpp, hot loops with few operations use Highway's vectors. The compiler
-// vectorises the others for each of Highway's instruction sets.
+// As in RowKernels.cpp, loops with few operations use Highway's vectors. The compiler vectorises
+// the others for each of Highway's instruction sets.
 
 #include "production/cpu/StencilKernels.h"
 
@@ -118,9 +118,10 @@ void invertMiddle(std::size_t columns, const Lines<const float>& stencil,
     }
 }
 
-// Adds the parts of fine points in coarse ones. A fine point on a coarse point belongs to it;
-// a fine point between two coarse points belongs to each by one half. With a fine operator a at a
-// coarse point (0) and at the fine points before (−) and after (+) it, the coarse operator is
+// Adds the contributions of fine points to coarse points. A fine point on a coarse point
+// contributes fully to it. A fine point between two coarse points contributes one half to each.
+// With a fine operator a at a coarse point (0) and at the fine points before (−) and after (+) it,
+// the coarse operator is
 //     to the point before  = ½ a0[−] + ½ (½ a−[0] + a−[−])
 //     to the point itself  = a0[0] + ½ a0[−] + ½ a0[+] + ½ (½ a−[0] + a−[+])
 //                            + ½ (½ a+[0] + a+[−])
@@ -203,7 +204,7 @@ struct Pair {
     Vector x, z;
 };
 
-// Returns K now at the points i, i + 1, …, summed over the nine neighbours row by row.
+// Returns K·now at the points i, i + 1, …, summed over the nine neighbours row by row.
 HWY_INLINE Pair product(const Lines<const float>& stencil, std::size_t pitch,
                         const RowOfVectors<const float>& now, std::size_t i) {
     Pair sum{hn::Zero(lanes), hn::Zero(lanes)};
@@ -220,7 +221,7 @@ HWY_INLINE Pair product(const Lines<const float>& stencil, std::size_t pitch,
     return sum;
 }
 
-// Rows have room for whole vectors past their end. Stencils and inverses are 0 there.
+// Rows have space for whole vectors past their end. Stencils and inverses are 0 there.
 HWY_INLINE void takeStep(const ChebyshevRow& row, std::size_t i, const Pair& residual,
                          const Pair& now) {
     const Vector gain = hn::Set(lanes, row.gain), keep = hn::Set(lanes, row.keep);

@@ -2,9 +2,9 @@
 // Highway supports, and all give the same bits, as in RowKernels.h.
 //
 // The stiffness of a grid is a stencil per point: a 2 × 2 block for the point itself and for each
-// of its eight neighbours. A row of points stores it in 36 lines, each with one number per point.
-// First come the three neighbours in the row below, then its own row, then the row above. Each
-// block is xx, xz, zx, zz.
+// of its eight neighbours. A row of points stores its stencils in 36 lines, each with one number
+// per point. First come the three neighbours in the row below, then the point's own row, then the
+// row above. Each block has the order xx, xz, zx, zz.
 #pragma once
 
 #include "production/cpu/RowKernels.h"
@@ -14,49 +14,50 @@
 namespace dipwright::cpu {
 
 inline constexpr std::size_t stencilLines = 36;
-inline constexpr std::size_t middleLine = 16;  // the point's block with itself
+inline constexpr std::size_t middleLine = 16;  // first line of the point's block with itself
 inline constexpr std::size_t inverseLines = 3; // xx, xz, zz of a symmetric 2 × 2 block per point
 
-// x and z of one row of points. The adjacent rows are `pitch` numbers away, and zeros surround the
-// grid.
+// The x and z values of one row of points. The adjacent rows are `pitch` numbers away. Zeros
+// surround the grid.
 template <typename Number>
 struct RowOfVectors {
     Number *x = nullptr, *z = nullptr;
 };
 
-// The stiffness of the first and second triangles in a row of cells: 16 lines each
+// Number of lines with the stiffness of the first (or second) triangles in a row of cells
 // (EdgeStiffness.h: hh, hv, vh, vv).
 inline constexpr std::size_t triangleLines = 16;
 struct RowOfTriangles {
     Lines<const float> first, second;
 };
 
-// Adds the stiffness of a row of cells to the rows of points below and above it. `parity`: of the
-// row, as in RowKernels.h.
+// Adds the stiffness of a row of cells to the rows of points below and above it. `parity` is that
+// of the row, as in RowKernels.h.
 void addToStencils(std::size_t cells, unsigned parity, const RowOfTriangles& triangles,
                    const Lines<float>& lower, const Lines<float>& upper);
 // Clears the rows and columns of held points (`free` is 0) and adds the drag of each free point.
-// RowsOfFree: the rows below, here and above, each with one extra number at both ends.
+// RowsOfFree holds `free` for the rows below, here and above, each with one extra number at both
+// ends.
 struct RowsOfFree {
     const float *below, *here, *above;
 };
 void holdPoints(std::size_t columns, const RowsOfFree& free, float drag, const float* area,
                 const Lines<float>& stencil);
 // Inverts the symmetric part of each point's own block. A nearly singular block is replaced by the
-// inverse of its trace, a zero block by zero.
+// inverse of its trace, and a zero block by zero.
 void invertMiddle(std::size_t columns, const Lines<const float>& stencil,
                   const Lines<float>& inverse);
 
 // Computes the coarse operator by Galerkin interpolation, one axis after the other. The coarse grid
-// has every second point. Across rows: adds the part of one fine row to the stencil of a coarse row
-// that lies `offset` (−1, 0, 1) rows below it.
+// has every second point. This function works across rows. It adds the contribution of one fine row
+// to the stencil of a coarse row that lies `offset` (−1, 0, 1) rows below the fine row.
 void coarsenAcross(std::size_t columns, int offset, const Lines<const float>& fine,
                    const Lines<float>& coarse);
-// Along a row with `fineColumns` points.
+// Does the same along a row with `fineColumns` points.
 void coarsenAlong(std::size_t fineColumns, const Lines<const float>& fine,
                   const Lines<float>& coarse);
 
-// One step of Chebyshev smoothing: direction ← keep·direction + gain·inverse·(right − K now), then
+// One step of Chebyshev smoothing: direction ← keep·direction + gain·inverse·(right − K·now), then
 // result = now + direction. The first step starts from now = 0 and needs no K.
 struct ChebyshevRow {
     float keep, gain;
@@ -67,17 +68,18 @@ struct ChebyshevRow {
 void smoothFirst(std::size_t columns, const ChebyshevRow& row);
 void smoothRow(std::size_t columns, std::size_t pitch, const ChebyshevRow& row,
                const Lines<const float>& stencil, const RowOfVectors<const float>& now);
-// residual = right − K now
+// Computes residual = right − K·now.
 void residualRow(std::size_t columns, std::size_t pitch, const Lines<const float>& stencil,
                  const RowOfVectors<const float>& right, const RowOfVectors<const float>& now,
                  const RowOfVectors<float>& residual);
 
-// Applies the transpose of interpolateRow: from three fine rows to a coarse one. `sum`: memory for
-// a fine row plus one number at the beginning and two at the end.
+// Applies the transpose of interpolateRow, from three fine rows to a coarse row. `sum` is memory
+// for a fine row, plus one number at the beginning and two at the end.
 void restrictRow(std::size_t fineColumns, std::size_t coarseColumns, std::size_t finePitch,
                  const float* fine, float* sum, float* coarse);
-// Adds the coarse grid's vector to a fine row, one half from each of two coarse rows. They are the
-// same row if the fine row lies on it. `factor`: multiplies each point's value; may be null.
+// Adds the coarse grid's vector to a fine row, one half from each of two coarse rows. If the fine
+// row lies on a coarse row, pass that row for both. `factor` multiplies each point's value; may be
+// null.
 void interpolateRow(std::size_t fineColumns, const float* lower, const float* upper,
                     const float* factor, float* fine);
 

@@ -12,9 +12,9 @@ namespace {
 
 using namespace numerics::galerkin;
 
-constexpr std::size_t margin = 16;          // before a row, so that its vectors are aligned
-constexpr std::size_t widestVector = 16;    // past the end of a row
-constexpr int rowsBelow = 1, rowsAbove = 2; // rows of zeros
+constexpr std::size_t margin = 16;          // numbers before a row, so that its vectors are aligned
+constexpr std::size_t widestVector = 16;    // numbers past the end of a row
+constexpr int rowsBelow = 1, rowsAbove = 2; // number of rows of zeros
 
 std::size_t pitchOf(int columns) {
     return margin + (std::size_t(columns) + 2 * widestVector) / widestVector * widestVector;
@@ -84,7 +84,7 @@ void StiffnessMultigrid::assemble(const PlaneFilm& film, const std::vector<float
                   level.stencil(begin).first +
                       std::size_t(end - begin) * stencilLines * level.pitch,
                   0.f);
-        // A row of cells between two bands is computed for both.
+        // Both bands compute the row of cells between them.
         for (int j = std::max(begin - 1, 0); j < std::min(end, level.rows - 1); ++j) {
             film.stiffness(j, first, second);
             addToStencils(width - 1, unsigned(j) & 1u, {constant(first), constant(second)},
@@ -136,7 +136,7 @@ void StiffnessMultigrid::prepare(const PlaneFilm& film, const std::vector<float>
     }
 }
 
-// Smooths from `now`, or from zero, into `now`.
+// Smooths `now`, or starts from zero. Writes the result into `now`.
 void StiffnessMultigrid::smooth(Level& level, std::span<const ChebyshevStep> steps, bool fromZero) {
     for (std::size_t k = 0; k < steps.size(); ++k) {
         const bool isFirst = fromZero && k == 0;

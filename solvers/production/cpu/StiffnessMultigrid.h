@@ -1,4 +1,4 @@
-// The preconditioner of the film's equilibrium on the CPU: a multigrid V-cycle for the current
+// The preconditioner for the film's equilibrium on the CPU: a multigrid V-cycle for the current
 // stiffness of the film (GalerkinCycle.h).
 #pragma once
 
@@ -16,8 +16,8 @@ class StiffnessMultigrid {
 public:
     explicit StiffnessMultigrid(const solver::FilmGrid& grid);
 
-    // Takes over the film's current stiffness. The drag of a point is `drag` times its entry in
-    // `area`. `free`: 1 if a point moves, 0 if it is held.
+    // Uses the film's current stiffness from now on. The drag of a point is `drag` times its entry
+    // in `area`. `free` is 1 if a point moves, 0 if it is held.
     void prepare(const PlaneFilm& film, const std::vector<float>& free,
                  const std::vector<float>& area, float drag);
 
@@ -26,11 +26,11 @@ public:
 
 private:
     // One grid. In all its arrays, a row has `pitch` numbers, and its first point is `margin`
-    // numbers after the row's begin. Rows of zeros precede the first row and follow the last.
+    // numbers after the start of the row. Rows of zeros precede the first row and follow the last.
     struct Level {
         int columns, rows;
         std::size_t pitch;
-        std::vector<float> stencils, inverses; // stencilLines and inverseLines per row
+        std::vector<float> stencils, inverses; // stencilLines and inverseLines lines per row
         struct Vectors {
             std::vector<float> x, z;
         };
@@ -55,7 +55,7 @@ private:
     void cycle(std::size_t index);
 
     std::vector<Level> levels_;
-    std::vector<float> free_; // of the finest grid, with one extra number at both ends of each row
+    std::vector<float> free_; // finest grid, with one extra number at both ends of each row
 };
 
 } // namespace dipwright::cpu

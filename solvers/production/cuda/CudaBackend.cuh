@@ -9,11 +9,10 @@
 
 namespace dipwright::cuda {
 
-// A block's small problem of the method of least residuals. It is identical in all blocks of a
-// team.
+// A block's small least-squares problem of GMRES. It is identical in all blocks of a team.
 struct SmallProblem {
     numerics::GmresProblem problem;
-    float factors[numerics::mostBasisVectors + 1]; // scale the stored basis vectors
+    float factors[numerics::mostBasisVectors + 1]; // factors on the stored basis vectors
     double answer;
 };
 
@@ -184,7 +183,7 @@ public:
         team_.barrier();
     }
 
-    // Each block has its own problem; one of its threads works on it.
+    // Each block has its own problem, and one of its threads works on it.
     template <typename Work>
     __device__ double inSmallProblem(const Work& work) const {
         if (threadIdx.x == 0) {

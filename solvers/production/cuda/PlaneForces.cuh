@@ -10,14 +10,14 @@
 namespace dipwright::cuda {
 
 // The forces on the edges of one cell: on the lower (first) and upper (second) horizontal edge, and
-// the cell's part on its left and right vertical edge.
+// the cell's contribution to its left and right vertical edge.
 struct CellForces {
     float2 first, second, left, right;
 };
 
 struct FilmTile {
-    PlaneRange points;  // own
-    PlaneRange corners; // of all triangles that touch these points
+    PlaneRange points;  // the tile's own points
+    PlaneRange corners; // the corners of all triangles that touch these points
     PlaneRange cells;
 
     __device__ FilmTile(const ProductionModel& model, int index) {
@@ -90,9 +90,9 @@ __device__ inline void gatherForces(const ProductionModel& model, const FilmTile
     __syncthreads();
 }
 
-// Computes the forces, including a water drag of `drag` per point. With `length`, start +
-// length·newtonStep first becomes the displacement. Leaves the forces in `forces` and the states of
-// linearisation in `stress`. Returns the roots of the sums of squares of the forces on free points
+// Computes the forces, including a water drag of `drag` per point. With `length`, the displacement
+// first becomes start + length·newtonStep. Writes the forces to `forces` and the states of
+// linearisation to `stress`. Returns the roots of the sums of squares of the forces on free points
 // and of the elastic forces in the film.
 __device__ inline numerics::FilmForce force(const ProductionModel& model, const ProductionDip& dip,
                                             float drag, const float* length, Team& team,
@@ -163,7 +163,8 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
     return {sqrt(sums[0]), sqrt(sums[1])};
 }
 
-// Calls work(point, product) for all points, with the Hessian times `vector`, including the drag.
+// Calls work(point, product) for all points. `product` is the Hessian times `vector`, including the
+// drag.
 template <typename Work>
 __device__ inline void multiply(const ProductionModel& model, const ProductionDip& dip, float drag,
                                 numerics::Tangent tangent, const float2* vector, const Team& team,

@@ -1,8 +1,8 @@
 // The multigrid V-cycle on the GPU for the current stiffness of the film (GalerkinCycle.h). On the
 // way down, a block smooths one tile after the other, computes the residual and restricts it to the
-// coarser level. So that it need not exchange data, it starts with as many points around the tile
-// as the smoothing steps use up. The way up is the same. Each block computes all coarser levels
-// that fit into one block for itself, which saves barriers. Some loops must not be unrolled,
+// coarser level. The block loads enough points around the tile for all smoothing steps, so it need
+// not exchange data. The way up works alike. The coarser levels that fit into one block are
+// computed by every block for itself, which saves barriers. Some loops must not be unrolled,
 // because their code would not fit into the instruction cache.
 #pragma once
 
@@ -34,7 +34,7 @@ __device__ inline PlaneRange grown(const PlaneRange& range, int by, int columns,
             min(range.z1 + by, rows)};
 }
 
-// Calls work(x, z) for each point of the range. This is thread `thread` of `threads`.
+// Calls work(x, z) for those points of the range that belong to thread `thread` of `threads`.
 template <typename Work>
 __device__ inline void forRange(const PlaneRange& range, const Work& work,
                                 int thread = int(threadIdx.x), int threads = Team::threads) {
@@ -47,11 +47,11 @@ __device__ inline void forRange(const PlaneRange& range, const Work& work,
     }
 }
 
-// The stiffness of a level: for each point, the blocks with itself and its eight neighbours, row by
-// row. Each block is xx, xz, zx, zz.
+// The stiffness of a level. Each point has a block with itself and one with each of its eight
+// neighbours, row by row. Each block has the order xx, xz, zx, zz.
 struct PlaneStencils {
     float4* first;
-    int points; // of the level
+    int points; // number of points of the level
 
     __device__ float4& at(int neighbour, int point) const {
         return first[neighbour * points + point];
@@ -63,14 +63,14 @@ __device__ inline PlaneStencils stencilsOf(const ProductionDip& dip, const Plane
     return {dip.stencils + std::size_t(neighbours) * level.offset, level.columns * level.rows};
 }
 
-// Some points of a level in shared memory, surrounded by zeros. Smoothing alternates between
-// `result` and `other`, so each step needs only one barrier.
+// Some points of a level in shared memory, surrounded by zeros. Smoothing steps write to `result`
+// and `other` in turn, so each step needs only one barrier.
 struct PlanePatch {
     const PlaneLevel* level;
     PlaneRange range;
     float2 *result, *other;
 
-    // Returns the size of each of the two arrays.
+    // Returns the number of values in each of the two arrays.
     __host__ __device__ static constexpr int values(int width, int height) {
         return (width + 2) * (height + 2);
     }
@@ -99,18 +99,18 @@ struct PlanePatch {
     }
 };
 
-// The points of a patch that this thread smooths, at most `most`, and their data in registers.
+// At most `most` points of a patch, which this thread smooths, and their data in registers.
 template <int most>
 class PatchPoints {
 public:
     static constexpr int mostInPatch = most * Team::threads;
 
-    // Returns whether the threads of a block can hold a patch.
+    // Returns whether the threads of a block have registers for a patch of this size.
     __host__ __device__ static constexpr bool cover(int width, int height) {
         return width * height <= mostInPatch;
     }
 
-    // right(x, z): returns the right side.
+    // right(x, z) returns the right side at a point of the level.
     template <typename Right>
     __device__ PatchPoints(const PlanePatch& patch, const PlaneStencils& stencils,
                            const Right& right)
@@ -139,8 +139,8 @@ public:
     }
 
     // Runs `degree` Chebyshev steps on the patch's `result`, from zero or from its current value.
-    // At edges of the patch that are not edges of the level, the results become invalid: one point
-    // deeper with each step that takes a residual.
+    // At those edges of the patch that are not edges of the level, results become invalid. Each
+    // step that takes a residual makes one more row of points invalid.
     __device__ void smooth(PlanePatch& patch, const numerics::galerkin::ChebyshevStep* steps,
                            int degree, bool fromZero) {
 #pragma unroll 1
@@ -212,14 +212,15 @@ private:
 
     PlaneStencils stencils_;
     int pitch_;
-    int index_[most], point_[most]; // in the patch; in the level
+    int index_[most], point_[most]; // index in the patch; index in the level
     float2 right_[most], direction_[most];
     float3 inverse_[most]; // xx, xz, zz
     float4 kept_[keepsStencils ? neighbours : 1];
 };
 
-// One point per thread if there are enough threads, otherwise as many as the registers hold.
+// One point per thread if there are enough threads.
 using FewPoints = PatchPoints<1>;
+// For patches with more points: as many per thread as the registers hold.
 using ManyPoints = PatchPoints<4>;
 
 template <typename Right, typename Work>
@@ -232,7 +233,7 @@ __device__ inline void withPoints(const PlanePatch& patch, const PlaneStencils& 
     }
 }
 
-// Restricts the residual in `other` of a finer patch to a coarse point, by the transpose of the
+// Restricts the residual in `other` of a finer patch to a coarse point, with the transpose of the
 // interpolation.
 __device__ inline float2 restricted(const PlanePatch& fine, int coarseX, int coarseZ) {
     const float2* at = fine.other + fine.index(2 * coarseX, 2 * coarseZ);
@@ -240,13 +241,13 @@ __device__ inline float2 restricted(const PlanePatch& fine, int coarseX, int coa
     const bool isInX = 2 * coarseX < fine.level->columns, isInZ = 2 * coarseZ < fine.level->rows;
     const auto row = [&](int z) {
         const float2* here = at + z * pitch;
-        // Past the last point of the level, the patch has zeros for only one point.
+        // Past the last point of the level, the patch has zeros for one more point only.
         return isInX ? here[0] + (here[-1] + here[1]) * 0.5f : here[-1] * 0.5f;
     };
     return isInZ ? row(0) + (row(-1) + row(1)) * 0.5f : row(-1) * 0.5f;
 }
 
-// Interpolates a coarser level's values at a point of the finer level. `pitch`: the distance
+// Interpolates a coarser level's values at a point of the finer level. `pitch` is the distance
 // between coarse rows.
 __device__ inline float2 interpolated(const float2* coarse, int pitch, int x, int z) {
     const float2 *lower = coarse + (z / 2) * pitch, *upper = coarse + ((z + 1) / 2) * pitch;
@@ -254,10 +255,11 @@ __device__ inline float2 interpolated(const float2* coarse, int pitch, int x, in
     return ((lower[left] + upper[left]) + (lower[right] + upper[right])) * 0.25f;
 }
 
-// Tile `index` of a level: its part of the coarser level, and the fine points that it owns.
+// Tile `index` of a level: the points of the coarser level in the tile, and the fine points that
+// the tile owns.
 struct CoarseTile {
     PlaneRange coarse, own;
-    PlaneRange leaning; // fine points that the coarse points depend on
+    PlaneRange leaning; // fine points from which the coarse points are computed
 
     __device__ CoarseTile(const PlaneLevel& level, const PlaneLevel& coarser, int index) {
         const int across = index % level.tiles.across, down = index / level.tiles.across;
@@ -273,14 +275,15 @@ struct CoarseTile {
     }
 };
 
-// Returns a patch around a tile that is large enough for a correct smoothing result in the tile.
-__device__ inline PlanePatch patchRound(const PlaneRange& tile, const PlaneLevel& level,
-                                        float2* memory) {
+// Returns a patch around a tile. The patch is large enough for a correct smoothing result in the
+// tile.
+__device__ inline PlanePatch patchAround(const PlaneRange& tile, const PlaneLevel& level,
+                                         float2* memory) {
     return {level, grown(tile, numerics::galerkin::smoothingDegree, level.columns, level.rows),
             memory};
 }
 
-// The right side of a level: a vector of its points times a factor.
+// The right side of a level: a vector with one entry per point, times a factor.
 struct ScaledVector {
     const float2* values;
     float factor;
@@ -293,7 +296,7 @@ __device__ inline void descend(const ProductionModel& model, const ProductionDip
 #pragma unroll 1
     for (int t = team.block(); t < level.tiles.count(); t += team.blocks()) {
         const CoarseTile tile(level, coarser, t);
-        PlanePatch patch = patchRound(tile.leaning, level, memory);
+        PlanePatch patch = patchAround(tile.leaning, level, memory);
         patch.clear();
         __syncthreads();
         withPoints(
@@ -322,7 +325,7 @@ __device__ inline void ascend(const ProductionModel& model, const ProductionDip&
 #pragma unroll 1
     for (int t = team.block(); t < level.tiles.count(); t += team.blocks()) {
         const CoarseTile tile(level, coarser, t);
-        PlanePatch patch = patchRound(tile.own, level, memory);
+        PlanePatch patch = patchAround(tile.own, level, memory);
         patch.clear();
         __syncthreads();
         forRange(patch.range, [&](int x, int z) {
@@ -348,11 +351,12 @@ __device__ inline void ascend(const ProductionModel& model, const ProductionDip&
 }
 
 // Solves the levels from `wholeLevel` on in this block's shared memory. Returns the patch with the
-// solution of the first of these levels, at the beginning of `memory`.
+// solution on `wholeLevel`; it lies at the beginning of `memory`.
 __device__ inline PlanePatch solveWhole(const ProductionModel& model, const ProductionDip& dip,
                                         ScaledVector firstRight, float2* memory) {
     const int first = model.wholeLevel, last = model.levelCount - 1;
-    // Each level has three arrays, surrounded by zeros: the two of its patch and its right side.
+    // Each level has three arrays, surrounded by zeros: two belong to its patch, the third is its
+    // right side.
     const auto patchOf = [&](int l) {
         float2* start = memory;
         for (int finer = first; finer < l; ++finer) {
@@ -392,7 +396,7 @@ __device__ inline PlanePatch solveWhole(const ProductionModel& model, const Prod
                  [&](int x, int z) { coarseRight[coarser.index(x, z)] = restricted(patch, x, z); });
         __syncthreads();
     }
-    // Smoothing has an even number of steps, so each solution ends in `result`.
+    // Smoothing has an even number of steps, so the solution is always in `result`.
     static_assert(numerics::galerkin::smoothingDegree % 2 == 0 &&
                   numerics::galerkin::coarsestDegree % 2 == 0);
 #pragma unroll 1
@@ -492,7 +496,7 @@ __device__ inline void addCell(const ProductionModel& model, const ProductionDip
     add(first + 4, row.toUpperRight);
 }
 
-// Assembles the finest level's stencils, with free points only. Ends with a barrier.
+// Assembles the finest level's stencils from free points only. Ends with a barrier.
 __device__ inline void assemble(const ProductionModel& model, const ProductionDip& dip, float drag,
                                 Team& team) {
     using numerics::CellPoint;
@@ -524,9 +528,10 @@ __device__ inline void assemble(const ProductionModel& model, const ProductionDi
     team.barrier();
 }
 
-// Adds the part of a fine operator to the operator of a coarse point that lies `offset` points from
-// it. `before`, `own`, `after`: the fine operator's blocks for the previous point, itself and the
-// next point. See coarsenAcross in production/cpu/StencilKernels.cpp.
+// Adds the contribution of a fine operator to the operator of a coarse point that lies `offset`
+// points from the fine point. `before`, `own` and `after` are the fine operator's blocks for the
+// previous point, the point itself and the next point. See coarsenAcross in
+// production/cpu/StencilKernels.cpp.
 __device__ inline void addCoarse(int offset, float4 before, float4 own, float4 after,
                                  float4& toBefore, float4& toOwn, float4& toAfter) {
     if (offset == 0) {
@@ -588,7 +593,7 @@ __device__ inline void coarsen(const ProductionModel& model, const ProductionDip
 
 } // namespace detail
 
-// Prepares multigridCycle() for the stiffness of the film at the last force computation.
+// Prepares multigridCycle() for the film's stiffness at the last force computation.
 __device__ inline void prepareCycle(const ProductionModel& model, const ProductionDip& dip,
                                     float drag, Team& team) {
     detail::assemble(model, dip, drag, team);

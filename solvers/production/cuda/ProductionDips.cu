@@ -1,4 +1,4 @@
-// Runs the production films on the GPU, host side.
+// Runs the production films on the GPU: the host's part.
 
 #include "production/cuda/ProductionDips.h"
 
@@ -14,14 +14,15 @@ namespace dipwright::cuda {
 
 namespace {
 
-constexpr int mostTilePoints = 34 * 34; // including the points around the tile's own
+constexpr int mostTilePoints = 34 * 34; // includes the points around the tile's own points
 
-// Bytes of shared memory in addition to the kernel's dynamic part.
+// Bytes of static shared memory, which the kernel uses besides its dynamic part.
 constexpr std::size_t staticSharedBytes =
     sizeof(Team) + sizeof(ProductionDip) + sizeof(SmallProblem) + 256;
 
-// Returns the division of a grid that `blocks` blocks finish soonest. work(columns, rows): returns
-// the points that a block processes for a tile of this size, or 0 if there are too many.
+// Divides a grid so that `blocks` blocks finish as soon as possible. work(columns, rows) returns
+// the number of points that a block processes for a tile of this size, or 0 if there are too many
+// points.
 template <typename Work>
 PlaneTiles planeTiles(int columns, int rows, int blocks, const Work& work) {
     PlaneTiles best;
@@ -49,7 +50,7 @@ PlaneTiles filmTiles(int columns, int rows, int blocks) {
     });
 }
 
-// Divides a level by tiles of the coarser level.
+// Divides a level into tiles of the coarser level.
 PlaneTiles coarseTiles(const PlaneLevel& level, int blocks) {
     const auto fine = [](int points, int coarse) {
         return std::min(2 * coarse + 1 + 2 * numerics::galerkin::smoothingDegree, points);
@@ -63,8 +64,8 @@ PlaneTiles coarseTiles(const PlaneLevel& level, int blocks) {
                       });
 }
 
-// Shared memory for the largest possible tile. Among patches of the same number of points, long and
-// narrow ones are surrounded by the most zeros.
+// Shared memory for the largest possible tile. Among patches with the same number of points, long
+// and narrow patches need the most surrounding zeros.
 constexpr std::size_t tileBytes =
     std::max(2 * std::size_t(PlanePatch::values(1, ManyPoints::mostInPatch)) * sizeof(float2),
              std::size_t(mostTilePoints) * (sizeof(float2) + sizeof(CellForces)));
@@ -99,8 +100,8 @@ public:
     std::size_t sharedBytes() const { return sharedBytes_; }
 
 private:
-    // Chooses the first level that, together with all coarser ones, fits into one block with few
-    // points per thread.
+    // Chooses `wholeLevel`: the first level that fits into one block together with all coarser
+    // levels. Each thread then has only few points.
     void chooseWholeLevel(const Device& device, ProductionModel& model) {
         std::size_t bytes = 0;
         int level = model.levelCount;
@@ -112,7 +113,7 @@ private:
             const bool isHeld = level == model.levelCount
                                     ? ManyPoints::cover(finer.columns, finer.rows)
                                     : FewPoints::cover(finer.columns, finer.rows);
-            // On the way up, the tiles are stored behind the levels.
+            // On the way up, the tiles lie behind the levels in shared memory.
             if (!isHeld || all + tileBytes + staticSharedBytes > device.sharedBytes) {
                 break;
             }
@@ -159,7 +160,7 @@ ProductionModel modelOf(const solver::DipSetup& setup, int blocks, const DeviceL
 // Assigns the arrays of one dip to one block of device memory.
 class Layout {
 public:
-    // With a null `start`, only the size is valid.
+    // If `start` is null, only the computed size is valid.
     explicit Layout(std::byte* start) : next_(start), start_(start) {}
 
     template <typename Value>
@@ -271,7 +272,7 @@ ProductionDips::ProductionDips(const Device& device, Setups setups)
         states_.emplace_back();
     }
     dipsOnDevice_ = DeviceArray<ProductionDip>(std::span<const ProductionDip>(dips_));
-    // The maximum for any film, because other threads' films share this function.
+    // The maximum for any film, because films of other threads use the same function.
     check(cudaFuncSetAttribute(reinterpret_cast<const void*>(productionSteps),
                                cudaFuncAttributeMaxDynamicSharedMemorySize,
                                int(device.sharedBytes - staticSharedBytes)));

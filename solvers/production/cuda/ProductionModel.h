@@ -35,14 +35,14 @@ struct PlaneTiles {
 // One grid of the multigrid cycle.
 struct PlaneLevel {
     int columns = 0, rows = 0;
-    std::uint32_t offset = 0; // of its points, in the arrays over all levels
-    PlaneTiles tiles;         // of the coarser level
+    std::uint32_t offset = 0; // index of its first point in the arrays over all levels
+    PlaneTiles tiles;         // tiles of the coarser level
 };
 
 struct ProductionModel : numerics::FilmModel<float> {
     static constexpr int mostLevels = 12;
 
-    PlaneTiles tiles; // of the film's points
+    PlaneTiles tiles; // tiles of the film's points
     int levelCount = 0;
     int wholeLevel = 0; // this level and all coarser ones fit into one block
     PlaneLevel levels[mostLevels];
@@ -52,24 +52,25 @@ struct ProductionModel : numerics::FilmModel<float> {
 
 struct ProductionDip {
     numerics::ContactBody<float> body;
-    numerics::StepState<float>* state = nullptr; // between two launches
+    numerics::StepState<float>* state = nullptr; // the state between two launches
     TeamMemory* team = nullptr;
 
-    // One entry per film point.
-    float2 *displacement = nullptr, *before = nullptr; // from rest, mm: now and one step ago
+    // All arrays up to `marks` have one entry per film point.
+    // Displacement from rest, mm: now, and one step ago.
+    float2 *displacement = nullptr, *before = nullptr;
     float2 *start = nullptr, *best = nullptr, *forces = nullptr, *newtonStep = nullptr;
-    // The basis vectors, to be scaled by their factors in the team's small problem; and the basis
-    // vectors after smoothing.
+    // The basis vectors, which must be multiplied by their factors in the team's small problem.
     float2* basis[numerics::mostBasisVectors + 1] = {};
+    // The basis vectors after smoothing.
     float2* smoothed[numerics::mostBasisVectors] = {};
     float3* attached = nullptr; // place of an adhered point, body coordinates
-    float* free = nullptr;      // 1: the equilibrium moves it
+    float* free = nullptr;      // 1 if the equilibrium moves the point, else 0
     float* masked = nullptr;    // `free` at the last setFree()
     float* clearance = nullptr; // lower bound of the distance to contact, mm
     std::uint8_t* states = nullptr;
     unsigned* marks = nullptr; // solver::PointMark bits
 
-    // One entry per triangle, two triangles per cell.
+    // These arrays have one entry per triangle, two triangles per cell.
     float4* inverseShape = nullptr;
     float4* stress = nullptr; // StressState
     std::uint8_t* crosses = nullptr;
@@ -77,8 +78,9 @@ struct ProductionDip {
     numerics::CrossingAnchor<float>* anchors = nullptr;
     numerics::LaidCorners<float>* laid = nullptr;
 
-    // Arrays over all levels.
-    float4* stencils = nullptr; // per level: all first neighbours, then all second neighbours …
+    // These arrays hold all levels, one after the other.
+    // per level: all points' blocks with the first neighbour, then with the second …
+    float4* stencils = nullptr;
     float2 *right = nullptr, *result = nullptr, *solution = nullptr;
 };
 

@@ -1,6 +1,6 @@
-// Computes where film points adhere to the body and how the triangles see the adhered points. This
-// is the part of a step that works point by point and triangle by triangle (docs/film-model.md,
-// "Contact in time" and "At the contact line").
+// Computes where film points adhere to the body, and where the corners of triangles lie after the
+// body's surface is unfolded. This is the part of a step that works point by point and triangle by
+// triangle (docs/film-model.md, "Contact in time" and "At the contact line").
 #pragma once
 
 #include "production/formulas/ContactPath.h"
@@ -19,17 +19,17 @@ struct ContactBody {
     FieldGrid<Real> field;
     solver::BodyMotion motion;
     Real contactDistance{};
-    // In terms of the y of the unit normal: up to `firmlyHeld` the body holds film fully, past
-    // `steepestHeld` not at all.
+    // Two values of the y component of the unit normal. Up to `firmlyHeld`, the body holds film
+    // fully; past `steepestHeld`, not at all.
     Real firmlyHeld{}, steepestHeld{};
 };
 
-// Returns the body of a dip. The grip g is the share of its unfolding that film follows. It fades,
-// so that no film is laid past the overhang. Let u be the y of the body's normal at the contact
-// line. While the line advances by 1 along the surface, it recedes by u on the water. Film that
-// slips by 1 − g of this is laid at the rate g − (1 − g) u; film that is held fully is laid at the
-// rate 1. With g linear in u, the rate is zero at the overhang if g reaches zero at the value of
-// `steepestHeld` below.
+// Returns the body of a dip. The grip g is the share of the unfolding motion that the film takes
+// part in. It fades with the slope, so that no film is laid past the overhang. Let u be the y
+// component of the body's normal at the contact line. While the line advances by 1 along the
+// surface, it recedes by u on the water. Film that slips by 1 − g of this distance is laid at the
+// rate g − (1 − g) u. Film that is held fully is laid at the rate 1. With g linear in u, the rate
+// is zero at the overhang if g reaches zero at the value of `steepestHeld` below.
 template <typename Real>
 ContactBody<Real> contactBody(const solver::DipSetup& setup) {
     const double last = std::sin(setup.settings.overhang);
@@ -38,9 +38,9 @@ ContactBody<Real> contactBody(const solver::DipSetup& setup) {
             Real(firmly), Real(last + std::max(last, 0.0) * (last - firmly))};
 }
 
-// A film point that has met the body in a step. A face that turns up too far does not hold it. Such
-// a point first stays free, because film that is released in the same step may pull it back. If it
-// is still there one step later, it becomes trapped.
+// A film point that has touched the body in a step. A face that turns up too far does not hold the
+// point. The point then stays free at first, because film that is released in the same step may
+// pull it back. If the point is still there one step later, it becomes trapped.
 template <typename Real>
 struct Attachment {
     Vector3<Real> place; // body coordinates
@@ -48,8 +48,8 @@ struct Attachment {
 };
 
 // Handles a point that moved from `start` by `way` while the body descended from `descent` by
-// `increment`, and that ended within the contact distance. Returns the place, and through it the
-// time within the step, of the contact.
+// `increment`, and that ended within the contact distance. Returns the place of the contact and its
+// time within the step.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Attachment<Real> attachment(const ContactBody<Real>& body,
                                                          double descent, double increment,
@@ -78,29 +78,33 @@ DIPWRIGHT_HOST_DEVICE inline Attachment<Real> attachment(const ContactBody<Real>
 template <typename Real>
 struct CrossingCorner {
     bool isFree{};
-    Vector3<Real> plane; // place in the water plane
-    Vector3<Real> held;  // if held: place on the body, in the world
-    bool isTrapped{}; // caught by a face that turns up too far; the triangle ignores its place on
-                      // the body
+    // Place in the water plane.
+    Vector3<Real> plane;
+    // If the corner is held: its place on the body, in the world.
+    Vector3<Real> held;
+    // The corner is on a face that turns up too far. The triangle then ignores its place on the
+    // body.
+    bool isTrapped{};
 };
 
-// How film lies at the held corners of a triangle, kept from step to step. All values are 0 before
+// How film lies at the held corners of a triangle; kept from step to step. All values are 0 before
 // the triangle crosses the contact line. Places are in the water plane, relative to the corner's
 // place there.
 //
-// The grip of the body fades where it turns up. Film that is held in part follows only this part of
-// its unfolding, and slips.
+// The body's grip fades where its surface turns up. There the film takes part in only a share of
+// the unfolding motion, and slips.
 template <typename Real>
 struct LaidCorners {
     Real unfoldedX[3] = {}, unfoldedZ[3] = {};
-    Real slipX[3] = {}, slipZ[3] = {}; // from the unfolded place to the real one
-    Real upwards[3] = {};              // of the contact line, see ContactLine::upwards
+    Real slipX[3] = {}, slipZ[3] = {}; // vector from the unfolded place to the real place
+    Real upwards[3] = {};              // see ContactLine::upwards
     bool isHeld[3] = {};
-    bool isReleased[3] = {}; // no longer held; it stays where it is
+    bool isReleased[3] = {}; // the corner is no longer held and stays in its place
     Real lost = 0;           // share of the triangle's weight that was cut off at the release
 };
 
-// Returns the corner of a triangle. `held`: in the world; any value for a free point.
+// Returns the corner of a triangle. `held` is the corner's place in the world; it may have any
+// value for a free point.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline CrossingCorner<Real>
 crossingCorner(solver::PointState state, const Vector3<Real>& plane, const Vector3<Real>& held) {
@@ -114,16 +118,16 @@ crossingCorner(solver::PointState state, const Vector3<Real>& plane, const Vecto
 
 template <typename Real>
 struct UnfoldedTriangle {
-    CrossingTriangle<Real> crossing; // without its cell
-    Real steepness = 1;              // smallest of the contact lines, see ContactLine
-    Vector3<Real> offset[3];         // of the corners, from `plane` to the film
-    Real upwards[3] = {-1, -1, -1};  // of the contact line of each held corner
+    CrossingTriangle<Real> crossing; // complete except for its cell
+    Real steepness = 1;              // the smallest steepness of its contact lines, see ContactLine
+    Vector3<Real> offset[3];         // per corner: vector from `plane` to the film
+    Real upwards[3] = {-1, -1, -1};  // per held corner: ContactLine::upwards
 };
 
 namespace detail {
 
-// Returns the share of its unfolding that film follows where the body turns up by `upwards`: 1 up
-// to `firmlyHeld`, 0 from `steepestHeld` on.
+// Returns the grip where the body's surface turns up by `upwards`: 1 up to `firmlyHeld`, falling to
+// 0 at `steepestHeld`.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Real grip(const ContactBody<Real>& body, Real upwards) {
     const Real share = (body.steepestHeld - upwards) / (body.steepestHeld - body.firmlyHeld);
@@ -136,8 +140,8 @@ DIPWRIGHT_HOST_DEVICE inline Vector3<Real> offset(const LaidCorners<Real>& film,
     return {film.unfoldedX[k] + film.slipX[k], Real(0), film.unfoldedZ[k] + film.slipZ[k]};
 }
 
-// Moves corner `k` to its new unfolded `position`. `upwards`: of the body at the contact line.
-// `moved`: the body has moved. A new corner was on the contact line during this step, vertically
+// Moves corner `k` to its new unfolded `position`. `upwards` is ContactLine::upwards. `moved`:
+// whether the body has moved. A new corner was on the contact line during this step, vertically
 // above its place on the body.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline void
@@ -179,7 +183,7 @@ DIPWRIGHT_HOST_DEVICE inline int freeCount(const CrossingCorner<Real> (&corners)
     return corners[0].isFree + corners[1].isFree + corners[2].isFree;
 }
 
-// Returns the mean of the free corners.
+// Returns the mean place of the free corners.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Vector3<Real> middleOfFree(const CrossingCorner<Real> (&corners)[3]) {
     Vector3<Real> sum;
@@ -189,7 +193,7 @@ DIPWRIGHT_HOST_DEVICE inline Vector3<Real> middleOfFree(const CrossingCorner<Rea
     return sum * (Real(1) / Real(freeCount(corners)));
 }
 
-// Returns the mean of the held corners on the body.
+// Returns the mean place of the held corners on the body.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Vector3<Real> middleOfHeld(const CrossingCorner<Real> (&corners)[3]) {
     Vector3<Real> sum;
@@ -199,7 +203,7 @@ DIPWRIGHT_HOST_DEVICE inline Vector3<Real> middleOfHeld(const CrossingCorner<Rea
     return sum * (Real(1) / Real(3 - freeCount(corners)));
 }
 
-// Returns whether two corners lie on two parts of the body that face each other across the water.
+// Returns whether two corners lie on two parts of the body that face each other across water.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool spansGap(const ContactBody<Real>& body,
                                            const BodyFrame<Real>& frame, Real cell,
@@ -250,8 +254,8 @@ DIPWRIGHT_HOST_DEVICE inline void setEdges(const TriangleCorners& triangle,
         std::fmax(result.upwards[0], std::fmax(result.upwards[1], result.upwards[2]));
 }
 
-// Unfolds each held corner separately. This applies to film that more than one contact line holds,
-// or that has been released in part.
+// Unfolds each held corner separately. Needed if more than one contact line holds the film, or if a
+// part of the film has been released.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline UnfoldedTriangle<Real>
 unfoldedApart(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Real cell,
@@ -285,7 +289,7 @@ unfoldedApart(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Real 
     return result;
 }
 
-// Unfolds all corners about one contact line.
+// Unfolds all corners about the same contact line.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline UnfoldedTriangle<Real>
 unfoldedTogether(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Real cell,
@@ -296,7 +300,7 @@ unfoldedTogether(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Re
                                                middleOfHeld(corners), middleOfFree(corners));
     const Real perFree = Real(1) / Real(freeCount(corners));
     const Real perHeld = Real(1) / Real(3 - freeCount(corners));
-    Real distance[3] = {}; // to the contact line, along the surface or across the water
+    Real distance[3] = {}; // distance to the contact line, along the surface or across the water
     Real floating(0), laid(0);
     for (int k = 0; k < 3 && line.found; ++k) {
         const CrossingCorner<Real>& corner = corners[k];
@@ -332,9 +336,9 @@ unfoldedTogether(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Re
 
 } // namespace detail
 
-// Unfolds the surface under a triangle with one or two held corners and moves the film along. If no
-// contact line is near (a flat face, a body that has submerged), the corners do not move. `moved`:
-// true if the body has moved, false if only the film has.
+// Unfolds the surface under a triangle with one or two held corners, and moves the film with it. If
+// no contact line is near (a flat face, a submerged body), the corners do not move. `moved` is true
+// if the body has moved, false if only the film has.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline UnfoldedTriangle<Real>
 unfoldedTriangle(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Real cell,
@@ -352,8 +356,9 @@ unfoldedTriangle(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Re
 namespace detail {
 
 // Cuts the laid part off a triangle whose corners on the body have all just been released. Moves
-// these corners towards the free ones, to the contact line, so that the floating film's new edge is
-// there. Returns the factor for the triangle's inverse rest shape that keeps its stretch unchanged.
+// these corners towards the free corners, as far as the contact line. The edge of the floating film
+// is then there. Returns the factor for the triangle's inverse rest shape that keeps its stretch
+// unchanged.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Matrix2<Real>
 cutAtLine(const TriangleCorners& triangle, const CrossingTriangle<Real>& crossing,
@@ -399,14 +404,15 @@ cutAtLine(const TriangleCorners& triangle, const CrossingTriangle<Real>& crossin
 
 } // namespace detail
 
-// Releases the corners of a triangle where the body turns up too far to hold film (`upwards` past
-// `steepestHeld`). Returns the factor for the triangle's inverse rest shape.
+// Releases the corners of a triangle where the body turns up too far to hold film (`upwards` is
+// past `steepestHeld`). Returns the factor for the triangle's inverse rest shape.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Matrix2<Real>
 releaseTriangle(const ContactBody<Real>& body, const TriangleCorners& triangle,
                 const CrossingTriangle<Real>& crossing, const CrossingCorner<Real> (&corners)[3],
                 LaidCorners<Real>& film) {
-    // Does not cut if the corners have different contact lines or some were released earlier.
+    // Does not cut if the corners have different contact lines, or if some corners were released
+    // earlier.
     bool isWhole = crossing.normalX != Real(0) || crossing.normalZ != Real(0);
     for (int k = 0; k < 3; ++k) {
         if (!corners[k].isFree && !film.isReleased[k]) {

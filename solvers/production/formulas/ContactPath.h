@@ -1,8 +1,8 @@
-// Unfolds the film between adhered points and the waterline, where it lies on the body's surface
-// (docs/film-model.md, "At the contact line"). For the equilibrium in the water plane, each
-// triangle that crosses the contact line sees its adhered corners unfolded about the line: inwards
-// of the line by their distance along the surface, opposite the nearest point of the line. At a
-// sharp tip, each triangle around an adhered point sees it in a different place.
+// Unfolds the body's surface with the adhered film on it, from the contact line into the water
+// plane (docs/film-model.md, "At the contact line"). The equilibrium in the water plane needs this
+// for each triangle that crosses the contact line. The unfolding puts an adhered corner inwards of
+// the line, opposite the line's nearest point. Its distance from the line is the distance along the
+// surface. At a sharp tip, an adhered point gets a different place for each triangle around it.
 #pragma once
 
 #include "common/BodyFrame.h"
@@ -37,7 +37,7 @@ projectedOnSurface(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, R
     return p;
 }
 
-// Finds the contact line near `start` by Newton's method along the gradient in the water plane.
+// Finds the contact line near `start` by Newton's method, along the gradient in the water plane.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool
 contactLineBySlope(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
@@ -64,7 +64,8 @@ contactLineBySlope(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, R
     return false;
 }
 
-// Finds the contact line between `inside` (in the body) and `outside` (in free water) by bisection.
+// Finds the contact line between `inside` (within the body) and `outside` (in free water) by
+// bisection.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool
 contactLineBetween(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
@@ -87,8 +88,9 @@ contactLineBetween(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, R
 
 } // namespace detail
 
-// The contact line of one film triangle, approximated as straight: a point on it, its unit normal
-// in the water plane, away from the body, and the slope of the surface there.
+// The contact line at one film triangle, approximated as straight: a point on the line, the line's
+// unit normal in the water plane, which points away from the body, and the slope of the surface
+// there.
 template <typename Real>
 struct ContactLine {
     Vector3<Real> place;
@@ -98,8 +100,8 @@ struct ContactLine {
     bool found{};
 };
 
-// `adhered`, `free`: the means of the triangle's adhered corners (at their real places) and of its
-// free corners. `cell`: the film's spacing.
+// `adhered` is the mean of the triangle's adhered corners at their real places, `free` the mean of
+// its free corners. `cell` is the film's spacing.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline ContactLine<Real>
 contactLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
@@ -131,8 +133,8 @@ struct Unfolded {
 
 namespace detail {
 
-// Returns the distance along `outwards` from `above`, over the body, to the contact line. Uses
-// Newton's method from the distance `across`.
+// Returns the distance from `above` along `outwards`, over the body, to the contact line. Newton's
+// method starts at the distance `across`.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Real
 acrossToLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
@@ -149,18 +151,18 @@ acrossToLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real co
     return across;
 }
 
-// The smallest cosine between a corner's own normal of the contact line and its triangle's normal.
+// The smallest cosine between the contact line's normal at a corner and the normal at its triangle.
 inline constexpr double leastAgreement = 0.5;
 
 } // namespace detail
 
-// Returns the place of an adhered corner at the world point `corner` after unfolding about the
-// contact line. It lies inwards of the line's point nearest to the corner, by the distance along
-// the surface. So all triangles see the film there pulled in the same way. Unfolding along the
-// triangle's normal in `line` would instead move the corners sideways whenever that normal changes.
-// The nearest point is found along the normal of the contact line at the point straight across from
-// the corner. Directly above a tip, where all directions are equally short, the triangle's normal
-// is used.
+// Returns where an adhered corner at the world point `corner` lies after unfolding about the
+// contact line. That place lies inwards of the line's point nearest to the corner, by the distance
+// along the surface. So the film there pulls all its triangles in the same direction. If the
+// corners were unfolded along the triangle's normal in `line`, they would move sideways whenever
+// that normal changes. The nearest point is found along the normal of the contact line at the point
+// straight across from the corner. Directly above a tip all directions are equally short, and the
+// triangle's normal is used.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Unfolded<Real>
 unfolded(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
@@ -179,8 +181,8 @@ unfolded(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contac
         across = detail::acrossToLine(field, frame, contactDistance, cell, above, outwards, across);
     }
     const Vector3<Real> foot = above + outwards * across;
-    // The length along the surface, from one chord and from two chords over the projected midpoint.
-    // Richardson extrapolation makes it correct to fourth order.
+    // The length along the surface, computed from one chord and from two chords over the projected
+    // midpoint. Richardson extrapolation makes the length correct to fourth order.
     const Real chord = length(foot - corner);
     const Vector3<Real> middle =
         detail::projectedOnSurface(field, frame, contactDistance, (corner + foot) * Real(0.5));

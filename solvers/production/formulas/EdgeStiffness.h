@@ -1,29 +1,29 @@
-// Computes how the forces on a triangle's two edges respond to changes of these edges, and how the
-// triangles of a cell combine to a stiffness between the cell's points. The preconditioner of the
-// film's equilibrium (StiffnessMultigrid) is assembled from this on every device.
+// Computes how the forces on a triangle's two edges respond to changes of these edges. Combines the
+// triangles of a cell into a stiffness between the cell's points. Every device assembles the
+// preconditioner of the film's equilibrium (StiffnessMultigrid) from this.
 #pragma once
 
 #include "production/formulas/CrossingTriangle.h"
 
 namespace dipwright::numerics {
 
-// 2 × 2 blocks: the force on the horizontal (h) or vertical (v) edge per change of the horizontal
-// or vertical edge.
+// Holds 2 × 2 blocks: the change of the force on the horizontal (h) or vertical (v) edge per change
+// of the horizontal or vertical edge.
 template <typename Real>
 struct EdgeStiffness {
     Matrix2<Real> hh, hv, vh, vv;
 };
 
 // Returns the stiffness of a floating triangle, made positive semi-definite (Tangent::Projected).
-// Since P = 2 dF + (R : dF) resists R + (RJ : dF) turns RJ, it is a multiple of the identity plus
-// two dyads.
+// The derivative of P is 2 dF + (R : dF) resists R + (RJ : dF) turns RJ. So the stiffness is a
+// multiple of the identity plus two dyads.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline EdgeStiffness<Real>
 edgeStiffness(const Matrix2<Real>& shape, const StressState<Real>& state, Real area) {
     const TangentFactors<Real> factors = tangentFactors(state, Tangent::Projected);
     const Real cosine = state.cosine, sine = state.sine;
     const Real a = shape.a, b = shape.b, c = shape.c, d = shape.d;
-    // R and RJ, mapped back to the edges.
+    // R and RJ, converted to the edges.
     const Real hx = cosine * a - sine * b, hz = sine * a + cosine * b;
     const Real vx = cosine * c - sine * d, vz = sine * c + cosine * d;
     const Real resists = area * factors.resists, turns = area * factors.turns;
@@ -63,7 +63,7 @@ edgeStiffness(const CrossingTriangle<Real>& triangle, const CrossingAnchor<Real>
 // The points of a cell.
 enum class CellPoint : int { LowerLeft, LowerRight, UpperLeft, UpperRight };
 
-// The response of the force on one point of a cell to each of the cell's points.
+// The change of the force on one point of a cell per displacement of each of the cell's points.
 template <typename Real>
 struct CellRow {
     Matrix2<Real> toLowerLeft, toLowerRight, toUpperLeft, toUpperRight;
@@ -82,10 +82,10 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> minus(const Matrix2<Real>& m, const M
 
 } // namespace detail
 
-// Computes a row from the cell's two triangles. In an even cell, the first triangle (on the lower
-// edge) has the right vertical edge and the second the left one. A force on an edge acts with + on
-// its higher end and with − on its lower end. A point's displacement acts on the edge in the same
-// way.
+// Computes a row of the cell's stiffness from its two triangles. In an even cell, the first
+// triangle (on the lower edge) has the right vertical edge, and the second triangle has the left
+// one. A force on an edge acts with + on the edge's higher end and with − on its lower end. A
+// point's displacement changes the edge with the same signs.
 template <CellPoint point, typename Real>
 DIPWRIGHT_HOST_DEVICE inline CellRow<Real> cellRow(const EdgeStiffness<Real>& first,
                                                    const EdgeStiffness<Real>& second, bool even) {
@@ -95,11 +95,11 @@ DIPWRIGHT_HOST_DEVICE inline CellRow<Real> cellRow(const EdgeStiffness<Real>& fi
     constexpr bool isLeft = point == CellPoint::LowerLeft || point == CellPoint::UpperLeft;
     const Real one(1), none(0);
     const Real isEven = even ? one : none, isOdd = even ? none : one;
-    // The point's horizontal edge: its block with itself, with the left and right vertical edge,
-    // and the transposed blocks.
+    // The blocks of the point's horizontal edge: with itself, with the left and right vertical
+    // edge, and the transposed blocks.
     const EdgeStiffness<Real>& along = isLower ? first : second;
     const Real ofRight = isLower ? isEven : isOdd, ofLeft = isLower ? isOdd : isEven;
-    // The point's vertical edge: its block with itself, and with the lower and upper horizontal
+    // The blocks of the point's vertical edge: with itself, and with the lower and upper horizontal
     // edge.
     const Real ofFirst = isLeft ? isOdd : isEven, ofSecond = isLeft ? isEven : isOdd;
     const Matrix2<Real> vv = plus(scaled(first.vv, ofFirst), scaled(second.vv, ofSecond));
@@ -110,7 +110,7 @@ DIPWRIGHT_HOST_DEVICE inline CellRow<Real> cellRow(const EdgeStiffness<Real>& fi
         return Matrix2<Real>{signH * h.a + signV * v.a, signH * h.b + signV * v.b,
                              signH * h.c + signV * v.c, signH * h.d + signV * v.d};
     };
-    // The change of the force on the point per growth of each of the cell's edges.
+    // The change of the force on the point per change of each of the cell's edges.
     const Matrix2<Real> zero{};
     const Matrix2<Real> lower = signedSum(isLower ? along.hh : zero, toLower);
     const Matrix2<Real> upper = signedSum(isLower ? zero : along.hh, toUpper);

@@ -1,7 +1,7 @@
-// Finds the film's equilibrium in the water plane with Newton's method and a line search; the
-// caller provides a warm start. The linear systems are solved by the method of least residuals
-// (GMRES), because triangles on the contact line make them unsymmetric. The code is the same for
-// all devices (FilmBackend.h); Tolerances.h has the limits.
+// Finds the film's equilibrium in the water plane with Newton's method and a line search. The
+// caller provides a warm start. The linear systems are solved by GMRES, because triangles on the
+// contact line make them unsymmetric. The code is the same for all devices (FilmBackend.h).
+// Tolerances.h has the limits.
 #pragma once
 
 #include "production/formulas/FilmBackend.h"
@@ -12,8 +12,9 @@ namespace dipwright::numerics {
 
 namespace detail {
 
-// Returns whether some length of the Newton step reduces the forces. Then the displacement has
-// moved by it and `now` is the force there. Otherwise both belong to the whole step.
+// Searches for a length of the Newton step that reduces the forces. If there is one, returns true;
+// the displacement has then moved by this length. Otherwise the displacement has moved by the whole
+// step. `now` is the force at the new displacement.
 template <FilmEquilibrium Film>
 DIPWRIGHT_TEAM inline bool searchAlongStep(Film& film, typename Film::Real drag, FilmForce& now) {
     using Real = typename Film::Real;
@@ -38,8 +39,8 @@ DIPWRIGHT_TEAM inline bool searchAlongStep(Film& film, typename Film::Real drag,
 
 // Takes one Newton step with the true derivative. This can fail, because film that gathers or
 // rotates gives way in some directions. Then the film is made stiffer step by step, as if it stuck
-// to the water. This shortens the step and turns it downhill (Levenberg–Marquardt). `stiffening`,
-// relative to the film's shear stiffness, is kept between steps.
+// to the water. Stiffening shortens the step and turns it downhill (Levenberg–Marquardt).
+// `stiffening` is relative to the film's shear stiffness and is kept between steps.
 template <FilmEquilibrium Film>
 DIPWRIGHT_TEAM inline void newtonStep(Film& film, typename Film::Real drag, double tolerance,
                                       double& stiffening, FilmForce& now) {
@@ -57,25 +58,26 @@ DIPWRIGHT_TEAM inline void newtonStep(Film& film, typename Film::Real drag, doub
         }
         stiffening = std::fmax(leastStiffening, stiffening * stiffeningFactor);
     }
-    // If that fails too, take the whole step downhill. The forces may have to grow on the way past
-    // a crease.
+    // If that fails too, takes the whole step downhill. On the way past a crease, the forces may
+    // have to grow.
     film.solveLinear(drag, Tangent::Projected, before, tolerance);
     searchAlongStep(film, drag, now);
 }
 
 } // namespace detail
 
-// The result of a search for equilibrium: the remaining forces on the free points relative to the
-// elastic forces in the film (0 if these are zero), and whether they reach the required residual.
+// The result of a search for equilibrium: the remaining forces on the free points, relative to the
+// elastic forces in the film (0 if these are zero), and whether this ratio reaches the required
+// residual.
 struct EquilibriumResult {
     double left = 0;
     bool isReached = true;
 };
 
 // Moves the free points until the remaining forces are at most the model's `residual` times the
-// elastic forces, or zero within the precision of the numbers. If this is not reached, returns to
-// the smallest forces that were found after a step. `farthest`: mm, the largest displacement of a
-// point from rest, or the longest cell if that is larger.
+// elastic forces, or zero within the precision of the numbers. If the search fails, restores the
+// displacement with the smallest remaining forces after any step. `farthest`, in mm, is the largest
+// displacement of a point from rest, or the longest cell edge if that is larger.
 template <FilmEquilibrium Film>
 DIPWRIGHT_TEAM inline EquilibriumResult findEquilibrium(Film& film, typename Film::Real drag,
                                                         double farthest) {
@@ -86,7 +88,8 @@ DIPWRIGHT_TEAM inline EquilibriumResult findEquilibrium(Film& film, typename Fil
     double stiffening = 0;
     int sinceBest = 0;
     film.keepBest();
-    for (int iteration = 0; iteration < limits.newtonSteps && sinceBest < limits.stepsWithoutGain;
+    for (int iteration = 0;
+         iteration < limits.newtonSteps && sinceBest < limits.mostStepsWithoutReduction;
          ++iteration) {
         const double allowed = std::fmax(film.model().residual * now.elastic, floor);
         if (now.left <= allowed) {
@@ -95,10 +98,10 @@ DIPWRIGHT_TEAM inline EquilibriumResult findEquilibrium(Film& film, typename Fil
         if (iteration == 0) {
             film.prepareLinear(drag);
         }
-        detail::newtonStep(
-            film, drag,
-            std::fmax(limits.linearShareOfAllowed * allowed, limits.linearShareOfLeft * now.left),
-            stiffening, now);
+        detail::newtonStep(film, drag,
+                           std::fmax(limits.linearShareOfAllowed * allowed,
+                                     limits.linearShareOfRemaining * now.left),
+                           stiffening, now);
         if (!std::isfinite(now.left)) {
             break;
         }
@@ -132,8 +135,8 @@ DIPWRIGHT_HOST_DEVICE inline double takeColumn(GmresProblem& problem, int k) {
     return std::fabs(problem.right[k + 1]);
 }
 
-// Computes the weights of the first `count` basis vectors with the smallest residual. Returns that
-// residual.
+// Computes the weights of the first `count` basis vectors that give the smallest residual. Returns
+// that residual.
 DIPWRIGHT_HOST_DEVICE inline double solveTriangular(GmresProblem& problem, int count) {
     for (int i = count - 1; i >= 0; --i) {
         double sum = problem.right[i];
@@ -148,9 +151,9 @@ DIPWRIGHT_HOST_DEVICE inline double solveTriangular(GmresProblem& problem, int c
 } // namespace detail
 
 // Solves H · step = −forces by restarted GMRES to a residual of `tolerance`, or as far as the
-// iterations allow. Preconditioning from the right (Saad, Iterative Methods for Sparse Linear
-// Systems, algorithm 9.5) means that its residual is the true one. `start`: the residual of a zero
-// step.
+// iteration limit allows. Preconditioning from the right (Saad, Iterative Methods for Sparse Linear
+// Systems, algorithm 9.5) makes the residual of GMRES the true residual. `start` is the residual of
+// a zero step.
 template <GmresBackend Film>
 DIPWRIGHT_TEAM inline void solveGmres(Film& film, typename Film::Real drag, Tangent tangent,
                                       double start, double tolerance) {

@@ -1,5 +1,6 @@
 // Defines what a step of the production film requires of the device that computes it. The step
-// (FilmStep.h) and the search for equilibrium (Equilibrium.h) are written once, on top of this.
+// (FilmStep.h) and the search for equilibrium (Equilibrium.h) are written once, on top of these
+// functions.
 //
 // On a GPU, a team of threads runs the step of a film together. On the CPU, the team is one thread,
 // which may use helper threads. The whole team calls each member, in the same order. Points are
@@ -23,15 +24,15 @@ struct FilmForce {
 // The effect of the whole contact line on a step.
 template <typename Real>
 struct LineState {
-    Real steepness{1};   // smallest of the whole line
-    bool driven = false; // a triangle that can still move crosses the line
+    Real steepness{1};   // smallest steepness of the whole line, see ContactLine
+    bool driven = false; // a triangle that can still move crosses the contact line
 };
 
-// The small least-squares problem of GMRES. It contains the Hessenberg matrix, made upper
-// triangular by Givens rotations, and the right side, whose last number is the residual. The
-// weights belong to the basis vectors.
+// The small least-squares problem of GMRES. It contains the Hessenberg matrix, which Givens
+// rotations make upper triangular, the right side, whose last number is the residual, and the
+// weights of the basis vectors.
 struct GmresProblem {
-    double matrix[mostBasisVectors][mostBasisVectors + 1] = {}; // by columns
+    double matrix[mostBasisVectors][mostBasisVectors + 1] = {}; // column by column
     double cosine[mostBasisVectors] = {}, sine[mostBasisVectors] = {};
     double right[mostBasisVectors + 1] = {};
     double weights[mostBasisVectors] = {};
@@ -72,18 +73,19 @@ concept FilmStorage = requires(Film& film, const Film& seen, int i, Vector2<Real
     { seen.body() } -> std::convertible_to<const ContactBody<Real>&>;
     { film.state() } -> std::same_as<StepState<Real>&>;
 
-    // mm from rest in the water plane: now, and at the end of the previous step.
+    // Displacement in the water plane, mm from rest: now, and at the end of the previous step.
     { seen.displacement(i) } -> std::same_as<Vector2<Real>>;
     { seen.before(i) } -> std::same_as<Vector2<Real>>;
     film.setDisplacement(i, way);
     film.setBefore(i, way);
-    // Marks why a point lies where it does. Several threads may mark the same point at once.
+    // Records why a point lies where it does. Several threads may mark the same point at once.
     film.mark(i, solver::PointMark::Torn);
     // The state of a point and its place on the body (body coordinates).
     { seen.pointState(i) } -> std::same_as<solver::PointState>;
     { seen.attached(i) } -> std::same_as<Vector3<Real>>;
     film.attach(i, place, solver::PointState{});
-    // Whether the equilibrium may move the point. hold() takes effect at the next setFree().
+    // Whether the equilibrium may move the point. A call of hold() takes effect at the next
+    // setFree().
     { seen.moves(i) } -> std::same_as<bool>;
     film.hold(i);
     // Lower bound of the distance to contact, mm.
@@ -106,17 +108,17 @@ concept FilmTeam = requires(Film& film, Real value, bool flag, detail::PointWork
                             detail::Unfolding<Real> unfolding) {
     // A barrier: afterwards all threads see what any thread of the team wrote before.
     film.barrier();
-    // Return the smallest value, or whether any flag is set, over all threads of the team. Both act
-    // as barriers.
+    // least() returns the smallest value over all threads of the team, anyOf() whether any thread's
+    // flag is set. Both act as barriers.
     { film.least(value) } -> std::same_as<Real>;
     { film.anyOf(flag) } -> std::same_as<bool>;
 
     // Calls work(point) for all points. Each thread gets its points in ascending order, so `work`
     // may use variables of its own thread.
     film.forPoints(forPoint);
-    // Makes the triangles that satisfy crosses(corners) the crossing triangles, with the values of
-    // unfold(triangle, corners). If the set has not changed, they keep their anchors. Helper
-    // threads may call both functions.
+    // Makes the triangles that satisfy crosses(corners) the crossing triangles; unfold(triangle,
+    // corners) gives their values. If the set of triangles has not changed, they keep their
+    // anchors. Helper threads may call both functions.
     { film.findCrossing(crosses, unfolding) } -> std::same_as<LineState<Real>>;
     // Calls work(triangle, crossing, anchor) for the crossing triangles, in the same way as
     // forPoints.
@@ -125,7 +127,8 @@ concept FilmTeam = requires(Film& film, Real value, bool flag, detail::PointWork
     // for all others. Helper threads may call both functions.
     film.forTriangles(forCrossing, forTriangle);
     // Does the same for all triangles that may be stretched to more than `value` times their length
-    // or area, and possibly for others. Each thread gets its triangles as in forPoints.
+    // or area, and possibly for other triangles. Each thread gets its triangles in ascending order,
+    // as in forPoints.
     film.forStretched(value, forCrossing, forTriangle);
 };
 
@@ -136,20 +139,21 @@ concept FilmEquilibrium = requires(Film& film, Real drag, Real length, double nu
     { Film::newtonLimits() } -> std::same_as<NewtonLimits>;
     // Tells the equilibrium which points can move. Acts as a barrier.
     film.setFree();
-    // Computes the force at the displacement; or at the displacement of the last startOfStep() plus
-    // `length` Newton steps, which then becomes the displacement.
+    // force() computes the forces at the current displacement. forceAlong() first sets the
+    // displacement to that of the last startOfStep() plus `length` Newton steps.
     { film.force(drag) } -> std::same_as<FilmForce>;
     { film.forceAlong(length, drag) } -> std::same_as<FilmForce>;
-    // The remaining force on a point at the last force computation; zero for a held point.
+    // Returns the remaining force on a point at the last force computation; zero for a held point.
     { film.forceOn(0) } -> std::same_as<Vector2<Real>>;
     // Prepares solveLinear() for the film's stiffness at the last force computation. solveLinear()
-    // is called for that place or nearby.
+    // may be called at that displacement or near it.
     film.prepareLinear(drag);
-    // Solves H · step = −(the last forces) for the Newton step; H is their derivative. The first
-    // number is the residual of a zero step, the second the residual at which the search may stop.
+    // Solves H · step = −(the last forces) for the Newton step; H is the derivative of the forces.
+    // The first number is the residual of a zero step. The second is the residual at which the
+    // search may stop.
     film.solveLinear(drag, Tangent::True, number, number);
-    // Saves the displacement as the start of the step. Returns the largest motion of a point along
-    // X or Z in the whole step, mm.
+    // Saves the displacement as the start of the Newton step. Returns the largest motion of a point
+    // along X or Z in the whole step, mm.
     { film.startOfStep() } -> std::same_as<double>;
     // Saves the displacement as the best so far, and restores it.
     film.keepBest();
@@ -159,24 +163,26 @@ concept FilmEquilibrium = requires(Film& film, Real drag, Real length, double nu
 template <typename Film>
 concept FilmBackend = FilmStorage<Film> && FilmTeam<Film> && FilmEquilibrium<Film>;
 
-// Defines what the method of least residuals requires of a device: basis vectors, and each of them
-// smoothed, that is multiplied by M⁻¹, a multigrid cycle (GalerkinCycle.h).
+// Defines what GMRES requires of a device: basis vectors and smoothed basis vectors. Smoothing
+// means multiplication by M⁻¹, a multigrid cycle (GalerkinCycle.h).
 template <typename Film, typename Real = typename Film::Real>
 concept GmresBackend = requires(Film& film, Real value, int count, double* column) {
     // Lets one thread call work(problem) → double on the small problem, for all threads that share
     // it.
     { film.inSmallProblem(detail::SmallWork{}) } -> std::same_as<double>;
-    // Starts with a zero step; the residual is the forces.
+    // Starts with a zero step, so the residual is the forces.
     film.startLinear();
     // Makes the residual times `value` the first basis vector.
     film.startBasis(value);
-    // Smooths basis vector `count` and makes the next one: H times the smoothed vector, orthogonal
-    // to the earlier ones and of length 1. Column `count` of the small problem's matrix receives
-    // its products with the earlier vectors and its length.
+    // Smooths basis vector `count` and makes the next basis vector: H times the smoothed vector,
+    // made orthogonal to the earlier vectors and scaled to length 1. Column `count` of the small
+    // problem's matrix receives the products with the earlier vectors, and the length before
+    // scaling.
     film.extendBasis(count, value, Tangent::True);
-    // Computes step −= the first `count` smoothed vectors times their weights in the small problem.
+    // Subtracts the first `count` smoothed vectors, times their weights in the small problem, from
+    // the step.
     film.addToStep(count);
-    // Sets the residual to forces + H · step. Returns its root of the sum of squares.
+    // Sets the residual to forces + H · step. Returns the root of its sum of squares.
     { film.linearResidual(value, Tangent::True) } -> std::same_as<double>;
 };
 

@@ -1,4 +1,4 @@
-// Holds what a step of the production film needs to know about its film, and the state of its dip.
+// Holds the film's constants that a step of the production film needs, and the state of its dip.
 #pragma once
 
 #include "common/Vector3.h"
@@ -11,15 +11,15 @@
 
 namespace dipwright::numerics {
 
-// Two numbers of a film point in the water plane.
+// Two numbers of a film point, along X and Z in the water plane.
 template <typename Real>
 struct Vector2 {
     Real x{}, z{};
 };
 
-// A film's lines along one axis: columns along X or rows along Z. `places`: their rest positions,
-// mm. `edges`: the length from each line to the next, as the forces use it. `spans`: the film
-// length per line, relative to the finest cell. The film owns the arrays, on its device.
+// A film's lines along one axis: columns along X or rows along Z. `places` are the rest positions
+// in mm, and `edges` the lengths from each line to the next, as the forces use them. `spans` are
+// the film lengths per line, relative to the finest cell. The film owns the arrays, on its device.
 template <typename Real>
 struct FilmLines {
     const double* places = nullptr;
@@ -36,7 +36,7 @@ struct FilmLineValues {
     FilmLines<Real> lines() const { return {places.data(), edges.data(), spans.data()}; }
 };
 
-// Returns the values of `count` lines. rest(line) and spacing(line) are those of solver::FilmGrid.
+// Returns the arrays for `count` lines. rest(line) and spacing(line) are those of solver::FilmGrid.
 template <typename Real, typename Rest, typename Spacing>
 FilmLineValues<Real> filmLineValues(int count, double leastSpacing, const Rest& rest,
                                     const Spacing& spacing) {
@@ -65,14 +65,14 @@ FilmLineValues<Real> rowsOf(const solver::FilmGrid& film) {
         [&](int line) { return film.spacingZ(line); });
 }
 
-// The origin about which untouched film grows along one axis, mm. It is the film's middle if
-// neither side is held, or the held side. If both sides are held, there is no free growth.
+// The point about which untouched film grows along one axis, mm. It is the film's middle if neither
+// side is held, or the held side if one is. If both sides are held, there is no free growth.
 struct GrowthOrigin {
     double place = 0;
-    bool isAny = true;
+    bool growsFreely = true;
 };
 
-// Returns the origin for a film of this length, by which of its two sides are held.
+// Returns the growth origin of a film with this length, given which of its two sides are held.
 inline GrowthOrigin growthOrigin(double length, bool isFirstHeld, bool isLastHeld) {
     return {isFirstHeld ? -length / 2 : isLastHeld ? length / 2 : 0, !(isFirstHeld && isLastHeld)};
 }
@@ -81,15 +81,15 @@ inline GrowthOrigin growthOrigin(double length, bool isFirstHeld, bool isLastHel
 template <typename Real>
 struct FilmModel {
     int columns = 0, rows = 0;
-    double spacingX = 0, spacingZ = 0; // mm, of the finest cells
-    Real cell{};                       // mm, the smaller of the two
-    double longestEdge = 0;            // mm, of all cells
+    double spacingX = 0, spacingZ = 0; // mm, size of the finest cells
+    Real cell{};                       // mm, the smaller of the two spacings
+    double longestEdge = 0;            // mm, longest edge of all cells
     FilmLines<Real> alongX, alongZ;
     double contactTravel = 0, residual = 0, tearStretch = 0,
            relaxationTime = 0; // see solver::Settings
     double growthRate = 0, growthLimit = 0;
     GrowthOrigin alongXFrom, alongZFrom;
-    Real gatheredResistance{}; // PlaneStress.h
+    Real gatheredResistance{}; // see gatheredResistance() in PlaneStress.h
 };
 
 template <typename Real>
@@ -134,7 +134,7 @@ template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline int pointCount(const FilmModel<Real>& model) {
     return model.columns * model.rows;
 }
-// Two triangles per cell, cell by cell.
+// Returns the number of triangles: two per cell, numbered cell by cell.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline int triangleCount(const FilmModel<Real>& model) {
     return 2 * (model.columns - 1) * (model.rows - 1);
@@ -151,7 +151,7 @@ DIPWRIGHT_HOST_DEVICE inline TriangleSize<Real> triangleSize(const FilmModel<Rea
                                                              int column, int row) {
     return {model.alongX.edges[column], model.alongZ.edges[row]};
 }
-// By number: two triangles per cell, cell by cell.
+// Does the same by the triangle's number: two triangles per cell, cell by cell.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline TriangleSize<Real> triangleSize(const FilmModel<Real>& model,
                                                              int triangle) {
@@ -184,12 +184,13 @@ planePosition(const FilmModel<Real>& model, std::uint32_t point, Vector2<Real> d
 // The state of a dip between two steps.
 template <typename Real>
 struct StepState {
-    double descent = 0, increment = 0; // mm: of the body; in the last step
-    Real steepness{1};                 // smallest of the contact line
+    // Descent of the body, mm: in total, and in the last step.
+    double descent = 0, increment = 0;
+    Real steepness{1}; // smallest steepness of the contact line
     int steps = 0;
     bool anyAdhered = false;
     bool driven = false; // the contact line still moves the film
-    double grown = 1;    // rest length of floating film, relative to the start
+    double grown = 1;    // rest length of floating film, relative to its length at the start
     solver::EquilibriumAccount equilibrium;
 };
 

@@ -1,16 +1,16 @@
 // Computes one step of the production film's dip (docs/film-model.md), in the same way on all
 // devices.
 //
-// The film is a plane problem: each point has a place in the water plane. The equilibrium places
-// the free points. Adhered points are held. Triangles that cross the contact line see them where
-// the body's surface lies when it is unfolded about the line (ContactPath.h).
+// The film is a plane problem: each point has a place in the water plane. The equilibrium moves the
+// free points, and adhered points are held. For triangles that cross the contact line, the body's
+// surface is unfolded about the line with its adhered points (ContactPath.h).
 //
-// A step lowers the body so far that the contact line travels a fraction of a cell along the
-// surface. Then the film finds its equilibrium. Each point that met the surface on the way adheres
-// when and where it met it. Where the body turns up, its grip fades, and film follows its unfolding
-// less and less (LaidCorners). Where the body turns up too far, it releases the film, whose edge
-// then stays at its place on the water. Torn film is held at its place on the water: it is soft and
-// does not spring back.
+// A step lowers the body until the contact line has travelled a fraction of a cell along the
+// surface. Then the film finds its equilibrium. Each point that touched the surface during the step
+// adheres where and when it touched. Where the body turns up, its grip fades, and film takes part
+// in a smaller share of the unfolding motion (LaidCorners). Where the body turns up too far, it
+// releases the film. The edge of released film then stays at its place on the water. Torn film is
+// also held at its place on the water, because it is soft and does not spring back.
 #pragma once
 
 #include "production/formulas/Equilibrium.h"
@@ -36,8 +36,8 @@ DIPWRIGHT_TEAM inline bool isFree(const Film& film, int point) {
     return film.pointState(point) == solver::PointState::Free;
 }
 
-// Returns the smallest distance to the body of all points that are not next to film on the body, or
-// `most` if none is nearer.
+// Returns the smallest distance from the body to all points that are not next to film on the body,
+// or `most` if no point is nearer.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline double nearestClearance(Film& film, double most) {
     using Real = typename Film::Real;
@@ -59,8 +59,8 @@ DIPWRIGHT_TEAM inline double nearestClearance(Film& film, double most) {
     return double(film.least(nearest));
 }
 
-// Returns the largest increment that respects the contact line's travel and stops when another part
-// of the body makes contact.
+// Returns the largest increment of the descent that keeps the limit on the contact line's travel.
+// The increment also stops where another part of the body makes contact.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline double nextIncrement(Film& film) {
     const double cell = double(film.model().cell);
@@ -110,9 +110,8 @@ DIPWRIGHT_TEAM inline void findCorners(const Film& film, const TriangleCorners& 
 }
 
 // Finds the triangles that cross the contact line with the body at `descent` and can still move,
-// and unfolds the surface under them. If no contact line is near (a flat face, a body that has
-// submerged), their corners do not move. `moved`: true if the body has moved, false if only the
-// film has.
+// and unfolds the surface under them. If no contact line is near (a flat face, a submerged body),
+// their corners do not move. `moved` is true if the body has moved, false if only the film has.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void findContactLine(Film& film, double descent, bool moved) {
     using Real = typename Film::Real;
@@ -157,7 +156,7 @@ DIPWRIGHT_TEAM inline void setAnchors(Film& film) {
 }
 
 // Holds the corners of film that is stretched too far. If the film did not converge
-// (`didNotConverge`), also holds the corners of folded film. Returns whether this thread found any.
+// (`didNotConverge`), also holds the corners of folded film. Returns whether this thread held any.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline bool holdTornOrFolded(Film& film, bool didNotConverge) {
     using Real = typename Film::Real;
@@ -173,7 +172,7 @@ DIPWRIGHT_TEAM inline bool holdTornOrFolded(Film& film, bool didNotConverge) {
         }
         any = true;
     };
-    // `isTurned`: its floating part is turned inside out.
+    // `isTurned`: whether the triangle's floating part is turned inside out.
     const auto holdIfLost = [&](int triangle, const EdgePair<Real>& edges, bool isTurned) {
         const TriangleSize<Real> size = triangleSize(model, triangle);
         const TriangleStretch<Real> stretch = triangleStretch(edges, size.x, size.z);
@@ -201,8 +200,7 @@ DIPWRIGHT_TEAM inline bool holdTornOrFolded(Film& film, bool didNotConverge) {
     return any;
 }
 
-// Calls work(point) for the points with the largest remaining forces, which keep the film from
-// converging.
+// Calls work(point) for the points with the largest remaining forces; these prevent convergence.
 template <FilmBackend Film, typename Work>
 DIPWRIGHT_TEAM inline void forUnbalanced(Film& film, const Work& work) {
     using Real = typename Film::Real;
@@ -233,13 +231,13 @@ DIPWRIGHT_TEAM inline double farthestFromRest(Film& film) {
     return double(-film.least(-farthest));
 }
 
-// Finds the film's equilibrium at the end of a step. Points that prevent convergence are held, and
-// the search continues. Film that is compressed at its own free edge, or caught between two parts
-// of the body, may have no equilibrium in the water plane; real film leaves the plane.
+// Finds the film's equilibrium at the end of a step. Holds points that prevent convergence, and
+// continues the search. Film may have no equilibrium in the water plane if it is compressed at its
+// own free edge or caught between two parts of the body. Real film leaves the plane there.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline EquilibriumResult settle(Film& film, typename Film::Real drag) {
-    // The rounding error of a triangle's gradient grows with its edge. At first contact it may be
-    // the only force. Without this limit, nearly all points would then be held.
+    // The rounding error of a triangle's gradient grows with the triangle's edge. At first contact,
+    // this error may be the only force. Without this limit, nearly all points would then be held.
     const double farthest = std::fmax(farthestFromRest(film), film.model().longestEdge);
     EquilibriumResult found = findEquilibrium(film, drag, farthest);
     for (int holds = 0; holds < mostHolds && !found.isReached; ++holds) {
@@ -258,9 +256,8 @@ DIPWRIGHT_TEAM inline EquilibriumResult settle(Film& film, typename Film::Real d
     return found;
 }
 
-// Lets the stretch decay to the share `keep`, as rest shapes creep to current shapes
-// (PlaneStress.h). Also makes the floating part of a crossing triangle represent the whole
-// triangle.
+// Reduces the stretch to the share `keep`, because rest shapes creep towards the current shapes
+// (PlaneStress.h). Also gives a whole crossing triangle the gradient of its floating part.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void relax(Film& film, typename Film::Real keep) {
     const auto& model = film.model();
@@ -284,9 +281,9 @@ DIPWRIGHT_TEAM inline void relax(Film& film, typename Film::Real keep) {
     });
 }
 
-// Returns the rest length of floating film in a step of `increment`, relative to the start. While
-// film is laid, the middle of the step counts, which is the average time of laying. Before that,
-// the end of the step counts.
+// Returns the rest length of floating film in a step of `increment`, relative to its length at the
+// start. While film is laid, returns the value at the middle of the step, the average time of
+// laying. Before that, returns the value at the end of the step.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline double restLengthIn(Film& film, double increment) {
     const FilmModel<typename Film::Real>& model = film.model();
@@ -295,7 +292,7 @@ DIPWRIGHT_TEAM inline double restLengthIn(Film& film, double increment) {
     return grownLength(seconds, model.growthRate, model.growthLimit);
 }
 
-// Grows the rest shapes of floating film. Film on the body no longer counts. Does not include a
+// Grows the rest shapes of floating film; film on the body does not grow. Does not include a
 // barrier; the caller needs one.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void growTo(Film& film, double grown) {
@@ -310,19 +307,20 @@ DIPWRIGHT_TEAM inline void growTo(Film& film, double grown) {
     film.state().grown = grown;
 }
 
-// Returns the displacement of a point after free growth by `share` of its rest, starting at `way`.
+// Returns the displacement of a point that starts at the displacement `way` and grows freely by
+// `share` of its rest position.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Vector2<Real> grownFreely(const FilmModel<Real>& model, int point,
                                                        const Vector2<Real>& way, Real share) {
     const Vector3<Real> rest = planePosition(model, std::uint32_t(point), Vector2<Real>{});
     const auto grown = [share](const GrowthOrigin& from, Real now, Real place) {
-        return from.isAny ? now + share * (place - Real(from.place)) : now;
+        return from.growsFreely ? now + share * (place - Real(from.place)) : now;
     };
     return {grown(model.alongXFrom, way.x, rest.x), grown(model.alongZFrom, way.z, rest.z)};
 }
 
-// While nothing touches it, growing film takes this place, except near a held side. The water drags
-// at film that moves in another way.
+// Moves growing film that nothing touches to where free growth puts it, except near a held side.
+// The water drag resists any other motion of the film.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void growFreely(Film& film, double share) {
     using Real = typename Film::Real;
@@ -338,7 +336,7 @@ DIPWRIGHT_TEAM inline void growFreely(Film& film, double share) {
     });
 }
 
-// After the equilibrium, restores the start of the film's motion in this step.
+// Sets the start of the film's motion in this step again, after the equilibrium.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void restoreBefore(Film& film, double share) {
     using Real = typename Film::Real;
@@ -361,9 +359,9 @@ DIPWRIGHT_TEAM inline bool stick(Film& film, int point, double increment,
     return sticks;
 }
 
-// Makes free points within the contact distance at the end of the step adhere. A point far from the
-// body is tested again only when it or the body may have come near enough. Returns whether this
-// thread found a contact.
+// Makes free points adhere that are within the contact distance at the end of the step. A point far
+// from the body is tested again only when the point or the body may have come near enough. Returns
+// whether this thread found a contact.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline bool touch(Film& film, double increment) {
     using Real = typename Film::Real;
@@ -387,8 +385,8 @@ DIPWRIGHT_TEAM inline bool touch(Film& film, double increment) {
                     planePosition(film.model(), std::uint32_t(point), before);
                 hasTouched = stick(film, point, increment, start, end) || hasTouched;
             } else {
-                clearance =
-                    distance / Real(3); // a third, so that it is safe outside the field's grid too
+                // A third of the distance, so that this is safe outside the field's grid too.
+                clearance = distance / Real(3);
             }
         }
         film.setClearance(point, clearance);

@@ -1,11 +1,12 @@
 // The constants and formulas of the multigrid cycle for the film's stiffness, for all devices.
 //
 // The finest grid's operator is assembled from the current stiffness of every triangle
-// (EdgeStiffness.h), including stretched, gathered, rotated and crossing triangles and those beside
-// held film. A coarser grid keeps every second point. With bilinear interpolation P between them,
-// the coarse operator is PᵀKP (Galerkin). So, unlike a constant stencil of the flat film, the
-// coarse grids represent where film is soft and what holds it. Smoothing uses Chebyshev polynomials
-// over the points' own 2 × 2 blocks. It does not depend on the number of threads.
+// (EdgeStiffness.h). This includes stretched, gathered, rotated and crossing triangles, and
+// triangles beside held film. A coarser grid keeps every second point. With bilinear interpolation
+// P between two grids, the coarse operator is PᵀKP (Galerkin). So the coarse grids represent where
+// film is soft and where it is held; a constant stencil of the flat film would not. Smoothing uses
+// Chebyshev polynomials over the points' own 2 × 2 blocks. The result does not depend on the number
+// of threads.
 #pragma once
 
 #include <array>
@@ -17,9 +18,10 @@ inline constexpr double largestEigenvalue = 2.4;
 inline constexpr double smallestSmoothed = 0.4;
 inline constexpr int smoothingDegree = 2;
 inline constexpr int coarsestDegree = 16;
-// A point's own block counts as singular below this determinant, relative to its squared trace.
+// A point's own block is treated as singular below this ratio of its determinant to its squared
+// trace.
 inline constexpr float leastDeterminant = 1e-4f;
-inline constexpr int coarsestPoints = 5; // along the shorter edge of the coarsest grid, at most
+inline constexpr int coarsestPoints = 5; // at most, along the shorter edge of the coarsest grid
 
 // One step of the polynomial: direction ← keep·direction + gain·block⁻¹·residual. The direction is
 // then added to the result.
@@ -50,8 +52,8 @@ inline constexpr std::array<ChebyshevStep, std::size_t(coarsestDegree)> coarsest
 constexpr bool isCoarsest(int columns, int rows) {
     return (columns < rows ? columns : rows) <= coarsestPoints;
 }
-// Coarse point c lies on fine point 2c. If the number of fine points is even, the last coarse point
-// lies past the end.
+// Returns the number of coarse points. Coarse point c lies on fine point 2c. If the number of fine
+// points is even, the last coarse point lies past the end.
 constexpr int coarser(int points) {
     return points / 2 + 1;
 }

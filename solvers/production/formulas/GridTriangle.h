@@ -12,18 +12,19 @@
 
 namespace dipwright::numerics {
 
-// The film points of a triangle: the two ends of its horizontal edge, and the third corner, which
-// shares the vertical edge with one of them.
+// The film points of a triangle: the two ends of its horizontal edge, and the third corner. The
+// third corner shares the vertical edge with one of the two ends.
 struct TriangleCorners {
     std::uint32_t points[3]; // left, right, third
     bool thirdOnRight;
-    bool thirdAbove; // in the next row
+    bool thirdAbove; // the third corner lies in the next row
 
     // Returns the index of the corner that both edges share.
     DIPWRIGHT_HOST_DEVICE int shared() const { return thirdOnRight ? 1 : 0; }
 };
 
-// Returns the corners of a cell's first triangle (on its lower horizontal edge) or second triangle.
+// Returns the corners of a cell's first triangle (on the lower horizontal edge) or second triangle
+// (on the upper edge).
 DIPWRIGHT_HOST_DEVICE inline TriangleCorners triangleCorners(int columns, int column, int row,
                                                              bool second) {
     const bool even = (column + row) % 2 == 0;
@@ -35,14 +36,15 @@ DIPWRIGHT_HOST_DEVICE inline TriangleCorners triangleCorners(int columns, int co
     return {{base, base + 1, third}, onRight, !second};
 }
 
-// By number: two triangles per cell, cell by cell.
+// Returns the corners by the triangle's number: two triangles per cell, cell by cell.
 DIPWRIGHT_HOST_DEVICE inline TriangleCorners triangleCorners(int columns, std::size_t number) {
     const int cell = int(number / 2), cells = columns - 1;
     return triangleCorners(columns, cell % cells, cell / cells, number % 2 != 0);
 }
 
-// x and z of a triangle's horizontal and vertical edge, from lower to higher grid index. Also the
-// forces on these edges, as a gradient: + at the higher end, − at the lower end.
+// The x and z components of a triangle's horizontal and vertical edge, from lower to higher grid
+// index. Also used for the forces on these edges, as a gradient: + at the higher end, − at the
+// lower end.
 template <typename Real>
 struct EdgePair {
     Real hx{}, hz{}, vx{}, vz{};

@@ -8,9 +8,9 @@
 
 namespace dipwright::numerics {
 
-// Returns the rest length of floating film after `seconds`, relative to the start of the dip.
-// Growth starts with `rate` of the length per second and tends to `limit` of the length (Settings
-// in FilmSolver.h).
+// Returns the rest length of floating film after `seconds`, relative to its length at the start of
+// the dip. Growth starts with `rate` of the length per second and approaches `limit` of the length
+// (Settings in FilmSolver.h).
 DIPWRIGHT_HOST_DEVICE inline double grownLength(double seconds, double rate, double limit) {
     return rate > 0 && limit > 0 ? 1 - limit * std::expm1(-rate * seconds / limit) : 1.0;
 }

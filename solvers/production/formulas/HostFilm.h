@@ -1,4 +1,4 @@
-// Stores the points of a production film in host memory for the backends that need it
+// Stores the points of a production film in host memory for the backends that run there
 // (FilmBackend.h, FilmStorage), and implements the functions of the solver interface. The team is
 // one thread.
 #pragma once
@@ -12,7 +12,7 @@
 
 namespace dipwright::numerics {
 
-// `Vector`: has two arrays x and z of its type Real, with one entry per film point.
+// `Vector` has two arrays x and z of its type Real, with one entry per film point.
 template <typename Vector>
 class HostFilm {
 public:
@@ -88,8 +88,8 @@ public:
     }
 
 protected:
-    Vector displacement_, before_; // from rest: now and one step ago
-    std::vector<float> free_;      // 1: the equilibrium moves it
+    Vector displacement_, before_; // displacement from rest: now, and one step ago
+    std::vector<float> free_;      // 1 if the equilibrium moves the point, else 0
 
 private:
     static Vector2<Real> at(const Vector& v, int point) {

@@ -1,22 +1,22 @@
 // The elastic law of the production film: constant-strain triangles in the water plane.
 //
-// Let F be the deformation gradient, F = R·U its polar decomposition and s = tr U. The energy per
+// Let F be the deformation gradient, F = R·U its polar decomposition, and s = tr U. The energy per
 // rest area is
 //
 //     W = μ |F − R|² + (λ/2)(s − 2)²,
 //
-// the corotated (Biot strain) plane-stress law. Poisson's ratio 1/3 makes λ = μ. Only the ratio
-// matters in equilibrium, so both are 1. In two dimensions R needs no decomposition. For
-// F = [a b; c d], s = √((a + d)² + (c − b)²), cos = (a + d)/s, sin = (c − b)/s.
+// This is the corotated (Biot strain) plane-stress law. Poisson's ratio 1/3 makes λ = μ. Only the
+// ratio matters in equilibrium, so both are 1. In two dimensions, R needs no decomposition: for F =
+// [a b; c d], s = √((a + d)² + (c − b)²), cos = (a + d)/s, sin = (c − b)/s.
 //
-// Gathered film. With δ = λ1 − λ2 the same law reads W = δ²/2 + (s − 2)². Below a mean stretch s/2
-// of 2/3, film could give way by rotating in its own plane, triangle against triangle. The
-// direction would depend only on the grid. (W is rank-one convex where the second term's derivative
-// g′ is at least −s.) Real film wrinkles out of the plane instead and hardly resists any more. So
-// below the mean stretch 4/5 the second term continues as g′ = −s/2, which equals 2 (s − 2) there.
-// The film keeps a single equilibrium and gathers evenly. The two laws blend smoothly over a
-// twentieth of mean stretch on each side. Film at its free edge comes to rest in this range, where
-// Newton's method would alternate at a kink.
+// Gathered film. With δ = λ1 − λ2, the same law reads W = δ²/2 + (s − 2)². Below a mean stretch s/2
+// of 2/3, triangles could give way by rotating against each other in the plane. The direction would
+// depend only on the grid. (W is rank-one convex where the second term's derivative g′ is at least
+// −s.) Real film wrinkles out of the plane instead, and then has hardly any resistance. So below
+// the mean stretch 4/5, the second term continues as g′ = −s/2, which equals 2 (s − 2) there. The
+// film keeps a single equilibrium and gathers evenly. The two laws blend smoothly over 0.05 of mean
+// stretch on each side. Film at its free edge comes to rest in this range, where Newton's method
+// would alternate at a kink.
 #pragma once
 
 #include "common/HostDevice.h"
@@ -26,7 +26,7 @@
 namespace dipwright::numerics {
 
 // A 2 × 2 matrix [a b; c d]. The first column is the film's X direction, the second its Z
-// direction, each as x and z.
+// direction. Each column holds x and z components.
 template <typename Real>
 struct Matrix2 {
     Real a{}, b{}, c{}, d{};
@@ -44,17 +44,17 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> scaled(const Matrix2<Real>& m, Real f
 }
 
 // Returns h′(s) of gathered film if gathering begins at the mean stretch `gatheringStretch`; −3/2
-// for 4/5. In total P = 2F + h(s)·R, see stress().
+// for 4/5. The whole stress is P = 2F + h(s)·R, see stress().
 DIPWRIGHT_HOST_DEVICE constexpr double gatheredResistance(double gatheringStretch) {
     return 1 - 2 / gatheringStretch;
 }
 // Half width, in s, of the range around the start of gathering in which the two laws blend.
 inline constexpr double gatheringWidth = 0.1;
 
-// The state of the linearisation point that the Hessian needs.
+// The values at the linearisation point that the Hessian needs.
 template <typename Real>
 struct StressState {
-    Real cosine{}, sine{}; // of the rotation R
+    Real cosine{}, sine{}; // components of the rotation R
     Real turn{};           // h(s)/s, coefficient of the derivative of R
     Real resists{};        // h′(s), coefficient of the derivative of s
 };
@@ -67,12 +67,13 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> stress(const Matrix2<Real>& F, Real g
     const Real s = std::sqrt(sum * sum + skew * skew) + Real(1e-12);
     const Real inverse = Real(1) / s;
     const Real cosine = sum * inverse, sine = skew * inverse;
-    // P = 2(F − R) + (s − 2)R = 2F + (s − 4)R, or 2F + h′sR where the film gathers. The larger one
-    // counts: max(a, b) = (a + b + |a − b|)/2, with a parabola instead of |a − b| near zero.
-    const Real change = Real(1) - gatheredResistance; // of h′
+    // P = 2(F − R) + (s − 2)R = 2F + (s − 4)R, or 2F + h′sR where the film gathers. The larger of
+    // the two factors on R counts: max(a, b) = (a + b + |a − b|)/2, with a parabola instead of |a −
+    // b| near zero.
+    const Real change = Real(1) - gatheredResistance; // change of h′ where gathering begins
     const Real firm = s - Real(4), gathered = gatheredResistance * s;
     const Real difference = firm - gathered, width = change * Real(gatheringWidth);
-    const Real share = difference / width; // outside the blend: beyond ±1
+    const Real share = difference / width; // outside the blend, its absolute value is above 1
     const Real within = share < Real(-1) ? Real(-1) : share > Real(1) ? Real(1) : share;
     const Real size = difference < Real(0) ? -difference : difference;
     const Real apart = within == share ? (difference * share + width) / Real(2) : size;
@@ -83,18 +84,18 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> stress(const Matrix2<Real>& F, Real g
             Real(2) * F.c + rotation * sine, Real(2) * F.d + rotation * cosine};
 }
 
-// The derivative of the stress to use. With the true one, Newton's method converges. The positive
-// semi-definite one leads downhill from anywhere.
+// Selects the derivative of the stress. With the true derivative, Newton's method converges. The
+// positive semi-definite (projected) derivative leads downhill from anywhere.
 enum class Tangent { True, Projected };
 
-// The factors by which changes of s and of R contribute in addition to 2 dF: h′ and h/s.
+// The coefficients h′ and h/s. The changes of s and of R contribute with them, in addition to 2 dF.
 template <typename Real>
 struct TangentFactors {
     Real resists{}, turns{};
 };
 
-// Projected: limits both to at least −1. At −1, a change of R or s alone costs nothing when the
-// film is compressed overall.
+// Projected: limits both coefficients to at least −1. At −1, a change of R or of s alone costs no
+// energy when the film is compressed overall.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline TangentFactors<Real> tangentFactors(const StressState<Real>& state,
                                                                  Tangent tangent) {
@@ -104,7 +105,8 @@ DIPWRIGHT_HOST_DEVICE inline TangentFactors<Real> tangentFactors(const StressSta
     return {atLeast(state.resists), atLeast(state.turn)};
 }
 
-// Returns dP for a change dF at the point of `state`. dR = (RJ : dF)/s · RJ enters with h/s.
+// Returns dP for a change dF at the point of `state`. The rotation changes by dR = (RJ : dF)/s ·
+// RJ, which contributes with h/s.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Matrix2<Real>
 stressDerivative(const Matrix2<Real>& dF, const StressState<Real>& state, Tangent tangent) {
@@ -130,9 +132,9 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> inverse(const Matrix2<Real>& m) {
     return {m.d * scale, -m.b * scale, -m.c * scale, m.a * scale};
 }
 
-// Returns the inverse rest shape after the stretch U = RᵀF has relaxed to I + (U − I)·keep. keep =
-// exp(−Δt/τ); 0: viscous, 1: elastic. With edges E = F·D and rest shape D, the new rest shape is
-// U'⁻¹·U·D.
+// Returns the inverse rest shape after the stretch U = RᵀF has relaxed to I + (U − I)·keep. `keep`
+// is exp(−Δt/τ); 0 means viscous, 1 elastic. With edges E = F·D and rest shape D, the new rest
+// shape is U'⁻¹·U·D.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> relaxedInverseShape(const Matrix2<Real>& inverseShape,
                                                                const Matrix2<Real>& F, Real keep) {

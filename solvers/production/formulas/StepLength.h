@@ -1,4 +1,5 @@
-// Computes the length of the production film's step and the stress that is left after it.
+// Computes the length of the production film's step and the share of the stress that remains after
+// it.
 #pragma once
 
 #include "common/HostDevice.h"
@@ -10,8 +11,8 @@
 
 namespace dipwright::numerics {
 
-// Steps do not become shorter on faces flatter than this. Horizontal component of the surface's
-// unit normal: 0 flat, 1 vertical.
+// Horizontal component of the surface's unit normal: 0 flat, 1 vertical. On faces flatter than
+// this, steps do not become shorter any more.
 inline constexpr double leastSteepness = 0.15;
 
 // Returns the descent in which the contact line travels `travel` mm along a surface of this
@@ -20,8 +21,9 @@ DIPWRIGHT_HOST_DEVICE inline double contactIncrement(double travel, double steep
     return travel * (steepness > leastSteepness ? steepness : leastSteepness);
 }
 
-// Returns the distance to the nearest point that is not next to film on the body. So the step does
-// not run past the first contact of any part of the body.
+// Returns the descent after which the nearest point that is not next to film on the body may make
+// contact, but at least 10 % of `travel`. So a step does not run past the first contact of any part
+// of the body.
 DIPWRIGHT_HOST_DEVICE inline double approachIncrement(double travel, double nearestClearance) {
     const double least = 0.1 * travel;
     return nearestClearance > least ? nearestClearance : least;
@@ -43,8 +45,8 @@ DIPWRIGHT_HOST_DEVICE inline bool isNextToContact(int columns, int rows, int poi
     return false;
 }
 
-// Returns the share of its stress that the film keeps over a step of `increment` mm at `speed`
-// mm/s.
+// Returns the share of its stress that the film keeps over a step of `increment` mm at a speed of
+// `speed` mm/s.
 DIPWRIGHT_HOST_DEVICE inline double keptStress(double increment, double speed,
                                                double relaxationTime) {
     return relaxationTime > 0 ? std::exp(-(increment / speed) / relaxationTime) : 0.0;

@@ -6,7 +6,7 @@
 
 namespace dipwright::numerics {
 
-// The stretch of a triangle whose undeformed edges were spacingX and spacingZ.
+// The stretch of a triangle whose undeformed edges were spacingX and spacingZ long.
 template <typename Real>
 struct TriangleStretch {
     Real larger{}; // λ1
@@ -24,44 +24,46 @@ DIPWRIGHT_HOST_DEVICE inline TriangleStretch<Real> triangleStretch(const EdgePai
         F.a * F.d - F.b * F.c};
 }
 
-// Returns whether film tears: it is stretched to more than `limit` times its length in some
-// direction, or its area.
+// Returns whether film tears: whether its length in some direction, or its area, has grown to more
+// than `limit` times the rest value.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool isTorn(const TriangleStretch<Real>& stretch, Real limit) {
     return stretch.larger > limit || stretch.area > limit;
 }
 // Returns whether film is turned inside out. Real film has left the plane by then. In the plane,
-// its forces may have no equilibrium.
+// the forces of such film may have no equilibrium.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool isFolded(const TriangleStretch<Real>& stretch) {
     return stretch.area < Real(0);
 }
 
-// Returns whether some of several triangles may be torn or folded. `squares`: an upper bound of λ1²
-// + λ2², the sum of the squared entries of the deformation gradient. `leastArea`: a lower bound of
-// λ1 λ2. This quick test skips whole rows of film: while the sum is small, neither the larger
-// stretch nor, as λ1 λ2 ≤ (λ1² + λ2²)/2, the area can exceed the limit. Change it together with
-// isTorn() and isFolded().
+// Returns whether some of several triangles may be torn or folded. `squares` is an upper bound of
+// λ1² + λ2², the sum of the squared entries of the deformation gradient. `leastArea` is a lower
+// bound of λ1 λ2. This quick test skips whole rows of film. While `squares` is small, the larger
+// stretch cannot exceed the limit. Nor can the area, as λ1 λ2 ≤ (λ1² + λ2²)/2. Change this function
+// together with isTorn() and isFolded().
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool mayBeTornOrFolded(Real squares, Real leastArea, Real limit) {
     return squares > limit * limit || squares > Real(2) * limit || leastArea < Real(0);
 }
 
-// Limits how far the rest shape of a triangle on the contact line may creep from the undeformed
-// one, as a factor in length in either direction. Its floating part can be so small that its
-// gradient, applied to the whole triangle step after step, would grow without bound. Beyond this
-// limit the shape is kept.
-inline constexpr double mostCrept = 16;
+// The largest creep of the rest shape of a triangle on the contact line: the factor on its
+// undeformed length in each direction. The triangle's floating part can be very small. Its
+// gradient, applied to the whole triangle step after step, would then grow without bound. Beyond
+// this limit, the rest shape is kept.
+inline constexpr double largestCreepFactor = 16;
 
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool isShapeWithinLimits(const Matrix2<Real>& inverseShape,
                                                       Real spacingX, Real spacingZ) {
-    // F⁻¹ of the rest shape relative to the undeformed one. Its larger singular value is at most
-    // the root of the sum of squares. The smaller one is the determinant divided by the larger one.
+    // F⁻¹ of the rest shape relative to the undeformed shape. Its larger singular value is at most
+    // the root of the sum of squares. Its smaller singular value is the determinant divided by the
+    // larger one.
     const Matrix2<Real> F{inverseShape.a * spacingX, inverseShape.b * spacingX,
                           inverseShape.c * spacingZ, inverseShape.d * spacingZ};
     const Real size = std::sqrt(F.a * F.a + F.b * F.b + F.c * F.c + F.d * F.d);
-    return size < Real(mostCrept) && (F.a * F.d - F.b * F.c) * Real(mostCrept) > size;
+    return size < Real(largestCreepFactor) &&
+           (F.a * F.d - F.b * F.c) * Real(largestCreepFactor) > size;
 }
 
 } // namespace dipwright::numerics

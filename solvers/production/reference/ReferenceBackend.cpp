@@ -13,7 +13,7 @@ static_assert(numerics::FilmBackend<ReferenceBackend>);
 namespace {
 
 // Returns the sign of the four ends of a triangle's edges: right, left, upper, lower. A gradient on
-// an edge acts with + on its higher end and with − on its lower end.
+// an edge acts with + on the edge's higher end and with − on its lower end.
 double sign(std::size_t end) {
     return end % 2 == 0 ? 1.0 : -1.0;
 }
@@ -33,7 +33,8 @@ ReferenceBackend::ReferenceBackend(const solver::DipSetup& setup) : HostFilm(set
             const std::size_t upperLeft = lowerLeft + std::size_t(grid.columns);
             const Matrix2<double> rest{1 / grid.spacingX(column), 0, 0, 1 / grid.spacingZ(row)};
             const double area = grid.spacingX(column) * grid.spacingZ(row) / 2;
-            const std::size_t side = (row + column) % 2 == 0 ? 1 : 0; // first triangle: right edge
+            // Index of the edge: the first triangle has the right edge.
+            const std::size_t side = (row + column) % 2 == 0 ? 1 : 0;
             triangles_.push_back(
                 {lowerLeft, lowerLeft + 1, lowerLeft + side, upperLeft + side, area, rest});
             triangles_.push_back(
@@ -78,8 +79,8 @@ std::array<double, 4> ReferenceBackend::edgeForces(const Triangle& triangle,
     return {f.hx, f.hz, f.vx, f.vz};
 }
 
-// Adds the gradient of a triangle's energy at its moving points. Returns the sum of squares of the
-// force on its horizontal edge.
+// Adds the gradient of a triangle's energy to the force on its moving points. Returns the sum of
+// squares of the force on the triangle's horizontal edge.
 double ReferenceBackend::addTriangleForces(int number, Eigen::VectorXd& force,
                                            numerics::StressState<double>& state) const {
     const Triangle& triangle = at(number);

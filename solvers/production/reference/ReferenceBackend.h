@@ -1,6 +1,7 @@
-// Computes the production film in the simplest way: double precision, one triangle after the other,
-// Newton's method with the exact Jacobian and a direct sparse solver. It is slow, and the reference
-// for the fast backends. It shares their model, formulas and step (production/formulas).
+// Computes the production film in the simplest way: in double precision, one triangle after the
+// other, with Newton's method, the exact Jacobian and a direct sparse solver. It is slow; the fast
+// backends are tested against it. All backends share the same model, formulas and step
+// (production/formulas).
 #pragma once
 
 #include "production/formulas/HostFilm.h"
@@ -64,7 +65,7 @@ public:
     numerics::FilmForce force(double drag);
     numerics::FilmForce forceAlong(double length, double drag);
     numerics::Vector2<double> forceOn(int point) const;
-    static void prepareLinear(double) {} // not needed by the direct solver
+    static void prepareLinear(double) {} // the direct solver needs no preparation
     void solveLinear(double drag, numerics::Tangent tangent, double start, double tolerance);
     double startOfStep();
     void keepBest() { best_ = displacement_; }
@@ -72,13 +73,13 @@ public:
 
 private:
     using Crossing = numerics::CrossingTriangle<double>;
-    // A triangle by its grid edges: the horizontal one from `left` to `right` and the vertical one
-    // from `lower` to `upper` (point indices). They share one corner.
+    // A triangle, defined by its grid edges: the horizontal edge from point `left` to point `right`
+    // and the vertical edge from point `lower` to point `upper`. The edges share one corner.
     struct Triangle {
         std::size_t left, right, lower, upper;
-        double area; // at rest, mm²
+        double area; // rest area, mm²
         numerics::Matrix2<double> inverseShape;
-        int crossing = -1; // index into crossing_
+        int crossing = -1; // index into crossing_; −1 if the triangle does not cross
     };
 
     static int numberOf(const Crossing& crossing) {
@@ -93,14 +94,15 @@ private:
                              numerics::Tangent tangent,
                              std::vector<Eigen::Triplet<double>>& entries) const;
 
-    std::vector<Triangle> triangles_; // first and second of every cell
+    std::vector<Triangle> triangles_; // the first and second triangle of every cell
     std::vector<Crossing> crossing_;
     std::vector<numerics::CrossingAnchor<double>> anchors_;
     std::vector<int> unknown_; // per point: its index among the moving points, or −1
     int unknowns_ = 0;
     Eigen::VectorXd force_, step_;
     std::vector<numerics::StressState<double>>
-        states_; // of the triangles, at the last force computation
+        // States of the triangles at the last force computation.
+        states_;
     PlaneVector start_, best_;
 };
 

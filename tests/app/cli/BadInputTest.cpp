@@ -1,5 +1,5 @@
-// Gives dipwright-cli bad input. It must print one sentence, return the right exit code and leave
-// nothing half-written.
+// Gives dipwright-cli bad input. The program must print one sentence, return the right exit code
+// and leave no unfinished file.
 #include "BallModel.h"
 #include "CliProcess.h"
 #include "TestFiles.h"
@@ -15,7 +15,7 @@ using namespace dipwright::test;
 
 namespace {
 
-// Returns a PNG whose header gives this size, but which contains no pixels.
+// Returns a PNG whose header claims this size, but which contains no pixels.
 QByteArray pngClaiming(quint32 width, quint32 height) {
     QByteArray header("IHDR");
     for (const quint32 number : {width, height}) {
@@ -91,17 +91,18 @@ private slots:
             << QStringList{"optimize", job, "--immersions", "1", "--candidates", "1"};
         QTest::newRow("unknown option") << QStringList{"run", job, "--fly"};
         QTest::newRow("no project") << QStringList{"run", "--out", path("out")};
-        QTest::newRow("two projects") << QStringList{"info", job, job}; // run takes several
+        // Other than `info`, `run` accepts several projects.
+        QTest::newRow("two projects") << QStringList{"info", job, job};
         QTest::newRow("two projects, no out") << QStringList{"run", job, job};
-        QTest::newRow("pack nowhere") << QStringList{"pack", job};
-        QTest::newRow("pack no copies") << QStringList{"pack", job + ":0", "--out", path("out")};
+        QTest::newRow("pack without --out") << QStringList{"pack", job};
+        QTest::newRow("pack 0 copies") << QStringList{"pack", job + ":0", "--out", path("out")};
         QTest::newRow("pack on a film without a height")
             << QStringList{"pack", job, "--out", path("out"), "--film", "210"};
-        QTest::newRow("pack on a film of nothing")
+        QTest::newRow("pack on a film of size 0")
             << QStringList{"pack", job, "--out", path("out"), "--film", "roll:0"};
-        QTest::newRow("pack too near")
+        QTest::newRow("pack with too little spacing")
             << QStringList{"pack", job, "--out", path("out"), "--margin", "1"};
-        QTest::newRow("pack fed by a corner")
+        QTest::newRow("pack with an unknown feed edge")
             << QStringList{"pack", job, "--out", path("out"), "--feed", "corner"};
         QTest::newRow("no out") << QStringList{"run", job};
         QTest::newRow("option without value") << QStringList{"run", job, "--out"};
@@ -115,13 +116,13 @@ private slots:
         QTest::newRow("threads") << QStringList{"run", job, "--out", path("out"), "--threads", "0"};
         QTest::newRow("rows") << QStringList{"bench", "--rows", "9"};
         QTest::newRow("argument too many") << QStringList{"solvers", "all"};
-        QTest::newRow("no model") << QStringList{"new", path("out")};
+        QTest::newRow("new without a model") << QStringList{"new", path("out")};
         QTest::newRow("empty project name") << QStringList{"new", "", "--model", path("ball.obj")};
         QTest::newRow("size") << newWith({"--size-mm", "-3"});
         QTest::newRow("a model and a jig") << newWith({"--jig", path("ball.obj")});
-        QTest::newRow("no height on the jig")
+        QTest::newRow("jig part without a height")
             << QStringList{"new", path("out"), "--jig", path("ball.obj") + ",height=-1"};
-        QTest::newRow("one size for a jig")
+        QTest::newRow("--size-mm with a jig")
             << QStringList{"new", path("out"), "--size-mm", "9", "--jig", path("ball.obj")};
         QTest::newRow("preset") << newWith({"--preset", "paper-1999"});
         QTest::newRow("immersion") << newWith({"--immersion", "upside down"});
@@ -171,7 +172,7 @@ private slots:
         QVERIFY(QFile::remove(path("allowed.dipw")));
     }
 
-#ifndef _WIN32 // which moc knows, unlike Q_OS_UNIX
+#ifndef _WIN32 // moc knows _WIN32, but not Q_OS_UNIX
     // A file size limit simulates a full disk: a write fails in the middle of a file.
     void cli_fullDisk_leavesNothingBehind_data() {
         QTest::addColumn<QStringList>("arguments");
@@ -196,7 +197,7 @@ private slots:
         QCOMPARE(everythingIn(folder_.path()), before);
     }
 
-    // A device that never ends, and a pipe that nobody writes to.
+    // Tests a device from which reading never ends, and a pipe to which nobody writes.
     void cli_deviceOrPipeAsFile_isRefusedAtOnce_data() {
         QTest::addColumn<QStringList>("arguments");
         const QString pipe = path("pipe"), job = path("ball.dipw");
@@ -241,7 +242,8 @@ private slots:
         QVERIFY2(outcome.errorLines().size() == 1 && outcome.err.contains("not replaced"),
                  outcome.err);
         QCOMPARE(bytesOf(path("ball.dipw")), project);
-        for (int time = 0; time < 2; ++time) { // a profile may be replaced
+        // The second export replaces the profile of the first.
+        for (int time = 0; time < 2; ++time) {
             QCOMPARE(cli({"profile", "export", "film", firstFilm(), path("film.json")}).exitCode,
                      0);
         }
@@ -255,8 +257,8 @@ private slots:
         QVERIFY2(outcome.errorLines().size() == 1, outcome.err);
     }
 
-    // A preloaded libminizip has functions with the names of QuaZip's. QuaZip then packs into a
-    // file with a random name, here in a folder of its own, and reports success.
+    // A preloaded libminizip has functions with the same names as QuaZip's. QuaZip then packs into
+    // a file with a random name, here in a separate folder, and reports success.
     void new_archiveNotWritable_keepsOldProject() {
 #ifdef Q_OS_LINUX
         const QTemporaryDir rubbish;
@@ -300,7 +302,7 @@ private:
         QVERIFY2(outcome.exitCode == exitCode, outcome.out + outcome.err);
         const QList<QByteArray> errors = outcome.errorLines();
         QVERIFY2(errors.size() == 1, outcome.err);
-        // "Sentence (place)", without traces of the code.
+        // An error reads "Sentence (place)" and contains nothing of the program's code.
         QVERIFY2(errors.first().endsWith(')') && errors.first().contains(" ("), errors.first());
         QVERIFY2(!errors.first().contains("std::"), errors.first());
         QCOMPARE(everythingIn(folder_.path()), before);

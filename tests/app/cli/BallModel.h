@@ -1,12 +1,12 @@
-// Writes a textured ball as an OBJ file, the model of the command-line tests.
+// Writes a textured ball as an OBJ file. The tests of the command line use it as their model.
 #pragma once
 
 #include <QString>
 
 namespace dipwright::test {
 
-// Writes FOLDER/ball.obj, a ball of 40 mm with longitude and latitude as texture coordinates, with
-// ball.mtl and ball.png beside it. Returns the OBJ's path.
+// Writes FOLDER/ball.obj, with ball.mtl and ball.png: a ball of 40 mm diameter whose texture
+// coordinates are longitude and latitude. Returns the path of ball.obj.
 QString writeBall(const QString& folder);
 
 } // namespace dipwright::test

@@ -34,7 +34,7 @@ private slots:
         QVERIFY(row["steps_per_second"].toDouble() > 0);
     }
 
-    void bench_parts_measuresOnlyThese() {
+    void bench_partsOption_measuresOnlyTheseParts() {
         const Outcome bench = cli({"bench", "--json", "--quick", "--runs", "1", "--parts",
                                    "sweep,field,texture", "--solver", "pbd-cpu"});
         QVERIFY2(bench.exitCode == 0, bench.err);

@@ -23,7 +23,7 @@ Outcome program(const QString& path, const QStringList& arguments, const QString
     QProcess process;
     process.setProcessEnvironment([&] {
         QProcessEnvironment all = QProcessEnvironment::systemEnvironment();
-        // Like a machine without a display.
+        // Removes the display, as on a machine without one.
         all.remove(QStringLiteral("DISPLAY"));
         all.remove(QStringLiteral("QT_QPA_PLATFORM"));
         for (const QString& variable : environment) {

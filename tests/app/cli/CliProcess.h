@@ -1,4 +1,4 @@
-// Runs the real dipwright-cli like a user's shell.
+// Runs the real dipwright-cli as a user's shell does.
 #pragma once
 
 #include <QByteArray>
@@ -7,7 +7,7 @@
 namespace dipwright::test {
 
 struct Outcome {
-    int exitCode = -1; // −1: it crashed
+    int exitCode = -1; // −1: the program crashed
     QByteArray out, err;
 
     // Returns the lines of standard error that begin with "error:".
@@ -15,9 +15,10 @@ struct Outcome {
 };
 
 QString cliPath();
-// Runs dipwright-cli to its end. `environment`: entries "NAME=value", added to this process's own.
+// Runs dipwright-cli to its end. `environment` has entries "NAME=value", which are added to this
+// process's environment.
 Outcome cli(const QStringList& arguments, const QStringList& environment = {});
-// Runs any other program to its end, such as a shell that sets limits for dipwright-cli.
+// Runs any other program to its end, for example a shell that sets limits for dipwright-cli.
 Outcome program(const QString& path, const QStringList& arguments,
                 const QStringList& environment = {});
 

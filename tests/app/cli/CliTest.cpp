@@ -22,7 +22,7 @@ using namespace dipwright::test;
 
 namespace {
 
-// Coarse and small settings, so that a run takes about a second.
+// Settings for a coarse and small film, so that a run takes about a second.
 const QStringList quickly{"--set", "film.size_mm=120x120",   "--set", "film.points=41x41",
                           "--set", "body.sdf_resolution=64", "--set", "sheet.dpi=100"};
 
@@ -91,13 +91,13 @@ private slots:
     }
 
     void run_tolerancesOption_reportsZones() {
-        const Outcome told =
+        const Outcome outcome =
             cli(QStringList{"run", path("ball.dipw"), "--out", path("told"), "--tolerances",
                             "--no-certainty", "--set", "tolerance.samples=0", "--set",
                             "tolerance.turn_deg=0;0;0"} +
                 quickly);
-        QVERIFY2(told.exitCode == 0, told.err);
-        QVERIFY2(told.out.contains("Zone C"), told.out);
+        QVERIFY2(outcome.exitCode == 0, outcome.err);
+        QVERIFY2(outcome.out.contains("Zone C"), outcome.out);
         const QJsonObject report = jsonOf(path("told/report.json"));
         QCOMPARE(report["zones"].toArray().size(), qsizetype(1));
         QVERIFY(!QImage(path("told/immersion-1/tolerance.png")).isNull());
@@ -207,7 +207,8 @@ private slots:
                                 .arg(total)
                                 .arg(first)
                                 .arg(second)));
-        // A ball dipped from both sides is painted all round, except for a belt at the waterline.
+        // A ball that is dipped from both sides is painted all round, except in a belt at the
+        // waterline.
         QVERIFY2(total > 0.8,
                  qPrintable(QStringLiteral("coverage is %1, expected more than 0.8").arg(total)));
     }
@@ -258,7 +259,7 @@ private slots:
         QCOMPARE(sheet.pixel(0, 0), picture.convertToFormat(sheet.format()).pixel(0, 0));
     }
 
-    void run_ontoEarlierResults_replacesOnlyThese() {
+    void run_folderWithEarlierResults_replacesOnlyResults() {
         QFile note(path("two/note.txt"));
         QVERIFY(note.open(QIODevice::WriteOnly));
         note.close();
@@ -327,7 +328,7 @@ private slots:
         QCOMPARE(cli(coarse + QStringList{"--physics"}).exitCode, 2);
     }
 
-    void cli_uselessOption_isRefused() {
+    void cli_optionWithoutEffect_isRefused() {
         const QString ball = path("ball.dipw");
         const std::vector<QStringList> wrong{
             {"validate", ball, "--maps", path("maps")},
@@ -396,7 +397,7 @@ private slots:
         QVERIFY(std::abs(both["size_mm"].toArray()[1].toDouble() - 45) < 0.1);
         const Outcome ran = cli(QStringList{"run", jig, "--out", path("jig")} + quickly);
         QVERIFY2(ran.exitCode == 0, ran.err);
-        // Each ball is painted from its own place on the film.
+        // Each ball gets its paint from its own place on the film.
         const QImage sheet(path("jig/immersion-1/sheet.png"));
         const auto printed = [&](double x) { // counts inked pixels within 8 mm of x
             int count = 0;
@@ -439,7 +440,7 @@ private slots:
         const QJsonObject info =
             QJsonDocument::fromJson(cli({"info", path("best.dipw"), "--json"}).out).object();
         QCOMPARE(info["immersions"].toArray().size(), 2);
-        // Settings for the search alone are not saved.
+        // Settings that apply only to the search are not saved.
         QCOMPARE(info["film"].toObject()["size_mm"].toArray(), (QJsonArray{210, 297}));
     }
 
@@ -477,7 +478,7 @@ private slots:
         QVERIFY2(wrong.err.contains("pose_search.limits.coverage"), wrong.err);
     }
 
-    void solversAreListed() {
+    void solvers_installedPlugins_areListed() {
         QVERIFY(cli({"solvers"}).out.contains("pbd-cpu"));
         const QJsonArray solvers = QJsonDocument::fromJson(cli({"solvers", "--json"}).out).array();
         QVERIFY(!solvers.isEmpty());
@@ -496,10 +497,10 @@ private slots:
         process.start(cliPath(), {"run", path("ball.dipw"), "--out", path("cancelled"), "--set",
                                   "film.points=600x848", "--set", "body.sdf_resolution=64"});
         process.setReadChannel(QProcess::StandardError);
-        QByteArray told;
-        while (!told.contains("Dipping")) {
+        QByteArray output;
+        while (!output.contains("Dipping")) {
             QVERIFY(process.waitForReadyRead(-1));
-            told += process.readAll();
+            output += process.readAll();
         }
         process.terminate();
         QVERIFY(process.waitForFinished(-1));

@@ -17,7 +17,7 @@ QByteArray repeated(const QByteArray& text, int times) {
     return text.repeated(times);
 }
 
-// Joins `made(i)` for i = 0 … count − 1.
+// Joins made(i) for i = 0 … count − 1.
 template <typename Made>
 QByteArray sequence(int count, const Made& made) {
     QByteArray text;

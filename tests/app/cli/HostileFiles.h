@@ -1,4 +1,4 @@
-// Writes malicious files, one of each kind that once did harm or was made to do harm.
+// Writes malicious files: one of each kind that once did harm or was designed to do harm.
 #pragma once
 
 #include <QString>

@@ -1,5 +1,6 @@
-// Malicious files that try to read private files, crash the program or exhaust the machine. Each
-// must be refused with one sentence, within five seconds of processor time and one gigabyte.
+// Tests malicious files that try to read private files, crash the program or exhaust the machine.
+// Each must be refused with one sentence, within five seconds of processor time and with less than
+// one gigabyte of memory.
 #include "HostileFiles.h"
 #include "CliProcess.h"
 #include "TestFiles.h"
@@ -18,7 +19,7 @@ namespace {
 
 const QDir shared(sharedFolder("/data/hostile"));
 
-// The system ends the program after `seconds` of processor time.
+// Runs dipwright-cli. The system ends it after `seconds` of processor time.
 Outcome cliWithin(int seconds, const QStringList& arguments) {
 #ifdef Q_OS_UNIX
     return program("/bin/sh", QStringList{"-c", "ulimit -t \"$0\"; exec \"$@\"",
@@ -60,10 +61,10 @@ private slots:
         refused();
     }
 
-    // Measures the largest memory of all programs so far and of their children.
+    // Measures the largest memory of all programs run so far and of their child processes.
     void cli_hostileFiles_useLessThanOneGigabyte() {
 #ifdef Q_OS_UNIX
-#if !defined(DIPWRIGHT_SANITIZED) // sanitizers need more themselves
+#if !defined(DIPWRIGHT_SANITIZED) // sanitizers need more memory themselves
         rusage used{};
         QCOMPARE(getrusage(RUSAGE_CHILDREN, &used), 0);
 #ifdef Q_OS_MACOS
@@ -100,7 +101,7 @@ private:
             cliWithin(mostSeconds, isProject ? QStringList{"info", file}
                                              : QStringList{"new", out, "--model", file, "--quiet"});
         QVERIFY2(outcome.exitCode == 1, outcome.out + outcome.err);
-        // No output of libraries, and no escape byte for the terminal.
+        // Standard error has no output of libraries, and no escape character for the terminal.
         QVERIFY2(outcome.err.count('\n') == 1 && outcome.errorLines().size() == 1, outcome.err);
         QVERIFY(!outcome.err.contains('\x1b'));
         QVERIFY(!QFileInfo::exists(out));

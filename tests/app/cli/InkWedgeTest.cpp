@@ -1,4 +1,4 @@
-// Tests the compensation of each ink on stretched film by the command line, from the wedge to the
+// Tests how the command line compensates each ink on stretched film, from the step wedge to the
 // sheet.
 #include "CliProcess.h"
 #include "PaperMeasure.h"
@@ -68,9 +68,9 @@ private slots:
         QSet<int> all;
         for (const char* ink : {"Cyan", "Magenta", "Yellow"}) {
             const QSet<int> own = inkedRows(QImage(in(QString("page(%1).tif").arg(ink))));
-            QVERIFY2(own.size() > 10, ink); // a row of patches …
+            QVERIFY2(own.size() > 10, ink); // a row of patches with this ink …
             QVERIFY2(!all.intersects(own), ink);
-            all.unite(own); // … where no other ink is
+            all.unite(own); // … where no other ink is printed
         }
         QVERIFY(
             cli({"calibrate", "wedge", "--profile", "Press", "--to", in("wedge.png")}).exitCode !=

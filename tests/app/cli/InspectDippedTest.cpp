@@ -1,5 +1,5 @@
-// Tests `inspect fit` and `inspect built` by the command line, with a job, photos of a dipped part,
-// and tables of the places seen in them.
+// Tests `inspect fit` and `inspect built` through the command line. The input is a job, photos of a
+// dipped part, and tables of places in the photos.
 #include "../../core/inspection/PhotographedPart.h"
 #include "CliProcess.h"
 #include "TestFiles.h"
@@ -46,7 +46,7 @@ private slots:
         const SolverRegistry registry{QStringList{pluginFolder()}};
         const PhotographedPart part(eggToFit(1, 2.6), hidden, 2.6,
                                     registry.module(QStringLiteral("pbd-cpu")));
-        const auto cameras = camerasRound({{20, -35}, {140, -30}}, 280, 3.4, 2000);
+        const auto cameras = camerasAround({{20, -35}, {140, -30}}, 280, 3.4, 2000);
         const FitPairs pairs = part.pairs(cameras, 16, 12, 0.3, 1);
         saveProject(part.project(), path("job.dipw"));
         QByteArray body("photo,x_px,y_px,x_mm,y_mm,z_mm\n");
@@ -115,7 +115,7 @@ private slots:
     void inspectFit_updateJob_writesFittedOffset() {
         const Outcome outcome = cli(words(
             "fit", {"--fit", "shift_x,shift_z", "--update-job", "--profile", "Fitted", "--set"}));
-        QCOMPARE(outcome.exitCode, 2); // it has no option --set
+        QCOMPARE(outcome.exitCode, 2); // `inspect fit` has no option --set
         const Outcome fitted =
             cli(words("fit", {"--fit", "shift_x,shift_z,swell_x,swell_y", "--film-image",
                               "chessboard", "--update-job", "--profile", "Fitted"}));

@@ -1,4 +1,5 @@
-// Tests `inspect film` and `inspect part` by the command line, with JPEG photos like a camera's.
+// Tests `inspect film` and `inspect part` through the command line, with JPEG photos like those of
+// a camera.
 #include "CliProcess.h"
 #include "TankPhoto.h"
 #include "TestFiles.h"
@@ -32,8 +33,9 @@ QByteArray entry(quint16 tag, quint16 type, quint32 count, quint32 value) {
     return number(tag, 2) + number(type, 2) + number(count, 4) + number(value, 4);
 }
 
-// Returns a JPEG with a camera's tags: orientation, time and focal length. If the orientation is
-// not 1, a fill byte and a comment precede the tags, behind which libexif does not find them.
+// Returns a JPEG with the tags of a camera: orientation, time and focal length. If the orientation
+// is not 1, a fill byte and a comment precede the tags. In that case libexif does not find the
+// tags.
 QByteArray cameraFile(const QImage& picture, int orientation, const QByteArray& taken) {
     QByteArray tags = "II" + number(42, 2) + number(8, 4);
     tags += number(2, 2) + entry(0x0112, 3, 1, quint32(orientation)) + entry(0x8769, 4, 1, 38) +
@@ -50,7 +52,7 @@ QByteArray cameraFile(const QImage& picture, int orientation, const QByteArray& 
            char(length >> 8) + char(length & 255) + segment + buffer.data().mid(2);
 }
 
-// Writes a TIFF like a raster image processor's: cyan, magenta, yellow and black.
+// Writes a TIFF as a raster image processor does, in cyan, magenta, yellow and black.
 void writeCmykTiff(const QImage& picture, const QString& path) {
     TIFF* file = TIFFOpen(qPrintable(path), "w");
     TIFFSetField(file, TIFFTAG_IMAGEWIDTH, picture.width());
@@ -175,7 +177,8 @@ private slots:
         QVERIFY(!cli({"profile", "list"}).out.contains("Never written"));
     }
 
-    // Places on a ball, seen by a camera with a focal length of 1000 pixels from 300 mm.
+    // The photo shows places on a ball. The camera has a focal length of 1000 pixels and is 300 mm
+    // away.
     void inspectPart_pairsTable_reportsFigures() {
         QByteArray table("photo,x_px,y_px,x_mm,y_mm,z_mm\n");
         for (int i = 0; i < 16; ++i) {
@@ -183,14 +186,14 @@ private slots:
             const double x = std::cos(around) * std::cos(up / 57.3) * 35;
             const double y = std::sin(up / 57.3) * 35;
             const double z = std::sin(around) * std::cos(up / 57.3) * 35;
-            const double off = i % 2 == 0 ? 1 : -1; // pixels
+            const double off = i % 2 == 0 ? 1 : -1; // pixels of error
             table += "1," + QByteArray::number(800 + 1000 * x / (z + 300) + off) + "," +
                      QByteArray::number(600 + 1000 * y / (z + 300) - off) + "," +
                      QByteArray::number(x) + "," + QByteArray::number(y) + "," +
                      QByteArray::number(z) + "\n";
         }
         writeFile(path("pairs.csv"), table);
-        // Photos that cannot be read get one sentence, and nothing is written.
+        // For a photo that cannot be read, the program prints one sentence and writes nothing.
         QImage vast(12'000, 9'000, QImage::Format_Grayscale8);
         vast.fill(128);
         for (const QByteArray& bytes :
@@ -215,7 +218,7 @@ private slots:
                      0);
         }
         const QStringList arguments{"inspect", "part", photos_.first(), "--out", path("part")};
-        QCOMPARE(cli(arguments).exitCode, 2); // no pairs
+        QCOMPARE(cli(arguments).exitCode, 2); // the table of pairs is missing
         const Outcome outcome = cli(arguments + QStringList{"--pairs", path("pairs.csv")});
         QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
         qInfo("%s", outcome.out.constData());

@@ -23,7 +23,7 @@ QByteArray contentsOf(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-// Returns all files below a folder, except those that contain times.
+// Returns all files below a folder, except files that contain times.
 QMap<QString, QByteArray> timelessFiles(const QString& folder) {
     QMap<QString, QByteArray> files;
     QDirIterator all(folder, QDir::Files, QDirIterator::Subdirectories);
@@ -61,7 +61,7 @@ private:
     std::unique_ptr<QTemporaryDir> folder_;
 };
 
-// While a file is written, a hidden file with a longer name lies beside it.
+// While a file is written, a hidden file with a longer name lies next to it.
 void OddPlacesTest::cli_longestFileName_isWritten() {
     const QString job = path(QString(250, QLatin1Char('x')) + QStringLiteral(".dipw"));
     for (int time = 0; time < 2; ++time) { // created, then replaced
@@ -93,10 +93,10 @@ void OddPlacesTest::cli_pathTooLong_isRefused() {
     QVERIFY(QDir(folder_->path()).isEmpty());
 }
 
-// Once read as text, such names could be mistaken for others.
+// If such names were decoded as text, they could be mistaken for other names.
 void OddPlacesTest::cli_nameNotUtf8_isRefused() {
 #ifndef Q_OS_UNIX
-    return; // every name is text there
+    return; // on Windows, every name is valid text
 #endif
     QProcess shell;
     shell.setWorkingDirectory(folder_->path());
@@ -109,7 +109,7 @@ void OddPlacesTest::cli_nameNotUtf8_isRefused() {
     QCOMPARE(said.count('\n'), 1);
     QVERIFY2(said.contains("not UTF-8 text"), said.constData());
     QVERIFY(QDir(folder_->path()).isEmpty());
-    // Files in a folder with such a name are refused, too, by any path.
+    // Files in a folder with such a name are refused, too, whatever path leads to them.
     shell.start(QStringLiteral("sh"),
                 {"-c",
                  "mkdir \"$(printf 'b\\377')\" && cd b* && \"$0\" new a.dipw --model \"$1\" "
@@ -139,7 +139,8 @@ void OddPlacesTest::cli_escapeBytesInName_areNotPrinted_data() {
     QTest::newRow("a printer") << "print SAMPLE --printer NAME";
 }
 
-// Printed unchanged, the name would rename the window, ring the bell and clear the screen.
+// If the name were printed unchanged, it would rename the window, ring the bell and clear the
+// screen.
 void OddPlacesTest::cli_escapeBytesInName_areNotPrinted() {
     QFETCH(QString, words);
     const QString name =

@@ -1,4 +1,5 @@
-// Tests `dipwright-cli pack`. Each piece on a packed film must equal the sheet of its job alone.
+// Tests `dipwright-cli pack`. Each piece on a packed film must equal the sheet that its job gives
+// alone.
 #include "CliProcess.h"
 #include "TestFolders.h"
 
@@ -87,7 +88,7 @@ private slots:
         }
     }
 
-    void pack_fewerFilms_removesEarlierOnes() {
+    void pack_fewerFilms_removesEarlierFilms() {
         const QString out = folder_.filePath("fewer");
         const auto pack = [&](const QString& copies) {
             return cli(QStringList{"pack", turtle + copies, "--out", out, "--film", "A3"} + coarse);

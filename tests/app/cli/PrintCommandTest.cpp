@@ -1,4 +1,4 @@
-// Tests `dipwright-cli print`, `profile` and `calibrate` with the test's own print system.
+// Tests `dipwright-cli print`, `profile` and `calibrate` with a print system of the test's own.
 #include "CliProcess.h"
 #include "PaperMeasure.h"
 #include "PrivateCups.h"
@@ -16,7 +16,7 @@ using dipwright::test::Outcome;
 namespace {
 
 const QString turtle = sampleFolder("/turtle.dipw");
-// Coarse, to be quick. The test checks printing, not dipping.
+// Coarse settings, to be fast. The test checks printing, not dipping.
 const QStringList coarse{"--set",  "film.preset=A4",         "--set", "film.points=41x58",
                          "--set",  "body.sdf_resolution=64", "--set", "sheet.dpi=150",
                          "--quiet"};
@@ -103,11 +103,11 @@ void PrintCommandTest::print_turtle_bothSheetsArrive() {
         QVERIFY(std::abs(rulerLength(paper) - 100) < 0.02);
         QVERIFY(pdfWords(paper).contains("Film A4 210 × 297 mm"));
     }
-    QVERIFY(pdfWords(papers[0]) != pdfWords(papers[1])); // each names its dip
+    QVERIFY(pdfWords(papers[0]) != pdfWords(papers[1])); // each sheet contains the name of its dip
     // The history lists each sheet with the job number printed on it.
     const QStringList kept = QString::fromUtf8(cli({"print", "--history"}).out).split('\n');
     for (int i : {0, 1}) {
-        const QString& print = kept[1 - i]; // the newest first
+        const QString& print = kept[1 - i]; // the history lists the newest print first
         QVERIFY2(print.contains("pigment") && print.endsWith("Printed"), qPrintable(print));
         const QString job = print.section("job ", 1).section(' ', 0, 0);
         QVERIFY2(job.size() == 12 && pdfWords(papers[i]).contains(job.toUtf8()), qPrintable(print));
@@ -137,7 +137,8 @@ void PrintCommandTest::print_chessboard_hasTrueSize() {
     }
 }
 
-// The printer scales by 1.004 × 0.997. The scale is measured, corrected and verified.
+// The printer scales by 1.004 × 0.997. The test measures the scale, corrects it and verifies the
+// correction.
 void PrintCommandTest::calibrate_measuredRulers_makePrintsTrue() {
     const int before = received();
     Outcome outcome = cli({"calibrate", "--profile", "Mine", "--printer", "pigment"});
@@ -194,7 +195,7 @@ void PrintCommandTest::print_toFile_writesSheet() {
     QCOMPARE(cli({"print", turtle, "--to", folder_.filePath("both.pdf")}).exitCode, 2);
 }
 
-// A file for a printer is checked like a job sent to it.
+// A file for a printer is checked like a job that is sent to it.
 void PrintCommandTest::print_toFile_keepsPrinterMargins() {
     QVERIFY(
         cli({"profile", "set", "printer", "Inset", "--set", "margins_mm=12;12;12;12"}).exitCode ==
@@ -289,7 +290,7 @@ void PrintCommandTest::print_wideGamutProfile_keepsWideColours() {
         output("pdfimages", {"-png", path, folder_.filePath("wide")}); // from the PDF
         QImage found(name.endsWith("pdf") ? folder_.filePath("wide-000.png") : path);
         QVERIFY(!found.isNull());
-        found.setColorSpace(QColorSpace()); // compare the stored values
+        found.setColorSpace(QColorSpace()); // compares the stored values
         const QColor middle = found.pixelColor(found.width() / 2, found.height() / 2);
         QVERIFY2(middle == green, qPrintable(name + middle.name()));
     }
@@ -310,7 +311,7 @@ void PrintCommandTest::print_profileChangedLater_usesProjectsCopy() {
     const QString path = folder_.filePath("kept.pdf");
     const QByteArray before = printed(path);
     QVERIFY(std::abs(rulerLength(path) * 1.004 - 100) < 0.05);
-    // The profile is changed, then removed. The project keeps using its own copy.
+    // The profile is changed, then removed. The project still uses its own copy.
     QVERIFY(cli({"profile", "set", "printer", "Old", "--set", "scale=0.98;1.02"}).exitCode == 0);
     QVERIFY(printed(folder_.filePath("next.pdf")) == before);
     QVERIFY(cli({"profile", "remove", "printer", "Old"}).exitCode == 0);
@@ -321,12 +322,12 @@ void PrintCommandTest::print_refused_sendsNothing() {
     const int before = received();
     const auto refused = [&](const QStringList& arguments, const QByteArray& word) {
         const Outcome outcome = cli(QStringList{"print", turtle, "--quiet"} + arguments);
-        const bool told =
+        const bool isNamed =
             outcome.errorLines().size() == 1 && outcome.errorLines().first().contains(word);
-        if (outcome.exitCode != 1 || !told) {
+        if (outcome.exitCode != 1 || !isNamed) {
             qWarning() << arguments << outcome.exitCode << outcome.err;
         }
-        return outcome.exitCode == 1 && told;
+        return outcome.exitCode == 1 && isNamed;
     };
     QVERIFY(refused({"--printer", "nosuch"}, "no such printer"));
     QVERIFY(refused({"--printer", "pigment", "--profile", "nosuch"}, "no printer profile"));

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int longestStart = 60'000, longestEnd = 20'000; // ms
 
-// Finds daemons, too, which are not in every user's path.
+// Also finds daemons, which are not in every user's path.
 QString programPath(const QString& name) {
     const QString found = QStandardPaths::findExecutable(name);
     return found.isEmpty() ? QStandardPaths::findExecutable(
@@ -41,13 +41,14 @@ std::array<int, 2> freePorts() {
             ports[number] = ntohs(address.sin_port);
         }
     }
-    for (const int socket : sockets) { // closed together, so that the ports differ
+    for (const int socket : sockets) { // all sockets are closed together, so that the ports differ
         close(socket);
     }
     return ports;
 }
 
-// A requeued job waits until its old credential expires: 5 seconds here, instead of minutes.
+// A requeued job waits until its old credential expires. Here this takes 5 seconds instead of
+// minutes.
 constexpr char configuration[] = R"(ClusterName=test
 SlurmctldHost=HOST(127.0.0.1)
 SlurmctldPort=PORT1
@@ -113,7 +114,7 @@ PrivateSlurm::PrivateSlurm() {
     text.replace("PORT2", QByteArray::number(ports[1]));
     text.replace("USER", getpwuid(geteuid())->pw_name);
     text.replace("FOLDER", folder_.path().toUtf8());
-    QByteArray key(128, '\0'); // secret: whoever knows it may run any program
+    QByteArray key(128, '\0'); // secret: anybody who knows it may run any program
     QRandomGenerator::system()->generate(key.begin(), key.end());
     // Munge requires that everybody can read the path to its socket.
     QFile::setPermissions(folder_.path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner |

@@ -1,5 +1,5 @@
-// Runs one pose search in several processes, like an array job of a cluster. One process is killed
-// and started again.
+// Runs one pose search in several processes, as an array job of a cluster does. One process is
+// killed and started again.
 
 #include "CliProcess.h"
 #include "TestFolders.h"

@@ -1,5 +1,6 @@
 // Runs a pose search as an array job of a real Slurm with one node, as in docs/pose-search.md, "On
-// several machines". One part is killed and requeued. The merged ranking must equal a single run's.
+// several machines". One part is killed and requeued. The merged ranking must equal that of a
+// single run.
 
 #include "CliProcess.h"
 #include "PrivateSlurm.h"

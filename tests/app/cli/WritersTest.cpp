@@ -1,5 +1,5 @@
-// Tests two writers of the same file or folder. The second must get an error, and the first must
-// lose nothing.
+// Tests two programs that write the same file or folder at the same time. The second must get an
+// error, and the first must lose nothing.
 
 #include "CliProcess.h"
 #include "TestFolders.h"
@@ -124,7 +124,7 @@ void WritersTest::run_folderUsedByOtherRun_isRefused() {
 }
 
 void WritersTest::profileUse_twoProcessesAtOnce_loseNothing() {
-    int told = 0;
+    int refusals = 0;
     for (int race = 0; race < races; ++race) {
         init();
         QProcessEnvironment all = QProcessEnvironment::systemEnvironment();
@@ -144,13 +144,13 @@ void WritersTest::profileUse_twoProcessesAtOnce_loseNothing() {
         QCOMPARE(project.profiles.printer.has_value(), printer.exitCode() == 0);
         QVERIFY(film.exitCode() == 0 || printer.exitCode() == 0);
         for (QProcess* process : {&film, &printer}) {
-            told +=
+            refusals +=
                 process->exitCode() == 1 && process->readAllStandardError().startsWith("error: ")
                     ? 1
                     : 0;
         }
     }
-    qInfo("%d races, the second was told in %d", races, told);
+    qInfo("%d races; in %d of them the second process got an error", races, refusals);
 }
 
 void WritersTest::projectFile_changedMeanwhile_isNotReplaced() {
@@ -158,7 +158,7 @@ void WritersTest::projectFile_changedMeanwhile_isNotReplaced() {
     Project mine = loadProject(job_);
     Project theirs = mine;
     theirs.film.swellX = 1.25;
-    saveProject(theirs, job_); // another program, without the lock
+    saveProject(theirs, job_); // simulates another program, without the lock
     const QByteArray before = contentsOf(job_);
     mine.film.swellX = 1.125;
     QVERIFY_EXCEPTION_THROWN(file.save(mine), ChangedFile);
@@ -172,7 +172,7 @@ void WritersTest::profileLibrary_changedMeanwhile_isNotReplaced() {
     library.save(Profile(profile), std::nullopt);
     const auto known = library.found(ProfileKind::Film, profile.name);
     profile.swellX = 1.25;
-    library.save(Profile(profile), known); // another writer
+    library.save(Profile(profile), known); // simulates another program
     profile.swellX = 1.125;
     QVERIFY_EXCEPTION_THROWN(library.save(Profile(profile), known), ChangedFile);
     QCOMPARE(std::get<FilmProfile>(*library.found(ProfileKind::Film, profile.name)).swellX, 1.25);
@@ -224,7 +224,7 @@ void WritersTest::folderTransaction_linkInTarget_isNotFollowed() {
     QCOMPARE(contentsOf(keys), QByteArray("mine"));
 }
 
-// A link in the hidden folder must not fetch files from other folders.
+// A link in the hidden folder must not bring in files from other folders.
 void WritersTest::folderTransaction_linkInHiddenFolder_isNotFollowed() {
     const QString victim = path(QStringLiteral("documents/proof.png"));
     const QString work = path(QStringLiteral("out/")) + FolderTransaction::workName();
@@ -244,7 +244,7 @@ void WritersTest::folderTransaction_linkInHiddenFolder_isNotFollowed() {
     }
 }
 
-// An unpacked archive from somebody else could contain the journal.
+// The journal could come from an unpacked archive of somebody else.
 void WritersTest::folderTransaction_journalOfOtherFiles_changesNothing() {
     const QString out = path(QStringLiteral("out/")), work = out + FolderTransaction::workName();
     QVERIFY(QDir().mkpath(work + QStringLiteral("/new")));
@@ -288,7 +288,7 @@ void WritersTest::folderTransaction_journalWithInvalidName_changesNothing() {
     for (const QString& list : {QStringLiteral("written"), QStringLiteral("there")}) {
         const QJsonObject journal{{list, QJsonArray{name}}};
         write(work + QStringLiteral("/journal.json"), QJsonDocument(journal).toJson());
-        QVERIFY(!FolderTransaction::putRight(path(QStringLiteral("out"))));
+        QVERIFY(!FolderTransaction::completeTransaction(path(QStringLiteral("out"))));
         QVERIFY_EXCEPTION_THROWN(
             FolderTransaction(path(QStringLiteral("out")), {QStringLiteral("proof.png")}), Error);
         QCOMPARE(contentsOf(out + QStringLiteral("proof.png")), QByteArray("mine"));
@@ -296,7 +296,7 @@ void WritersTest::folderTransaction_journalWithInvalidName_changesNothing() {
     }
 }
 
-// The notes name folders with an invalid journal or impossible paths, or are no notes at all.
+// The notes name folders with an invalid journal or impossible paths, or they are no valid notes.
 void WritersTest::programStart_foreignNotes_startsAnyway() {
     const QString work = path(QStringLiteral("out/")) + FolderTransaction::workName();
     QVERIFY(QDir().mkpath(work));
@@ -329,10 +329,10 @@ void WritersTest::programStart_foreignNotes_startsAnyway() {
     for (const char* command :
          {"--version", "--help", "run --help", "info --version", "manual man", "solvers"}) {
         start(QString::fromLatin1(command).split(QLatin1Char(' ')));
-        QCOMPARE(count(), before); // these commands read no notes
+        QCOMPARE(count(), before); // these commands do not read notes
     }
     start({QStringLiteral("info"), job_});
-    QCOMPARE(count(), before - 2); // the two without work are removed
+    QCOMPARE(count(), before - 2); // the two notes without unfinished work are removed
     QVERIFY(QFileInfo::exists(path(QStringLiteral("profiles")))); // not created for that work
 }
 
@@ -374,14 +374,14 @@ void WritersTest::folderTransaction_resultMissing_replacesNothing() {
              QStringList(names[0]));
 }
 
-// The writer is killed after it made the folders and before the results count.
+// The program is killed after it made the folders and before the results are complete.
 void WritersTest::folderTransaction_unfilledFolder_isRemoved() {
     const QString out = path(QStringLiteral("out/")), work = out + FolderTransaction::workName();
     QVERIFY(QDir().mkpath(work + QStringLiteral("/new/immersion-1")));
     QVERIFY(QDir().mkpath(out + QStringLiteral("immersion-1")));
     QVERIFY(QDir().mkpath(out + QStringLiteral("immersion-2"))); // made by somebody else
     write(work + QStringLiteral("/new/immersion-1/sheet.png"), "new");
-    QVERIFY(FolderTransaction::putRight(path(QStringLiteral("out"))));
+    QVERIFY(FolderTransaction::completeTransaction(path(QStringLiteral("out"))));
     QCOMPARE(QDir(out).entryList(QDir::NoDotAndDotDot | QDir::AllEntries | QDir::Hidden),
              QStringList(QStringLiteral("immersion-2")));
 }
@@ -399,7 +399,7 @@ void WritersTest::replaceFile_pipeOrLinkCycle_isRefused() {
 #endif
 }
 
-// Several users share the folder. The lock file of one can only be read by the others.
+// Several users share the folder. Other users can only read the lock file of the first user.
 void WritersTest::profileUse_projectOpenByOtherUser_isNotWritten() {
 #ifdef Q_OS_UNIX
     constexpr int nobody = 65534;
@@ -411,7 +411,7 @@ void WritersTest::profileUse_projectOpenByOtherUser_isNotWritten() {
     FileLock lock;
     QVERIFY(lock.acquire(job_).acquired);
     QVERIFY(QFile::setPermissions(path(QStringLiteral(".~lock.job.dipw")), readable));
-    QProcess process; // not as root, who may write everything
+    QProcess process; // not run as root, who may write everything
     process.setChildProcessModifier([] {
         if (geteuid() == 0 && (setgid(nobody) != 0 || setuid(nobody) != 0)) {
             _exit(1);
@@ -424,8 +424,8 @@ void WritersTest::profileUse_projectOpenByOtherUser_isNotWritten() {
     process.start(cliPath(), {"profile", "use", "film", "Mine", job_});
     QVERIFY(process.waitForFinished(-1));
     QCOMPARE(process.exitCode(), 1);
-    const QByteArray told = process.readAllStandardError();
-    QVERIFY2(told.contains("open elsewhere"), told.constData());
+    const QByteArray errors = process.readAllStandardError();
+    QVERIFY2(errors.contains("open elsewhere"), errors.constData());
     QCOMPARE(contentsOf(job_), before);
 #endif
 }
@@ -438,13 +438,14 @@ void WritersTest::recoverUnfinishedWrites_lineBreakInFolderName_keepsOtherFiles(
     qputenv("XDG_DATA_HOME", path(QStringLiteral("data")).toUtf8());
     {
         UnfinishedWrite note(odd + QStringLiteral("/.~new.a"), {odd});
-        note.leave(); // like a killed program
+        note.leave(); // leaves the note as a killed program does
     }
     UnfinishedWrite(kept).leave();
     recoverUnfinishedWrites();
     qunsetenv("XDG_DATA_HOME");
     QCOMPARE(contentsOf(kept), QByteArray("mine"));
-    QVERIFY(!QFileInfo::exists(odd)); // it was empty and made for the unfinished work
+    // The folder was empty and had been made for the unfinished work.
+    QVERIFY(!QFileInfo::exists(odd));
 }
 
 void WritersTest::profileSet_unreadableProfile_isNotReplaced() {

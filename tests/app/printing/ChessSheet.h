@@ -1,4 +1,4 @@
-// Makes a sheet whose size can be measured after printing, and measures it.
+// Makes a chessboard sheet and measures its squares after printing.
 #pragma once
 
 #include "sheet/page/Sheet.h"
@@ -7,11 +7,12 @@
 
 namespace dipwright {
 
-// Returns a sheet of 17 mm squares over the film, with a coloured square in the middle. `film`: mm.
+// Returns a sheet with squares of 17 mm over the whole film, and a coloured square in the middle.
+// `film` is in mm.
 Sheet chessSheet(const QString& immersion, QSizeF film = {210, 297});
 
-// Returns the widths of the squares along a horizontal line of a received page, or the heights
-// along a vertical line, in mm. The line avoids the marks and the red square in the middle.
+// Returns the widths, in mm, of the squares along a horizontal line of a received page, or their
+// heights along a vertical line. The line avoids the marks and the red square in the middle.
 std::vector<double> squares(const QString& path, bool across);
 
 } // namespace dipwright

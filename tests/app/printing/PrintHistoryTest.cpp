@@ -1,4 +1,4 @@
-// Tests the print history with simulated printers. Every print can be found by the job number on
+// Tests the print history with simulated printers. Every print must be found by the job number on
 // its sheet, whatever its outcome.
 #include "printing/PrintHistory.h"
 
@@ -17,18 +17,18 @@ using namespace dipwright;
 
 namespace {
 
-// A simulated printer with A4 paper. Its jobs end as the test sets.
-class ToldPrinter : public PrintSystem {
+// A simulated printer with A4 paper. The test sets how its jobs end.
+class ScriptedPrinter : public PrintSystem {
 public:
     JobStatus end{JobState::Printed, {}};
-    bool isGone = false; // stops answering after submit()
-    bool tellsPrinted = true;
+    bool isGone = false; // the printer stops answering after submit()
+    bool reportsPrinted = true;
 
     QStringList printers() override { return {QStringLiteral("pigment")}; }
     std::optional<PrinterInfo> printer(const QString& name) override {
         PrinterInfo info;
         info.name = name;
-        info.tellsPrinted = tellsPrinted;
+        info.reportsPrinted = reportsPrinted;
         info.media = {{QStringLiteral("iso_a4_210x297mm"), QSizeF(210, 297), {}, true}};
         return info;
     }
@@ -56,7 +56,7 @@ class PrintHistoryTest : public QObject {
     Q_OBJECT
 
     std::unique_ptr<QTemporaryDir> folder_;
-    ToldPrinter printer_;
+    ScriptedPrinter printer_;
 
     PrintHistory history() const {
         return PrintHistory(folder_->filePath(QStringLiteral("prints")));
@@ -102,13 +102,14 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(print({QStringLiteral("Top"), QStringLiteral("Below")}, history()),
                                  Error);
         const std::vector<PrintRecord> records = history().records();
-        QCOMPARE(records.size(), std::size_t(1)); // the second was never sent
+        QCOMPARE(records.size(), std::size_t(1)); // the second sheet was never sent
         QCOMPARE(records[0].fate, PrintOutcome::Failed);
         QVERIFY2(outcomeText(records[0]).contains(QStringLiteral("out of paper")),
                  qPrintable(outcomeText(records[0])));
     }
 
-    // The printer stops, or the print system stops answering. The sheet may be on paper anyway.
+    // The printer stops, or the print system stops answering. The sheet may have been printed
+    // anyway.
     void printHistory_printerStoppedOrGone_isNotFailed() {
         printer_.end = {JobState::Stopped, QStringLiteral("cover open")};
         QVERIFY_EXCEPTION_THROWN(print({QStringLiteral("Top")}, history()), Error);
@@ -121,7 +122,7 @@ private slots:
     }
 
     void printHistory_printingNotConfirmed_isHandedOver() {
-        printer_.tellsPrinted = false;
+        printer_.reportsPrinted = false;
         QCOMPARE(print({QStringLiteral("Top")}, history()).state, JobState::HandedOver);
         QCOMPARE(history().records()[0].fate, PrintOutcome::HandedOver);
     }
@@ -131,7 +132,7 @@ private slots:
         Progress progress;
         progress.report = [&](double, const QString&) {
             QCOMPARE(history().records()[0].fate,
-                     PrintOutcome::Sent); // recorded before the job ends
+                     PrintOutcome::Sent); // the job is recorded before it ends
             progress.cancelToken.cancel();
         };
         QVERIFY_EXCEPTION_THROWN(print({QStringLiteral("Top")}, history(), progress), Cancelled);
@@ -151,8 +152,9 @@ private slots:
         QCOMPARE(records[0].fate, PrintOutcome::WrittenToFile);
     }
 
-    // A job printed with different profiles makes different sheets, so each has its own number.
-    void jobNumber_otherPlates_differs() {
+    // With different profiles, one job gives different sheets, so each sheet has its own job
+    // number.
+    void jobNumber_differentPlates_differs() {
         PrinterProfile inks;
         inks.name = QStringLiteral("Pigment");
         inks.iccProfile = simpleCmykProfile(0.002);
@@ -187,7 +189,7 @@ private slots:
         QCOMPARE(history().records()[0].job, QStringLiteral("3fa9c2d1"));
     }
 
-    // Written in RGB, because only there the lettering of the PDF is text.
+    // The PDF is written in RGB, because its lettering is text only in RGB.
     void writePrintFile_jobNumber_isOnSheet() {
         PrintFileRequest file;
         file.profile = PrinterProfile();
@@ -203,7 +205,7 @@ private slots:
         QVERIFY(inTheWay.open(QIODevice::WriteOnly));
         const PrintEnd end = print({QStringLiteral("Top")}, history());
         QCOMPARE(end.state, JobState::Printed);
-        QVERIFY(!end.notKept.isEmpty());
+        QVERIFY(!end.historyFailure.isEmpty());
     }
 
     void printHistory_damagedRecords_areSkipped() {

@@ -186,8 +186,8 @@ void PrintTest::print_printerScale_isCompensated() {
     verifySquares(cups_->received("pigment").last(), false, 17 / 0.997);
 }
 
-// Measures the mean of a black square and the white one beside it, because half-inked pixels at
-// their edges are darker in CMYK than in RGB.
+// Measures the mean of a black square and the white square next to it. The pixels at their edges
+// are only half inked, and are darker in CMYK than in RGB.
 void PrintTest::print_cmykSheet_arrivesAtTrueSize() {
     PrintRequest request = to("pigment");
     request.profile.emplace();
@@ -229,7 +229,7 @@ void PrintTest::print_twoCopies_arrive() {
     QCOMPARE(pages, 2);
 }
 
-// The queue's default paper is A4, so the job must request Letter, although it has margins.
+// The queue's default paper is A4, so the job must request Letter, although Letter has margins.
 void PrintTest::print_paperNotDefault_isRequested() {
     QCOMPARE(print(chessSheet("Top", {215.9, 279.4}), to("pigment")), JobState::Printed);
     const QString paper = cups_->received("pigment").last();
@@ -277,8 +277,8 @@ void PrintTest::print_queueDefaults_areOverridden() {
     QVERIFY(qGray(middle.pixel(middle.width() / 4, middle.height() / 2)) > 250);
 }
 
-// The queue does not pass the option for scaling on to the printer, and this printer does not
-// support it.
+// The queue does not pass the scaling option on to the printer, and this printer does not support
+// the option.
 void PrintTest::planPrint_printerAlwaysScales_isRefused() {
     const TestMedia margins{"iso_a4_210x297mm", 210, 297, 6.35};
     QVERIFY(cups_->add({"fitting", true, {margins}, "fit", {}, false}));
@@ -290,7 +290,8 @@ void PrintTest::planPrint_printerAlwaysScales_isRefused() {
     QVERIFY(cups_->received("fitting").isEmpty());
 }
 
-// Sent past the queue, the option reaches the printer. The job is followed and cancelled there.
+// The option reaches a printer to which the job is sent past its queue. The job is followed and
+// cancelled at the printer.
 void PrintTest::print_printerScalesByDefault_bypassesQueue() {
     const TestMedia margins{"iso_a4_210x297mm", 210, 297, 6.35};
     QVERIFY(cups_->add({"filling", true, {margins}, "fill"}));
@@ -332,7 +333,8 @@ void PrintTest::planPrint_scaledSheetLargerThanPaper_isRefused() {
 void PrintTest::print_printerPrintsTooSmall_marksStayOnPaper() {
     PrintRequest request = to("pigment");
     request.profile.emplace();
-    request.profile->scaleX = request.profile->scaleY = 0.97; // 4.5 mm of 297 on either side
+    // 4.5 mm of 297 mm are missing on each side.
+    request.profile->scaleX = request.profile->scaleY = 0.97;
     QCOMPARE(print(chessSheet("Top"), request), JobState::Printed);
     const QString paper = cups_->received("pigment").last();
     QVERIFY(pdfWords(paper).contains("100 mm"));
@@ -353,7 +355,7 @@ void PrintTest::print_largeSheet_arrivesInTiles() {
     const QString paper = cups_->received("office").last();
     QVERIFY(output("pdfinfo", {paper}).contains("Pages:           9"));
     QVERIFY(pdfWords(paper, 4).contains("row 2 of 3, column 1 of 3"));
-    // A sheet for which there is paper is not tiled.
+    // A sheet that fits a paper of the printer is not tiled.
     QCOMPARE(planPrint(*system_, chessSheet("Top"), request).task.pages, 1);
 }
 
@@ -390,7 +392,7 @@ void PrintTest::planPrint_printerRejectsJobs_isRefused() {
 }
 
 void PrintTest::planPrint_otherPaperSize_isRefused() {
-    // A sheet of 200 × 260 mm fits on Letter paper, but its position there would be unknown.
+    // A sheet of 200 × 260 mm fits on Letter paper, but its position on the paper would be unknown.
     const QString sentence = refusal(*system_, chessSheet("Top", {200, 260}), to("refusing"));
     QVERIFY2(sentence.contains("no paper of 200 × 260 mm") && sentence.contains("215.9"),
              qPrintable(sentence));
@@ -401,7 +403,7 @@ void PrintTest::planPrint_paperNotLoaded_isRefused() {
     const QString sentence = refusal(*system_, sheet, to("office"));
     QVERIFY2(sentence.contains("no paper of 297 × 420 mm loaded"), qPrintable(sentence));
     PrintRequest request = to("office");
-    request.acceptOtherPaper = true; // somebody will load it
+    request.acceptOtherPaper = true; // the user will load the paper
     QCOMPARE(planPrint(*system_, sheet, request).warnings.size(), 1);
 }
 
@@ -452,7 +454,7 @@ void PrintTest::followJob_cancelled_isNotPrinted() {
     QCOMPARE(system_->status(job).state, JobState::Held);
     Progress progress;
     progress.cancelToken.cancel();
-    // A held job waits without an error, until the user cancels it.
+    // A held job causes no error. The program waits until the user cancels the job.
     QVERIFY_EXCEPTION_THROWN(followJob(*system_, job, progress), std::exception);
     QCOMPARE(system_->status(job).state, JobState::Cancelled);
     QVERIFY(queueHolds("no-hold"));
@@ -485,10 +487,10 @@ void PrintTest::followJob_printerGoneMidJob_cancelsJob() {
                         "marker-supply-empty-error"}));
     const PrintJob job = system_->submit(planPrint(*system_, chessSheet("Top"), to("fading")).task);
     Progress progress;
-    QString told;
+    QString printerMessage;
     progress.report = [&](double, const QString& text) {
-        if (told.isEmpty() && text.contains("marker supply empty")) {
-            told = text;
+        if (printerMessage.isEmpty() && text.contains("marker supply empty")) {
+            printerMessage = text;
             cups_->switchOff("fading");
         }
     };
@@ -498,7 +500,7 @@ void PrintTest::followJob_printerGoneMidJob_cancelsJob() {
     } catch (const Error& error) {
         QVERIFY2(error.sentence().contains("does not answer"), qPrintable(error.sentence()));
     }
-    QVERIFY(told.contains("Printing: "));
+    QVERIFY(printerMessage.contains("Printing: "));
     QCOMPARE(system_->status(job).state, JobState::Cancelled);
 }
 
@@ -543,7 +545,8 @@ void PrintTest::followJob_printerNotThere_cancelsJob() {
     QCOMPARE(system_->status(job).state, JobState::Cancelled);
 }
 
-// For such a queue, "completed" only means sent, and with some backends not even that.
+// For such a queue, "completed" only means that the job was sent, and with some backends not even
+// that.
 void PrintTest::followJob_printingNotConfirmed_isNotPrinted() {
     const auto remove = qScopeGuard([&] {
         cups_->command("lpadmin", {"-x", "nothing"});
@@ -577,7 +580,7 @@ void PrintTest::print_socketDevice_receivesOnlyTheSheet() {
     const auto remove = qScopeGuard([&] { cups_->command("lpadmin", {"-x", "plain"}); });
     const QString uri = QStringLiteral("socket://localhost:%1").arg(device.serverPort());
     QVERIFY(cups_->addQueue("plain", uri, "pigment"));
-    // The device answers on this thread, so the print system works on another.
+    // This thread acts as the device, so the print system works on another thread.
     JobState end = JobState::Waiting;
     const std::unique_ptr<QThread> printing(QThread::create([&] {
         const auto system = cupsPrintSystem();
@@ -587,7 +590,7 @@ void PrintTest::print_socketDevice_receivesOnlyTheSheet() {
     printing->start();
     QTRY_VERIFY_WITH_TIMEOUT(printing->isFinished(), 30000);
     QCOMPARE(end, JobState::HandedOver);
-    received.removeAll(QByteArray()); // an empty connection only checks that the device answers
+    received.removeAll(QByteArray()); // an empty connection only checks whether the device answers
     QCOMPARE(received.size(), 1);
     QVERIFY2(!received[0].startsWith("POST"), received[0].left(100).constData());
 }

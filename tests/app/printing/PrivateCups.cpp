@@ -14,9 +14,10 @@
 namespace dipwright {
 namespace {
 
-constexpr int patience = 20000; // milliseconds, on a machine that is busy with other tests
+// Milliseconds; long enough for a machine that also runs other tests.
+constexpr int timeout = 20000;
 
-// Finds system programs, too, which are not in an ordinary user's path.
+// Also finds system programs, which are not in an ordinary user's path.
 QString programPath(const QString& name) {
     const QString found = QStandardPaths::findExecutable(name);
     return found.isEmpty()
@@ -24,7 +25,7 @@ QString programPath(const QString& name) {
                : found;
 }
 
-// Ends the process with the test, even if the test crashes.
+// Makes the process end with the test, even if the test crashes.
 void endWithTheTest(QProcess& process) {
 #ifdef Q_OS_LINUX
     process.setChildProcessModifier([] { prctl(PR_SET_PDEATHSIG, SIGTERM); });
@@ -94,8 +95,8 @@ QByteArray attributes(const TestPrinter& printer) {
                   "ATTR keyword pwg-raster-document-type-supported \"sgray_8\"\n"
                   "ATTR keyword urf-supported \"CP1\",\"RS300\",\"V1.4\",\"W8\"\n";
     return text + "ATTR keyword print-scaling-supported \"auto\",\"auto-fit\",\"fill\",\"fit\"" +
-           (printer.takesTrueSize ? ",\"none\"\n" : "\n") + "ATTR keyword print-scaling-default " +
-           printer.scaling.toUtf8() +
+           (printer.canForbidScaling ? ",\"none\"\n" : "\n") +
+           "ATTR keyword print-scaling-default " + printer.scaling.toUtf8() +
            "\nATTR mimeMediaType document-format-supported "
            "\"application/octet-stream\",\"application/pdf\",\"image/pwg-raster\"\n";
 }
@@ -103,7 +104,7 @@ QByteArray attributes(const TestPrinter& printer) {
 } // namespace
 
 PrivateCups::PrivateCups() {
-    // A scheduler started as root works as another user, who needs access to the folder.
+    // If root starts the scheduler, it works as another user, who needs access to the folder.
     QFile::setPermissions(folder_.path(), QFile::Permissions(0x7755));
     for (const char* name : {"root", "spool", "cache", "state", "log", "tmp"}) {
         QDir().mkpath(folder_.filePath(name));
@@ -117,11 +118,11 @@ PrivateCups::PrivateCups() {
 PrivateCups::~PrivateCups() {
     for (auto& [name, device] : devices_) {
         device.process->terminate();
-        device.process->waitForFinished(patience);
+        device.process->waitForFinished(timeout);
     }
     for (QProcess* process : {&scheduler_, &bus_}) {
         process->terminate();
-        process->waitForFinished(patience);
+        process->waitForFinished(timeout);
     }
 }
 
@@ -137,7 +138,7 @@ bool PrivateCups::startBus() {
                {"--session", "--nofork", "--nopidfile", "--address=" + QString::fromUtf8(address)});
     qputenv("DBUS_SYSTEM_BUS_ADDRESS", address);
     if (!bus_.waitForStarted() ||
-        !QTest::qWaitFor([&] { return QFileInfo::exists(folder_.filePath("bus")); }, patience)) {
+        !QTest::qWaitFor([&] { return QFileInfo::exists(folder_.filePath("bus")); }, timeout)) {
         problem_ = "dbus-daemon does not start: " + bus_.errorString();
         return false;
     }
@@ -166,10 +167,10 @@ bool PrivateCups::startScheduler() {
     const auto runs = [] {
         QProcess process; // its exit code is always 0
         process.start(programPath("lpstat"), {"-r"});
-        return process.waitForFinished(patience) &&
+        return process.waitForFinished(timeout) &&
                process.readAllStandardOutput().contains("is running");
     };
-    if (!scheduler_.waitForStarted() || !QTest::qWaitFor(runs, patience)) {
+    if (!scheduler_.waitForStarted() || !QTest::qWaitFor(runs, timeout)) {
         problem_ = "cupsd does not start: " + scheduler_.errorString();
         return false;
     }
@@ -179,12 +180,13 @@ bool PrivateCups::startScheduler() {
 bool PrivateCups::command(const QString& program, const QStringList& arguments) const {
     QProcess process;
     process.start(programPath(program), arguments);
-    return process.waitForFinished(patience) && process.exitStatus() == QProcess::NormalExit &&
+    return process.waitForFinished(timeout) && process.exitStatus() == QProcess::NormalExit &&
            process.exitCode() == 0;
 }
 
-// Writes the program to which a printer passes its jobs, with their attributes in its environment.
-// Without a program, ippeveprinter simulates a slow printer, about ten seconds per job.
+// Writes the program to which a printer passes its jobs. The attributes of a job are in the
+// program's environment. Without such a program, ippeveprinter simulates a slow printer, about ten
+// seconds per job.
 QString PrivateCups::jobCommand(const TestPrinter& printer) const {
     const QString name = "job-" + printer.name;
     const QByteArray end = printer.trouble.isEmpty() ? "exit 0\n"
@@ -211,7 +213,7 @@ bool PrivateCups::add(const TestPrinter& printer) {
                            QString::number(port), "-a", folder_.filePath(description),
                            printer.name});
     if (!device.process->waitForStarted() ||
-        !QTest::qWaitFor([&] { return answers(port); }, patience)) {
+        !QTest::qWaitFor([&] { return answers(port); }, timeout)) {
         return false;
     }
     devices_[printer.name] = std::move(device);
@@ -220,7 +222,7 @@ bool PrivateCups::add(const TestPrinter& printer) {
     return command("lpadmin",
                    {"-p", printer.name, "-E", "-v",
                     QString("ipp://localhost:%1/ipp/print").arg(port), "-m", "everywhere"}) &&
-           QTest::qWaitFor([&] { return QFileInfo::exists(ppd); }, patience);
+           QTest::qWaitFor([&] { return QFileInfo::exists(ppd); }, timeout);
 }
 
 quint16 PrivateCups::freePort() {
@@ -237,12 +239,13 @@ bool PrivateCups::addQueue(const QString& name, const QString& device, const QSt
 void PrivateCups::switchOff(const QString& printer) {
     QProcess& process = *devices_.at(printer).process;
     process.kill();
-    process.waitForFinished(patience);
+    process.waitForFinished(timeout);
 }
 
 QStringList PrivateCups::received(const QString& printer) const {
     const QDir folder(devices_.at(printer).folder);
-    // Sorted by the printer's job number ("1-Top.pdf"). Its logs lie in the same folder.
+    // Sorts the files by the printer's job number ("1-Top.pdf"). The printer's logs lie in the same
+    // folder.
     QFileInfoList files = folder.entryInfoList({"*.pdf"}, QDir::Files);
     std::sort(files.begin(), files.end(), [](const QFileInfo& a, const QFileInfo& b) {
         return a.fileName().section('-', 0, 0).toInt() < b.fileName().section('-', 0, 0).toInt();

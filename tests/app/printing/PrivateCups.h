@@ -1,6 +1,6 @@
-// Runs the test's own print system: a CUPS scheduler with its own folders and socket, IPP software
-// printers (ippeveprinter), and the message bus that they need. Changes nothing else on the
-// machine. Everything ends with the object.
+// Runs a separate print system for the test: a CUPS scheduler with its own folders and socket, IPP
+// software printers (ippeveprinter), and the message bus that they need. Changes nothing else on
+// the machine. All processes end when the object is destroyed.
 #pragma once
 
 #include <QProcess>
@@ -12,9 +12,9 @@
 namespace dipwright {
 
 struct TestMedia {
-    QString keyword; // "iso_a4_210x297mm"
+    QString keyword; // for example "iso_a4_210x297mm"
     double width = 210, height = 297;
-    double margin = 0; // mm, on all sides
+    double margin = 0; // margin on each side, mm
     bool loaded = true;
 };
 
@@ -23,32 +23,33 @@ struct TestPrinter {
     bool colour = true;
     std::vector<TestMedia> media{{"iso_a4_210x297mm", 210, 297, 0}};
     QString scaling = QStringLiteral("auto"); // for jobs that do not set print-scaling
-    // State that it reports on a job ("media-empty-error"), before it stays in it for half a
-    // minute. Empty: it prints.
+    // A state that the printer reports for a job ("media-empty-error") and keeps for half a minute.
+    // If empty, the printer prints.
     QString trouble = {};
-    bool takesTrueSize = true; // supports print-scaling "none"
+    bool canForbidScaling = true; // whether it supports print-scaling "none"
 };
 
 class PrivateCups {
 public:
-    // Starts the scheduler. If that fails, problem() says why.
+    // Starts the scheduler. If that fails, problem() returns the reason.
     PrivateCups();
     ~PrivateCups();
     QString problem() const { return problem_; }
 
     // Starts a printer and makes its queue. Returns whether they are ready.
     bool add(const TestPrinter& printer);
-    // Makes a queue for the device URI `device`, with the paper of the printer `like`.
+    // Makes a queue for the device URI `device`. It has the same paper as the printer `like`.
     bool addQueue(const QString& name, const QString& device, const QString& like) const;
     // Returns a port on which nobody listens.
     static quint16 freePort();
-    // Runs one of CUPS's own commands, such as "cupsdisable office".
+    // Runs one of CUPS's own commands, for example "cupsdisable office".
     bool command(const QString& program, const QStringList& arguments) const;
     // Switches a printer off. Its queue stays.
     void switchOff(const QString& printer);
     // Returns the documents that a printer received, in the order of its jobs.
     QStringList received(const QString& printer) const;
-    // Returns the attribute ("print-scaling") of the last job that a printer received; empty: none.
+    // Returns an attribute ("print-scaling") of the last job that a printer received; empty if the
+    // job has no such attribute.
     QByteArray told(const QString& printer, const QByteArray& attribute) const;
 
 private:

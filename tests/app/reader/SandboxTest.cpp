@@ -1,4 +1,4 @@
-// Tests what a process can still do inside the sandbox of the reader.
+// Tests which operations the reader's sandbox still allows.
 #include "reader/Sandbox.h"
 #include "TestFolders.h"
 
@@ -67,7 +67,7 @@ private slots:
         }));
     }
 
-    // Libraries need threads.
+    // Libraries use threads.
     void sandbox_startThread_isAllowed() {
         QVERIFY(isTrue([] {
             int answer = 0;
@@ -78,7 +78,7 @@ private slots:
 
     void sandbox_memoryLimit_growsWithFile() {
 #if defined(DIPWRIGHT_SANITIZED)
-        return; // a sanitizer reserves terabytes
+        return; // sanitizers reserve terabytes of address space
 #endif
         const auto take = [](qint64 bytes) {
             return ::mmap(nullptr, std::size_t(bytes), PROT_READ | PROT_WRITE,
@@ -156,14 +156,15 @@ private slots:
 private:
     static constexpr int outOfTime = 3, yes = 10, no = 11, unconfined = 12;
 
-    // Makes the system refuse filters to this process and its children, like a system without
-    // seccomp: both the call seccomp() and the older prctl() fail.
+    // Makes the system refuse filters to this process and its children, as a system without seccomp
+    // does. Both the call seccomp() and the older prctl() fail.
     static void refuseFilters() {
         static sock_filter filter[] = {
+            // Lower half of the argument.
             BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
             BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_seccomp, 3, 0),
             BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_prctl, 0, 3),
-            BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, args)), // low half
+            BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, args)),
             BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, PR_SET_SECCOMP, 0, 1),
             BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EINVAL),
             BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
@@ -173,7 +174,8 @@ private:
         ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program);
     }
 
-    // Answers `question` in a sandboxed child. Returns its exit code; −N: ended by signal N.
+    // Answers `question` in a sandboxed child process. Returns the exit code of the process, or −N
+    // if signal N ended it.
     static int outcome(
         const std::function<bool()>& question, const std::function<void()>& before = [] {}) {
         const pid_t child = ::fork();

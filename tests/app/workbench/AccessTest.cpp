@@ -42,7 +42,7 @@ using namespace dipwright;
 
 namespace {
 
-// Returns whether the widget is a part of another widget that is checked itself.
+// Returns whether the widget is a part of a larger widget, which is checked instead.
 bool isPart(const QWidget* widget) {
     const QString name = widget->objectName();
     return name.startsWith(QLatin1String("qt_")) || name.startsWith(QLatin1String("Scroll")) ||
@@ -78,7 +78,8 @@ QString spokenName(QWidget* widget) {
     return spoken ? spoken->text(QAccessible::Name) : QString();
 }
 
-// A button of a main tool bar is in a menu, too, so the keyboard reaches it. Others need the focus.
+// Returns whether the keyboard reaches the widget. A button of a main tool bar is in a menu, too.
+// Other widgets need the focus.
 bool isReachable(const QWidget* widget) {
     const auto* button = qobject_cast<const QToolButton*>(widget);
     if (button && qobject_cast<const QToolBar*>(button->parentWidget()) &&

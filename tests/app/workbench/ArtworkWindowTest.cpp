@@ -189,7 +189,7 @@ private slots:
     void decal_dragInView_movesTurnsAndSizes() {
         driver_->find<QListWidget>("artworkLayers")->setCurrentRow(0);
         driver_->action("front")->trigger();
-        driver_->action("rings")->setChecked(false); // they would get the mouse first
+        driver_->action("rings")->setChecked(false); // the rings would get the mouse first
         document().edit(QStringLiteral("Front"), {}, [](Project& changed) {
             changed.immersions[0].rotation[0] = Degrees(0); // the front faces the camera
             changed.artwork.layers[1].place = {Millimetres(0), Millimetres(0), Millimetres(30)};

@@ -49,7 +49,7 @@ QByteArray contentsOf(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-// Saves and overwrites changes of others, like the window after "Overwrite".
+// Saves the document and overwrites changes by others, like the window after "Overwrite".
 void saveAnyway(Document& document, const QString& path) {
     try {
         document.save();
@@ -137,12 +137,12 @@ private slots:
         QTest::addColumn<bool>("dip");
         QTest::addColumn<bool>("texture");
         QTest::addColumn<bool>("sheet");
-        QTest::newRow("turn") << "immersions[0].rotation_deg"
-                              << "0;10;0" << true << true << true;
-        QTest::newRow("film") << "film.swell"
-                              << "1.1x1.1" << true << true << true;
-        QTest::newRow("ink") << "ink.limit"
-                             << "1.5" << false << true << true;
+        QTest::newRow("rotation") << "immersions[0].rotation_deg"
+                                  << "0;10;0" << true << true << true;
+        QTest::newRow("swell") << "film.swell"
+                               << "1.1x1.1" << true << true << true;
+        QTest::newRow("ink limit") << "ink.limit"
+                                   << "1.5" << false << true << true;
         QTest::newRow("bleed") << "sheet.bleed_mm"
                                << "4" << false << true << true;
         QTest::newRow("marks") << "sheet.marks"
@@ -153,12 +153,12 @@ private slots:
                                                     << "pbd-cpu" << false << false << false;
         QTest::newRow("another solver") << "process.solver"
                                         << "pbd-cuda" << true << true << true;
-        QTest::newRow("field") << "body.sdf_resolution"
-                               << "256" << true << true << true;
+        QTest::newRow("distance field") << "body.sdf_resolution"
+                                        << "256" << true << true << true;
         QTest::newRow("resolution") << "sheet.dpi"
                                     << "200" << false << true << true;
-        QTest::newRow("other immersion") << "immersions[1].offset_mm"
-                                         << "3;4" << false << true << true;
+        QTest::newRow("other dip") << "immersions[1].offset_mm"
+                                   << "3;4" << false << true << true;
         QTest::newRow("overlap") << "share.overlap_mm"
                                  << "3" << false << true << true;
     }

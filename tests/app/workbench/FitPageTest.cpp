@@ -40,7 +40,7 @@ private slots:
         const PhotographedPart part(eggToFit(1.3, 2.2), hidden, 2,
                                     registry.module(QStringLiteral("pbd-cpu")));
         std::vector<PhotoCamera> cameras =
-            camerasRound({{20, -40}, {140, -35}, {260, -45}}, 210, 3, 1344);
+            camerasAround({{20, -40}, {140, -35}, {260, -45}}, 210, 3, 1344);
         QStringList photos;
         for (const PhotoCamera& camera : cameras) {
             photos << home_.filePath(QStringLiteral("egg-%1.png").arg(photos.size() + 1));

@@ -142,7 +142,7 @@ private slots:
         QVERIFY2(notice->text().contains(QStringLiteral("took over")), qPrintable(notice->text()));
     }
 
-    void certaintyDialog_automaticCells_showsNumericalError() {
+    void numericalErrorDialog_automaticCells_showsNumericalError() {
         const WindowDriver driver(*window_);
         QVERIFY(!driver.action("certainty")->isEnabled());
         QVERIFY(WindowDriver(*window_).create(model, texture, 90, [](Project& project) {
@@ -167,7 +167,7 @@ private slots:
         dialog->close();
     }
 
-    void certaintyCheck_cancelled_showsNoDialog() {
+    void numericalErrorCheck_cancelled_showsNoDialog() {
         const WindowDriver driver(*window_);
         QVERIFY(makeProject());
         driver.trigger("certainty");
@@ -200,12 +200,12 @@ private slots:
         const auto* report = driver.find<QTextBrowser>("report");
         QVERIFY(report->toPlainText().contains(QStringLiteral("Zone C")));
         driver.trigger("zones");
-        const QImage told = window_->view().picture();
+        const QImage withZones = window_->view().picture();
         document.edit({}, {}, [](Project& project) { project.tolerance.swell = 0.02; });
-        QVERIFY(window_->view().picture() != told);
+        QVERIFY(window_->view().picture() != withZones);
         QVERIFY(!report->toPlainText().contains(QStringLiteral("Zone C")));
         driver.trigger("undo");
-        QCOMPARE(window_->view().picture(), told);
+        QCOMPARE(window_->view().picture(), withZones);
     }
 
     void tolerances_cancelled_showsNoDialog() {

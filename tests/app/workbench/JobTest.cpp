@@ -50,7 +50,7 @@ private:
     std::function<void(const Progress&)> work_;
 };
 
-const char* const hanging = "--hanging"; // runs this program with a job that never ends
+const char* const hanging = "--hanging"; // option that runs this program with a job that never ends
 
 void endWhileHanging() {
     ProbeJob::Log log;

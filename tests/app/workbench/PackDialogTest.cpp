@@ -107,8 +107,8 @@ private slots:
         const QTemporaryDir films;
         answerWithFile(films.path());
         write->click();
-        auto* told = part<QLabel>(dialog, "packTold");
-        QTRY_VERIFY_WITH_TIMEOUT(told->text().contains(films.path()), patience());
+        auto* message = part<QLabel>(dialog, "packTold");
+        QTRY_VERIFY_WITH_TIMEOUT(message->text().contains(films.path()), patience());
         const QStringList files = QDir(films.path()).entryList(QDir::Files);
         QCOMPARE(files.filter(QStringLiteral(".pdf")).size(), 1);
         const QString pdf = films.filePath(files.filter(QStringLiteral(".pdf")).front());
@@ -138,8 +138,9 @@ private slots:
         part<QDoubleSpinBox>(dialog, "packWidth")->setValue(60);
         part<QDoubleSpinBox>(dialog, "packLength")->setValue(60);
         part<QPushButton>(dialog, "packLayOut")->click();
-        auto* told = part<QLabel>(dialog, "packTold");
-        QTRY_VERIFY_WITH_TIMEOUT(told->text().contains(QStringLiteral("larger film")), patience());
+        auto* message = part<QLabel>(dialog, "packTold");
+        QTRY_VERIFY_WITH_TIMEOUT(message->text().contains(QStringLiteral("larger film")),
+                                 patience());
         QVERIFY(!part<QPushButton>(dialog, "packExport")->isEnabled());
         QVERIFY(!part<QPushButton>(dialog, "packPrint")->isEnabled());
     }

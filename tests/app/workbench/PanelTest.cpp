@@ -92,9 +92,9 @@ private slots:
         QCOMPARE(width->suffix(), QStringLiteral(" in"));
         width->setValue(11);
         QCOMPARE(edited.count(), 1);
-        const QJsonArray told = edited[0][0].toJsonValue().toArray();
-        QCOMPARE(told.at(0).toDouble(), 279.4);
-        QCOMPARE(told.at(1).toDouble(), 297.0); // not rounded by the display in inches
+        const QJsonArray size = edited[0][0].toJsonValue().toArray();
+        QCOMPARE(size.at(0).toDouble(), 279.4);
+        QCOMPARE(size.at(1).toDouble(), 297.0); // not rounded by the display in inches
     }
 
     void propertyField_colour_opensColourDialog() {
@@ -225,14 +225,14 @@ private slots:
                                           << "mm";
         QTest::newRow("two meanings") << "1,234"
                                       << "1.234 or 1234";
-        QTest::newRow("groups that are none") << "1,23.4"
-                                              << "1,23.4";
+        QTest::newRow("groups of wrong length") << "1,23.4"
+                                                << "1,23.4";
         QTest::newRow("beyond the limits") << "9000"
                                            << "5000";
         QTest::newRow("beyond the limits in another unit") << "9 m"
                                                            << "5000";
-        QTest::newRow("nothing") << ""
-                                 << "no number";
+        QTest::newRow("empty text") << ""
+                                    << "is empty";
     }
     void numberBox_invalidText_isRefused() {
         QFETCH(QString, typed);
@@ -456,9 +456,9 @@ private slots:
         };
         MarkedArea marked;
         marked.add(std::uint8_t(solver::PointMark::Torn), 25);
-        const QString told = text(marked);
-        QVERIFY2(told.contains(QStringLiteral("25 mm²")), qPrintable(told));
-        QVERIFY2(told.contains(QStringLiteral("2.5 %")), qPrintable(told));
+        const QString shown = text(marked);
+        QVERIFY2(shown.contains(QStringLiteral("25 mm²")), qPrintable(shown));
+        QVERIFY2(shown.contains(QStringLiteral("2.5 %")), qPrintable(shown));
         QVERIFY(!text({}).contains(QStringLiteral("mm²")));
     }
 

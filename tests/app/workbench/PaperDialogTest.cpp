@@ -156,7 +156,7 @@ private slots:
         orientation->setCurrentText("Landscape");
         QVERIFY(std::abs(shape() - 420.0 / 297) < 0.01);
         // Without a printer, the dialog says what to do, and Print is disabled.
-        const auto told = [&] {
+        const auto saysWhatToDo = [&] {
             for (const QLabel* label : dialog.findChildren<QLabel*>()) {
                 if (label->text().contains("No printer is set up")) {
                     return true;
@@ -164,7 +164,7 @@ private slots:
             }
             return false;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(told(), patience());
+        QTRY_VERIFY_WITH_TIMEOUT(saysWhatToDo(), patience());
         QVERIFY(!button(dialog, "Print")->isEnabled());
         QVERIFY(button(dialog, "Save as file…")->isEnabled());
     }
@@ -181,9 +181,9 @@ private slots:
         QVERIFY(!take->isEnabled());
         lengths.at(0)->setValue(170 * 1.004);
         lengths.at(1)->setValue(220 * 0.997);
-        QSignalSpy told(&dialog, &CalibrationDialog::calibrated);
+        QSignalSpy calibrated(&dialog, &CalibrationDialog::calibrated);
         take->click();
-        QCOMPARE(told.count(), 1);
+        QCOMPARE(calibrated.count(), 1);
         QVERIFY(std::abs(printer(library_, "Mine").scaleX - 1.004) < 1e-9);
         QVERIFY(std::abs(printer(library_, "Mine").scaleY - 0.997) < 1e-9);
         // Next comes the second page. Its remaining error multiplies the scale.

@@ -136,7 +136,7 @@ private slots:
         emit report->anchorClicked(QUrl(QStringLiteral("smaller-film")));
         QCOMPARE(document.project().film.preset, QStringLiteral("A5"));
         QVERIFY(driver.run());
-        const double now = document.result()->coverageTotal; // not equal: other cells
+        const double now = document.result()->coverageTotal; // differs: the film has other cells
         QVERIFY2(std::abs(now - coverage) < 0.05,
                  qPrintable(QStringLiteral("coverage was %1, is %2 with A5, expected within 0.05")
                                 .arg(coverage)

@@ -100,14 +100,14 @@ private slots:
         const auto states = asked[0][0].value<std::array<ComparedState, 2>>();
         QCOMPARE(states[0].title, QStringLiteral("Rank 1"));
         QCOMPARE(states[1].title, QStringLiteral("Rank 3"));
-        bool isTold = false; // rank 3 paints less
+        bool saysWorse = false; // rank 3 paints less
         for (std::size_t row = 0; row < states[0].figures.size(); ++row) {
             if (states[0].figures[row].name == measureName(Measure::Coverage)) {
-                isTold = differenceText(states[0].figures[row], states[1].figures[row])
-                             .contains(QLatin1String("worse"));
+                saysWorse = differenceText(states[0].figures[row], states[1].figures[row])
+                                .contains(QLatin1String("worse"));
             }
         }
-        QVERIFY(isTold);
+        QVERIFY(saysWorse);
     }
 
     void orientationMap_click_picksDirection() {

@@ -97,24 +97,25 @@ private slots:
 
 private:
     QString path(const QString& name) const { return folder_->filePath(name); }
-    // Clicks on a button of the named question as soon as it is shown. Keeps its text in said_.
+    // Clicks on a button of the named question as soon as it is shown. Stores the question's text
+    // in questionText_.
     void answer(const QString& name, const QString& button);
     void clickOn(const QMessageBox& question, const QString& button);
     bool isAnswered() const {
         return QTest::qWaitFor([&] { return !asking_; }, patience());
     }
     // Opens and changes the project, then changes the file like another program.
-    bool meetAnotherWriter();
+    bool changeFileElsewhere();
     // Writes a model that names a picture outside its folder. Returns its path.
-    QString modelThatReachesOut() const;
+    QString modelNamingOutsideFile() const;
 
     std::unique_ptr<QTemporaryDir> folder_;
     std::unique_ptr<Workbench> workbench_;
     std::unique_ptr<MainWindow> window_;
     QString job_;
     bool asking_ = false;
-    QString said_;
-    Qt::TextFormat format_ = Qt::AutoText; // text format of said_
+    QString questionText_;
+    Qt::TextFormat format_ = Qt::AutoText; // text format of questionText_
 };
 
 void QuestionsTest::init() {
@@ -136,7 +137,7 @@ void QuestionsTest::cleanup() {
 
 void QuestionsTest::answer(const QString& name, const QString& button) {
     asking_ = true;
-    said_.clear();
+    questionText_.clear();
     auto* watch = new QTimer(this);
     connect(watch, &QTimer::timeout, this, [=, this] {
         const auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
@@ -151,7 +152,7 @@ void QuestionsTest::answer(const QString& name, const QString& button) {
 }
 
 void QuestionsTest::clickOn(const QMessageBox& question, const QString& button) {
-    said_ = question.text() + QLatin1Char('\n') + question.informativeText();
+    questionText_ = question.text() + QLatin1Char('\n') + question.informativeText();
     format_ = question.textFormat();
     keepScreen(question.objectName());
     for (QAbstractButton* offered : question.buttons()) {
@@ -169,8 +170,8 @@ void QuestionsTest::lockQuestion_cancelOrOpenAnyway_isFollowed() {
     answer(QStringLiteral("lockQuestion"), QStringLiteral("Cancel"));
     window_->documents().openProject(job_);
     QVERIFY(isAnswered());
-    QVERIFY2(said_.contains(QString::number(QCoreApplication::applicationPid())),
-             qPrintable(said_));
+    QVERIFY2(questionText_.contains(QString::number(QCoreApplication::applicationPid())),
+             qPrintable(questionText_));
     QVERIFY(!window_->document() || window_->document()->path().isEmpty());
 
     answer(QStringLiteral("lockQuestion"), QStringLiteral("Open anyway"));
@@ -179,7 +180,7 @@ void QuestionsTest::lockQuestion_cancelOrOpenAnyway_isFollowed() {
     QCOMPARE(window_->document()->path(), job_);
 }
 
-bool QuestionsTest::meetAnotherWriter() {
+bool QuestionsTest::changeFileElsewhere() {
     if (!WindowDriver(*window_).open(job_)) {
         return false;
     }
@@ -191,12 +192,12 @@ bool QuestionsTest::meetAnotherWriter() {
 }
 
 void QuestionsTest::changedQuestion_cancelOrOverwrite_isFollowed() {
-    QVERIFY(meetAnotherWriter());
+    QVERIFY(changeFileElsewhere());
     const WindowDriver driver(*window_);
     answer(QStringLiteral("changedQuestion"), QStringLiteral("Cancel"));
     driver.trigger("save");
     QVERIFY(isAnswered());
-    QVERIFY2(said_.contains(QStringLiteral("job")), qPrintable(said_));
+    QVERIFY2(questionText_.contains(QStringLiteral("job")), qPrintable(questionText_));
     QCOMPARE(swellOf(job_), 1.22);
     QVERIFY(window_->document()->isModified());
 
@@ -208,7 +209,7 @@ void QuestionsTest::changedQuestion_cancelOrOverwrite_isFollowed() {
 }
 
 void QuestionsTest::changedQuestion_saveAs_keepsBothFiles() {
-    QVERIFY(meetAnotherWriter());
+    QVERIFY(changeFileElsewhere());
     const QString mine = path(QStringLiteral("mine.dipw"));
     QTimer choosing;
     connect(&choosing, &QTimer::timeout, this, [&] {
@@ -231,7 +232,7 @@ void QuestionsTest::changedQuestion_saveAs_keepsBothFiles() {
     QCOMPARE(window_->document()->path(), mine);
 }
 
-QString QuestionsTest::modelThatReachesOut() const {
+QString QuestionsTest::modelNamingOutsideFile() const {
     const QString model = path(QStringLiteral("model/plate.obj"));
     QImage picture(8, 8, QImage::Format_RGB32);
     picture.fill(Qt::red);
@@ -246,12 +247,12 @@ QString QuestionsTest::modelThatReachesOut() const {
 }
 
 void QuestionsTest::outsideQuestion_cancelOrReadFiles_isFollowed() {
-    const QString model = modelThatReachesOut();
+    const QString model = modelNamingOutsideFile();
     QVERIFY(!model.isEmpty());
     answer(QStringLiteral("outsideQuestion"), QStringLiteral("Cancel"));
     window_->documents().importModel(model, {}, {});
     QVERIFY(isAnswered());
-    QVERIFY2(said_.contains(QStringLiteral("private.png")), qPrintable(said_));
+    QVERIFY2(questionText_.contains(QStringLiteral("private.png")), qPrintable(questionText_));
     QTest::qWait(200);
     QVERIFY(!window_->document() || !window_->document()->project().model);
 
@@ -271,7 +272,7 @@ void QuestionsTest::messages_htmlInName_isShownAsText() {
     answer(QStringLiteral("failure"), QStringLiteral("OK"));
     window_->documents().importModel(path(misleading + QStringLiteral(".obj")), {}, {});
     QVERIFY(isAnswered());
-    QVERIFY2(said_.contains(misleading), qPrintable(said_));
+    QVERIFY2(questionText_.contains(misleading), qPrintable(questionText_));
     QCOMPARE(format_, Qt::PlainText);
 
     QVERIFY(WindowDriver(*window_).open(job_));

@@ -157,17 +157,17 @@ private slots:
         QVERIFY(host.waitUntilIdle());
         const QString broken = folder_->filePath(QStringLiteral("broken.dipw"));
         QVERIFY(QFile(broken).open(QIODevice::WriteOnly));
-        QSignalSpy told(&host.messages, &Messages::failed);
+        QSignalSpy failures(&host.messages, &Messages::failed);
         host.session.openProject(broken);
         QVERIFY(host.other && host.other->waitUntilIdle());
-        QCOMPARE(told.count(), 1); // in the window where the user opened it
+        QCOMPARE(failures.count(), 1); // in the window where the user opened it
         QVERIFY(host.other->gaveUp);
     }
 
     void openProject_locked_asksFirst_data() {
         QTest::addColumn<bool>("anyway");
-        QTest::newRow("no") << false;
-        QTest::newRow("anyway") << true;
+        QTest::newRow("cancel") << false;
+        QTest::newRow("open anyway") << true;
     }
     void openProject_locked_asksFirst() {
         QFETCH(bool, anyway);
@@ -271,7 +271,7 @@ private slots:
 
     void importModel_implausibleSize_isReported_data() {
         QTest::addColumn<double>("size");
-        QTest::addColumn<int>("doubts");
+        QTest::addColumn<int>("reports");
         QTest::newRow("tiny") << 1.0 << 1;
         QTest::newRow("usual") << 80.0 << 0;
         QTest::newRow("huge") << 5000.0 << 1;
@@ -279,14 +279,14 @@ private slots:
     void importModel_implausibleSize_isReported() {
         QFETCH(double, size);
         SessionHost host(recovery());
-        QSignalSpy doubted(&host.session, &DocumentSession::implausibleLengthFound);
+        QSignalSpy reported(&host.session, &DocumentSession::implausibleLengthFound);
         host.session.importModel(writeModel(*folder_, size), {},
                                  [](Project& project) { project.film.width = Millimetres(150); });
         QVERIFY(host.waitUntilIdle());
         QVERIFY(host.session.document());
         QCOMPARE(host.session.document()->project().name, QStringLiteral("model"));
         QCOMPARE(host.session.document()->project().film.width.value(), 150);
-        QTEST(int(doubted.count()), "doubts");
+        QTEST(int(reported.count()), "reports");
     }
 
     void reloadAndReplaceModel_pose_isKeptOnlyByReload() {

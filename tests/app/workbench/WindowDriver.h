@@ -40,7 +40,7 @@ class WindowDriver {
 public:
     explicit WindowDriver(MainWindow& window) : window_(window) {}
 
-    // Each waits for the end and returns whether it succeeded.
+    // These wait for the end of the action and return whether it succeeded.
     bool open(const QString& path);
     bool create(const QString& model, const QString& texture, double longestEdge,
                 const std::function<void(Project&)>& complete);

@@ -1,4 +1,4 @@
-// Pictures, text and patterns on bodies: charts, lengths, order and colours.
+// Tests pictures, text and patterns on bodies: charts, lengths, order and colours.
 #include "artwork/EditArtwork.h"
 #include "artwork/LayerPicture.h"
 #include "artwork/LayerPlane.h"
@@ -31,7 +31,7 @@ TexturedMesh bodyOf(TriangleMesh mesh) {
     return body;
 }
 
-// A ramp of two turns: its upper turn lies over its lower one, with the same normals.
+// Returns a ramp of two turns. Its upper turn lies over its lower turn, with the same normals.
 TriangleMesh spiralRamp() {
     TriangleMesh mesh;
     constexpr int steps = 120;
@@ -85,7 +85,7 @@ bool isNear(const QColor& a, const QColor& b, int within = 2) {
            std::abs(a.blue() - b.blue()) <= within;
 }
 
-// One period of `pixels` with a black line over a tenth of it.
+// Returns one period of `pixels` with a black line over 10 % of its width.
 QImage grid(int pixels) {
     QImage image = plain(Qt::white, {pixels, pixels});
     for (int k = 0; k < pixels; ++k) {
@@ -141,7 +141,8 @@ void ArtworkTest::unwrapped_charts_coverEachTriangleOnceWithoutOverlap() {
     const Unwrapping charts = unwrapped(mesh, {last, 0, last}, 0.25, 4'000'000, Progress());
     QCOMPARE(charts.chart[last], 0U);
     QCOMPARE(charts.corners.size(), mesh.triangles.size());
-    std::vector<int> claims(charts.owner.size()); // triangles whose inside contains the pixel
+    std::vector<int> claims(
+        charts.owner.size()); // per pixel: number of triangles whose inside contains its middle
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
         const auto& [a, b, c] = charts.corners[triangle];
         const Eigen::Vector2d u = (b - a).cast<double>(), v = (c - a).cast<double>();
@@ -242,7 +243,8 @@ void ArtworkTest::opacity_half_mixesLinearLight() {
     artwork.base = Qt::white;
     artwork.layers = {pictureLayer(plain(Qt::black), {0, 0, 30}, 20)};
     artwork.layers.front().opacity = 0.5;
-    QVERIFY(isNear(colourAt(paintedBox(artwork), {0, 0, 30}), QColor(188, 188, 188))); // half of it
+    QVERIFY(isNear(colourAt(paintedBox(artwork), {0, 0, 30}),
+                   QColor(188, 188, 188))); // half of the light
     QColor seeThrough(Qt::black);
     seeThrough.setAlpha(128);
     artwork.layers = {pictureLayer(plain(seeThrough), {0, 0, 30}, 20)};
@@ -278,7 +280,7 @@ void ArtworkTest::layerTurn_isCounterclockwiseSeenFromOutside() {
     QImage halves = plain(Qt::red);
     for (int y = 0; y < 40; ++y) {
         for (int x = 20; x < 40; ++x) {
-            halves.setPixelColor(x, y, Qt::blue); // on the right
+            halves.setPixelColor(x, y, Qt::blue); // the right half
         }
     }
     for (const LayerPlacement placement :
@@ -294,7 +296,7 @@ void ArtworkTest::layerTurn_isCounterclockwiseSeenFromOutside() {
     }
 }
 
-// Where dark lines are crossed on the way round a tube, mm from its beginning.
+// Returns where a scan round a tube crosses dark lines, mm from the scan's beginning.
 static std::vector<double> linesAround(const TexturedMesh& body, double radius, double z,
                                        double from, double to) {
     std::vector<double> found;
@@ -330,7 +332,8 @@ void ArtworkTest::decal_gridOnCylinder_hasEvenStraightLines() {
                                 .arg(middle[k] - middle[k - 1])));
     }
     QVERIFY(std::abs((middle.back() - middle.front()) / double(middle.size() - 1) - 10) < 0.03);
-    for (const double z : {-20.0, 17.0}) { // straight: at the same places elsewhere along the tube
+    for (const double z :
+         {-20.0, 17.0}) { // the lines are straight: at the same places elsewhere along the tube
         const std::vector<double> there = linesAround(body, radius, z, -1.1, 1.1);
         QCOMPARE(there.size(), middle.size());
         for (std::size_t k = 0; k < there.size(); ++k) {
@@ -362,7 +365,7 @@ void ArtworkTest::patternRepeat_bordersMatchOppositeBorders() {
         if (const QString folder = qEnvironmentVariable("DIPWRIGHT_PICTURES"); !folder.isEmpty()) {
             repeat.save(QStringLiteral("%1/pattern-%2.png").arg(folder).arg(int(kind)));
         }
-        // Across the border, neighbours differ on average no more than inside.
+        // Across the border, neighbouring pixels differ on average no more than they do inside.
         const auto difference = [&](int a, int b, bool isColumn) {
             double sum = 0;
             for (int k = 0; k < 200; ++k) {
@@ -390,7 +393,8 @@ void ArtworkTest::patternRepeat_otherSeed_makesAnotherPattern() {
     QVERIFY(patternRepeat(layer, 100) != one);
 }
 
-// Soft waves projected from six sides onto a ball blend into each other between the sides.
+// Tests soft waves that six sides of a box project onto a ball. They blend into each other between
+// the sides.
 void ArtworkTest::boxLayer_betweenItsSides_showsNoLine() {
     QImage waves(64, 64, QImage::Format_RGBA8888);
     for (int column = 0; column < 64; ++column) {
@@ -407,7 +411,8 @@ void ArtworkTest::boxLayer_betweenItsSides_showsNoLine() {
     const TexturedMesh body =
         paintArtwork(bodyOf(sphereMesh(radius, 90, 180)), artwork, 0.2, Progress());
     int last = -1, most = 0;
-    for (double angle = 25; angle <= 65; angle += 0.5) { // over the line at 45°, 0.26 mm a step
+    for (double angle = 25; angle <= 65;
+         angle += 0.5) { // across the line between two sides at 45°, 0.26 mm a step
         const double turn = angle * pi / 180;
         const QColor colour = colourAt(body, {radius * std::sin(turn), 0, radius * std::cos(turn)});
         most = std::max(most, last < 0 ? 0 : std::abs(colour.red() - last));

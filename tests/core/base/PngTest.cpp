@@ -1,4 +1,4 @@
-// Stored pictures, read by Qt's own reader, are the pictures that were written.
+// PNG files: Qt's own reader returns the picture that was written.
 #include "base/Png.h"
 
 #include "base/Error.h"
@@ -44,9 +44,10 @@ private slots:
         QTest::newRow("a pixel") << QSize(1, 1) << QImage::Format_RGB888;
         QTest::newRow("a row") << QSize(70, 1) << QImage::Format_RGBA8888;
         QTest::newRow("several bands") << QSize(1501, 1203) << QImage::Format_RGB888;
-        QTest::newRow("several bands, see-through") << QSize(1203, 1501) << QImage::Format_RGBA8888;
+        QTest::newRow("several bands, with alpha") << QSize(1203, 1501) << QImage::Format_RGBA8888;
         QTest::newRow("rows longer than a band") << QSize(400'000, 3) << QImage::Format_RGB888;
-        QTest::newRow("as Qt draws") << QSize(90, 70) << QImage::Format_ARGB32_Premultiplied;
+        QTest::newRow("premultiplied alpha")
+            << QSize(90, 70) << QImage::Format_ARGB32_Premultiplied;
         QTest::newRow("grey") << QSize(91, 70) << QImage::Format_Grayscale8;
     }
     void pngBytes_readByQt_givesTheSamePixels() {
@@ -82,7 +83,7 @@ private slots:
         QCOMPARE(again.colorSpace().iccProfile(), wideSpace().iccProfile());
     }
 
-    void pngBytes_anyNumberOfThreads_giveTheSameBytes() {
+    void pngBytes_anyNumberOfThreads_givesTheSameBytes() {
         const QImage image = picture({1501, 1203}, QImage::Format_RGB888);
         const QByteArray onAll = pngBytes(image, QString());
         const ThreadLimit limit(1);

@@ -1,4 +1,4 @@
-// How much of a wait counts as waited, with a simulated clock.
+// How much of a waiting time the timer counts, with a simulated clock.
 #include "base/SuspendAwareTimer.h"
 
 #include <QTest>
@@ -10,12 +10,12 @@ class SuspendAwareTimerTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void suspendAwareTimer_frequentLooks_addUp() {
+    void suspendAwareTimer_frequentCalls_addUp() {
         SuspendAwareTimer waited(start_);
         for (int look = 1; look <= 100; ++look) {
             QVERIFY(waited.look(start_ + look * 20ms) == look * 20ms);
         }
-        QVERIFY(waited.look(start_ + 2s) == 2s); // time that stands still adds nothing
+        QVERIFY(waited.look(start_ + 2s) == 2s); // a call at the same time adds nothing
     }
 
     void suspendAwareTimer_suspendedForHours_countsOneGap() {

@@ -1,4 +1,4 @@
-// Cradles for bodies with film laid by hand, checked against the bodies' closed forms.
+// Tests cradles for bodies with film laid by hand against closed forms of the bodies.
 #include "cradle/Cradle.h"
 #include "DippedByHand.h"
 #include "cradle/CradleFiles.h"
@@ -21,7 +21,7 @@ namespace {
 constexpr double radius = 25;
 const QString hash = QStringLiteral("0a1b2c3d4e5f");
 
-// Coarse and small, so that tests are fast.
+// Returns coarse settings for a small cradle, so that the tests are fast.
 CradleSettings settings() {
     CradleSettings result;
     result.pinSpan = Millimetres(80);
@@ -33,14 +33,15 @@ TexturedMesh ball() {
     return test::plainModel(sphereMesh(radius, 90, 180), Qt::white);
 }
 
-// Film up to the ball's equator.
+// Returns film up to the ball's equator.
 std::shared_ptr<const LaidFilm> halfPainted() {
     static const auto laid =
         test::laid(ball().mesh, test::viscousOnSphere(test::a4Grid(), radius, pi / 2));
     return laid;
 }
 
-// An earlier dip with the ball the other way up: film round its top, to `angle` from the pole.
+// Returns an earlier dip with the ball the other way up. Its film lies round the ball's top, up to
+// `angle` from the pole.
 LaidFilm paintedFromAbove(double angle) {
     Immersion turned;
     turned.rotation[0] = Degrees(180);
@@ -60,7 +61,7 @@ Cradle cradleOf(const LaidFilm& laid, const CradleSettings& wanted = settings(),
                       progress);
 }
 
-// The cradle of the half painted ball with the settings above.
+// Returns the cradle of the half painted ball with the settings above.
 const Cradle& ballsCradle() {
     static const Cradle cradle = cradleOf(*halfPainted());
     return cradle;
@@ -83,7 +84,7 @@ class CradleTest : public QObject {
     Q_OBJECT
 
 private slots:
-    // In the pose frame the ball's middle is at (0, radius, 0).
+    // In the pose frame, the ball's centre is at (0, radius, 0).
     void makeCradle_ball_hasAPocketOfItsForm() {
         const Cradle& cradle = ballsCradle();
         isSound(cradle);
@@ -94,7 +95,8 @@ private slots:
             const Eigen::Vector3f from = place - middle;
             const double away = double(from.norm()) - radius;
             QVERIFY(away > 0.2);
-            // Away from the edges of the bore and the rim, what is near the ball is the pocket.
+            // Away from the edges of the bore and the rim, the cradle's surface near the ball is
+            // the pocket.
             const double aside = std::hypot(double(from.x()), double(from.z()));
             if (away < 0.8 && aside > 5 && from.y() > radius - 9) {
                 QVERIFY2(std::abs(away - 0.3) < 0.1,
@@ -106,8 +108,8 @@ private slots:
         QVERIFY(std::abs(cradle.check.leastGap - 0.3) < 0.1);
     }
 
-    // The seat is a cap 10 mm deep: its area is 2πρh less the bore's. The ball can tilt by the
-    // angle whose tangent is the rim's radius over the rim's distance from the ball's centre.
+    // The seat is a cap 10 mm deep; its area is 2πρh less the area of the bore. The ball tips over
+    // at the tilt whose tangent is the rim's radius over the rim's distance from the ball's centre.
     void cradleCheck_ball_hasSeatAreaAndTiltOfTheCap() {
         const CradleCheck& check = ballsCradle().check;
         const double cap = 2 * pi * radius * 10 - pi * 16;
@@ -118,14 +120,14 @@ private slots:
         const double rim = std::sqrt(radius * radius - 15 * 15);
         const double tilt = std::atan2(rim, 15) * 180 / pi;
         QVERIFY(std::abs(check.standing.tiltDegrees - tilt) < 2);
-        // The rim is as steep as the ball at that place.
+        // At the rim, the seat is as steep as the ball.
         QVERIFY(std::abs(check.standing.sideHoldDegrees - tilt) < 2);
         QCOMPARE(check.paddedArea, 0.0);
     }
 
-    // Film holds up to 20° past the equator. The cradle stays 4 mm away from it, however far it may
-    // reach.
-    void makeCradle_deepReach_keepsOffThePaint() {
+    // Film holds up to 20° past the equator. The cradle stays 4 mm away from the film, however far
+    // down it may reach.
+    void makeCradle_deepReach_keepsAwayFromThePaint() {
         CradleSettings deep = settings();
         deep.reach = Millimetres(40);
         const Cradle cradle = cradleOf(*halfPainted(), deep);
@@ -148,7 +150,7 @@ private slots:
         QVERIFY(cradle.notes.join(u' ').contains(QStringLiteral("slide sideways")));
     }
 
-    // Sides that stay above the water may be held.
+    // Sides that stay above the water may touch the cradle.
     void makeCradle_partlyDippedBox_holdsItsSides() {
         const Eigen::Vector3d size(40, 30, 40);
         const TexturedMesh box = test::plainModel(boxMesh(size), Qt::white);
@@ -163,7 +165,8 @@ private slots:
         }
     }
 
-    // A lying ring, whose upper half undercuts its hole, still comes out of the cradle.
+    // The upper half of a lying ring overhangs the ring's hole, but the ring still comes out of the
+    // cradle.
     void makeCradle_undercutRing_comesOut() {
         const TexturedMesh ring = test::plainModel(torusMesh(20, 8, 48, 96), Qt::white);
         const auto laid =
@@ -207,21 +210,21 @@ private slots:
     }
 
     void makeCradle_filmAllRound_isEmptyAndNoted() {
-        ProcessSettings clinging; // film that also holds on faces that turn up
+        ProcessSettings clinging; // film that also adheres to faces that turn up
         clinging.overhang = Degrees(90);
         const Cradle cradle = cradleOf(*halfPainted(), settings(), clinging);
         QVERIFY(cradle.mesh.triangles.empty());
         QVERIFY(cradle.notes.join(u' ').contains(QStringLiteral("no cradle")));
     }
 
-    // The holes have the pins' diameter and clearance. They lie where the sheet's marks float, or
-    // between there and the centre.
+    // The holes have the pins' diameter plus clearance. They lie where the sheet's marks float, or
+    // between that place and the centre.
     void datumPins_areInLineWithTheSheetsMarks() {
         FilmSettings film;
         film.swellX = 1.1;
         const DatumPins wide = datumPins(Sheet(), film, Millimetres(1000));
         QCOMPARE(wide.share, 1.0);
-        // A4 with marks 6 mm from the edges.
+        // An A4 sheet with marks 6 mm from its edges.
         QVERIFY((wide.pins[0] - Eigen::Vector2d(-99 * 1.1, -142.5)).norm() < 1e-9);
         QVERIFY((wide.pins[1] - Eigen::Vector2d(99 * 1.1, -142.5)).norm() < 1e-9);
         QVERIFY((wide.pins[2] - Eigen::Vector2d(-99 * 1.1, 142.5)).norm() < 1e-9);
@@ -243,7 +246,7 @@ private slots:
         }
     }
 
-    // The file's frame is the printer's bed: all at z ≥ 0, the plate's face down.
+    // The file's frame is the printer's bed: everything is at z ≥ 0, with the plate's face down.
     void cradleFile_readAgain_hasItsVolumeAndExtent_data() {
         QTest::addColumn<QString>("suffix");
         QTest::newRow("stl") << QStringLiteral("stl");
@@ -267,8 +270,8 @@ private slots:
         QVERIFY(std::abs(volume(mesh) / cradle.check.volume - 1) < 1e-4);
         const BoundingBox box = boundingBox(mesh);
         QVERIFY(box.min().cwiseAbs().maxCoeff() < 0.01F);
-        // 80 mm and the rims round the pins wide; high from the plate's face to 10 mm under the
-        // ball's top.
+        // The width is 80 mm plus the rims round the pins. The height is from the plate's face to
+        // 10 mm below the ball's top.
         QVERIFY(std::abs(box.max().y() - (80 + 2 * 9.1F)) < 0.01F);
         QVERIFY(std::abs(box.max().z() - (5 + 13 + 10)) < 0.3F);
     }
@@ -278,7 +281,8 @@ private slots:
         CradleSettings plain = settings();
         plain.engravingDepth = Millimetres(0);
         const Cradle bare = cradleOf(*halfPainted(), plain);
-        // About 0.8 mm times the area of the letters, the arrow and the dip's sign, in mm³.
+        // Expected: about 0.8 mm times the area of the letters, the arrow and the symbol of the
+        // dip, in mm³.
         const double taken = bare.check.volume - cradle.check.volume;
         QVERIFY2(taken > 100 && taken < 400,
                  qPrintable(

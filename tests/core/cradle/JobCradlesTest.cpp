@@ -1,5 +1,5 @@
-// Cradles of whole jobs. Some cases need models in ../shared, which are not in the repository.
-// Without them these cases are skipped, and scripts/test counts them.
+// Tests cradles of whole jobs. Some cases need models in ../shared, which are not in the
+// repository. Without the models these cases are skipped; scripts/test counts them.
 #include "pipeline/JobCradles.h"
 #include "TestFolders.h"
 #include "WholeSample.h"
@@ -23,7 +23,7 @@ Project turtle() {
     return project;
 }
 
-// A shared model, 90 mm long, dipped from below and from above.
+// Returns a project with a shared model, 90 mm long, dipped from below and from above.
 Project twoDipsOf(const QString& model) {
     ImportOptions options;
     options.longestEdge = Millimetres(90);
@@ -45,8 +45,8 @@ JobResult resultOf(const Project& project) {
     return runJob(project, registry, options, nullptr, {});
 }
 
-// Writes the cradles and the bodies in them, as they lie on the printer, where DIPWRIGHT_PICTURES
-// names a folder.
+// Writes the cradles and the bodies in them, as they lie on the printer, to the folder in
+// DIPWRIGHT_PICTURES, if it is set.
 void keep(const QString& name, const JobResult& result, const std::vector<Cradle>& cradles) {
     const QString folder = qEnvironmentVariable("DIPWRIGHT_PICTURES");
     for (std::size_t i = 0; i < cradles.size() && !folder.isEmpty(); ++i) {
@@ -88,8 +88,8 @@ private slots:
         }
     }
 
-    // The cradle of dip 1 stays off the film. That of dip 2 may lie on paint only where allowed,
-    // and then leaves room for padding.
+    // The cradle of dip 1 stays away from the film. The cradle of dip 2 may touch paint only if
+    // allowed, and then leaves room for padding.
     void jobCradles_bothDips_holdTheBody() {
         QFETCH(QString, model);
         if (!model.isEmpty() && !shared.exists()) {

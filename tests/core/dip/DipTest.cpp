@@ -1,4 +1,4 @@
-// The loop that runs a dip, with scripted solvers.
+// The loop that runs a dip, tested with scripted solvers.
 #include "dip/Dip.h"
 #include "DippedByHand.h"
 #include "base/Error.h"
@@ -14,7 +14,7 @@ using namespace dipwright;
 
 namespace {
 
-// What the scripted solver does, and what it was asked for.
+// Tells the scripted solver what to do, and records the calls that it gets.
 struct Script {
     int steps = 50;
     bool touches = true;
@@ -25,11 +25,12 @@ struct Script {
     int asked = 0; // calls of advance()
     bool showsLate = false;
     solver::EquilibriumAccount equilibrium;
-    std::uint8_t mark = 0; // the first point's
+    std::uint8_t mark = 0; // mark of the first film point
     solver::DipSetup setup;
 };
 
-// Its film lies flat on the water; the middle point sticks to the body's lowest point.
+// A solver whose film lies flat on the water; the film's middle point sticks to the body's lowest
+// point.
 class ScriptedSolver : public solver::FilmSolver {
 public:
     explicit ScriptedSolver(Script& script) : script_(script) {}
@@ -114,7 +115,7 @@ struct Dip {
     ProcessSettings process;
     Progress progress;
 
-    // A box traps no air: the solver is given `field` itself.
+    // A box traps no air, so the solver gets `field` itself.
     solver::DipSetup setup() const {
         return dipSetup(body, FilledField(body, field), immersion, film, process);
     }
@@ -154,7 +155,7 @@ private Q_SLOTS:
     void simulateDip_failingSolver_throwsError();
     void simulateDip_unstableFilm_throwsError();
     void simulateDip_bodyNeverTouches_throwsError();
-    void simulateDip_bodyBesideTheFilm_isRefusedUnsimulated();
+    void simulateDip_bodyBesideTheFilm_isRefusedWithoutSimulation();
 };
 
 void DipTest::dipSetup_startsWithTheBodyJustAboveTheWater() {
@@ -206,7 +207,7 @@ void DipTest::dipSetup_carriesTheFilmSettings() {
     QCOMPARE(setup.settings.growthLimit, 0.2);
     QCOMPARE(setup.settings.gripFade, pi / 20);
     QCOMPARE(setup.settings.gatheringStretch, 0.75);
-    // Settings that are not set keep the solvers' defaults.
+    // Settings that are not set keep the solver's defaults.
     const auto usual = dipSetup(dip.body, FilledField(dip.body, dip.field), dip.immersion, {}, {});
     QCOMPARE(usual.settings.gripFade, solver::Settings().gripFade);
     QCOMPARE(usual.settings.gatheringStretch, solver::Settings().gatheringStretch);
@@ -220,7 +221,7 @@ void DipTest::simulateDip_result_isInThePoseFrame() {
     const DippedFilm film = dip.run(script);
     QCOMPARE(film.steps, std::int64_t(50));
     QCOMPARE(film.positions.size(), film.grid.pointCount());
-    // The film stayed on the water; the body's lowest point has gone 42 mm below it.
+    // The film stayed on the water, and the body's lowest point is now 42 mm below it.
     const Eigen::Vector2f rest = restPosition(film.grid, 5);
     QVERIFY((film.positions[5] - Eigen::Vector3f(rest.x() - 12, 42, rest.y() + 7)).norm() < 1e-3f);
     QVERIFY(film.adhered(film.grid.pointCount() / 2));
@@ -370,7 +371,7 @@ void DipTest::simulateDip_bodyNeverTouches_throwsError() {
     QVERIFY2(sentence.contains("does not meet the film"), qPrintable(sentence));
 }
 
-void DipTest::simulateDip_bodyBesideTheFilm_isRefusedUnsimulated() {
+void DipTest::simulateDip_bodyBesideTheFilm_isRefusedWithoutSimulation() {
     Dip dip;
     dip.immersion.offset = {Millimetres(121), Millimetres(0)};
     Script script;

@@ -1,4 +1,4 @@
-// Which film adheres to the body, and how much of the body it paints.
+// Tests which film adheres to the body, and how much of the body it paints.
 #include "DippedByHand.h"
 #include "dip/Coverage.h"
 #include "geometry/Shapes.h"
@@ -23,7 +23,7 @@ struct Located {
         : laid(test::laid(mesh, dipped, process)), body(laid->body()), film(laid->film()),
           contact(laid->contact()) {}
 
-    // The film's place over the point of the body nearest to `position`.
+    // Returns the film's place over the point of the body that is nearest to `position`.
     std::optional<FilmPlace> placeAt(const Eigen::Vector3f& position) const {
         return laid->place(body.query.closest(position).point);
     }
@@ -80,8 +80,8 @@ private Q_SLOTS:
     void laidFilm_pastOverhang_endsEvenly_data();
     void laidFilm_pastOverhang_endsEvenly();
     void laidFilm_place_givesTheRestPosition();
-    void laidFilm_gradedPlace_equalsTheEvenOne();
-    void laidFilm_gradedCoverage_equalsTheEvenOne();
+    void laidFilmPlace_gradedFilm_equalsThatOfEvenFilm();
+    void coverage_gradedFilm_equalsThatOfEvenFilm();
     void laidFilm_place_endsWithThePaint();
     void laidFilm_thinPlate_separatesItsSides();
     void filmContact_twice_givesTheSameBits();
@@ -128,7 +128,7 @@ void FilmContactTest::filmContact_pastOverhang_isNotPainted() {
         ProcessSettings process;
         process.overhang = Degrees(overhang);
         const Located globe(ball(), film, process);
-        // A face that turns up by the overhang is that far above the equator.
+        // A face that turns up by the overhang lies at this height above the equator.
         const double end = ballRadius * (1 + std::sin(radians(process.overhang)));
         QVERIFY(
             globe.allPainted([&](const Eigen::Vector3f& middle) { return middle.y() < end + 1; }));
@@ -183,7 +183,8 @@ void FilmContactTest::filmContact_trappedFilm_isNotPainted() {
     film.states[point] = solver::PointState::Trapped;
     const Located box(boxMesh({60, 30, 60}), film);
     QVERIFY(!box.contact.surface[point].isValid());
-    // Eight triangles meet in a point on the cells' diagonals, four in another.
+    // The missing triangles are those that meet in the point: eight if it lies on the cells'
+    // diagonals, otherwise four.
     const std::size_t missing = 2 * 33 * 33 - box.paintedCount();
     QVERIFY(missing == 4 || missing == 8);
 }
@@ -202,7 +203,7 @@ void FilmContactTest::filmContact_acrossAHollow_isNotPainted() {
         film.states.push_back(solver::PointState::Adhered);
     }
     const Located roof(gable, film);
-    // The cells of 2 mm astride the furrow span it; their neighbours lie on the slopes.
+    // The 2 mm cells across the furrow span it; their neighbours lie on the slopes.
     QVERIFY(roof.allPainted([](const Eigen::Vector3f& middle) {
         return std::abs(std::abs(middle.x()) + middle.y() - 30) < 0.3f;
     }));
@@ -210,7 +211,7 @@ void FilmContactTest::filmContact_acrossAHollow_isNotPainted() {
 }
 
 void FilmContactTest::coverage_box_isItsBottom() {
-    // 34 film points wide, so that the film's cells end where the bottom does.
+    // The bottom is 34 film points wide, so that the film's cells end where it does.
     const solver::FilmGrid grid = test::a4Grid();
     const Eigen::Vector3d size(33 * grid.spacingX(0), 30, 33 * grid.spacingZ(0));
     const Located box(boxMesh(size), test::flatUnderBox(grid, size + Eigen::Vector3d(0.1, 0, 0.1)));
@@ -229,8 +230,8 @@ void FilmContactTest::coverage_ball_isItsCap() {
     const double end = 1.2;
     const Located globe(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, end));
     const Coverage cover = coverage(*globe.laid);
-    // The film's last whole cells end up to a cell before the contact line, and are continued to
-    // it.
+    // The film's last whole cells end up to one cell before the contact line. From there the film
+    // is continued to the line.
     QVERIFY(std::abs(cover.share - (1 - std::cos(end)) / 2) < 0.001);
 }
 
@@ -256,7 +257,7 @@ void FilmContactTest::laidFilm_pastOverhang_endsEvenly_data() {
     QTest::addColumn<double>("shortOfLimit");
     QTest::addColumn<double>("within");
     QTest::newRow("fine mesh") << 120 << 1.8 << 0.3;
-    // Faces of 9°: those at the limit turn up past it earlier than the exact ball.
+    // The faces span 9°. Faces at the limit turn up past it earlier than an exact ball does.
     QTest::newRow("coarse mesh") << 20 << 0.0 << 0.8;
 }
 
@@ -264,7 +265,7 @@ void FilmContactTest::laidFilm_pastOverhang_endsEvenly() {
     QFETCH(int, rings);
     QFETCH(double, shortOfLimit); // mm along the ball from the last film points on it to the limit
     QFETCH(double, within);
-    // The other points float above.
+    // Film points past the limit float above it.
     const ProcessSettings process;
     const double limit = pi / 2 + radians(process.overhang);
     DippedFilm film =
@@ -323,7 +324,7 @@ void FilmContactTest::laidFilm_place_givesTheRestPosition() {
     QVERIFY(found > 10000);
 }
 
-void FilmContactTest::laidFilm_gradedPlace_equalsTheEvenOne() {
+void FilmContactTest::laidFilmPlace_gradedFilm_equalsThatOfEvenFilm() {
     const Eigen::Vector3d size(60, 30, 60);
     for (const solver::FilmGrid& grid : {test::a4Grid(), test::gradedA4Grid()}) {
         const Located box(boxMesh(size), test::flatUnderBox(grid, size));
@@ -344,7 +345,7 @@ void FilmContactTest::laidFilm_gradedPlace_equalsTheEvenOne() {
     }
 }
 
-void FilmContactTest::laidFilm_gradedCoverage_equalsTheEvenOne() {
+void FilmContactTest::coverage_gradedFilm_equalsThatOfEvenFilm() {
     const Located even(ball(), test::viscousOnSphere(test::a4Grid(), ballRadius, 1.8));
     const Located graded(ball(), test::viscousOnSphere(test::gradedA4Grid(), ballRadius, 1.8));
     for (float angle = 0.05f; angle < 1.7f; angle += 0.05f) {
@@ -354,7 +355,8 @@ void FilmContactTest::laidFilm_gradedCoverage_equalsTheEvenOne() {
                                      float(ballRadius) * std::sin(angle) * std::sin(turn));
             const auto one = even.placeAt(at), other = graded.placeAt(at);
             QVERIFY(one && other);
-            // Both interpolate over flat triangles; those of the graded film are smaller here.
+            // Both films interpolate over flat triangles, which are smaller in the graded film
+            // here.
             QVERIFY((one->rest - other->rest).norm() < 0.03f);
         }
     }
@@ -365,7 +367,7 @@ void FilmContactTest::laidFilm_gradedCoverage_equalsTheEvenOne() {
 void FilmContactTest::laidFilm_place_endsWithThePaint() {
     const Located box(boxMesh({60, 30, 60}), test::flatUnderBox(test::a4Grid(), {30, 30, 30}));
     const auto covers = [&](float x, float z) { return box.placeAt({x, 0, z}).has_value(); };
-    // 18 points of each row, with 17 cells between them, are on the bottom.
+    // In each row, 18 points with 17 cells between them are on the bottom.
     const auto end = float(8.5 * box.film.grid.spacingX(0));
     QVERIFY(covers(end - 0.05f, 3));
     QVERIFY(covers(-end + 0.05f, -3));
@@ -375,7 +377,7 @@ void FilmContactTest::laidFilm_place_endsWithThePaint() {
 }
 
 void FilmContactTest::laidFilm_thinPlate_separatesItsSides() {
-    // A plate of 0.2 mm with film below it only.
+    // A plate 0.2 mm thick, with film only below it.
     const Located plate(boxMesh({60, 0.2, 60}), test::flatUnderBox(test::a4Grid(), {60, 0.2, 60}));
     QVERIFY(plate.placeAt({5, 0, 5}));
     QVERIFY(!plate.placeAt({5, 0.2f, 5}));

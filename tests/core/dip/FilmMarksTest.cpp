@@ -1,4 +1,4 @@
-// Which paint comes from marked film, on films laid by hand.
+// Tests which paint comes from marked film, with films laid by hand.
 #include "dip/Coverage.h"
 
 #include "DippedByHand.h"
@@ -34,7 +34,8 @@ class FilmMarksTest : public QObject {
 
 private slots:
     void coverage_markedFilm_marksItsPaint() {
-        // A quarter of the box and the cells that share points with it are marked.
+        // Film under a quarter of the box's bottom is marked, and so are the cells that share
+        // points with it.
         const auto laid = markedFilm([](const Eigen::Vector2f& rest) {
             return rest.x() >= 0 && rest.y() >= 0 ? letGo : std::uint8_t(0);
         });
@@ -52,7 +53,7 @@ private slots:
         const Coverage cover = coverage(*laid);
         QCOMPARE(cover.marked.of(PointMark::LetGo), cover.marked.any);
         QCOMPARE(cover.marked.of(PointMark::Torn), cover.marked.any);
-        QCOMPARE(gravestMark(paintedMarks(*laid)), std::optional(PointMark::Torn));
+        QCOMPARE(mostSeriousMark(paintedMarks(*laid)), std::optional(PointMark::Torn));
     }
 
     void coverage_markedFilmBesideTheBody_marksNothing() {
@@ -61,7 +62,7 @@ private slots:
         });
         QCOMPARE(coverage(*laid).marked.any, 0.0);
         QCOMPARE(paintedMarks(*laid), std::uint8_t(0));
-        QVERIFY(!gravestMark(0));
+        QVERIFY(!mostSeriousMark(0));
     }
 
     void coverage_unmarkedFilm_marksNothing() {
@@ -72,7 +73,7 @@ private slots:
         QVERIFY(markedText(cover.marked, cover.paintedArea).isEmpty());
     }
 
-    void coverage_face_takesTheMarkOfMostOfItsPaint() {
+    void coverage_faceMostlyPaintedByMarkedFilm_isMarked() {
         const auto laid = markedFilm([](const Eigen::Vector2f& rest) {
             return rest.x() + rest.y() > 0 ? letGo : std::uint8_t(0);
         });

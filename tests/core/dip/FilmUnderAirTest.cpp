@@ -1,4 +1,4 @@
-// Trapped air: the field that solvers get, and what film paints of hollow bodies.
+// Tests trapped air: the field that solvers get, and what film paints on hollow bodies.
 #include "HollowBodies.h"
 #include "dip/Coverage.h"
 #include "dip/Dip.h"
@@ -72,7 +72,7 @@ class FilmUnderAirTest : public QObject {
 
 private Q_SLOTS:
     void filledField_withoutAir_isTheBodysField();
-    void filledField_bowlRimDown_isThatOfHalfABall();
+    void filledField_bowlRimDown_equalsTheFieldOfHalfABall();
     void dip_bowlRimDown_insideStaysUnpainted_data();
     void dip_bowlRimDown_insideStaysUnpainted();
     void dip_bowlWithHole_insideIsPainted();
@@ -87,10 +87,10 @@ void FilmUnderAirTest::filledField_withoutAir_isTheBodysField() {
     }
 }
 
-// A filled bowl is solid: half a ball with its flat face down.
-void FilmUnderAirTest::filledField_bowlRimDown_isThatOfHalfABall() {
+// With its hollow filled, a bowl is half a ball with its flat face down.
+void FilmUnderAirTest::filledField_bowlRimDown_equalsTheFieldOfHalfABall() {
     const TriangleMesh mesh = bowl();
-    for (const double turn : {0.0, 31.0}) { // degrees, of the model against its field
+    for (const double turn : {0.0, 31.0}) { // degrees, rotation of the model against its field
         const Eigen::Isometry3d askew(Eigen::AngleAxisd(turn * pi / 180, Eigen::Vector3d::UnitX()));
         Immersion immersion;
         immersion.rotation[0] = Degrees(-turn);
@@ -98,7 +98,7 @@ void FilmUnderAirTest::filledField_bowlRimDown_isThatOfHalfABall() {
         const PosedBody body = posedBody(model, immersion);
         const DistanceField own = buildDistanceField(model, 96, {});
         const FilledField filled(body, own);
-        // The error of the solid's surface, on its face and round its dome, in mm.
+        // Largest error of the filled body's surface, on its face and round its dome, mm.
         double worst = 0;
         for (double radius = 0; radius < bowlRadius - 0.5; radius += 0.37) {
             for (const double height : {0.6, 0.2, -0.2, -0.6}) {
@@ -137,21 +137,22 @@ void FilmUnderAirTest::dip_bowlRimDown_insideStaysUnpainted() {
     QVERIFY(inside.whole > 5000);
     QCOMPARE(inside.painted, 0.0);
     for (std::size_t point = 0; point < laid->film().positions.size(); ++point) {
-        // Film under the air touches nothing and stays at the rim's height.
+        // Film under the air touches nothing and stays at the height of the rim.
         const Eigen::Vector2f rest = restPosition(laid->film().grid, point);
         if (rest.norm() < innerRadius - 2 * filmCell) {
             QVERIFY(!laid->contact().surface[point].isValid());
             QVERIFY(std::abs(laid->film().positions[point].y()) < 0.1f);
         }
     }
-    // The rim and the outer wall up to the overhang are painted, within a cell.
+    // The rim, and the outer wall up to the overhang, are painted to within a cell.
     const Coverage cover = coverage(*laid);
     const double band =
         2 * pi * bowlRadius * bowlRadius * std::sin(radians(ProcessSettings().overhang));
-    QVERIFY2(cover.paintedArea > (isPaper ? 0.5 : 0.75) * band &&
-                 cover.paintedArea <
-                     1.1 * band + pi * (bowlRadius * bowlRadius - innerRadius * innerRadius),
-             qPrintable(QStringLiteral("%1 of %2").arg(cover.paintedArea).arg(band)));
+    QVERIFY2(
+        cover.paintedArea > (isPaper ? 0.5 : 0.75) * band &&
+            cover.paintedArea <
+                1.1 * band + pi * (bowlRadius * bowlRadius - innerRadius * innerRadius),
+        qPrintable(QStringLiteral("painted %1 mm² of %2 mm²").arg(cover.paintedArea).arg(band)));
     const double dry = 2 * pi * innerRadius * innerRadius;
     QVERIFY(std::abs(cover.trappedAir.area - dry) < 0.01 * dry);
 }

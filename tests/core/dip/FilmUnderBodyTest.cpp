@@ -1,4 +1,4 @@
-// How fine the film's cells are for a body and its pose.
+// Tests how fine the film's cells are for a body and its pose.
 #include "dip/FilmUnderBody.h"
 #include "film/FilmGrid.h"
 
@@ -34,7 +34,7 @@ double cellFor(const Underside& underside) {
     return automaticCell(underside, filmOf(FilmResolution::Automatic)).value();
 }
 
-// The film's largest cell between two places along X, in mm.
+// Returns the film's largest cell between two places along X, mm.
 double coarsest(const solver::FilmGrid& grid, double from, double to) {
     double largest = 0;
     for (int column = 0; column + 1 < grid.columns; ++column) {
@@ -65,14 +65,14 @@ void FilmUnderBodyTest::automaticCell_thinBody_isFiner() {
     const double thick = cellFor(undersideOf(boxMesh({60, 40, 60})));
     const double thin = cellFor(undersideOf(boxMesh({60, 4, 60})));
     QVERIFY(thick <=
-            1.0 + 1e-9); // a number of cells along the body limits it, whatever the thickness
+            1.0 + 1e-9); // limited by the number of cells along the body, whatever its thickness
     QVERIFY(thin < 0.6 * thick);
     QVERIFY(thin > 0.2);
 }
 
 void FilmUnderBodyTest::automaticCell_uprightPlate_ignoresItsSides() {
-    // A plate that lies flat needs cells for its thickness. When it stands on its edge, its sides
-    // do not come down on the film.
+    // A plate that lies flat needs cells fine enough for its thickness. If it stands on its edge,
+    // its sides do not come down on the film.
     Immersion upright;
     upright.rotation[0] = Degrees(90);
     const TriangleMesh plate = boxMesh({60, 4, 60});
@@ -90,7 +90,7 @@ void FilmUnderBodyTest::filmUnderBody_ball_isFineWhereFilmIsDrawnIn() {
     const solver::FilmGrid grid = filmUnderBody(film, under, {});
     QVERIFY(!grid.isEven());
     QCOMPARE(grid.width, 210.0);
-    // Viscous film is drawn in from up to 35·√2 at the equator.
+    // Viscous film at the equator is drawn in from up to 35·√2 mm.
     QVERIFY(coarsest(grid, -49.5, 49.5) <= cell * (1 + 1e-9));
     QVERIFY(coarsest(grid, -105, 105) > 1.5 * cell);
     QVERIFY(double(grid.pointCount()) < 0.6 * (210 / cell) * (297 / cell));

@@ -5,16 +5,16 @@
 
 namespace dipwright::test {
 
-// Turns a profile of (radius, height) round the Y axis. Its points go from first to last as seen
-// from outside, with the axis to the left.
+// Returns the body of revolution of a profile of (radius, height) about the Y axis. The profile's
+// points are in the order in which they are seen from outside, with the axis to the left.
 TriangleMesh turned(const std::vector<Eigen::Vector2d>& profile, int segments);
 
-// Half a hollow ball, its rim in the plane y = 0, its dome up. It has a round hole at the top if
-// `holeRadius` > 0. Lengths in mm.
+// Returns half a hollow ball with its rim in the plane y = 0 and its dome up. If `holeRadius` > 0,
+// it has a round hole at the top. Lengths in mm.
 inline constexpr double bowlRadius = 32, bowlWall = 3;
 TriangleMesh bowl(double holeRadius = 0);
 
-// A cup of outer radius 30 mm, wall 3 mm and height 40 mm. Its inside is 37 mm deep.
+// Returns a cup of outer radius 30 mm, wall 3 mm and height 40 mm. Its inside is 37 mm deep.
 TriangleMesh cup();
 
 } // namespace dipwright::test

@@ -1,4 +1,4 @@
-// Several parts on one jig, each in its place and with its own colours.
+// Tests several parts on one jig, each in its place and with its own colours.
 #include "DippedByHand.h"
 
 #include "base/Error.h"

@@ -1,4 +1,4 @@
-// The pose of a body in a dip: frames, angles and travel.
+// Tests the pose of a body in a dip: frames, angles and travel.
 #include "DippedByHand.h"
 #include "geometry/Shapes.h"
 
@@ -10,7 +10,7 @@ using namespace dipwright;
 
 namespace {
 
-// A box away from the origin, so that turning about the origin would show.
+// Returns a box away from the origin, so that a rotation about the origin would show.
 TriangleMesh farBox() {
     TriangleMesh box = boxMesh({10, 20, 30});
     for (Eigen::Vector3f& position : box.positions) {
@@ -40,8 +40,8 @@ private Q_SLOTS:
     void poseTransform_turnsAboutXThenYThenZ();
     void posedBody_leaning_restsOnItsLowestCorner();
     void poseTransform_offset_doesNotMoveThePose();
-    void rotationAngles_ofARotation_giveItBack_data();
-    void rotationAngles_ofARotation_giveItBack();
+    void rotationAngles_ofARotation_giveTheSameRotation_data();
+    void rotationAngles_ofARotation_giveTheSameRotation();
     void dipTravel_endsAtMarginOrDepth();
 };
 
@@ -83,18 +83,18 @@ void PoseTest::poseTransform_offset_doesNotMoveThePose() {
     QVERIFY(poseTransform(farBox(), beside).isApprox(poseTransform(farBox(), Immersion{})));
 }
 
-void PoseTest::rotationAngles_ofARotation_giveItBack_data() {
+void PoseTest::rotationAngles_ofARotation_giveTheSameRotation_data() {
     QTest::addColumn<QVector<double>>("angles");
-    QTest::newRow("none") << QVector<double>{0, 0, 0};
-    QTest::newRow("any") << QVector<double>{31, -57, 12};
-    QTest::newRow("far round") << QVector<double>{-170, 20, 175.5};
+    QTest::newRow("no rotation") << QVector<double>{0, 0, 0};
+    QTest::newRow("three angles") << QVector<double>{31, -57, 12};
+    QTest::newRow("angles near 180 degrees") << QVector<double>{-170, 20, 175.5};
     QTest::newRow("upside down") << QVector<double>{180, 0, 0};
-    // After a quarter turn about Y, X and Z turn about the same axis.
+    // After a quarter turn about Y, rotations about X and Z have the same axis.
     QTest::newRow("quarter turn") << QVector<double>{30, 90, 0};
     QTest::newRow("other quarter turn") << QVector<double>{0, -90, 45};
 }
 
-void PoseTest::rotationAngles_ofARotation_giveItBack() {
+void PoseTest::rotationAngles_ofARotation_giveTheSameRotation() {
     QFETCH(QVector<double>, angles);
     const Eigen::Matrix3d rotation =
         rotationMatrix({Degrees(angles[0]), Degrees(angles[1]), Degrees(angles[2])});

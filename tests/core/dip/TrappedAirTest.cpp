@@ -1,4 +1,4 @@
-// Trapped air: how much of the body's surface the water never reaches.
+// Tests trapped air: how much of the body's surface the water never reaches.
 #include "dip/TrappedAir.h"
 #include "HollowBodies.h"
 #include "base/Units.h"
@@ -43,15 +43,15 @@ class TrappedAirTest : public QObject {
 private Q_SLOTS:
     void trappedAir_convexBodies_isNone();
     void trappedAir_cupMouthUp_isNone();
-    void trappedAir_cupMouthDown_isAllItsInside();
+    void trappedAir_cupMouthDown_fillsItsWholeInside();
     void trappedAir_cupMouthDown_startsAtTheMouthsHeight();
-    void trappedAir_tippedCup_isPartOfItsInside();
+    void trappedAir_tippedCup_fillsPartOfItsInside();
     void trappedAir_wallThinnerThanACell_holdsAir();
     void trappedAir_arch_isNone();
-    void trappedAir_bowlRimDown_isAllItsInside();
-    void airPocketLevel_tippedCup_isItsUpperLip_data();
-    void airPocketLevel_tippedCup_isItsUpperLip();
-    void trappedAir_bottleNeckDown_isAllItsInside();
+    void trappedAir_bowlRimDown_fillsItsWholeInside();
+    void airPocketLevel_tippedCup_isTheHeightOfItsUpperLip_data();
+    void airPocketLevel_tippedCup_isTheHeightOfItsUpperLip();
+    void trappedAir_bottleNeckDown_fillsItsWholeInside();
     void trappedAir_ring_isNone();
     void trappedAir_shallowHollow_isNoPocket();
 };
@@ -67,7 +67,7 @@ void TrappedAirTest::trappedAir_cupMouthUp_isNone() {
     QCOMPARE(trapped(cup()), 0.0);
 }
 
-void TrappedAirTest::trappedAir_cupMouthDown_isAllItsInside() {
+void TrappedAirTest::trappedAir_cupMouthDown_fillsItsWholeInside() {
     const double area = trapped(cup(), {180, 0, 0});
     QVERIFY2(std::abs(area - pitArea) < 0.05 * pitArea,
              qPrintable(QStringLiteral("dry area %1 mm², expected %2 mm²").arg(area).arg(pitArea)));
@@ -80,7 +80,7 @@ void TrappedAirTest::trappedAir_cupMouthDown_startsAtTheMouthsHeight() {
         upsideDown && *upsideDown < 2,
         qPrintable(
             QStringLiteral("water level %1 mm, expected < 2 mm").arg(upsideDown.value_or(-1))));
-    // On a stand 20 mm high the mouth of the same cup, upside down, is 20 mm higher.
+    // The same cup, upside down on a stand 20 mm high, has its mouth 20 mm higher.
     TriangleMesh raised = cup();
     append(raised, boxMesh({4, 60, 4}), {0, 30, 0});
     const std::optional<double> height = airIn(raised, {180, 0, 0}).height;
@@ -89,16 +89,16 @@ void TrappedAirTest::trappedAir_cupMouthDown_startsAtTheMouthsHeight() {
         qPrintable(QStringLiteral("water level %1 mm, expected 20 mm").arg(height.value_or(-1))));
 }
 
-void TrappedAirTest::trappedAir_tippedCup_isPartOfItsInside() {
-    // When the cup lies on its side, water fills it. Tipped 30° further, it keeps air above the
-    // mouth's upper lip.
+void TrappedAirTest::trappedAir_tippedCup_fillsPartOfItsInside() {
+    // A cup that lies on its side fills with water. Tipped 30° further, it keeps air above the
+    // upper lip of its mouth.
     QVERIFY(trapped(cup(), {90, 0, 0}) < 0.02 * pitArea);
     const double tipped = trapped(cup(), {120, 0, 0});
     QVERIFY(tipped > 0.1 * pitArea && tipped < 0.8 * pitArea);
 }
 
 void TrappedAirTest::trappedAir_wallThinnerThanACell_holdsAir() {
-    // A bell with a wall of 0.2 mm, thinner than a cell of the grid.
+    // A bell with a wall of 0.2 mm, which is thinner than a cell of the grid.
     const TriangleMesh bell =
         turned({{30, 0}, {30, 40}, {0, 40}, {0, 39.8}, {29.8, 39.8}, {29.8, 0}, {30, 0}}, 96);
     const double inside = pi * 29.8 * 29.8 + 2 * pi * 29.8 * 39.8;
@@ -115,7 +115,7 @@ void TrappedAirTest::trappedAir_arch_isNone() {
     QCOMPARE(trapped(table), 0.0);
 }
 
-void TrappedAirTest::trappedAir_bowlRimDown_isAllItsInside() {
+void TrappedAirTest::trappedAir_bowlRimDown_fillsItsWholeInside() {
     constexpr double inner = bowlRadius - bowlWall;
     const double area = trapped(bowl());
     QVERIFY2(std::abs(area - 2 * pi * inner * inner) < 0.01 * 2 * pi * inner * inner,
@@ -136,14 +136,15 @@ void TrappedAirTest::trappedAir_bowlRimDown_isAllItsInside() {
     QCOMPARE(trapped(bowl(3)), 0.0); // the air escapes through the hole
 }
 
-void TrappedAirTest::airPocketLevel_tippedCup_isItsUpperLip_data() {
-    QTest::addColumn<double>("turn"); // about X: 90 lays the cup on its side, 180 on its mouth
-    QTest::newRow("little") << 100.0;
-    QTest::newRow("more") << 120.0;
-    QTest::newRow("much, and askew") << 151.0;
+void TrappedAirTest::airPocketLevel_tippedCup_isTheHeightOfItsUpperLip_data() {
+    QTest::addColumn<double>(
+        "turn"); // rotation about X, degrees: 90 lays the cup on its side, 180 on its mouth
+    QTest::newRow("tipped a little") << 100.0;
+    QTest::newRow("tipped more") << 120.0;
+    QTest::newRow("tipped far, and askew") << 151.0;
 }
 
-void TrappedAirTest::airPocketLevel_tippedCup_isItsUpperLip() {
+void TrappedAirTest::airPocketLevel_tippedCup_isTheHeightOfItsUpperLip() {
     QFETCH(double, turn);
     Immersion immersion;
     immersion.rotation = {Degrees(turn), Degrees(0), Degrees(turn > 150 ? 7 : 0)};
@@ -162,7 +163,7 @@ void TrappedAirTest::airPocketLevel_tippedCup_isItsUpperLip() {
     QCOMPARE(body.air.all().size(), std::size_t(1));
     const double level = body.air.all().front().level;
     QVERIFY2(std::abs(level - lip) < 0.1 * double(body.air.cell()),
-             qPrintable(QStringLiteral("%1, expected %2").arg(level).arg(lip)));
+             qPrintable(QStringLiteral("level %1 mm, expected %2 mm").arg(level).arg(lip)));
     // The area of the inside above that level, in mm².
     double above = 0;
     for (int step = 0; step < steps; ++step) {
@@ -179,12 +180,12 @@ void TrappedAirTest::airPocketLevel_tippedCup_isItsUpperLip() {
     }
     const double area = trappedAir(body).area;
     QVERIFY2(std::abs(area - above) < 0.015 * above,
-             qPrintable(QStringLiteral("%1, expected %2").arg(area).arg(above)));
+             qPrintable(QStringLiteral("area %1 mm², expected %2 mm²").arg(area).arg(above)));
 }
 
-void TrappedAirTest::trappedAir_bottleNeckDown_isAllItsInside() {
-    // Inside: a cylinder of radius 18 mm and height 36 mm on a neck of radius 4 mm and length 17
-    // mm, open below.
+void TrappedAirTest::trappedAir_bottleNeckDown_fillsItsWholeInside() {
+    // The inside is a cylinder of radius 18 mm and height 36 mm, with a neck of radius 4 mm and
+    // length 17 mm that is open below.
     const TriangleMesh bottle = turned({{0, 53},
                                         {18, 53},
                                         {18, 17},
@@ -205,7 +206,7 @@ void TrappedAirTest::trappedAir_bottleNeckDown_isAllItsInside() {
 }
 
 void TrappedAirTest::trappedAir_ring_isNone() {
-    // Its inside is a saddle: a way up leads from every place.
+    // Its inside is a saddle, in which a way up leads from every place.
     for (const double tilt : {0.0, 25.0, 60.0, 90.0}) {
         QCOMPARE(trapped(torusMesh(24, 7, 60, 40), {tilt, 0, 0}), 0.0);
     }

@@ -1,4 +1,4 @@
-// Where the lines of a graded film lie.
+// The positions of a graded film's lines.
 #include "film/FilmLines.h"
 
 #include <QtTest>

@@ -1,4 +1,4 @@
-// A film by itself: its grid, its constraints and its stretch.
+// A film without a dip: its grid, its constraints and its stretch.
 #include "film/DippedFilm.h"
 #include "film/FilmGrid.h"
 #include "settings/FilmSettings.h"
@@ -15,12 +15,12 @@ namespace {
 
 const solver::FilmGrid smallGrid{7, 5, 60, 40};
 
-// Its cells are from 5 to 20 mm wide and 8 or 12 mm long.
+// A film with cells 5 to 20 mm wide and 8 or 12 mm long.
 solver::FilmGrid gradedGrid() {
     return {7, 5, 60, 40, {-30, -25, -20, -10, 0, 10, 30}, {-20, -8, 0, 12, 20}};
 }
 
-// The flat film moved by a linear map of its plane into space.
+// Returns the flat film after a linear map of its plane into space.
 DippedFilm mapped(const solver::FilmGrid& grid, const Eigen::Matrix<float, 3, 2>& map) {
     DippedFilm film;
     film.grid = grid;
@@ -51,12 +51,12 @@ private Q_SLOTS:
     void filmTriangles_diagonalsAlternate();
     void constraintCount_matchesThePapersTable_data();
     void constraintCount_matchesThePapersTable();
-    void stretches_flatFilm_are1();
+    void principalAndPointStretches_flatFilm_are1();
     void principalStretches_stretchedAndTurnedFilm_matchTheMap();
     void principalStretches_shear_keepsTheArea();
     void constraintStretches_horizontalComeFirst();
     void pointStretches_areTheMeanOfTheirConstraints();
-    void distribution_hasTheValuesStatistics();
+    void distribution_values_givesMinimumMeanPercentileMaximum();
 };
 
 void FilmTest::filmGrid_swell_enlargesTheFilm() {
@@ -162,7 +162,8 @@ void FilmTest::filmTriangles_diagonalsAlternate() {
         const FilmTriangle& corners = triangles[triangle];
         return std::find(corners.begin(), corners.end(), point) != corners.end();
     };
-    // Cell (0, 0) along its falling diagonal, points 0 and 8; cell (1, 0) along 2 and 8.
+    // Cell (0, 0) is cut along its falling diagonal, from point 0 to point 8; cell (1, 0) from
+    // point 2 to point 8.
     for (const std::size_t triangle : {0, 1}) {
         QVERIFY(has(triangle, 0) && has(triangle, 8));
     }
@@ -195,7 +196,7 @@ void FilmTest::constraintCount_matchesThePapersTable() {
              std::size_t(constraints + 2 * (columns - 1) * (rows - 1)));
 }
 
-void FilmTest::stretches_flatFilm_are1() {
+void FilmTest::principalAndPointStretches_flatFilm_are1() {
     Eigen::Matrix<float, 3, 2> flat;
     flat << 1, 0, 0, 0, 0, 1;
     const DippedFilm film = mapped(smallGrid, flat);
@@ -208,7 +209,8 @@ void FilmTest::stretches_flatFilm_are1() {
 }
 
 void FilmTest::principalStretches_stretchedAndTurnedFilm_matchTheMap() {
-    // Twice as long along one diagonal, half as long across it, then turned upright.
+    // The film is twice as long along one diagonal, half as long across it, and then turned
+    // upright.
     const float turn = std::sqrt(0.5f);
     Eigen::Matrix2f axes;
     axes << turn, -turn, turn, turn;
@@ -255,7 +257,7 @@ void FilmTest::pointStretches_areTheMeanOfTheirConstraints() {
     QVERIFY(isNear(means[8], 1));
 }
 
-void FilmTest::distribution_hasTheValuesStatistics() {
+void FilmTest::distribution_values_givesMinimumMeanPercentileMaximum() {
     std::vector<float> values;
     for (int value = 100; value >= 1; --value) {
         values.push_back(float(value));

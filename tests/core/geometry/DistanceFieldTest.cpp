@@ -1,4 +1,4 @@
-// The signed distance field against closed forms, and its cache.
+// The signed distance field, compared with closed forms, and its cache.
 #include "geometry/DistanceField.h"
 #include "base/Error.h"
 #include "base/Units.h"
@@ -36,12 +36,13 @@ Eigen::Vector3d samplePlace(const DistanceField& field, int i, int j, int k) {
 }
 
 struct FieldErrors {
-    double nearSurface = 0; // within three cells
-    double tooLarge = 0;    // excess of |φ|, anywhere
+    double nearSurface = 0; // largest error within three cells of the surface, mm
+    double tooLarge = 0;    // largest excess of |φ| over the distance, mm
     int wrongSigns = 0;
 };
 
-// Compares all samples. `tolerance` is how far the mesh itself may lie from the exact shape, in mm.
+// Compares all samples. `tolerance` is the largest distance between the mesh and the exact shape,
+// mm.
 FieldErrors compare(const DistanceField& field, const Distance& exact, double tolerance) {
     FieldErrors errors;
     std::size_t index = 0;
@@ -90,7 +91,7 @@ class DistanceFieldTest : public QObject {
 private Q_SLOTS:
     void init();
 
-    void buildDistanceField_grid_isACubeRoundTheBody();
+    void buildDistanceField_grid_isACubeAroundTheBody();
     void buildDistanceField_box_isExact();
     void buildDistanceField_facesOnSamples_isExact();
     void buildDistanceField_sphere_isAsExactAsItsMesh();
@@ -100,12 +101,12 @@ private Q_SLOTS:
     void buildDistanceField_hollow_isOutside();
     void buildDistanceField_openBody_isClosedByMajority();
     void buildDistanceField_flippedTriangles_keepTheSign();
-    void buildDistanceField_anyNumberOfThreads_giveTheSameBits();
+    void buildDistanceField_anyNumberOfThreads_givesTheSameBits();
     void buildDistanceField_cancelled_throws();
     void buildDistanceField_progress_growsTo1();
     void buildDistanceField_invalidInput_isRefused();
 
-    void thinnestPart_plates_countAndEdgesDoNot();
+    void thinnestPart_platesCount_taperedEdgesDoNot();
     void cachedDistanceField_usualBodies_keepTheCube();
     void cachedDistanceField_thinPlate_isResolvedInAnyDirection_data();
     void cachedDistanceField_thinPlate_isResolvedInAnyDirection();
@@ -125,7 +126,7 @@ void DistanceFieldTest::init() {
     qputenv("DIPWRIGHT_CACHE", cache_.path().toUtf8());
 }
 
-void DistanceFieldTest::buildDistanceField_grid_isACubeRoundTheBody() {
+void DistanceFieldTest::buildDistanceField_grid_isACubeAroundTheBody() {
     const DistanceField field = buildDistanceField(boxMesh({10, 20, 30}), 64, Progress());
     QCOMPARE(field.size, (std::array{64, 64, 64}));
     QCOMPARE(field.distance.size(), std::size_t(64 * 64 * 64));
@@ -151,7 +152,7 @@ void DistanceFieldTest::buildDistanceField_box_isExact() {
 }
 
 void DistanceFieldTest::buildDistanceField_facesOnSamples_isExact() {
-    // 60 cells along 60 mm: rows of samples run within faces, along edges and through corners.
+    // 60 cells along 60 mm: rows of samples lie in faces, along edges and at corners.
     const Eigen::Vector3d size(60, 60, 60);
     const DistanceField field = buildDistanceField(boxMesh(size), 67, Progress());
     QCOMPARE(field.spacing, 1.0);
@@ -178,7 +179,7 @@ void DistanceFieldTest::buildDistanceField_sphere_isAsExactAsItsMesh() {
 
 void DistanceFieldTest::sampleAndGradient_sphere_matchClosedForm() {
     const DistanceField field = buildDistanceField(sphereMesh(35, 180, 360), 96, Progress());
-    // Interpolation of a curved distance has an error of its second difference over a cell.
+    // The error of interpolating a curved distance is its second difference over a cell.
     const double curvature = field.spacing * field.spacing / (4 * 35) + 0.01;
     for (const auto& direction : randomDirections(2000)) {
         for (const double away : {-1.0, -0.3, 0.0, 0.2, 0.9}) {
@@ -252,7 +253,7 @@ void DistanceFieldTest::buildDistanceField_flippedTriangles_keepTheSign() {
     QCOMPARE(compare(field, sphereDistance, 0.06).wrongSigns, 0);
 }
 
-void DistanceFieldTest::buildDistanceField_anyNumberOfThreads_giveTheSameBits() {
+void DistanceFieldTest::buildDistanceField_anyNumberOfThreads_givesTheSameBits() {
     const TriangleMesh body = ellipsoidMesh({35, 20, 50}, 60, 120);
     const auto build = [&](int threads) {
         const ThreadLimit limit(threads);
@@ -294,8 +295,8 @@ void DistanceFieldTest::buildDistanceField_invalidInput_isRefused() {
     QVERIFY_EXCEPTION_THROWN(buildDistanceField(boxMesh({0, 0, 0}), 64, Progress()), Error);
 }
 
-// Thin plates count from a hundredth of the surface on.
-void DistanceFieldTest::thinnestPart_plates_countAndEdgesDoNot() {
+// Thin plates count if they have at least 1 % of the surface.
+void DistanceFieldTest::thinnestPart_platesCount_taperedEdgesDoNot() {
     const auto thickness = [](const TriangleMesh& mesh) {
         return thinnestPart(mesh, SurfaceQuery(mesh));
     };
@@ -329,11 +330,11 @@ void DistanceFieldTest::cachedDistanceField_usualBodies_keepTheCube() {
 void DistanceFieldTest::cachedDistanceField_thinPlate_isResolvedInAnyDirection_data() {
     QTest::addColumn<double>("degrees");
     QTest::newRow("along the grid") << 0.0;
-    QTest::newRow("askew") << 33.0;
-    QTest::newRow("diagonal") << 45.0;
+    QTest::newRow("turned by 33°") << 33.0;
+    QTest::newRow("turned by 45°") << 45.0;
 }
 
-// The surface lies within a tenth of the plate's thickness of its place.
+// The field's surface deviates by less than 10 % of the plate's thickness.
 void DistanceFieldTest::cachedDistanceField_thinPlate_isResolvedInAnyDirection() {
     QFETCH(double, degrees);
     const Eigen::Isometry3d turn(

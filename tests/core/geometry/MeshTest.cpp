@@ -1,4 +1,4 @@
-// Meshes and shapes against their closed forms.
+// Meshes and shapes, compared with their closed forms.
 #include "base/Units.h"
 #include "geometry/Shapes.h"
 #include "geometry/SurfaceSamples.h"
@@ -31,13 +31,13 @@ private Q_SLOTS:
     void shapes_areClosedAndFaceOutwards();
     void sphereMesh_volumeAndArea_matchClosedForm();
     void boxMesh_volumeAreaAndExtent_matchClosedForm();
-    void coneMesh_standsOnItsApex();
+    void coneMesh_apex_isAtY0();
     void cylinderMesh_liesAlongZ();
     void tetrahedronMesh_isRegular();
     void volume_farFromTheOrigin_isTheSame();
     void isClosed_triangleRemoved_isFalse();
     void isClosed_triangleFlipped_isFalse();
-    void oppositeEdges_findTheOtherSide();
+    void oppositeEdges_sharedEdge_findsTheNeighbour();
     void evenSamples_bodyWithoutArea_isEmpty();
     void vertexNormals_sphere_areRadial();
     void transformed_movesPositions();
@@ -79,7 +79,7 @@ void MeshTest::boxMesh_volumeAreaAndExtent_matchClosedForm() {
     QVERIFY(boundingBox(box).max().isApprox(Eigen::Vector3f(5, 10, 15)));
 }
 
-void MeshTest::coneMesh_standsOnItsApex() {
+void MeshTest::coneMesh_apex_isAtY0() {
     const TriangleMesh cone = coneMesh(pi / 4, 40, 400);
     QVERIFY(std::abs(volume(cone) / (pi * 40 * 40 * 40 / 3) - 1) < 1e-3);
     const BoundingBox box = boundingBox(cone);
@@ -128,7 +128,7 @@ void MeshTest::isClosed_triangleFlipped_isFalse() {
     QVERIFY(!isClosed(box));
 }
 
-void MeshTest::oppositeEdges_findTheOtherSide() {
+void MeshTest::oppositeEdges_sharedEdge_findsTheNeighbour() {
     const TriangleMesh box = boxMesh({10, 10, 10});
     const auto opposite = oppositeEdges(box);
     for (std::uint32_t edge = 0; edge < opposite.size(); ++edge) {
@@ -192,7 +192,7 @@ void MeshTest::evenSamples_sphere_coverTheSurfaceEvenly() {
     const auto count = double(samples.size());
     QVERIFY((sum / count).norm() < 0.1);
     QVERIFY2(std::abs(double(above) / count - 0.25) < 0.01,
-             "share of samples on the cap: expected 0.25, by Archimedes");
+             "the share of samples on the cap is not within 0.01 of 0.25");
 }
 
 void MeshTest::evenSamples_bodyWithoutArea_isEmpty() {

@@ -1,4 +1,4 @@
-// Surfaces unfolded round a place, against closed forms.
+// Surfaces that are unfolded around a place, compared with closed forms.
 #include "geometry/UnfoldedSurface.h"
 #include "base/Units.h"
 #include "geometry/Shapes.h"
@@ -16,7 +16,8 @@ SurfacePoint placeAt(const SurfaceQuery& query, const Eigen::Vector3d& position)
     return query.closest(position.cast<float>()).point;
 }
 
-// The length along a regular prism's polygon from the middle of one side to an angle (radians).
+// Returns the length along a regular prism's outline from the middle of one side to `angle`
+// (radians).
 double alongPolygon(double angle, double radius, int sides) {
     const double half = pi / sides;
     const double apothem = radius * std::cos(half);
@@ -42,7 +43,7 @@ private Q_SLOTS:
     void unfoldedSurface_cube_unfoldsOverItsEdge();
     void unfoldedSurface_placesBehindACorner_areUnfolded();
     void unfoldedSurface_sphere_keepsDistancesFromTheMiddle();
-    void uprightFrame_pointsUpAndReadsFromOutside();
+    void uprightFrame_seenFromOutside_isUprightAndNotMirrored();
     void unfoldedSurface_largeTriangles_areExact();
     void unfoldedSurface_pastTheRadius_isEmpty();
     void unfoldedSurface_openSeam_isCrossed_data();
@@ -69,7 +70,7 @@ void UnfoldedSurfaceTest::unfoldedSurface_cylinder_unrollsWithin0p01mm() {
             const auto flat = at(angle, z);
             QVERIFY(flat);
             QVERIFY2(std::abs(flat->norm() - std::hypot(around, z)) < 0.01,
-                     qPrintable(QStringLiteral("angle %1, z = %2 mm: unfolded to (%3, %4) mm")
+                     qPrintable(QStringLiteral("angle %1 rad, z = %2 mm: unfolded to (%3, %4) mm")
                                     .arg(angle)
                                     .arg(z)
                                     .arg(flat->x())
@@ -103,8 +104,8 @@ void UnfoldedSurfaceTest::unfoldedSurface_placesBehindACorner_areUnfolded() {
     const UnfoldedSurface unfolded(mesh, placeAt(query, middle), 20);
     for (double right = -10; right < 18; right += 1.3) {
         for (double up = -10; up < 18; up += 1.3) {
-            // Behind the corner, where the picture is cut, the ways over both faces are equally
-            // long.
+            // Behind the corner, where the unfolded surface is cut, the paths over both faces are
+            // equally long.
             const double overTop = right > 6 ? std::hypot(11 - up, right - 1) : 1e3;
             const double overSide = up > 5 ? std::hypot(up + 1, 11 - right) : 1e3;
             const double straight = std::hypot(right, up);
@@ -143,7 +144,7 @@ void UnfoldedSurfaceTest::unfoldedSurface_sphere_keepsDistancesFromTheMiddle() {
             const Eigen::Vector2d wanted =
                 away * Eigen::Vector2d(std::cos(direction), std::sin(direction));
             QVERIFY2((*flat - wanted).norm() < 0.02 * away + 0.05,
-                     qPrintable(QStringLiteral("%1 mm away in direction %2: (%3, %4) mm")
+                     qPrintable(QStringLiteral("%1 mm away at %2 rad: unfolded to (%3, %4) mm")
                                     .arg(away)
                                     .arg(direction)
                                     .arg(flat->x())
@@ -152,7 +153,7 @@ void UnfoldedSurfaceTest::unfoldedSurface_sphere_keepsDistancesFromTheMiddle() {
     }
 }
 
-void UnfoldedSurfaceTest::uprightFrame_pointsUpAndReadsFromOutside() {
+void UnfoldedSurfaceTest::uprightFrame_seenFromOutside_isUprightAndNotMirrored() {
     for (const Eigen::Vector3d& outward :
          {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(0, 1, 0),
           Eigen::Vector3d(0, -1, 0), Eigen::Vector3d(0.6, 0.48, 0.64)}) {
@@ -163,9 +164,11 @@ void UnfoldedSurfaceTest::uprightFrame_pointsUpAndReadsFromOutside() {
 }
 
 void UnfoldedSurfaceTest::unfoldedSurface_largeTriangles_areExact() {
-    const TriangleMesh mesh = boxMesh({100, 100, 100}); // a decal of 2 mm in two triangles
+    // The unfolded area, 2 mm in radius, lies in two large triangles, with its middle on their
+    // edge.
+    const TriangleMesh mesh = boxMesh({100, 100, 100});
     const SurfaceQuery query(mesh);
-    const UnfoldedSurface unfolded(mesh, placeAt(query, {0, 0, 50}), 2); // on their common edge
+    const UnfoldedSurface unfolded(mesh, placeAt(query, {0, 0, 50}), 2);
     for (const Eigen::Vector2d& wanted : {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1),
                                           Eigen::Vector2d(-1, -1), Eigen::Vector2d(1, -1)}) {
         const auto flat = unfolded.at(placeAt(query, {wanted.x(), wanted.y(), 50}));
@@ -219,13 +222,13 @@ void UnfoldedSurfaceTest::unfoldedSurface_openSeam_isCrossed() {
             const auto flat = cut.at(placeAt(openQuery, place));
             QCOMPARE(flat.has_value(), wanted.has_value());
             if (flat) {
-                QVERIFY2(std::abs(flat->norm() - wanted->norm()) < 0.02,
-                         qPrintable(
-                             QStringLiteral("angle %1, %2 mm along: distance %3 mm, expected %4 mm")
-                                 .arg(angle)
-                                 .arg(away)
-                                 .arg(flat->norm())
-                                 .arg(wanted->norm())));
+                QVERIFY2(
+                    std::abs(flat->norm() - wanted->norm()) < 0.02,
+                    qPrintable(QStringLiteral("%1 rad, %2 mm along: distance %3 mm, expected %4 mm")
+                                   .arg(angle)
+                                   .arg(away)
+                                   .arg(flat->norm())
+                                   .arg(wanted->norm())));
                 ++compared;
             }
         }

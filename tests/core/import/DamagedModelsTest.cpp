@@ -1,5 +1,5 @@
-// Inconsistent PLY, STL, 3MF and Collada files. If their meaning is clear, they are read
-// completely; otherwise they are refused with a message.
+// Tests inconsistent PLY, STL, 3MF and Collada files. If the meaning of a file is clear, it is read
+// completely; otherwise it is refused with a message.
 #include "ModelFiles.h"
 
 #include "base/Error.h"
@@ -91,7 +91,7 @@ QByteArray asciiStl() {
     return text + "endsolid body\n";
 }
 
-// A 3MF object with these attributes; `ofTriangle` are those of its first triangle.
+// Returns a 3MF object with these attributes; its first triangle has the attributes `ofTriangle`.
 QByteArray object(const QByteArray& attributes = QByteArray(),
                   const QByteArray& ofTriangle = QByteArray()) {
     return R"(<object id="1" )" + attributes +
@@ -113,7 +113,7 @@ QByteArray transform(const QByteArray& numbers) {
     return "transform=\"" + numbers + "\"";
 }
 
-// The attributes of a model that requires the extension with this name.
+// Returns the attributes of a model that requires the extension with this name.
 QByteArray needing(const QByteArray& nameSpace) {
     return "requiredextensions=\"q\" xmlns:q=\"http://schemas.microsoft.com/3dmanufacturing/" +
            nameSpace + "\"";
@@ -164,7 +164,7 @@ private:
     QTemporaryDir folder_;
 };
 
-// Verifies that the file is read as the whole corner of a cube at the origin.
+// Verifies that the file is read as a whole corner of a cube at the origin.
 void DamagedModelsTest::verifyIsCorner(const QString& path, const Eigen::Vector3f& size) {
     try {
         const ImportReport report = importModel(path, ImportOptions(), Progress()).report;
@@ -195,19 +195,20 @@ void DamagedModelsTest::ply_unusualButClear_isRead_data() {
     QTest::newRow("LF") << asciiPly();
     QTest::newRow("CR and LF") << asciiPly().replace("\n", "\r\n");
     QTest::newRow("CR") << asciiPly().replace("\n", "\r");
-    QTest::newRow("no end of the last line") << asciiPly().chopped(1);
-    QTest::newRow("empty lines after it") << asciiPly() + " \n\n\t\r\n";
-    QTest::newRow("a byte order mark") << "\xef\xbb\xbf" + asciiPly();
+    QTest::newRow("last line without a line end") << asciiPly().chopped(1);
+    QTest::newRow("empty lines after the last row") << asciiPly() + " \n\n\t\r\n";
+    QTest::newRow("byte order mark") << "\xef\xbb\xbf" + asciiPly();
     QTest::newRow("corners as whole decimals") << asciiPly().replace("3 0 2 1", "3 0.0 2e0 1.0");
     QTest::newRow("binary") << binaryPly();
     QTest::newRow("binary, header with CR and LF")
         << binaryPly(QByteArray(binaryHeader).replace("\n", "\r\n"));
     QTest::newRow("binary, header with CR")
         << binaryPly(QByteArray(binaryHeader).replace("\n", "\r"));
-    QTest::newRow("binary, a line's end after it") << binaryPly() + "\r\n";
-    QTest::newRow("a DOS end and a zero after it") << asciiPly() + QByteArray("\x1a\0", 2);
-    QTest::newRow("binary, zeros after it") << binaryPly() + QByteArray(4, '\0');
-    QTest::newRow("binary, as many zeros as two faces have")
+    QTest::newRow("binary, line end after the last row") << binaryPly() + "\r\n";
+    QTest::newRow("DOS end-of-file mark and a zero after the last row")
+        << asciiPly() + QByteArray("\x1a\0", 2);
+    QTest::newRow("binary, zeros after the last row") << binaryPly() + QByteArray(4, '\0');
+    QTest::newRow("binary, zeros with the length of two faces after the last row")
         << binaryPly() + QByteArray(2 * binaryFace({0, 1, 2}).size(), '\0');
 }
 
@@ -233,15 +234,16 @@ void DamagedModelsTest::ply_damaged_isRefused_data() {
             "element face 4\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n"
             "9 0 0 1 1\n0 9 0 1 1\n0 0 9 1 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n",
         header);
-    row("a number of points that is none", asciiPly().replace("vertex 4", "vertex four"), header);
-    row("fewer than no points", asciiPly().replace("vertex 4", "vertex -4"), header);
-    row("fewer faces than there are", asciiPly().replace("face 4", "face 3"), more);
-    row("more points than there are", asciiPly().replace("vertex 4", "vertex 5"), more);
-    row("a word after it", asciiPly() + "end\n", more);
-    row("binary, fewer faces than there are", binaryPly() + binaryFace({0, 1, 2}), more);
-    row("a face between points", asciiPly().replace("3 0 2 1", "3 0.7 2 1"),
+    row("a number of points that is a word", asciiPly().replace("vertex 4", "vertex four"), header);
+    row("a negative number of points", asciiPly().replace("vertex 4", "vertex -4"), header);
+    row("header declares too few faces", asciiPly().replace("face 4", "face 3"), more);
+    row("header declares too many points", asciiPly().replace("vertex 4", "vertex 5"), more);
+    row("a word after the last row", asciiPly() + "end\n", more);
+    row("binary, header declares too few faces", binaryPly() + binaryFace({0, 1, 2}), more);
+    row("a corner that is no whole number", asciiPly().replace("3 0 2 1", "3 0.7 2 1"),
         "a point that does not exist");
-    row("a face of half a corner", asciiPly().replace("3 0 2 1", "3.5 0 2 1"), "no number");
+    row("a number of corners that is no whole number", asciiPly().replace("3 0 2 1", "3.5 0 2 1"),
+        "no number");
 }
 
 void DamagedModelsTest::ply_damaged_isRefused() {
@@ -263,10 +265,11 @@ void DamagedModelsTest::stl_unusualButClear_isRead_data() {
     QTest::newRow("binary") << binaryStl("made by a test");
     QTest::newRow("binary that begins like ASCII") << binaryStl("solid body");
     QTest::newRow("binary that begins like ASCII in capitals") << binaryStl("SOLID FACET");
-    QTest::newRow("binary, a line's end after it") << binaryStl("made by a test") + "\r\n";
-    QTest::newRow("binary that begins like ASCII, zeros after it")
+    QTest::newRow("binary, line end after the last triangle")
+        << binaryStl("made by a test") + "\r\n";
+    QTest::newRow("binary that begins like ASCII, zeros after the last triangle")
         << binaryStl("solid body") + QByteArray(60, '\0');
-    QTest::newRow("binary, as many zeros as a triangle has")
+    QTest::newRow("binary, zeros with the length of a triangle")
         << binaryStl("made by a test") + QByteArray(50, '\0');
 }
 
@@ -289,19 +292,19 @@ void DamagedModelsTest::threeMf_unusualButClear_isRead_data() {
 </basematerials>)";
     QTest::newRow("no unit") << model(object()) << 1.0F;
     QTest::newRow("inches") << model(object(), QByteArray(), R"(unit="inch")") << 25.4F;
-    QTest::newRow("a transform over lines")
+    QTest::newRow("a transform over several lines")
         << model(object(), transform("2 0  0&#10;0 2 0&#13;&#10;0 0 2&#9;0 0 0 ")) << 2.0F;
-    QTest::newRow("a material after what shows it")
+    QTest::newRow("a material after the object that uses it")
         << model(object(R"(pid="7" pindex="0")") + colours) << 1.0F;
-    QTest::newRow("a material of one number with the object")
+    QTest::newRow("a material with the same ID as the object")
         << model(QByteArray(colours).replace("7", "1") + object(R"(pid="1" pindex="0")")) << 1.0F;
-    QTest::newRow("a group of a kind that is not read")
+    QTest::newRow("a property group of a kind that is not read")
         << model(R"(<multiproperties id="8" pids="7"/>)" + object(R"(pid="8" pindex="0")")) << 1.0F;
     for (const char* known :
          {"core/2015/02", "material/2015/02", "production/2015/06", "trianglesets/2021/07"}) {
         QTest::newRow(known) << model(object(), QByteArray(), needing(known)) << 1.0F;
     }
-    QTest::newRow("an extension that is not needed")
+    QTest::newRow("an extension that is not required")
         << model(object(), QByteArray(), R"(xmlns:q="a")") << 1.0F;
 }
 
@@ -332,16 +335,16 @@ void DamagedModelsTest::threeMf_damaged_isRefused_data() {
     const char* const notThere = "material or texture that does not exist";
     row("a word in a transform", moved("1 0 0 0 x 0 0 0 1 0 0 0"), notTwelve);
     row("an infinite transform", moved("1 0 0 0 inf 0 0 0 1 0 0 0"), notTwelve);
-    row("a transform of eleven", moved("2 0 0 0 1 0 0 0 1 0 0"), notTwelve);
-    row("a transform of thirteen", moved("2 0 0 0 1 0 0 0 1 0 0 0 0"), notTwelve);
-    row("a transform of none", moved(""), notTwelve);
+    row("a transform of eleven numbers", moved("2 0 0 0 1 0 0 0 1 0 0"), notTwelve);
+    row("a transform of thirteen numbers", moved("2 0 0 0 1 0 0 0 1 0 0 0 0"), notTwelve);
+    row("a transform without numbers", moved(""), notTwelve);
     row("a transform with commas", moved("2,0,0,0,1,0,0,0,1,0,0,0"), notTwelve);
-    row("a transform with other spaces", moved("2 0 0 0 1 0 0 0 1 0 0&#160;0"), notTwelve);
-    row("two objects of one number", model(object() + object()), "ID 1");
-    row("no such material", model(object(R"(pid="77" pindex="0")")), notThere);
-    row("no such material of a triangle", model(object("", R"(pid="77" p1="0")")), notThere);
-    row("a material that is no number", model(object(R"(pid="a" pindex="0")")), "no number");
-    row("no such texture", model(textureOf5 + object()), notThere);
+    row("a transform with a no-break space", moved("2 0 0 0 1 0 0 0 1 0 0&#160;0"), notTwelve);
+    row("two objects with one ID", model(object() + object()), "ID 1");
+    row("an object's material does not exist", model(object(R"(pid="77" pindex="0")")), notThere);
+    row("a triangle's material does not exist", model(object("", R"(pid="77" p1="0")")), notThere);
+    row("a material ID that is no number", model(object(R"(pid="a" pindex="0")")), "no number");
+    row("a texture that does not exist", model(textureOf5 + object()), notThere);
     row("a texture instead of its coordinates", model(texture5 + object(R"(pid="5" pindex="0")")),
         notThere);
     row("an unknown unit", model(object(), "", R"(unit="parsec")"), "parsec");
@@ -370,7 +373,7 @@ void DamagedModelsTest::collada_negativeIndex_isRefused() {
                     QStringLiteral("no number"));
 }
 
-// Weights name the joint −1 if they move nothing.
+// A weight that moves nothing names the joint −1.
 void DamagedModelsTest::collada_negativeJoint_isRead() {
     const QByteArray weights = "<extra><technique profile=\"a\"><v>-1 0</v></technique></extra>";
     QByteArray bytes = tetrahedron("collada");

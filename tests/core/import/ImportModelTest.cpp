@@ -1,4 +1,4 @@
-// Models as users bring them: formats, textures, repairs and refusals.
+// Tests models as users bring them: formats, textures, repairs and refusals.
 #include "ModelFiles.h"
 #include "WholeSample.h"
 
@@ -25,7 +25,7 @@ ImportedModel import(const QString& path, const ImportOptions& options = {}) {
     return importModel(path, options, Progress());
 }
 
-// The error's message if the import fails, otherwise empty.
+// Returns the error's sentence if the import fails, otherwise an empty text.
 QString refusal(const QString& path, const ImportOptions& options = {}) {
     try {
         import(path, options);
@@ -35,7 +35,7 @@ QString refusal(const QString& path, const ImportOptions& options = {}) {
     }
 }
 
-// The colour of a model at a place of its surface, without interpolation between texels.
+// Returns the colour of a model at a place of its surface, without interpolation between texels.
 QColor colourAt(const TexturedMesh& model, std::uint32_t triangle, const Eigen::Vector2f& uv) {
     const Material& material = model.materials[model.material[triangle]];
     if (material.texture < 0) {
@@ -46,7 +46,7 @@ QColor colourAt(const TexturedMesh& model, std::uint32_t triangle, const Eigen::
                             int((1 - uv.y()) * float(image.height())));
 }
 
-// The colour of a flat model in the plane z = 0 at (x, y).
+// Returns the colour of a flat model in the plane z = 0 at (x, y).
 QColor colourAtPlace(const TexturedMesh& model, float x, float y) {
     for (std::uint32_t t = 0; t < model.mesh.triangles.size(); ++t) {
         const auto& corners = model.mesh.triangles[t];
@@ -74,7 +74,7 @@ std::size_t chartCount(const TexturedMesh& model) {
     return std::set<std::uint32_t>(model.chart.begin(), model.chart.end()).size();
 }
 
-// ASCII STL of a mesh. Every triangle has its own corners; normals are zero.
+// Returns a mesh as ASCII STL. Every triangle has its own corners; normals are zero.
 QByteArray stl(const TriangleMesh& mesh) {
     QByteArray text = "solid body\n";
     for (const auto& triangle : mesh.triangles) {
@@ -92,7 +92,7 @@ QByteArray stl(const TriangleMesh& mesh) {
     return text + "endsolid body\n";
 }
 
-// One STL solid of several bodies, of which the first `turned` are inside out.
+// Returns one STL solid of several bodies. The first `turned` bodies are inside out.
 QByteArray stl(std::vector<TriangleMesh> bodies, std::size_t turned) {
     QByteArray text;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -106,7 +106,8 @@ QByteArray stl(std::vector<TriangleMesh> bodies, std::size_t turned) {
     return text.replace("endsolid body\nsolid body\n", "");
 }
 
-// Nested boxes with edges from 10 to 15 mm and from 20 to 25 mm, `half` of each, smallest first.
+// Returns nested boxes, smallest first: `half` boxes with edges from 10 to 15 mm, and `half` with
+// edges from 20 to 25 mm.
 std::vector<TriangleMesh> nestedBoxes(int half) {
     std::vector<TriangleMesh> boxes;
     for (const double least : {10.0, 20.0}) {
@@ -118,8 +119,8 @@ std::vector<TriangleMesh> nestedBoxes(int half) {
     return boxes;
 }
 
-// A sphere as OBJ whose texture is cut along one meridian: one chart, with two coordinates for each
-// point of the seam.
+// Returns a sphere as OBJ whose texture is cut along one meridian. It has one chart, with two
+// texture coordinates for each point of the seam.
 QByteArray sphereWithSeamObj(int rings, int segments) {
     QByteArray text;
     const TriangleMesh sphere = sphereMesh(35, rings, segments);
@@ -160,7 +161,7 @@ QByteArray sphereWithSeamObj(int rings, int segments) {
     return text;
 }
 
-// Rows with a tetrahedron in each format that only assimp reads.
+// Adds rows with a tetrahedron in each format that only assimp reads.
 void addOtherFormats() {
     QTest::newRow("collada") << QStringLiteral("tetrahedron.dae") << tetrahedron("collada");
     QTest::newRow("3ds") << QStringLiteral("tetrahedron.3ds") << tetrahedron("3ds");
@@ -324,7 +325,8 @@ void ImportModelTest::ply_binaryWithCoordinatesPerCorner_isRead() {
     }
 }
 
-// Two triangles that share two points and show two places of one picture or of two pictures.
+// Tests two triangles that share two points. They show two places of one picture, or of two
+// pictures.
 void ImportModelTest::ply_coordinatesAndPicturePerFace_areRead() {
     write(QStringLiteral("ply.png"), png(quarters()));
     QImage plain(16, 16, QImage::Format_RGB32);
@@ -363,7 +365,8 @@ void ImportModelTest::plyAndStl_withoutCoordinates_areRead() {
     }
 }
 
-// Two strips in one list, as scanners store them. Repeated corners continue a strip elsewhere.
+// Tests two strips in one list, as scanners store them. A repeated corner makes the strip continue
+// elsewhere.
 void ImportModelTest::ply_triangleStrips_areRead() {
     const QByteArray head = "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\n"
                             "property float y\nproperty float z\nelement tristrips 1\n"
@@ -440,8 +443,7 @@ void ImportModelTest::threeMf_components_arePlacedInMillimetres() {
     const auto [model, report] = import(at(QStringLiteral("parts.3mf")));
     QCOMPARE(report.triangles, std::size_t(8));
     QVERIFY(report.closed);
-    // Two parts of a sixth of a cubic centimetre, scaled by 2, turned a quarter about Z and lifted
-    // by 7 cm.
+    // Two parts of 1/6 cm³, scaled by 2, turned by 90° about Z and lifted by 7 cm.
     QVERIFY(std::abs(report.volume - 2 * 8 * 1000 / 6.0) < 0.1);
     QVERIFY(report.box.min().isApprox(Eigen::Vector3f(-20, -120, 70), 1e-4F));
     QVERIFY(report.box.max().isApprox(Eigen::Vector3f(0, 20, 90), 1e-4F));
@@ -542,7 +544,7 @@ void ImportModelTest::charts_sphereWithSeam_isOneClosedChart() {
     QVERIFY(report.closed);
     QCOMPARE(model.mesh.positions.size(), std::size_t(2 + 11 * 24));
     QCOMPARE(chartCount(model), std::size_t(1));
-    // The seam is still there: some edge has different coordinates on its two sides.
+    // The seam is still there: some edge has different texture coordinates on its two sides.
     const auto opposite = oppositeEdges(model.mesh);
     int seamEdges = 0;
     for (std::uint32_t edge = 0; edge < opposite.size(); ++edge) {
@@ -653,7 +655,7 @@ void ImportModelTest::repair_cancelled_throws() {
     const QString path = write(QStringLiteral("nested.stl"), stl(nestedBoxes(200), 200));
     Progress progress;
     progress.report = [&](double share, const QString& /*text*/) {
-        if (share >= 0.7) { // the reader is done
+        if (share >= 0.7) { // the reader has finished
             progress.cancelToken.cancel();
         }
     };
@@ -737,9 +739,10 @@ void ImportModelTest::model_unreadable_isRefused_data() {
     row("lines only", "lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n", "triangles");
     row("not a number", "nan.obj", QByteArray(cubeObj()).replace("v 5 5 5", "v nan 5 5"), "NaN");
     row("infinite", "inf.obj", QByteArray(cubeObj()).replace("v 5 5 5", "v 5 inf 5"), "NaN");
-    row("one place", "dot.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n", "area");
-    row("one line", "line.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n", "area");
-    row("huge", "huge.obj", QByteArray(cubeObj()).replace("v 5 5 5", "v 1e30 5 5"), "mm");
+    row("all corners in one place", "dot.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n", "area");
+    row("all corners on one line", "line.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n", "area");
+    row("huge coordinate", "huge.obj", QByteArray(cubeObj()).replace("v 5 5 5", "v 1e30 5 5"),
+        "mm");
     row("truncated glb", "cut.glb", squareGlb(png(quarters())).chopped(200), "cannot be read");
     row("truncated ply header", "cut.ply", squarePly("x.png").left(100), "cannot be read");
     row("truncated ply", "cut.ply", squarePly("x.png").chopped(6), "cannot be read");
@@ -785,9 +788,10 @@ void ImportModelTest::texture_unreadable_isRefused_data() {
     QTest::newRow("no pixels") << withSize(0, 0) << QStringLiteral("picture");
     QTest::newRow("100,000 pixels a side") << withSize(100000, 100000) << QStringLiteral("texture");
     QTest::newRow("a long strip") << withSize(40000, 1) << QStringLiteral("40000");
-    QTest::newRow("100,000 pixels of text")
+    QTest::newRow("PPM with 100,000 pixels a side")
         << QByteArray("P6\n100000 100000\n255\nabc") << QStringLiteral("picture");
-    QTest::newRow("no pixels of text") << QByteArray("P6\n0 0\n255\n") << QStringLiteral("picture");
+    QTest::newRow("PPM without pixels")
+        << QByteArray("P6\n0 0\n255\n") << QStringLiteral("picture");
 }
 
 void ImportModelTest::texture_unreadable_isRefused() {
@@ -798,7 +802,7 @@ void ImportModelTest::texture_unreadable_isRefused() {
     const QString chosen = refusal(write(QStringLiteral("tex.obj"), cubeObj()), options);
     QVERIFY2(chosen.contains(says), qPrintable(chosen));
     QVERIFY(chosen.contains(QStringLiteral("bad.png")));
-    // The same picture, named by the model.
+    // The same picture, as a texture that the model names.
     write(QStringLiteral("tex.mtl"), "newmtl skin\nmap_Kd bad.png\n");
     const QString own =
         refusal(write(QStringLiteral("tex.obj"), cubeObj("mtllib tex.mtl\nusemtl skin\n")));
@@ -806,7 +810,7 @@ void ImportModelTest::texture_unreadable_isRefused() {
 }
 
 void ImportModelTest::texture_colourProfile_isApplied() {
-    // One brown, stored in sRGB and in Adobe RGB.
+    // The same brown, stored in sRGB and in Adobe RGB.
     QImage picture(8, 8, QImage::Format_RGB32);
     picture.fill(QColor(146, 93, 43));
     picture.setColorSpace(QColorSpace::SRgb);
@@ -860,11 +864,11 @@ void ImportModelTest::threeMf_hostile_isRefused_data() {
         doubling += R"(<object id=")" + QByteArray::number(i) + R"("><components>)" + child +
                     child + "</components></object>";
     }
-    QTest::newRow("an object that holds itself") << QByteArray(
+    QTest::newRow("an object that contains itself") << QByteArray(
         R"(<object id="30"><components><component objectid="30"/></components></object>)");
     QTest::newRow("a thousand million triangles") << doubling;
-    QTest::newRow("an object that is not there") << QByteArray();
-    QTest::newRow("a point that is not there")
+    QTest::newRow("an object that does not exist") << QByteArray();
+    QTest::newRow("a point that does not exist")
         << QByteArray(R"(<object id="30">)" + mesh + "</object>").replace(R"(v3="2")", R"(v3="3")");
     QTest::newRow("no number")
         << QByteArray(R"(<object id="30">)" + mesh + "</object>").replace(R"(x="1")", R"(x="one")");
@@ -970,17 +974,17 @@ void ImportModelTest::collada_absurdCounts_areRefused_data() {
     const QByteArray count = "count=\"36\"";
     QTest::newRow("an empty array") << count << QByteArray("count=\"0\"") << fewer;
     QTest::newRow("an array that is too short") << count << QByteArray("count=\"33\"") << fewer;
-    QTest::newRow("an offset beyond it")
+    QTest::newRow("an offset beyond the array")
         << QByteArray("offset=\"0\" source") << QByteArray("offset=\"30\" source") << fewer;
-    QTest::newRow("no count") << count << QByteArray() << fewer;
-    QTest::newRow("no number") << count << QByteArray("count=\"many\"") << fewer;
+    QTest::newRow("a missing count") << count << QByteArray() << fewer;
+    QTest::newRow("a count that is no number") << count << QByteArray("count=\"many\"") << fewer;
     QTest::newRow("too wide a stride")
         << QByteArray("stride=\"3\"") << QByteArray("stride=\"2000000000\"") << fewer;
     QTest::newRow("too many values") << QByteArray("accessor count=\"12\"")
                                      << QByteArray("accessor count=\"4294967295\"") << more;
     QTest::newRow("too many triangles") << QByteArray("polylist count=\"4\"")
                                         << QByteArray("polylist count=\"2000000000\"") << more;
-    QTest::newRow("an index that is none")
+    QTest::newRow("an index that is no number")
         << QByteArray("<p>0 1") << QByteArray("<p>0 n") << QStringLiteral("no number");
 }
 
@@ -1004,16 +1008,16 @@ void ImportModelTest::importModel_cancelled_throws() {
 
 void ImportModelTest::pictureFile_outsideTheFolder_isReadOnlyIfAllowed_data() {
     QTest::addColumn<QString>("name");
-    QTest::newRow("above") << QStringLiteral("../secret/key.png");
-    QTest::newRow("above, in percent codes") << QStringLiteral("%2e%2e/secret/key.png");
-    QTest::newRow("above, by a detour") << QStringLiteral("maps/../../secret/key.png");
-    QTest::newRow("above, with backslashes") << QStringLiteral("..\\secret\\key.png");
-    QTest::newRow("above, in another case") << QStringLiteral("../SECRET/Key.PNG");
-    QTest::newRow("absolute") << at(QStringLiteral("secret/key.png"));
-    QTest::newRow("an address") << QStringLiteral("file://") + at(QStringLiteral("secret/key.png"));
+    QTest::newRow("folder above") << QStringLiteral("../secret/key.png");
+    QTest::newRow("folder above, in percent codes") << QStringLiteral("%2e%2e/secret/key.png");
+    QTest::newRow("folder above, by a detour") << QStringLiteral("maps/../../secret/key.png");
+    QTest::newRow("folder above, with backslashes") << QStringLiteral("..\\secret\\key.png");
+    QTest::newRow("folder above, in another case") << QStringLiteral("../SECRET/Key.PNG");
+    QTest::newRow("absolute path") << at(QStringLiteral("secret/key.png"));
+    QTest::newRow("file URL") << QStringLiteral("file://") + at(QStringLiteral("secret/key.png"));
     QTest::newRow("a link to a file") << QStringLiteral("link.png");
     QTest::newRow("a link to a folder") << QStringLiteral("folder/key.png");
-    QTest::newRow("hidden") << QStringLiteral(".hidden/key.png");
+    QTest::newRow("hidden folder") << QStringLiteral(".hidden/key.png");
 }
 
 void ImportModelTest::pictureFile_outsideTheFolder_isReadOnlyIfAllowed() {
@@ -1048,7 +1052,7 @@ void ImportModelTest::pictureFile_outsideTheFolder_isReadOnlyIfAllowed() {
     }
 }
 
-// Links and detours that stay within the folder are no different from plain names.
+// Tests links and detours that stay within the folder: they are treated like plain names.
 void ImportModelTest::pictureFile_insideTheFolder_needsNoPermission() {
     QDir(folder_.path()).mkpath(QStringLiteral("own/maps"));
     write(QStringLiteral("own/maps/skin.png"), png(quarters()));
@@ -1110,12 +1114,12 @@ void ImportModelTest::mtl_statementBeforeAnyMaterial_isRefused() {
     const QString sentence =
         refusal(write(QStringLiteral("early.obj"), cubeObj("mtllib early.mtl\nusemtl skin\n")));
     QVERIFY2(sentence.contains(QStringLiteral("early.mtl")), qPrintable(sentence));
-    // Material files with any name, and statements other than pictures.
+    // Material files may have any name, and statements other than pictures are checked, too.
     write(QStringLiteral("early.m"), "# nothing\n aniso 0.5\n");
     const QString other =
         refusal(write(QStringLiteral("other.OBJ"), cubeObj("mtllib early.m\nusemtl skin\n")));
     QVERIFY2(other.contains(QStringLiteral("early.m sets")), qPrintable(other));
-    // The model itself may be named as a material file.
+    // A model may name itself as its material file.
     const QString itself = refusal(
         write(QStringLiteral("itself.obj"), "mtllib itself.obj\nmap_Kd t.png\n" + cubeObj()));
     QVERIFY2(itself.contains(QStringLiteral("itself.obj sets")), qPrintable(itself));

@@ -114,7 +114,7 @@ struct FbxNode {
     void writeTo(QByteArray& file) const {
         QByteArray node = name + properties;
         const qsizetype begin = file.size();
-        file.append(4, '\0'); // replaced below by the node's end
+        file.append(4, '\0'); // replaced below by the position of the node's end
         appendNumber(file, propertyCount);
         appendNumber(file, quint32(properties.size()));
         file += char(name.size());

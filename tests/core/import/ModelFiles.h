@@ -11,31 +11,33 @@
 
 namespace dipwright::test {
 
-// A picture of four quarters: red upper left, green upper right, blue lower left, white lower
-// right.
+// Returns a picture of four quarters: red at the upper left, green at the upper right, blue at the
+// lower left and white at the lower right.
 QImage quarters(int side = 16);
 QByteArray png(const QImage& image);
 
-// A cube with edges of 10 about the origin, as OBJ with eight points. Each face shows the full
-// picture upright (six charts). `head` goes before the faces ("mtllib …", "usemtl …").
+// Returns a cube with edges of length 10 about the origin, as OBJ with eight points. Each face
+// shows the full picture upright (six charts). `head` goes before the faces ("mtllib …", "usemtl
+// …").
 QByteArray cubeObj(const QByteArray& head = QByteArray());
 
-// The square from (0, 0, 0) to (1, 1, 0) that faces +Z with the picture upright on it. Its unit is
-// the metre, as glTF demands. The picture is embedded.
+// Returns the square from (0, 0, 0) to (1, 1, 0) as glTF text. It faces +Z, with the embedded
+// picture upright on it. Its unit is the metre, as glTF demands.
 QByteArray squareGltf(const QByteArray& pngBytes);
+// Returns the same square as binary glTF.
 QByteArray squareGlb(const QByteArray& pngBytes);
 
-// The same square as 3MF, whose texture coordinates have another order than its points, and as PLY
-// that names its picture's file.
+// Writes the same square as 3MF. Its texture coordinates are in another order than its points.
 void writeSquare3mf(const QString& path, const QByteArray& pngBytes);
+// Returns the same square as PLY that names its picture's file.
 QByteArray squarePly(const QByteArray& pictureFile);
 
-// The same square as binary PLY: one quad with texture coordinates for each corner.
+// Returns the same square as binary PLY: one quad with texture coordinates for each corner.
 QByteArray squareBinaryPly(const QByteArray& pictureFile, bool littleEndian);
 
-// A tetrahedron as assimp writes it: "collada", "3ds", or "fbxa", which is FBX as text.
+// Returns a tetrahedron as assimp writes it: as "collada", "3ds", or "fbxa", which is FBX as text.
 QByteArray tetrahedron(const char* format);
-// The same tetrahedron as binary FBX, as modelling programs write it.
+// Returns the same tetrahedron as binary FBX, as modelling programs write it.
 QByteArray tetrahedronBinaryFbx();
 
 // Writes a 3MF package with these files. Throws std::runtime_error if that fails.

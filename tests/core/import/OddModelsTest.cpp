@@ -1,4 +1,4 @@
-// Models that assimp misreads, or does not read, without an error.
+// Tests models that assimp misreads or leaves unread without an error.
 #include "ModelFiles.h"
 
 #include "base/Error.h"
@@ -14,7 +14,7 @@ using namespace dipwright::test;
 
 namespace {
 
-// The error's message if the import fails, otherwise empty.
+// Returns the error's sentence if the import fails, otherwise an empty text.
 QString refusal(const QString& path) {
     try {
         importModel(path, {}, {});
@@ -98,7 +98,7 @@ void OddModelsTest::gltf_integerCoordinates_areRefused() {
                 .contains(QStringLiteral("float coordinates")));
 }
 
-// Light maps use such coordinates; glTF 2.0, section 3.7.2.1.
+// Light maps use second texture coordinates; glTF 2.0, section 3.7.2.1.
 void OddModelsTest::gltf_integerSecondTextureCoordinates_areReadIfUnused() {
     const auto square = [this](const QByteArray& texture) {
         QByteArray text = gltf(R"("TEXCOORD_0":1})", R"("TEXCOORD_0":1,"TEXCOORD_1":3})");
@@ -205,7 +205,7 @@ void OddModelsTest::gltf_skinWithoutBindMatrices_isRead_data() {
     QTest::newRow("binary") << true;
 }
 
-// Blender writes such skins if nobody has moved the bones.
+// Blender writes such skins if the bones have never been moved.
 void OddModelsTest::gltf_skinWithoutBindMatrices_isRead() {
     QFETCH(bool, isBinary);
     const auto skinned = [](QByteArray file) {

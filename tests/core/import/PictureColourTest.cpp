@@ -1,5 +1,5 @@
-// Textures in every colour space: the colours sent to a printer equal those that lcms2 computes
-// directly from the texture's profile.
+// Tests textures in every colour space. The colours sent to a printer must equal those that lcms2
+// computes directly from the texture's profile.
 #include "TestProfiles.h"
 
 #include "base/ColourNote.h"
@@ -30,7 +30,7 @@ namespace {
 // Patches in rows of eight. JPEG's compression does not mix patches of this size.
 constexpr int side = 16;
 constexpr int patches = 64;
-using Device = std::array<uchar, 4>; // only the colour space's channels are used
+using Device = std::array<uchar, 4>; // uses only as many channels as the colour space has
 
 enum class Kind { Grey = 1, Rgb = 3, Cmyk = 4 };
 
@@ -50,7 +50,7 @@ Device patch(Kind kind, int number) {
 }
 
 QByteArray greyProfile() {
-    cmsToneCurve* curve = cmsBuildGamma(nullptr, 2.2); // near sRGB's, but different
+    cmsToneCurve* curve = cmsBuildGamma(nullptr, 2.2); // near sRGB's curve, but different
     cmsHPROFILE profile = cmsCreateGrayProfile(cmsD50_xyY(), curve);
     cmsFreeToneCurve(curve);
     cmsUInt32Number size = 0;
@@ -91,7 +91,8 @@ QByteArray bigEndian(quint32 number) {
     return bytes;
 }
 
-// `packed`: the compressed profile, which follows the chunk's name and method.
+// Returns an iCCP chunk. `packed` is the compressed profile, which follows the chunk's name and
+// method.
 QByteArray profileChunk(const QByteArray& packed) {
     const QByteArray chunk = QByteArray("iCCPown\0\0", 9) + packed;
     const auto sum =
@@ -114,8 +115,8 @@ QByteArray pngFile(Kind kind, const QByteArray& profile) {
     return pngWith(kind, packed(profile));
 }
 
-// Stores the profile in parts of `most` bytes. Part `without`, counted from 1, is left out; 0:
-// none.
+// Returns a JPEG file with the profile in parts of `most` bytes. Part `without`, counted from 1, is
+// left out; 0 leaves out none.
 QByteArray jpegFile(Kind kind, const QByteArray& profile, int most = 65000, int without = 0) {
     jpeg_compress_struct jpeg{};
     jpeg_error_mgr errors{};
@@ -194,7 +195,7 @@ QByteArray tiffFile(Kind kind, const QByteArray& profile, const QString& path, i
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-// A picture of one colour with this profile.
+// Returns a picture of one colour with this profile.
 QByteArray webpFile(const QColor& colour, const QByteArray& profile) {
     QImage picture(8, 8, QImage::Format_RGB32);
     picture.fill(colour);
@@ -220,7 +221,7 @@ QByteArray fileOf(const QImage& picture, const char* format) {
     return file.data();
 }
 
-// The error's message if reading fails, otherwise empty.
+// Returns the error's sentence if reading fails, otherwise an empty text.
 QString refusal(const QByteArray& file) {
     try {
         readPictures({{file, QStringLiteral("odd picture")}});
@@ -260,7 +261,7 @@ cmsUInt32Number format(Kind kind) {
     return kind == Kind::Grey ? TYPE_GRAY_8 : kind == Kind::Rgb ? TYPE_RGB_8 : TYPE_CMYK_8;
 }
 
-// The printer's colour, computed directly from the texture's colour space.
+// Returns the printer's colour, computed directly from the texture's colour space.
 Device direct(const Device& device, Kind kind, const QByteArray& profile,
               const QByteArray& printer) {
     cmsHPROFILE from = cmsOpenProfileFromMem(profile.constData(), cmsUInt32Number(profile.size()));
@@ -315,11 +316,12 @@ void PictureColourTest::printerColour_ofTexture_matchesItsOwnProfile_data() {
     QTest::addColumn<QString>("type");
     QTest::addColumn<int>("channels");
     QTest::addColumn<QByteArray>("printer");
-    QTest::addColumn<int>("reached"); // least number of patches within the printer's gamut
+    QTest::addColumn<int>(
+        "reached"); // least number of patches that must lie within the printer's gamut
     const QByteArray wide = QColorSpace(QColorSpace::AdobeRgb).iccProfile();
     QTest::newRow("wide printer, grey") << "png" << int(Kind::Grey) << wide << patches;
     QTest::newRow("wide printer, wide picture") << "png" << int(Kind::Rgb) << wide << patches;
-    QTest::newRow("wide printer, inks") << "tiff16" << int(Kind::Cmyk) << wide << patches / 2;
+    QTest::newRow("wide printer, cmyk") << "tiff16" << int(Kind::Cmyk) << wide << patches / 2;
     for (const Kind kind : {Kind::Grey, Kind::Rgb, Kind::Cmyk}) {
         for (const char* type : {"png", "jpeg", "tiff", "tiff16"}) {
             if (kind != Kind::Cmyk || qstrcmp(type, "png") != 0) {
@@ -377,7 +379,7 @@ void PictureColourTest::printerColour_ofTexture_matchesItsOwnProfile() {
         qPrintable(QStringLiteral("largest difference ΔE %1, expected 1 or less").arg(largest)));
 }
 
-// Adobe RGB's green lies outside sRGB. A printer that can print it gets this colour.
+// Adobe RGB's green lies outside sRGB. A printer that can print this green gets it.
 void PictureColourTest::readPictures_colourBeyondSrgb_isKept() {
     const QByteArray adobe = QColorSpace(QColorSpace::AdobeRgb).iccProfile();
     QImage picture(8, 8, QImage::Format_RGB888);
@@ -391,7 +393,7 @@ void PictureColourTest::readPictures_colourBeyondSrgb_isKept() {
     QCOMPARE(colour(adobe).rgb(texture).pixelColor(4, 4), QColor(20, 230, 20));
     QCOMPARE(colour(adobe).gamutWarning(texture).share, 0.0);
     QCOMPARE(colour(QColorSpace(QColorSpace::SRgb).iccProfile()).gamutWarning(texture).share, 1.0);
-    // After saving and reading it has the same bits.
+    // After saving and reading again, the texture has the same bits.
     const QImage again = readPictures({{pngBytes(texture, {}), QStringLiteral("saved")}}).front();
     QVERIFY(again == texture);
     // A picture within sRGB is stored with 8 bits.
@@ -481,20 +483,20 @@ void PictureColourTest::readPictures_damagedProfile_isRefused_data() {
     const QByteArray adobe = profileOf(Kind::Rgb), whole = packed(adobe);
     const QString damaged = QStringLiteral("damaged");
     QTest::newRow("png, cut off") << pngWith(Kind::Rgb, whole.first(whole.size() / 2)) << damaged;
-    QTest::newRow("png, spoilt") << pngWith(Kind::Rgb, "zzzz" + whole.mid(4)) << damaged;
-    QTest::newRow("png, nothing but a name")
+    QTest::newRow("png, damaged stream") << pngWith(Kind::Rgb, "zzzz" + whole.mid(4)) << damaged;
+    QTest::newRow("png, profile with only a name")
         << pngFile(Kind::Rgb, adobe).replace(QByteArray("own\0\0", 5), "owned") << damaged;
-    QTest::newRow("png in colour, of grey") << pngFile(Kind::Rgb, greyProfile()) << damaged;
-    QTest::newRow("png, huge") << pngFile(Kind::Rgb, adobe + QByteArray(17 << 20, ' '))
-                               << QStringLiteral("larger than 16 MB");
+    QTest::newRow("png in colour, grey profile") << pngFile(Kind::Rgb, greyProfile()) << damaged;
+    QTest::newRow("png, huge profile") << pngFile(Kind::Rgb, adobe + QByteArray(17 << 20, ' '))
+                                       << QStringLiteral("larger than 16 MB");
     for (const int without : {1, 2, 3}) {
         QTest::addRow("jpeg without part %d", without)
             << jpegFile(Kind::Rgb, adobe, int(adobe.size() / 3 + 1), without) << damaged;
     }
-    QTest::newRow("jpeg of inks without a part")
+    QTest::newRow("cmyk jpeg without a part")
         << jpegFile(Kind::Cmyk, profileOf(Kind::Cmyk), 60000, 2) << damaged;
     QTest::newRow("webp, cut off") << webpFile(Qt::green, adobe.first(adobe.size() / 2)) << damaged;
-    QTest::newRow("webp, of inks") << webpFile(Qt::green, profileOf(Kind::Cmyk)) << damaged;
+    QTest::newRow("webp, cmyk profile") << webpFile(Qt::green, profileOf(Kind::Cmyk)) << damaged;
 }
 
 void PictureColourTest::readPictures_damagedProfile_isRefused() {
@@ -560,7 +562,7 @@ namespace {
 
 using Lab = std::array<double, 3>;
 
-// A picture whose halves have the two colours, in TIFF's Lab encoding or ICC's.
+// Returns a picture whose halves have the two colours, in TIFF's or ICC's encoding of Lab.
 QByteArray labTiff(const Lab& left, const Lab& right, int bits, bool isIcc, const QString& path) {
     constexpr int width = 8;
     TIFF* tiff = TIFFOpen(qPrintable(path), "w");
@@ -614,8 +616,8 @@ void PictureColourTest::readPictures_labTiff_keepsTheColours_data() {
     QTest::addColumn<bool>("isIcc");
     QTest::newRow("8 bits") << 8 << false;
     QTest::newRow("16 bits") << 16 << false;
-    QTest::newRow("8 bits, as ICC has it") << 8 << true;
-    QTest::newRow("16 bits, as ICC has it") << 16 << true;
+    QTest::newRow("8 bits, ICC encoding") << 8 << true;
+    QTest::newRow("16 bits, ICC encoding") << 16 << true;
 }
 
 void PictureColourTest::readPictures_labTiff_keepsTheColours() {
@@ -649,7 +651,7 @@ void PictureColourTest::colourNote_cmykWithoutProfile_isReported() {
     QVERIFY(noteOf(jpegFile(Kind::Rgb, {})).isEmpty());
 }
 
-// A quarter of the picture is ProPhoto's green primary, which no device can show.
+// Fills a quarter of the picture with ProPhoto's green primary, which no device can show.
 void PictureColourTest::colourNote_coloursBeyondTheWorkingSpace_areReported() {
     QImage picture(8, 8, QImage::Format_RGB32);
     picture.fill(QColor(120, 100, 90));

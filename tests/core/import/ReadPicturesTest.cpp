@@ -1,4 +1,4 @@
-// Pictures of every format, read by the sandboxed reader.
+// Tests pictures of every format, read by the sandboxed reader.
 #include "import/trusted/ReadPictures.h"
 #include "base/Error.h"
 #include "base/Png.h"
@@ -12,7 +12,7 @@ using namespace dipwright;
 
 namespace {
 
-// A smooth gradient, so that lossy formats lose little. Its corners differ.
+// Returns a smooth gradient, so that lossy formats lose little. Its corners differ.
 QImage slope() {
     QImage picture(48, 40, QImage::Format_RGBA8888);
     for (int y = 0; y < picture.height(); ++y) {
@@ -23,7 +23,7 @@ QImage slope() {
     return picture;
 }
 
-// The largest difference of any channel, 0 … 255.
+// Returns the largest difference of any channel, 0 … 255.
 int difference(const QImage& a, const QImage& b) {
     int largest = 0;
     for (int y = 0; y < a.height(); ++y) {

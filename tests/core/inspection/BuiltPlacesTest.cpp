@@ -1,4 +1,4 @@
-// Where the film lies on a dipped part, in coordinates of the sheet.
+// Tests builtPlaces(): where the film lies on a dipped part, in coordinates of the sheet.
 #include "inspection/BuiltPlaces.h"
 #include "PhotographedPart.h"
 #include "TestFolders.h"
@@ -26,13 +26,13 @@ class BuiltPlacesTest : public QObject {
 private slots:
     void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
 
-    // On a body shifted by 1.1 and −0.7 mm, the film lies everywhere as if it were shifted by as
-    // much the other way.
-    void builtPlaces_shiftedBody_giveTheOppositeShiftOnTheSheet() {
+    // On a body shifted by 1.1 and −0.7 mm, the film lies everywhere as if the film were shifted by
+    // −1.1 and 0.7 mm.
+    void builtPlaces_shiftedBody_haveTheOppositeShiftOnTheSheet() {
         const Project believed = test::eggToFit(1, 2.4);
         const test::Hidden aside{1.03, 1.03, std::numeric_limits<double>::infinity(), 1.1, -0.7, 0};
         const test::PhotographedPart part(believed, aside, 2.4, solverModule());
-        const auto cameras = test::camerasRound({{20, -35}, {140, -30}}, 280, 3.4, 4000);
+        const auto cameras = test::camerasAround({{20, -35}, {140, -30}}, 280, 3.4, 4000);
         const FitPairs pairs = part.pairs(cameras, 24, 20, 0.3, 1);
         const PartView view = fitPartCamera(pairs.body, pairs.photos, pairs.picture, pairs.where);
         const auto places =
@@ -51,7 +51,7 @@ private slots:
         }
         qInfo("%zu places, %.3f mm off on the sheet", places.size(), residualOf(places));
 
-        // The next sheet is printed shifted, so that the print lands in its place.
+        // The next sheet is printed with a shift, so that the print lands in its place.
         AsBuilt built;
         built.parts.resize(1);
         built.places = places;
@@ -65,10 +65,11 @@ private slots:
         QCOMPARE(onPrintedSheet(pairs.printed, built).front().sheet, pairs.printed.front().sheet);
     }
 
-    // The tank is another solver with hidden errors of film and body, a millimetre and more on the
-    // body. The correction is measured on one part without scatter and on three parts with 0.2 mm
-    // of scatter. The assertions are about the error that the next part keeps.
-    void onPrintedSheet_otherSolversTank_correctsTheNextPart() {
+    // Another solver stands for the tank. It has hidden errors of film and body, which move the
+    // print by 1 mm and more on the body. The correction is measured on one part without scatter
+    // and on three parts with 0.2 mm of scatter. The test limits the error that remains on the next
+    // part.
+    void onPrintedSheet_tankOfAnotherSolver_correctsTheNextPart() {
         const test::Hidden hidden{1.05, 1.02, 6, 0.9, -0.6, 2};
         const test::PhotographedPart part(test::eggToFit(1, 2.4), hidden, 2, solverModule(),
                                           test::referenceTank());
@@ -77,13 +78,13 @@ private slots:
     }
 
 private:
-    // The share by which the next part's error falls: root mean square on the body, halfway between
-    // the photographed places. `scatter`: mm, along each axis.
+    // Returns the share by which the next part's error falls. The error is the root mean square on
+    // the body, halfway between the photographed places. `scatter` is in mm along each axis.
     static double fallen(const test::PhotographedPart& part, int parts, double scatter) {
         constexpr double pixelsPerMillimetre = 34;
         const FilmSettings& film = part.project().film;
         const auto cameras =
-            test::camerasRound({{20, -35}, {110, -30}, {200, -40}, {290, -30}}, 280, 3.4, 4000);
+            test::camerasAround({{20, -35}, {110, -30}, {200, -40}, {290, -30}}, 280, 3.4, 4000);
         AsBuilt built;
         for (int number = 1; number <= parts; ++number) {
             const FitPairs perfect = part.pairs(cameras, 60, 30, 0, number);

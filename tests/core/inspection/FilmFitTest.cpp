@@ -1,4 +1,4 @@
-// Finds the film's values from photos of a part that was dipped with other values than the
+// Tests fitFilm() with simulated photos of a part that was dipped with other values than the
 // project's.
 #include "PhotographedPart.h"
 #include "RememberedDips.h"
@@ -32,7 +32,7 @@ const solver::SolverModule& solverModule() {
 }
 
 const std::vector<test::PhotoCamera>& cameras() {
-    static const auto two = test::camerasRound({{20, -35}, {140, -30}}, 280, 3.4, 4000);
+    static const auto two = test::camerasAround({{20, -35}, {140, -30}}, 280, 3.4, 4000);
     return two;
 }
 
@@ -80,7 +80,7 @@ private slots:
                                                          solverModule());
     }
 
-    // Perfect pairs: the remaining error comes from the tank's other film points.
+    // With perfect pairs, the only error comes from the tank's film, which has other film points.
     void fitFilm_perfectPairs_findsTheHiddenValues() {
         const FilmFit fitted = fit(part_->pairs(cameras(), 16, 12, 0.0, 1), wanted());
         tell(fitted);
@@ -96,7 +96,7 @@ private slots:
         VERIFY_NEAR(fitted.immersions.front().rotation[1].value(), hidden.turn, 0.1);
     }
 
-    // The tank is another solver, in double precision with a residual of 1e-9.
+    // Another solver, in double precision with a residual of 1e-9, stands for the tank.
     void fitFilm_16CornersWith1pxNoise_findsTheHiddenValues() {
         const test::PhotographedPart part(test::eggToFit(1.3, 2.5), hidden, 2.2, solverModule(),
                                           test::referenceTank());
@@ -113,7 +113,7 @@ private slots:
         QVERIFY(found(fitted, FitQuantity::Relaxation).low < hidden.relaxation);
         QVERIFY(found(fitted, FitQuantity::Relaxation).high > hidden.relaxation);
         qInfo("%s", qPrintable(fitted.doubt));
-        QVERIFY(fitted.doubt.contains(QStringLiteral("a change by a tenth moves none")));
+        QVERIFY(fitted.doubt.contains(QStringLiteral("a change by 10 % moves none")));
     }
 
     void fitFilm_allVisibleCorners_findRelaxationWithin10Percent() {
@@ -125,8 +125,8 @@ private slots:
         QCOMPARE(fitted.doubt, QString());
     }
 
-    // Many photos of one part, whose film is the fit's own, so that noise is the only error. The
-    // dips near it are simulated once; film and camera are fitted to each photo.
+    // Fits film and camera to many photos of one part. The part has the fit's own film, so that
+    // noise is the only error. The dips near this film are simulated only once.
     void fitFilm_95PercentIntervals_holdTheTruthIn95Percent() {
         const int photos = test::sampleOf(50, 200);
         const FitPairs perfect = part_->pairs(cameras(), 8, 12, 0, 1);
@@ -176,8 +176,8 @@ private slots:
 
     void fitFilm_ambiguousPairs_areRefused() {
         const FitPairs good = part_->pairs({cameras().front()}, 16, 12, 0.5, 1);
-        // A ball looks the same from all round: its print alone cannot tell a turn of the film from
-        // a move of the camera.
+        // A ball looks the same from all sides. The print alone therefore cannot distinguish a turn
+        // of the film from a movement of the camera.
         FitPairs printAlone = good;
         printAlone.body.clear();
         QVERIFY(errorOf(printAlone, {FitQuantity::Turn}).contains(QStringLiteral("camera")));

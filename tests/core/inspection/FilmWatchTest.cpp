@@ -1,4 +1,4 @@
-// Measures a film on the water by simulated photos, whose true values are known.
+// Tests the film watch with simulated photos of a film on the water, whose true values are known.
 #include "TankPhoto.h"
 #include "WholeSample.h"
 #include "project/Profiles.h"
@@ -16,7 +16,7 @@ using namespace dipwright::test;
 
 namespace {
 
-// The upper left corner of a square, mm from the page's middle.
+// Returns the upper left corner of a square, in mm from the page's middle.
 Eigen::Vector2d printedCorner(BoardKind kind, QSizeF paper, int column, int row) {
     WatchPage page;
     page.kind = kind;
@@ -35,7 +35,7 @@ struct Tank {
     QImage photo() const { return tankPhoto({card, film}, camera, light); }
 };
 
-// Film and card beside each other on the water, seen from above.
+// Returns film and card beside each other on the water, photographed from above.
 Tank tank(double swellX, double swellY) {
     Tank tank;
     tank.film.turn = turned(4, swellX, swellY);
@@ -58,7 +58,7 @@ const SeenBoard* boardOf(const std::vector<SeenBoard>& boards, BoardKind kind) {
     return nullptr;
 }
 
-// The seen places of a board's corners minus their true places, in pixels.
+// Returns the seen places of a board's corners minus their true places, in pixels.
 std::vector<Eigen::Vector2d> errors(const SeenBoard& board, const FloatingPage& page,
                                     const TankCamera& camera) {
     std::vector<Eigen::Vector2d> result;
@@ -86,8 +86,8 @@ double rms(const std::vector<Eigen::Vector2d>& places) {
     return std::sqrt(sum);
 }
 
-// Corners of a board as a camera sees them, with `noise` pixels of error in both directions.
-// `corners`: columns and rows.
+// Returns the corners of a board as a camera sees them, with `noise` pixels of error in both
+// directions. `corners` is the number of columns and rows.
 SeenBoard cornersOf(const FloatingPage& page, BoardKind kind, QSize corners,
                     const TankCamera& camera, double noise, std::mt19937& random) {
     std::normal_distribution<double> off(0, noise);
@@ -330,7 +330,7 @@ void FilmWatchTest::fitFlatFilm_cardAboveTheWater_isCorrected() {
 void FilmWatchTest::fitFlatFilm_unevenFilm_showsWhere() {
     std::mt19937 random(5);
     Tank scene = tank(1.1, 1.05);
-    // The film is drawn aside by 1 mm round one place.
+    // The film is displaced by 1 mm around one place.
     const Eigen::Vector2d bump = printedCorner(BoardKind::Film, scene.film.size, 3, 3);
     scene.film.aside = [bump](const Eigen::Vector2d& place) {
         const double away = (place - bump).squaredNorm() / (2 * 25 * 25);
@@ -354,7 +354,8 @@ double grown(double seconds, double rate, double limit) {
     return 1 + limit * (1 - std::exp(-rate * seconds / limit));
 }
 
-// A film seen at `times`, in seconds. The dip begins at `begin`.
+// Returns the measurements of a film photographed at `times`, in seconds. The dip begins at
+// `begin`.
 FilmWatch watched(const std::vector<double>& times, double begin, double rate, double limit,
                   double noise, std::mt19937& random) {
     std::vector<WatchedPhoto> photos;
@@ -377,7 +378,7 @@ void FilmWatchTest::fitGrowth_eightPhotos_isWithin5Percent() {
          {std::pair(0.002, 0.1), std::pair(0.004, 0.2), std::pair(0.003, 0.05)}) {
         const FilmWatch watch = watched(twoMinutes, 70, rate, limit, 0.05, random);
         const GrowthFit& growth = watch.growth;
-        QCOMPARE(growth.known, GrowthKnown::Both);
+        QCOMPARE(growth.known, GrowthKnowledge::Both);
         qInfo("rate %.5f of %.5f ± %.5f, limit %.4f of %.4f ± %.4f", growth.rate.value, rate,
               growth.rate.off, growth.limit.value, limit, growth.limit.off);
         QVERIFY(std::abs(growth.rate.value / rate - 1) < 0.05);
@@ -402,7 +403,7 @@ void FilmWatchTest::fitGrowth_95PercentIntervals_holdTheTruthIn95Percent() {
                                {1.04 * growth + off(random), uncertain}});
         }
         const GrowthFit growth = fitGrowth(moments, 70);
-        QCOMPARE(growth.known, GrowthKnown::Both);
+        QCOMPARE(growth.known, GrowthKnowledge::Both);
         rates += contains(growth.rate, 0.003);
         limits += contains(growth.limit, 0.1);
         swells += contains(growth.swellX, 1.08);
@@ -416,12 +417,12 @@ void FilmWatchTest::fitGrowth_95PercentIntervals_holdTheTruthIn95Percent() {
 
 void FilmWatchTest::fitGrowth_insufficientPhotos_leavesGrowthUnknown() {
     std::mt19937 random(13);
-    QCOMPARE(watched({70}, 70, 0.003, 0.1, 0.1, random).growth.known, GrowthKnown::No);
-    QCOMPARE(watched({70, 100}, 70, 0.003, 0.1, 0.1, random).growth.known, GrowthKnown::No);
-    QCOMPARE(watched(twoMinutes, 70, 0, 0, 0.1, random).growth.known, GrowthKnown::None);
+    QCOMPARE(watched({70}, 70, 0.003, 0.1, 0.1, random).growth.known, GrowthKnowledge::No);
+    QCOMPARE(watched({70, 100}, 70, 0.003, 0.1, 0.1, random).growth.known, GrowthKnowledge::No);
+    QCOMPARE(watched(twoMinutes, 70, 0, 0, 0.1, random).growth.known, GrowthKnowledge::None);
     // The growth is still linear when the last photo is taken.
     const FilmWatch straight = watched({60, 65, 70, 75, 80}, 70, 0.003, 0.5, 0.1, random);
-    QCOMPARE(straight.growth.known, GrowthKnown::RateOnly);
+    QCOMPARE(straight.growth.known, GrowthKnowledge::RateOnly);
     QVERIFY(std::abs(straight.growth.rate.value / 0.003 - 1) < 0.1);
     QVERIFY(watchSentences(straight).join(u' ').contains(QStringLiteral("grows no more")));
 }
@@ -455,11 +456,11 @@ void FilmWatchTest::fitFlatFilm_degenerateCorners_areRefused() {
     };
     const QSize film(10, 6), card(10, 13);
     QCOMPARE(refusal(film, card, {}), QString());
-    // A single row or column of corners of one board.
+    // Only a single row or column of corners of one board is visible.
     QVERIFY(refusal({60, 1}, card, {}).contains(QStringLiteral("both whole")));
     QVERIFY(refusal({1, 60}, card, {}).contains(QStringLiteral("both whole")));
     QVERIFY(refusal(film, {130, 1}, {}).contains(QStringLiteral("both whole")));
-    // Lenses and heights that do not fit this photo.
+    // The given lens or card height does not fit this photo.
     for (const Lens lens : {Lens{-0.3, 0}, Lens{0.5, 0}, Lens{-1, -1}, Lens{1, 1}, Lens{-1, 1}}) {
         FlatSettings settings;
         settings.lens = lens;
@@ -507,7 +508,7 @@ void FilmWatchTest::measureFlatFilm_unusablePhoto_isRefused() {
     QVERIFY(errorOf(filmOnly).startsWith(QStringLiteral("The card")));
     const QImage cardOnly = tankPhoto({scene.card}, scene.camera, scene.light);
     QVERIFY(errorOf(cardOnly).startsWith(QStringLiteral("Too little of the film's")));
-    // The camera looks aside, so that only a third of the film is in the picture.
+    // The camera is turned away, so that only a third of the film is in the picture.
     Tank half = scene;
     half.camera.over = {330, 5};
     const QString sentence = errorOf(half.photo());

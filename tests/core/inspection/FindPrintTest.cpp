@@ -1,4 +1,4 @@
-// Finds a print's corners in simulated photos of a body, whose true values are known.
+// Tests findPrint() with simulated photos of a body, in which the true corners are known.
 #include "inspection/FindPrint.h"
 #include "PartPhoto.h"
 #include "TestFolders.h"
@@ -23,7 +23,7 @@ namespace {
 constexpr double radius = 35; // mm
 const Eigen::Vector3d lookedFrom(60, -160, 90);
 
-// Chess squares of 20 degrees of longitude and latitude on a ball, about the Y axis.
+// The squares on the ball measure 20 degrees of longitude and of latitude about the Y axis.
 constexpr double squareAngle = 20 * pi / 180;
 
 double paintedBall(const Eigen::Vector3d& place) {
@@ -65,7 +65,7 @@ PhotoCamera camera() {
     return camera;
 }
 
-// `count` visible corners as a user clicks them, with an error of `off` pixels.
+// Returns `count` visible corners as a user clicks them, with an error of `off` pixels.
 std::vector<PlacePair> clicked(const std::vector<PrintedCorner>& corners, const PhotoCamera& camera,
                                int photo, int count, double off, unsigned seed) {
     std::mt19937 random(seed);
@@ -184,8 +184,8 @@ private slots:
     }
 
     void findPrint_shiftedPrint_figuresGiveTheShift() {
-        // The print is turned by half a degree about Y from its place. The camera is known from the
-        // body itself.
+        // The print is turned by 0.5° about Y from its place. The camera is known from the body
+        // itself.
         const double off = 0.5 * pi / 180;
         const QImage photo = partPhoto(
             ball(),
@@ -196,7 +196,7 @@ private slots:
             camera(), {});
         const FoundPrint print = foundOn(photo, clicked(ballCorners(), camera(), 0, 40, 0, 3),
                                          {.keepsCamera = true, .lens = {}});
-        // A place at a latitude moves along its circle.
+        // A place moves along its circle of latitude.
         double expected = 0;
         for (const PrintedPlace& place : print.places) {
             expected += off * std::hypot(place.model.x(), place.model.z());
@@ -208,14 +208,14 @@ private slots:
         qInfo("R %.3f ± %.3f px; mean across the line of sight %.3f mm of %.3f",
               print.view.figures.meanPixels, print.view.figures.deviationPixels,
               mean / double(print.places.size()), expected / double(print.places.size()));
-        QVERIFY(mean < expected && mean > 0.6 * expected); // seen at a slant
+        QVERIFY(mean < expected && mean > 0.6 * expected); // less in a slanted view
         // A camera that is fitted to the print absorbs the turn.
         const FoundPrint followed = foundOn(photo, clicked(ballCorners(), camera(), 0, 40, 0, 3));
         QVERIFY(followed.view.figures.meanPixels < 0.2 * print.view.figures.meanPixels);
     }
 
-    // The squares are about 150 pixels wide and bent, so that the best match of four squares lies
-    // pixels beside the corner.
+    // The squares are about 150 pixels wide and bent. The best match of four flat squares therefore
+    // lies some pixels away from the corner.
     void findPrint_cornersFarFromTheirPlaces_areFoundExactly() {
         const Eigen::AngleAxisd off(4 * pi / 180, Eigen::Vector3d(1, 1, 0).normalized());
         const QImage photo =
@@ -261,7 +261,7 @@ private slots:
         QImage bare(good.size(), QImage::Format_RGB32);
         bare.fill(Qt::gray);
         QVERIFY(errorOf(bare, pairs).contains(QStringLiteral("were found")));
-        // The same part with another job's print.
+        // The photo shows the same part with another job's print.
         const QImage other =
             partPhoto(ball(),
                       [](const SurfacePoint& point) {
@@ -272,7 +272,7 @@ private slots:
                       camera(), {});
         QVERIFY2(errorOf(other, pairs).contains(QStringLiteral("were found")),
                  qPrintable(errorOf(other, pairs)));
-        // The print with dark and light swapped.
+        // The photo shows the print with dark and light swapped.
         const QImage swapped =
             partPhoto(ball(),
                       [](const SurfacePoint& point) {
@@ -280,13 +280,13 @@ private slots:
                       },
                       camera(), {});
         QVERIFY(errorOf(swapped, pairs).contains(QStringLiteral("swapped")));
-        // A mirrored photo with places clicked in it.
+        // The photo is mirrored, and its places were clicked in the mirrored photo.
         std::vector<PlacePair> flipped = pairs;
         for (PlacePair& pair : flipped) {
             pair.pixel.x() = good.width() - pair.pixel.x();
         }
         QVERIFY(errorOf(good.mirrored(true, false), flipped).contains(QStringLiteral("mirror")));
-        // Half of the photo is covered: only what is visible is found.
+        // Half of the photo is covered: only the visible corners are found.
         QImage half = good;
         for (int y = 0; y < half.height(); ++y) {
             for (int x = half.width() / 2; x < half.width(); ++x) {
@@ -299,7 +299,7 @@ private slots:
 
     void findPrint_dippedChessboard_isFoundOnTheBody();
 
-    // The board is a decal on the body's lowest point.
+    // The chessboard is a decal on the body's lowest point.
     void printedCorners_chessSquaresOfArtwork_areFound() {
         constexpr int across = 8, down = 6, pixels = 20;
         constexpr double square = 5; // mm
@@ -340,8 +340,8 @@ private slots:
     }
 };
 
-// A ball dipped through the chessboard. In the tank the film had swollen by 1.5 % more than in the
-// job, and the ball was 0.8 mm aside.
+// A ball is dipped through the chessboard. In the tank the film swells by 1.5 % more than in the
+// job, and the ball is displaced by 0.8 mm.
 void FindPrintTest::findPrint_dippedChessboard_isFoundOnTheBody() {
     const Project project = ballJob();
     Project inTank = project;

@@ -1,4 +1,4 @@
-// Finds the camera of a photo of a part from places that are known exactly.
+// Tests fitPartCamera() with places on a part whose exact positions in the photo are known.
 #include "inspection/PartCamera.h"
 #include "base/Error.h"
 #include "base/Units.h"
@@ -13,9 +13,10 @@ using namespace dipwright;
 
 namespace {
 
-const QSize picture(1344, 1344); // the paper's
+const QSize picture(1344, 1344); // as in the paper
 
-// An independent pinhole camera with distortion that looks at the origin.
+// The true camera: a pinhole camera with distortion that looks at the origin, independent of the
+// tested code.
 struct Truth {
     double focalLength = 2.2; // half diagonals
     double k1 = -0.08;
@@ -39,7 +40,7 @@ Truth truth(double degreesX, double degreesY) {
     return truth;
 }
 
-// Visible places on a ball of 70 mm and their pixels, with `noise` pixels of error.
+// Returns visible places on a ball of 70 mm and their pixels, with `noise` pixels of error.
 std::vector<PlacePair> onBall(const Truth& truth, int photo, int count, double noise,
                               std::mt19937& random) {
     std::normal_distribution<double> off(0, noise), any(0, 1);
@@ -114,7 +115,8 @@ private slots:
         QVERIFY(std::abs(mean / expected - 1) < 0.05);
     }
 
-    // Such a pair moves unweighted least squares, as in OpenCV's calib3d, by 3.8 px.
+    // With unweighted least squares, as in OpenCV's calib3d, this outlier moves the result by 3.8
+    // px.
     void fitPartCamera_oneOutlier_doesNotMoveTheCamera() {
         std::mt19937 random(6);
         double mean = 0;
@@ -181,7 +183,7 @@ private slots:
         QVERIFY(errorOf(mirrored).contains(QStringLiteral("mirror")));
         std::vector<PlacePair> same(10, good.front());
         QVERIFY(!errorOf(same).isEmpty());
-        // From so far away a turn and a shift look the same.
+        // At this distance, a turn of the camera and a shift look the same.
         Truth far = truth(10, 10);
         far.distance = 100'000;
         far.focalLength = 700;

@@ -13,7 +13,8 @@ namespace {
 
 using Plane = std::vector<float>;
 
-// Gaussian blur in one direction. The picture's last pixels continue past its edge.
+// Blurs in one direction by a Gaussian. The values of the picture's last pixels continue past its
+// edge.
 Plane blurred(const Plane& plane, int width, int height, double sigma, bool across) {
     const int reach = int(std::ceil(4 * sigma));
     std::vector<double> weights;
@@ -106,7 +107,8 @@ Eigen::Vector3d PhotoLens::sight(const Eigen::Vector2d& pixel) const {
 
 namespace {
 
-// The light at the corners of all pixels: one row and one column more than pixels.
+// Holds the light at the corners of all pixels. There is one row and one column more than of
+// pixels.
 class Corners {
 public:
     Corners(const PhotoLens& lens, const LightFrom& lightFrom)
@@ -124,7 +126,7 @@ public:
                 double(light_[index(x, y + 1)]) + double(light_[index(x + 1, y + 1)])) /
                4;
     }
-    // Whether the light is even in the pixel and the pixels round it.
+    // Tells whether the light is even in the pixel and the pixels around it.
     bool isEven(int x, int y) const {
         constexpr float most = 0.008F; // two of 255 levels
         float least = 1, largest = 0;

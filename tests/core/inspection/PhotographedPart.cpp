@@ -30,9 +30,9 @@ public:
 
 } // namespace
 
-std::vector<PhotoCamera> camerasRound(const std::vector<Standpoint>& from, double distance,
-                                      double focalLength, int pixels) {
-    const Eigen::Vector3d aside(1.5, -2, 0); // a user does not aim exactly at the middle
+std::vector<PhotoCamera> camerasAround(const std::vector<Standpoint>& from, double distance,
+                                       double focalLength, int pixels) {
+    const Eigen::Vector3d aside(1.5, -2, 0); // because a user does not aim exactly at the middle
     std::vector<PhotoCamera> cameras;
     for (const Standpoint& at : from) {
         const double round = at.round * pi / 180, above = at.above * pi / 180;
@@ -125,7 +125,7 @@ FitPairs PhotographedPart::pairs(const std::vector<PhotoCamera>& cameras, int pr
         const double x = off(random), y = off(random);
         return Eigen::Vector2d(camera.seen(at) + noise * Eigen::Vector2d(x, y));
     };
-    // `count` corners that face the camera, evenly picked from all such corners.
+    // Returns `count` corners that face the camera, evenly picked from all such corners.
     const auto facing = [](const std::vector<Corner>& all, const PhotoCamera& camera, int count) {
         std::vector<Corner> found;
         for (const Corner& corner : all) {

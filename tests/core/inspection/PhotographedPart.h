@@ -1,5 +1,5 @@
-// A photographed part that was dipped with a film of hidden values. Tests give a fit the photos and
-// compare it with the hidden values.
+// Provides photos of a part that was dipped with a film of hidden values. Tests fit the photos and
+// compare the result with the hidden values.
 #pragma once
 
 #include "PartPhoto.h"
@@ -14,25 +14,25 @@ struct Hidden {
     double shiftX = 0, shiftZ = 0, turn = 0;
 };
 
-// The direction to a camera: degrees round the vertical and above the horizon.
+// The direction to a camera: degrees around the vertical and degrees above the horizon.
 struct Standpoint {
     double round = 0, above = 0;
 };
 
-// One camera that photographs from several places. It looks nearly at the model's origin from
+// Returns one camera at several standpoints. It looks approximately at the model's origin from
 // `distance` mm. Its pictures are `pixels` wide and high.
-std::vector<PhotoCamera> camerasRound(const std::vector<Standpoint>& from, double distance,
-                                      double focalLength, int pixels);
+std::vector<PhotoCamera> camerasAround(const std::vector<Standpoint>& from, double distance,
+                                       double focalLength, int pixels);
 
-// A tank that is independent of the program: the reference solver of solvers/production/reference,
-// which shares no arithmetic with the fitted solver. Slow.
+// Returns a solver that stands for the tank, independent of the program. It is the reference solver
+// of solvers/production/reference, which shares no arithmetic with the fitted solver. Slow.
 const solver::SolverModule& referenceTank();
 
-// A project with the values that its owner believes, and the film that was really on the body. That
-// film has other cells and steps.
+// A project with the values that its owner believes, and the film that was really on the body. The
+// real film has other cells and steps than the project's.
 class PhotographedPart {
 public:
-    // `cell`: the cell of the film in the tank, mm.
+    // `cell` is the cell of the film in the tank, mm.
     PhotographedPart(Project believed, const Hidden& hidden, double cell,
                      const solver::SolverModule& program, const solver::SolverModule& tank);
     PhotographedPart(Project believed, const Hidden& hidden, double cell,
@@ -44,8 +44,8 @@ public:
     std::shared_ptr<const LaidFilm> believedFilm() const { return meant_; }
     std::shared_ptr<const LaidFilm> filmInTank() const { return truly_; }
     const FilmSettings& settingsInTank() const { return real_; }
-    // The pairs of one photo from each camera: up to `printed` places of the print and up to `body`
-    // places of the body, with `noise` pixels of error.
+    // Returns the pairs of one photo from each camera. There are up to `printed` places of the
+    // print and up to `body` places of the body, with `noise` pixels of error.
     FitPairs pairs(const std::vector<PhotoCamera>& cameras, int printed, int body, double noise,
                    int seed) const;
 
@@ -62,16 +62,17 @@ private:
     FilmSettings real_;
     std::shared_ptr<const DistanceField> field_;
     std::shared_ptr<const LaidFilm> meant_, truly_;
-    std::vector<Corner> corners_; // those of the sheet's chessboard that are on the body
+    std::vector<Corner> corners_; // corners of the sheet's chessboard that are on the body
     std::vector<Corner> body_;    // places spread over the body
 };
 
-// The place on the model where the film of the sheet's place lies; nothing if it is not on the
-// body.
+// Returns the place on the model where the film of a place of the sheet lies; none if this film is
+// not on the body.
 std::optional<Eigen::Vector3d> onModel(const LaidFilm& laid, const Eigen::Vector2d& sheet,
                                        const FilmSettings& film);
 
-// A project with an egg 56 mm wide and `height` times as high. `cell`: the film's cell, mm.
+// Returns a project with an egg that is 56 mm wide and `height` times as high. `cell` is the film's
+// cell, mm.
 Project eggToFit(double height, double cell);
 
 } // namespace dipwright::test

@@ -1,4 +1,5 @@
-// A solver that remembers its dips, because fits of one part begin with the same dips.
+// Defines a solver that caches its dips. It makes tests faster, because all fits of one part begin
+// with the same dips.
 #pragma once
 
 #include <dipwright/FilmSolver.h>
@@ -7,7 +8,8 @@
 
 namespace dipwright::test {
 
-// Passes everything on to `module`, of which it keeps a reference. All dips must be of one body.
+// Calls `module`, to which it keeps a reference, for dips that are not cached. All dips must be of
+// one body.
 class RememberedDips : public solver::SolverModule {
 public:
     explicit RememberedDips(const solver::SolverModule& module) : module_(module) {}

@@ -36,7 +36,7 @@ double sampled(const QImage& image, double x, double y) {
            255;
 }
 
-// Reflectance of ink and paper on a grey tank.
+// Returns the reflectance of ink, paper or the grey tank at a place on the water.
 double reflected(const std::vector<FloatingPage>& pages, const Eigen::Vector2d& water) {
     for (const FloatingPage& page : pages) {
         const Eigen::Matrix2d back = page.turn.inverse();
@@ -51,14 +51,16 @@ double reflected(const std::vector<FloatingPage>& pages, const Eigen::Vector2d& 
     return 0.2 + 0.03 * std::sin(water.x() / 9) * std::sin(water.y() / 13);
 }
 
-// The camera's axes in the tank's frame, by columns: right, down and forward in the picture.
+// Returns the camera's axes in the tank's frame, as columns: right, down and forward in the
+// picture.
 Eigen::Matrix3d axesOf(const TankCamera& camera) {
     return (Eigen::AngleAxisd(camera.tiltDegrees * pi / 180, Eigen::Vector3d::UnitX()) *
             Eigen::AngleAxisd(camera.rollDegrees * pi / 180, Eigen::Vector3d::UnitZ()))
         .toRotationMatrix();
 }
 
-// The tank's frame: x right, y down, z into the water; the camera looks along +z.
+// Returns the camera's place in the tank's frame: x right, y down, z into the water. The camera
+// looks along +z.
 Eigen::Vector3d placeOf(const TankCamera& camera) {
     const Eigen::Vector3d forward = axesOf(camera).col(2);
     return Eigen::Vector3d(camera.over.x(), camera.over.y(), 0) -

@@ -1,4 +1,4 @@
-// Using a fit in a project changes what was fitted and nothing else.
+// Tests withFit(): it changes the fitted values of a project and no other values.
 #include "inspection/FilmFitFiles.h"
 #include "project/Project.h"
 
@@ -45,7 +45,7 @@ private slots:
     void withFit_editedProject_keepsAllThatWasNotFitted_data() {
         QTest::addColumn<bool>("hasProfile");
         QTest::newRow("without a film profile") << false;
-        QTest::newRow("with a film profile that says otherwise") << true;
+        QTest::newRow("with a film profile that has other values") << true;
     }
 
     void withFit_editedProject_keepsAllThatWasNotFitted() {

@@ -44,7 +44,7 @@ TriangleMesh insideOut(TriangleMesh mesh) {
     return mesh;
 }
 
-// The mesh without the triangles whose corners all lie above `height`.
+// Returns the mesh without the triangles whose corners all lie above `height`.
 TriangleMesh cutOff(const TriangleMesh& mesh, float height) {
     TriangleMesh cut = mesh;
     std::erase_if(cut.triangles, [&](const auto& triangle) {
@@ -55,8 +55,8 @@ TriangleMesh cutOff(const TriangleMesh& mesh, float height) {
     return cut;
 }
 
-// The mesh with separate corners for every triangle, each moved at random by up to `noise` in each
-// direction.
+// Returns the mesh with separate corners for every triangle. Each corner is moved at random by up
+// to `noise` in each direction.
 TriangleMesh tornApart(const TriangleMesh& mesh, float noise) {
     TriangleMesh torn;
     std::mt19937 random(1);
@@ -139,8 +139,8 @@ private slots:
         QCOMPARE(turnedParts({insideOut(bowl)}), std::size_t(0));
     }
 
-    // An open cavity of an open body faces the hollow. A surface of separate triangles is judged as
-    // a whole.
+    // The surface of an open cavity in an open body faces the hollow and stays. A surface of
+    // separate triangles is judged as a whole.
     void flipInsideOutParts_openCavitiesStay_looseTrianglesAreFlipped() {
         const TriangleMesh outer = cutOff(sphereMesh(35, 20, 40), 33);
         const TriangleMesh inner = cutOff(sphereMesh(20, 20, 40), 18);

@@ -1,5 +1,5 @@
-// Artwork from the project to the sheet: what it paints, what it recomputes and what it leaves
-// alone.
+// Tests artwork from the project to the sheet: what it paints, and which steps are computed again
+// after a change.
 #include "TestFolders.h"
 #include "artwork/EditArtwork.h"
 #include "artwork/PaintArtwork.h"
@@ -44,7 +44,7 @@ Project ballJob() {
     return project;
 }
 
-// A spot on the body's lowest point, `size` mm wide.
+// Returns a layer with a spot on the body's lowest point, `size` mm wide.
 ArtworkLayer spot(const QColor& colour, double size) {
     ArtworkLayer layer = newLayer(LayerKind::Picture, QStringLiteral("Spot"));
     QImage image(20, 20, QImage::Format_RGBA8888);
@@ -62,7 +62,7 @@ Project spottedJob() {
     return project;
 }
 
-// The red area of a film's picture, in mm².
+// Returns the red area of a film's picture, in mm².
 double redArea(const ImmersionResult& result, const Project& project) {
     const QImage image = inSrgb(result.texture->image);
     qint64 count = 0;
@@ -100,7 +100,7 @@ private slots:
         spotted_ = run(spottedJob(), &bare_);
     }
 
-    // The plain colour is grey.
+    // The plain colour of the model is grey.
     void runJob_untexturedModelWithoutArtwork_printsItsPlainColour() {
         QCOMPARE(bare_.painted, bare_.project.model);
         const QImage image = bare_.immersions[0].texture->image;
@@ -155,7 +155,7 @@ private slots:
         QCOMPARE(again.immersions[0].texture, spotted_.immersions[0].texture);
     }
 
-    // The same places of the film are inked by a plate instead of colour.
+    // The plate inks the same places of the film that the colour would.
     void runJob_layerInSpotInk_isAPlateAndNotColour() {
         Project project = spottedJob();
         project.model = spotted_.project.model;
@@ -192,7 +192,7 @@ private slots:
         }
         QVERIFY2(same > 800 && other < same / 10,
                  qPrintable(QString("%1 pixels in both, %2 in one only").arg(same).arg(other)));
-        // Half the tint on the part, which needs more on the film where it is stretched.
+        // The part shows half the tint. The film needs a higher tint where it is stretched.
         const QImage& varnish = dip.sheet.plates[1].tint;
         const int middle = varnish.constScanLine(varnish.height() / 2)[varnish.width() / 2];
         QVERIFY2(middle > 110 && middle < 180,
@@ -203,7 +203,7 @@ private slots:
                                      .toArray();
         QCOMPARE(spots.size(), 3);
         QCOMPARE(spots[1].toObject()[QLatin1String("printed")].toString(), "first");
-        // The proof shows the spot ink's colour, which differs a little from the layer's.
+        // The proof shows the spot ink's colour, which differs slightly from the layer's colour.
         QVERIFY(redPixels(bare_.proof) == 0);
         const double shown = redPixels(result.proof), inInks = redPixels(spotted_.proof);
         QVERIFY2(shown > 0.9 * inInks && shown < 1.1 * inInks,
@@ -213,7 +213,7 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(validateJob(project, *registry_), Error);
     }
 
-    // On a ball only the ink distinguishes the directions.
+    // All directions of a ball are equal except for its ink.
     void searchPoses_artwork_bringsTheInkDown() {
         Project project = spottedJob();
         project.artwork.layers[0].place = {Millimetres(15), Millimetres(0), Millimetres(0)};
@@ -276,7 +276,7 @@ private:
     JobResult run(const Project& project, const JobResult* previous = nullptr) const {
         return runJob(project, *registry_, {}, previous, {});
     }
-    // Another appearance does not recompute where the film lies on the body.
+    // After a change of the appearance, the dip is not computed again.
     void isOnTheSameFilm(const ImmersionResult& dip) const {
         QCOMPARE(dip.body, spotted_.immersions[0].body);
         QCOMPARE(dip.laid, spotted_.immersions[0].laid);

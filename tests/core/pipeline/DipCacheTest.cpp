@@ -1,5 +1,5 @@
-// The cache of dips beside a project: it gives the sheets of a fresh run while their inputs are
-// unchanged, keeps its size limit, and damage does no harm.
+// Tests the dip cache beside a project. With unchanged inputs it gives the same sheets as a fresh
+// run, it keeps its size limit, and damage does no harm.
 #include "pipeline/DipCache.h"
 #include "TestFolders.h"
 
@@ -131,7 +131,7 @@ private slots:
         row("process.solver", "auto");
     }
 
-    // The cache finds the dips exactly if a run would reuse them.
+    // The cache finds a dip if and only if a run would reuse it.
     void cachedDips_otherInputs_areNotFound() {
         QFETCH(QString, path);
         QFETCH(QString, value);

@@ -1,5 +1,5 @@
-// Projects of every file version, written by the program of that version, still give the same
-// results.
+// Tests that projects of every file version, written by the program of that version, still give the
+// same results.
 
 #include "TestFolders.h"
 #include "pipeline/Pipeline.h"
@@ -17,7 +17,8 @@ using namespace dipwright;
 
 namespace {
 
-constexpr double allowed = 0.02; // relative: the last digits differ between systems
+constexpr double allowed =
+    0.02; // relative difference, because the last digits differ between systems
 
 QJsonObject expectedOf(const QString& project) {
     QFile file(QFileInfo(project).path() + QLatin1Char('/') +
@@ -72,7 +73,7 @@ void GoldenTest::runJob_goldenProject_givesTheRecordedFigures() {
     const QJsonObject told = report(project, result);
     compare(QStringLiteral("coverage_total"), told["coverage_total"].toDouble(),
             expected["coverage_total"]);
-    // Dips of projects from before shares still paint all that they reach.
+    // In projects without share settings, each dip still paints every place that it reaches.
     QCOMPARE(told.contains("share"), expected.contains("share"));
     const QJsonObject share = expected["share"].toObject();
     for (const QString& key : share.keys()) {

@@ -1,4 +1,4 @@
-// Several parts dipped together through one film: each is painted from its own place of the film,
+// Tests several parts that are dipped together through one film. Each part takes the film below it,
 // and neighbours share the film between them.
 #include "TestFolders.h"
 #include "TexturedBall.h"
@@ -36,14 +36,14 @@ Project jobOf(const std::vector<JigPart>& parts) {
     return project;
 }
 
-// A red and a blue ball, with their centres `apart` mm apart.
+// Returns a project with a red and a blue ball whose centres are `apart` mm apart.
 Project twoBalls(double apart) {
     return jobOf({part(QStringLiteral("Red"), QColor(220, 20, 20), -apart / 2),
                   part(QStringLiteral("Blue"), QColor(20, 20, 220), apart / 2)});
 }
 
-// The length of film, in mm, from below the centre of the ball at `x` to the place 30° below its
-// equator, on the right or the left.
+// Returns the length of film, in mm, between two places of the ball at `x`: its lowest point and
+// the place 30° below its equator, on the right or the left.
 double filmTo(const ImmersionResult& dip, double x, bool right) {
     const Eigen::Vector3f place(float(x) + (right ? 1 : -1) * radius * std::sqrt(0.75f), radius / 2,
                                 0);
@@ -92,7 +92,7 @@ private slots:
         const JobResult one = run(alone, *registry_);
         for (const bool right : {false, true}) {
             const double together = filmTo(far_.immersions.front(), -55, right);
-            // The pose frame of the single ball has its origin at the ball, so its place needs no
+            // The pose frame of the single ball has its origin at the ball, so the place needs no
             // offset.
             const auto laid = one.immersions.front().laid->place(
                 one.immersions.front()
@@ -107,7 +107,8 @@ private slots:
         }
     }
 
-    // Both balls draw on the film between them, so that each gets less there than outside.
+    // Both balls draw on the film between them, so that each ball gets less film on the inside than
+    // on the outside.
     void runJob_jigWithNearParts_shareTheFilmBetweenThem() {
         const JobResult near = run(twoBalls(36), *registry_);
         const ImmersionResult& dip = near.immersions.front();

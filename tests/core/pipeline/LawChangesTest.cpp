@@ -1,4 +1,5 @@
-// How much a sheet depends on the film model's assumed laws, on balls with known answers.
+// Tests how much a sheet depends on the film model's assumed laws, with balls whose results are
+// known.
 #include "pipeline/LawChanges.h"
 #include "TestFolders.h"
 
@@ -16,7 +17,7 @@ namespace {
 
 constexpr double radius = 25; // mm
 
-// A ball of one colour over a film of 49 × 49 points.
+// Returns a project with a ball of one colour over a film of 49 × 49 points.
 Project ball() {
     auto model = std::make_shared<TexturedMesh>();
     model->mesh = sphereMesh(radius, 60, 120);
@@ -33,8 +34,8 @@ Project ball() {
     return project;
 }
 
-// The share of a ball's painted area between the overhang angles `to` and `from`, in degrees, if
-// paint ends at `from`.
+// Returns the share of a ball's painted area that lies between the overhang angles `to` and `from`,
+// in degrees. Paint ends at `from`.
 double zone(double from, double to) {
     const double upper = std::sin(radians(Degrees(from))), lower = std::sin(radians(Degrees(to)));
     return (upper - lower) / (1 + upper);
@@ -50,7 +51,7 @@ private slots:
         QStandardPaths::setTestModeEnabled(true);
         whole_ = run(ball());
         Project shallow = ball();
-        shallow.process.depth = Millimetres(0.8 * radius); // only faces that turn down get wet
+        shallow.process.depth = Millimetres(0.8 * radius); // only faces that point down get wet
         shallow_ = run(shallow);
     }
 

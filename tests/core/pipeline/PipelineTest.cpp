@@ -1,4 +1,4 @@
-// The job: what is recomputed, what is reused, and when the CPU takes over.
+// Tests runJob(): what it computes again, what it reuses, and when the CPU takes over.
 #include "pipeline/Pipeline.h"
 #include "PluginFolder.h"
 #include "TestFiles.h"
@@ -69,7 +69,8 @@ class PipelineTest : public QObject {
     Q_OBJECT
 
 private slots:
-    // Project files may have any name.
+    // Project files may have equal names in different folders, or names that are unusable for a
+    // folder.
     void resultFolders_clashingNames_areDistinct() {
         QCOMPARE(
             resultFolders({"a/job.dipw", "b/Job.dipw", "..dipw", "...dipw", ".dipw"}, "out"),
@@ -113,7 +114,8 @@ private slots:
         QVERIFY(std::abs(result.coverageTotal - first_.immersions[0].coverage->share) < 0.01);
     }
 
-    // The deeper dip keeps the film laid before and adds film where the water has risen.
+    // The deeper dip has the same laid film as the dip, plus the film above it that only the deeper
+    // dip reaches.
     void deeperDip_laysTheSameFilmAndMore() {
         Project job = job_;
         job.immersions.resize(1);
@@ -199,7 +201,7 @@ private slots:
         folder.add(QStringLiteral("twin"), pluginFolder("/") + PluginFolder::moduleName("pbd-cpu"));
         const SolverRegistry registry({folder.path(), pluginFolder()});
         Project job = job_;
-        job.process.solver = QStringLiteral("twin"); // the same module with another name
+        job.process.solver = QStringLiteral("twin"); // the same solver module with another name
         const JobResult result = runJob(job, registry, {}, &first_, {});
         QCOMPARE(result.solver.id, QStringLiteral("twin"));
         QVERIFY(result.immersions[0].body == first_.immersions[0].body);
@@ -214,7 +216,7 @@ private slots:
         QVERIFY(result.immersions[0].texture == first_.immersions[0].texture);
         QCOMPARE(result.immersions[0].sheet.job.immersion, QStringLiteral("Renamed"));
         QCOMPARE(result.proof.cacheKey(), first_.proof.cacheKey()); // not traced again
-        QVERIFY(result.coverage != first_.coverage);                // its legend is new
+        QVERIFY(result.coverage != first_.coverage); // the picture's legend has the new name
     }
 
     void runJob_reusedResults_equalFreshOnes() {
@@ -292,8 +294,8 @@ private slots:
         QVERIFY2(result.notes.size() == 1 && result.notes[0].contains("The solver advance"),
                  qPrintable(result.notes.join('\n')));
         QCOMPARE(result.immersions[0].sheet.image, first_.immersions[0].sheet.image);
-        // While nothing changes, the GPU is not tried again and the solver that computed stays
-        // recorded.
+        // If nothing changes, the GPU is not tried again, and the result still names the solver
+        // that took over.
         const JobResult again = runJob(job_, registry, {}, &result, {});
         QVERIFY(again.immersions[1].laid == result.immersions[1].laid);
         QCOMPARE(again.solver.id, QStringLiteral("pbd-cpu"));
@@ -422,7 +424,7 @@ private slots:
         QVERIFY(validateJob(job, *registry_).join('\n').contains(job.modelOrigin.remarks));
     }
 
-    // An older project may hold a body that no import has flipped.
+    // An older project may contain a body that the import has not turned.
     void validateJob_insideOutBody_isReported() {
         Project job = job_;
         job.immersions.resize(1);
@@ -476,7 +478,7 @@ private slots:
         }
         QCOMPARE(immersion["adhered"].toInteger(), adhered);
         QCOMPARE(immersion["coverage"].toDouble(), result.coverage->share);
-        // Round a ball the film is stretched along the meridians and compressed round the axis.
+        // On a ball, the film is stretched along the meridians and compressed around the axis.
         const QJsonObject stretch = immersion["stretch"].toObject();
         QVERIFY(stretch["mean"].toDouble() > 0.8 && stretch["mean"].toDouble() < 1.2);
         QVERIFY(stretch["min"].toDouble() > 0 && stretch["max"].toDouble() < 2);
@@ -596,7 +598,7 @@ private slots:
     }
 
     void runAndWrite_cancelled_leavesNothing_data() {
-        QTest::addColumn<double>("cancelled"); // share of the work at which it is cancelled
+        QTest::addColumn<double>("cancelled"); // share of the work after which the job is cancelled
         for (const double share : {0.05, 0.3, 0.6, 0.9, 0.97}) {
             QTest::newRow(qPrintable(QString::number(share))) << share;
         }

@@ -48,8 +48,8 @@ private slots:
         QVERIFY(model.hasTextureCoordinates(0));
     }
 
-    // Scans and drawn models, with and without texture coordinates, most of them not made for
-    // artwork.
+    // The models are scans and drawn models, with and without texture coordinates. Most are not
+    // made for artwork.
     void paintArtwork_sharedModels_unwrapWithoutOverlap_data() {
         QTest::addColumn<QString>("file");
         const std::vector<const char*> files{
@@ -106,9 +106,9 @@ private slots:
         QVERIFY(once > 10'000);
     }
 
-    // The documentation gives these errors. Spot's legs are six film cells wide, and its head is
-    // dipped after the shoulders have released film. From 315 × 446 points on its error
-    // is within the limit, which is too slow for a test.
+    // The documentation gives these errors. The model Spot has legs that are six film cells wide,
+    // and its head is dipped after the shoulders have released film. Its error is within the limit
+    // from 315 × 446 points on, but such a film is too slow for a test.
     void sheetNumericalError_spot_isAsDocumented() {
         Project project;
         applyPreset(project, QStringLiteral("production"));

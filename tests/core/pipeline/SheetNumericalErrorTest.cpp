@@ -1,4 +1,5 @@
-// How far sheets move when they are computed more finely, and the report of it.
+// Tests how far sheets move when they are computed with finer cells and steps, and the report of
+// these moves.
 #include "pipeline/SheetNumericalError.h"
 #include "TestFolders.h"
 #include "project/Project.h"
@@ -22,7 +23,7 @@ Project sample(const char* name) {
     return loadProject(sampleFolder("/%1.dipw").arg(name));
 }
 
-// The sample sphere on a small film.
+// Returns a project with the sample sphere on a small film.
 Project sphereOn(int points) {
     Project project = sample("sphere");
     project.film = {}; // evenly spaced points

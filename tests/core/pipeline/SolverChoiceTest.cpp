@@ -1,4 +1,4 @@
-// Which solver computes, and when the CPU takes over from a GPU.
+// Tests which solver is chosen, and when the CPU takes over from a GPU.
 #include "pipeline/SolverChoice.h"
 #include "PluginFolder.h"
 #include "TestFolders.h"
@@ -10,7 +10,7 @@ using test::PluginFolder;
 
 namespace {
 
-// Adds a module that is described as a GPU's.
+// Adds a module whose description says that it needs a GPU.
 void addGpu(const PluginFolder& folder, const char* module, const QString& path) {
     const QString id = QString::fromLatin1(module);
     folder.add(id, path);

@@ -1,5 +1,5 @@
-// Which steps of the job depend on which values of a project. This decides what is recomputed and
-// what is stale.
+// Tests which steps of the job depend on which values of a project. These dependencies decide which
+// results are computed again and which are out of date.
 #include "pipeline/StepInputs.h"
 #include "model/TexturedMesh.h"
 #include "pipeline/JobOptions.h"
@@ -31,7 +31,7 @@ private slots:
     void stepInputs_changedValue_changesTheStepsThatNeedIt_data() {
         QTest::addColumn<QString>("path");
         QTest::addColumn<QString>("value");
-        QTest::addColumn<QString>("steps"); // the steps of dip 1 that depend on it
+        QTest::addColumn<QString>("steps"); // the steps of dip 1 that depend on the value
         const auto row = [](const char* path, const char* value, const char* steps) {
             QTest::newRow(path) << QString(path) << QString(value) << QString(steps);
         };
@@ -48,7 +48,7 @@ private slots:
         row("process.overhang_deg", "30", "dip texture sheet");
         row("process.depth_mm", "12", "dip texture sheet");
         row("process.solver", "pbd-cuda", "");                  // the chosen id is compared instead
-        row("artwork.base_colour", "#ff0000", "texture sheet"); // no dip
+        row("artwork.base_colour", "#ff0000", "texture sheet"); // not the dip
         row("ink.limit", "1.5", "texture sheet");
         row("ink.exponents", "1;0.9;0.8", "texture sheet");
         row("ink.black_white_exponents", "0.5;0.7", "texture sheet");

@@ -1,4 +1,4 @@
-// The verdicts of a run, compared with the full check, on one body of each kind.
+// Tests the verdicts of a run, compared with the full check, with one body for each verdict.
 #include "TestFolders.h"
 #include "WholeSample.h"
 #include "pipeline/JobVerdict.h"
@@ -54,14 +54,14 @@ Project ball(int points) {
     return jobOf(sphereMesh(25, 60, 120), points);
 }
 
-// A ball with a thumb at its side that touches the film first.
+// Returns a project with a ball and a thumb at its side; the thumb touches the film first.
 Project thumb() {
     return jobOf(joined({{sphereMesh(20, 60, 120), {0, 0, 0}},
                          {ellipsoidMesh({8, 14, 8}, 60, 60), {15, -12, 0}}}),
                  73);
 }
 
-// A body on two round feet, six film cells apart.
+// Returns a project with a body on two round feet that are six film cells apart.
 Project onTwoFeet() {
     const TriangleMesh foot = ellipsoidMesh({7, 20, 7}, 60, 60);
     return jobOf(joined({{foot, {-12, 0, 0}},
@@ -142,7 +142,7 @@ private slots:
         QVERIFY(QString::fromUtf8(QJsonDocument(json).toJson()).contains("wood.png"));
     }
 
-    // The top of the ball is past the overhang and stays bare.
+    // The top of the ball lies above the overhang limit and stays bare.
     void verdict_bareMarkedZone_doNotPrint() {
         Project project = ball(33);
         project.verdict.noPicture = Advice::Print;

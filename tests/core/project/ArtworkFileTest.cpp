@@ -1,5 +1,5 @@
-// Artwork in the project's file: it is kept, invalid artwork is refused, and no artwork leaves no
-// trace.
+// Artwork in the project's file: it is kept, invalid artwork is refused, and a project without
+// artwork has no entry.
 #include "SampleProject.h"
 #include "artwork/EditArtwork.h"
 #include "base/Error.h"
@@ -45,7 +45,7 @@ Project decorated() {
     return project;
 }
 
-// The place and message of the refusal; empty if the value is accepted.
+// Returns the place and message of the refusal; empty if the value is accepted.
 QString refusalOf(const QString& key, const QJsonValue& value) {
     QJsonObject json = toJson(decorated());
     QJsonObject artwork = json.value(QLatin1String("artwork")).toObject();
@@ -140,7 +140,7 @@ private slots:
                  qPrintable(refusal));
     }
 
-    void fromJson_layersNotAList_areRefused() {
+    void fromJson_layersThatAreNoList_areRefused() {
         for (const QJsonValue& layers :
              {QJsonValue(3), QJsonValue(QJsonArray{QJsonValue(1)}), QJsonValue(QJsonObject())}) {
             QJsonObject json = toJson(sampleProject());

@@ -1,5 +1,5 @@
-// A film's material: a project and a profile have the same fields, pass them to each other, and the
-// documentation lists them as declared.
+// The fields of a film's material: a project and a profile share them and pass them to each other,
+// and the documentation lists them all.
 #include "project/FilmFields.h"
 
 #include "TestFolders.h"
@@ -48,7 +48,7 @@ const Field<Project>& fieldAt(const QString& path) {
     throw std::runtime_error("the project has no " + path.toStdString());
 }
 
-// A valid value that a new project does not have.
+// Returns a valid value that is not the default.
 QJsonValue unusual(const FieldRule& rule) {
     if (rule.kind == FieldKind::Choice) {
         return rule.choices.last();
@@ -101,8 +101,8 @@ QString valueText(const QJsonValue& value) {
                               : value.toString();
 }
 
-// The cells of the documentation's row for a path. A row may list several paths: `film.edges.left`,
-// `.right`.
+// Returns the cells of the documentation's row for a path. A row may list several paths:
+// `film.edges.left`, `.right`.
 QStringList rowFor(const QString& path) {
     QFile file(sourceFolder("/docs/files-and-commands.md"));
     if (!file.open(QIODevice::ReadOnly)) {
@@ -127,7 +127,7 @@ class FilmFieldsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void profile_hasTheProjectsRules() {
+    void profileRule_filmField_equalsTheProjectsRule() {
         QCOMPARE(materialPaths().size(), std::size_t(16));
         for (const Paths& path : materialPaths()) {
             FieldRule project = fieldAt(path.project).rule;
@@ -166,7 +166,7 @@ private slots:
         QCOMPARE(toJson(project), toJson(before));
     }
 
-    void refusedTones_areNamedByTheirPath() {
+    void inkTones_refused_errorNamesThePath() {
         const auto where = [](const auto& set) {
             try {
                 set();
@@ -183,8 +183,8 @@ private slots:
                  QStringLiteral("ink_tones"));
     }
 
-    // Sheets from before a field existed keep their job number.
-    void countedSettings_leaveOutWhatIsUsualAndLater() {
+    // A sheet that is older than a field keeps its job number.
+    void countedSettings_laterFieldWithDefault_isOmitted() {
         const QStringList later{QStringLiteral("growth_per_s"), QStringLiteral("growth_limit"),
                                 QStringLiteral("grip_fade_deg"),
                                 QStringLiteral("gathering_stretch")};
@@ -218,7 +218,7 @@ private slots:
         QVERIFY(photos.contains("growth_per_s") && !photos.contains("relaxation_time_s"));
     }
 
-    void document_hasEveryFieldWithItsLimits() {
+    void documentation_filmFields_hasEveryFieldWithItsLimits() {
         for (const Paths& path : materialPaths()) {
             const Field<Project>& field = fieldAt(path.project);
             const QStringList row = rowFor(path.project);

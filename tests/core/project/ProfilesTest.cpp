@@ -96,7 +96,7 @@ private slots:
     void profileFromJson_valueOutOfRange_isRefusedByPath();
     void setByPath_refusedValue_leavesTheProfile();
     void applyProfile_project_takesTheProfilesValues();
-    void project_profiles_areStoredByContent();
+    void toJson_profiles_areStoredByContent();
 };
 
 void ProfilesTest::profileFromJson_readsWhatToJsonWrote() {
@@ -265,7 +265,7 @@ void ProfilesTest::applyProfile_project_takesTheProfilesValues() {
     QVERIFY(project.film.edges.rightPinned && !project.film.edges.leftPinned);
 }
 
-void ProfilesTest::project_profiles_areStoredByContent() {
+void ProfilesTest::toJson_profiles_areStoredByContent() {
     Project project;
     project.name = QStringLiteral("Turtle");
     applyProfile(project, printer());

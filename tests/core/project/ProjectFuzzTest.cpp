@@ -1,4 +1,4 @@
-// Thousands of damaged project files: each opens or is refused with a message. None crashes the
+// Thousands of damaged project files. Each opens or is refused with a message; none crashes the
 // program or exhausts its memory. The damage is the same in every run.
 #include "SampleProject.h"
 
@@ -81,8 +81,8 @@ int valuesIn(const QJsonValue& value) {
     return count;
 }
 
-// Returns `value` with some of its values removed or replaced: those whose number, counted from
-// `next`, is in `places`.
+// Numbers all values inside `value`, starting at `next`. Returns `value` with those removed or
+// replaced whose number is in `places`.
 QJsonValue damagedAt(const QJsonValue& value, const std::set<int>& places, int& next,
                      Random& random) {
     if (places.contains(next++)) {
@@ -113,8 +113,8 @@ QJsonValue damagedAt(const QJsonValue& value, const std::set<int>& places, int& 
     return value;
 }
 
-// Returns the document with one to four values removed or replaced. Their number does not depend on
-// the document's size, so that larger documents are refused no more often.
+// Returns the document with one to four values removed or replaced. Large documents lose as many
+// values as small ones, so they are not refused more often.
 QJsonValue damagedJson(const QJsonObject& document, Random& random) {
     const int values = valuesIn(document);
     std::set<int> places;

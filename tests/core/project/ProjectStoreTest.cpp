@@ -40,7 +40,8 @@ QJsonObject documentOf(const QList<ZipEntry>& entries) {
     return {};
 }
 
-// Saves two projects in turn over the same file and prints each save's number, until it is killed.
+// Saves two projects alternately to the same file and prints the number of each save, until the
+// process is killed.
 [[noreturn]] void saveUntilKilled(const QString& path) {
     Project project = sampleProject();
     QTextStream out(stdout);
@@ -73,7 +74,7 @@ private slots:
         QCOMPARE(project.model->textures.front(), expected.model->textures.front());
     }
 
-    void solverOfProject_readsOnlyTheSolver() {
+    void solverOfProject_savedProject_readsOnlyTheSolver() {
         Project project = sampleProject();
         project.process.solver = QStringLiteral("pbd-cpu");
         saveProject(project, path("solver.dipw"));
@@ -349,7 +350,7 @@ private:
         }
         return entries;
     }
-    // The document with another name.
+    // Returns the document with another project name.
     QByteArray renamed(const QString& name) const {
         QJsonObject json = documentOf(entries_);
         json["name"] = name;

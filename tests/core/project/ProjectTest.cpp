@@ -15,7 +15,7 @@ namespace {
 
 const QString file = QStringLiteral("job.dipw");
 
-// The message of the refusal; empty if `json` is read.
+// Returns the message of the refusal; empty if `json` is read.
 QString refusal(const QJsonObject& json) {
     try {
         fromJson(json, file);
@@ -292,14 +292,14 @@ private slots:
                                      << "240x360";
         QTest::newRow("a section") << "film"
                                    << "1";
-        QTest::newRow("nothing") << ""
-                                 << "1";
+        QTest::newRow("empty path") << ""
+                                    << "1";
         QTest::newRow("1 × 1 points") << "film.points"
                                       << "1x1";
         QTest::newRow("100,000 × 100,000 points") << "film.points"
                                                   << "100000x100000";
-        QTest::newRow("too many altogether") << "film.points"
-                                             << "2048x2048";
+        QTest::newRow("too many points in total") << "film.points"
+                                                  << "2048x2048";
         QTest::newRow("one part") << "film.points"
                                   << "240";
         QTest::newRow("three parts") << "film.points"
@@ -308,31 +308,31 @@ private slots:
                                       << "ax300";
         QTest::newRow("nan") << "film.size_mm"
                              << "nanx300";
-        QTest::newRow("inf") << "film.contact_distance_mm"
-                             << "inf";
-        QTest::newRow("a comma") << "film.contact_distance_mm"
-                                 << "0,5";
+        QTest::newRow("infinity") << "film.contact_distance_mm"
+                                  << "inf";
+        QTest::newRow("decimal comma") << "film.contact_distance_mm"
+                                       << "0,5";
         QTest::newRow("not nullable") << "film.contact_distance_mm"
                                       << "null";
-        QTest::newRow("no such immersion") << "immersions[2].name"
-                                           << "Third";
-        QTest::newRow("no such value of an immersion") << "immersions[0].speed"
-                                                       << "3";
+        QTest::newRow("unknown dip") << "immersions[2].name"
+                                     << "Third";
+        QTest::newRow("unknown value of a dip") << "immersions[0].speed"
+                                                << "3";
         QTest::newRow("the model") << "model.unit_mm"
                                    << "10";
         QTest::newRow("the version") << "version"
                                      << "2";
         QTest::newRow("not a flag") << "sheet.marks"
                                     << "yes";
-        QTest::newRow("no such choice") << "film.support"
+        QTest::newRow("unknown choice") << "film.support"
                                         << "oil";
-        QTest::newRow("no such measure") << "pose_search.weights.colour"
+        QTest::newRow("unknown measure") << "pose_search.weights.colour"
                                          << "1";
-        QTest::newRow("a weight below none") << "pose_search.weights.quality"
-                                             << "-1";
-        QTest::newRow("an endless weight") << "pose_search.weights.zone_a"
-                                           << "inf";
-        QTest::newRow("more than all") << "pose_search.limits.coverage"
+        QTest::newRow("negative weight") << "pose_search.weights.quality"
+                                         << "-1";
+        QTest::newRow("infinite weight") << "pose_search.weights.zone_a"
+                                         << "inf";
+        QTest::newRow("limit above 1") << "pose_search.limits.coverage"
                                        << "1.5";
     }
     void setByPath_invalidValue_isRefusedByPath() {

@@ -8,7 +8,7 @@ namespace dipwright::test {
 // A box with two materials, one of them with a picture, and two dips. No value is the default.
 Project sampleProject();
 
-// Whether both would be saved alike. Models are compared by content.
+// Whether both projects would be saved with the same contents. Models are compared by content.
 bool isSame(const Project& a, const Project& b);
 
 } // namespace dipwright::test

@@ -65,7 +65,8 @@ private slots:
         before.artwork.layers = {layer(Qt::red), layer(Qt::blue)};
         const Snapshot snapshot = named(before, "before");
         Project project = withSnapshots(before, {snapshot});
-        project.artwork.layers = {layer(Qt::green)}; // no layer has the other pictures any more
+        // No layer shows the two earlier pictures any more.
+        project.artwork.layers = {layer(Qt::green)};
         project = withSnapshots(project, {snapshot, named(project, "after")});
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("job.dipw"));
@@ -95,7 +96,8 @@ private slots:
         Project project = test::sampleProject();
         std::vector<Snapshot> many;
         std::mt19937 random(1);
-        for (int number = 0; number < 3; ++number) { // about 36 MB each, not compressible
+        // Each picture has about 36 MB and cannot be compressed.
+        for (int number = 0; number < 3; ++number) {
             QImage image(3000, 3000, QImage::Format_RGBA8888);
             for (int row = 0; row < image.height(); ++row) {
                 auto* words = reinterpret_cast<std::uint32_t*>(image.scanLine(row));
@@ -147,7 +149,7 @@ private slots:
         QCOMPARE(kept.back().name, many.back().name);
     }
 
-    // Another program has filled the file with snapshots.
+    // The file holds more snapshots than the limit, as another program may write.
     void saveProject_tooManySnapshots_removesTheOldest() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("many.dipw"));

@@ -1,5 +1,5 @@
-// The files and pictures of a run, on a film laid round a ball by the closed form, without a
-// solver.
+// Tests the files and pictures of a run. The film is laid round a ball by the closed form, without
+// a solver.
 #include "results/Results.h"
 #include "DippedByHand.h"
 #include "texture/LinearLight.h"
@@ -47,8 +47,8 @@ TexturedMesh ball() {
     return model;
 }
 
-// The lower half of the ball has film that kept its area: R = 2ρ sin(θ/2) (docs/film-model.md,
-// "Closed forms").
+// Returns a film that has kept its area on the lower half of the ball: R = 2ρ sin(θ/2)
+// (docs/film-model.md, "Closed forms").
 DippedFilm dippedFilm(const solver::FilmGrid& grid) {
     DippedFilm film;
     film.grid = grid;
@@ -78,7 +78,7 @@ struct Dip {
     const DippedFilm& film = laid->film();
     Coverage covered = coverage(*laid);
 
-    // The same dip with all film right of the middle, or left of it, marked.
+    // Returns the same dip with all film marked on the right or the left of the middle.
     std::shared_ptr<const LaidFilm> marked(solver::PointMark mark, bool right) const {
         DippedFilm other = film;
         for (std::size_t point = 0; point < film.positions.size(); ++point) {
@@ -87,11 +87,11 @@ struct Dip {
         }
         return layFilm(body, other, ProcessSettings{});
     }
-    // Another film with the same points on the body.
+    // Returns another film with the same points on the body.
     LaidFilm withFilm(const DippedFilm& other) const { return {body, other, laid->contact()}; }
 };
 
-// Red to the left, green to the right, blue down the middle line.
+// Returns a film image that is red on the left, green on the right and blue along the middle line.
 QImage stripes(const solver::FilmGrid& grid) {
     QImage image(QSize(int(grid.width) * 4, int(grid.depth) * 4), QImage::Format_RGBA8888);
     image.fill(QColor(200, 30, 30));
@@ -241,7 +241,7 @@ void ResultsTest::filmVtp_twice_givesTheSameBytes() {
 }
 
 namespace {
-// CIE L* by the standard's formulas, independent of the maps' OKLab.
+// Returns CIE L* by the standard's formulas, independent of the OKLab that the maps use.
 double lightness(const QColor& colour) {
     const LinearColour light = linearColour(colour);
     const double y = 0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2];
@@ -306,7 +306,7 @@ void ResultsTest::stretchMap_showsStretchedFilm() {
 }
 
 namespace {
-// A translation that doubles the legend's text.
+// A translation that makes the legend's text twice as long.
 class LongWords : public QTranslator {
 public:
     LongWords() { QCoreApplication::installTranslator(this); }
@@ -350,7 +350,8 @@ void ResultsTest::stretchMap_wideFilm_isWide() {
 }
 
 void ResultsTest::wrinkling_compressionCounts_thinningDoesNot() {
-    // Stretched to 1.5 in one direction; the other is kept at 1, then compressed to 0.9.
+    // The film is stretched to 1.5 in one direction. In the other direction its stretch is first 1,
+    // then 0.9.
     const auto drawn = [&](float across) {
         DippedFilm film = dip_.film;
         for (std::size_t i = 0; i < film.positions.size(); ++i) {
@@ -374,7 +375,7 @@ void ResultsTest::wrinkling_compressionCounts_thinningDoesNot() {
 }
 
 namespace {
-// The number of pixels in exactly this colour left and right of the column.
+// Returns the number of pixels in exactly this colour to the left and to the right of the column.
 std::pair<int, int> countBeside(const QImage& image, const QColor& colour, int column,
                                 const QRect& part) {
     std::pair<int, int> count{0, 0};
@@ -408,7 +409,8 @@ void ResultsTest::numericalErrorMap_outliers_keepTheColourScale() {
     const auto at = [&](const QImage& map, double share) {
         return map.pixelColor(90 + int(share * width), 120 + 390);
     };
-    // Both sides can still be distinguished. Errors past the scale have a colour outside the map.
+    // Both sides must still be distinguishable. Errors above the scale must have a colour outside
+    // the map.
     QVERIFY(lightness(at(far, 0.6)) > lightness(at(far, 0.4)) + 15);
     QVERIFY(at(far, 0.5).red() > at(far, 0.5).blue() + 100);
     QVERIFY(lightness(at(near, 0.6)) > lightness(at(near, 0.4)) + 15);
@@ -421,8 +423,8 @@ void ResultsTest::numericalErrorMap_markedFilm_isHatched() {
         const auto marked = dip_.marked(mark, true);
         const QImage map = numericalErrorMap(*marked, changes, 0.3, 1000);
         keep(map, QStringLiteral("marked-%1.png").arg(int(mark)));
-        QVERIFY(map.height() > plain.height()); // a line of its legend
-        // The film's part of the picture, in FilmMap's units of a hundredth.
+        QVERIFY(map.height() > plain.height()); // because the hatch has a line in the legend
+        // The film's place in the picture, from FilmMap's lengths in per cent of the height.
         const QRect film(90, 120, int(780 * 140 / 196.0), 780);
         const auto [left, right] = countBeside(map, markColour(mark), film.center().x(), film);
         QVERIFY2(left < 100 && right > 5000,
@@ -452,7 +454,7 @@ void ResultsTest::proofPicture_markedFilm_isHatched() {
     QVERIFY(front.first < 20 && front.second > 300);
     QVERIFY(back.second < 20 && back.first > 300);
     QCOMPARE(countBeside(plain, markColour(mark), 0, plain.rect()).second, 0);
-    // Marked film that does not paint changes nothing.
+    // Marked film that does not paint does not change the picture.
     DippedFilm beside = dip_.film;
     for (std::size_t point = 0; point < beside.positions.size(); ++point) {
         beside.marks.push_back(beside.adhered(point) ? 0 : std::uint8_t(mark));
@@ -466,8 +468,8 @@ void ResultsTest::proofPicture_showsTheImageOnTheBody() {
     const QImage image = proof(stripes(dip_.film.grid), tile);
     keep(image, "proof.png");
     QCOMPARE(image.size(), QSize(3 * tile.width(), 2 * tile.height()));
-    // The ball is painted below its middle and bare above. The film's left is left from the front
-    // and right from the back.
+    // The ball is painted below its middle and bare above. The film's left is on the left from the
+    // front and on the right from the back.
     const auto pixel = [&](int view, double right, double down) {
         return image.pixelColor(int(tile.width() * (view % 3 + right)),
                                 int(tile.height() * (view / 3 + down)));
@@ -488,7 +490,7 @@ void ResultsTest::proofPicture_showsTheImageOnTheBody() {
     QVERIFY(isGreen(pixel(3, 0.3, 0.72)));
     QVERIFY(isRed(pixel(3, 0.7, 0.72)));
     QVERIFY(isRed(pixel(4, 0.5, 0.8)));
-    // From below, the film's left is left, too.
+    // From below, the film's left is also on the left.
     QVERIFY(isRed(pixel(5, 0.3, 0.5)));
     QVERIFY(isGreen(pixel(5, 0.7, 0.5)));
     QVERIFY(isBlue(pixel(5, 0.5, 0.5)));
@@ -519,7 +521,7 @@ void ResultsTest::proofPicture_stretchedFilm_showsPalerInk() {
 void ResultsTest::proofPicture_overlappingFilms_addTheirInk() {
     QImage red(400, 560, QImage::Format_RGBA8888);
     red.fill(Qt::red);
-    QImage holed = red; // green with a hole to the left
+    QImage holed = red; // green with a hole on the left
     holed.fill(Qt::green);
     QPainter painter(&holed);
     painter.setCompositionMode(QPainter::CompositionMode_Source);
@@ -563,7 +565,7 @@ void ResultsTest::proofPicture_colouredPart_showsInkOnPartColourAndOnWhite() {
     QVERIFY(bare.pixelColor(70, 75).red() < 60);
     QCOMPARE(backed.pixelColor(30, 75), bare.pixelColor(30, 75));
     QCOMPARE(backed.pixelColor(70, 75), usual.pixelColor(70, 75));
-    options.ground.whiteOutside = true; // printed first it hides the ink
+    options.ground.whiteOutside = true; // white that is printed first hides the ink
     const QColor veil = of(white).pixelColor(70, 75);
     QVERIFY(veil.red() > 150 && std::abs(veil.red() - veil.green()) < 8);
 }
@@ -581,8 +583,8 @@ void ResultsTest::printedColours_shiftedFilm_matchClosedForm() {
     slip.swell = 1.05;
     const std::vector<QRgb> colours =
         printedColours(fine, {{dip_.laid, halves, slip}}, {.compensate = false});
-    // The closed form gives where the film of a place rested and which half of the picture was
-    // there.
+    // By the closed form, the test knows where the film of a place lay before the dip and which
+    // half of the picture it showed.
     const double turn = radians(slip.turn);
     std::size_t tried = 0;
     for (std::size_t triangle = 0; triangle < colours.size(); ++triangle) {
@@ -629,7 +631,7 @@ void ResultsTest::printedColours_shallowerDip_leavesTheUpperPartBare() {
 
 namespace {
 
-// A ball under two films from opposite sides.
+// A ball that is dipped from opposite sides through two films.
 struct OppositeDips {
     TexturedMesh model = test::plainModel(sphereMesh(radius, 60, 120), QColor(120, 120, 120));
     std::array<std::shared_ptr<const LaidFilm>, 2> films{
@@ -654,8 +656,8 @@ void ResultsTest::sharePicture_areasMatchClosedForm() {
     const OppositeDips dips;
     const QSize pixels(840, 1188); // 4 per mm
     const QImage picture = sharePicture(*dips.films[0], dips.share, 0, pixels);
-    // Film that rested within 2ρ·sin(θ/2) lies within θ of the lowest point. Dip 1 paints alone up
-    // to half the overlap before the equator.
+    // Film from within 2ρ·sin(θ/2) of the film's centre lies within the angle θ of the lowest
+    // point. Dip 1 paints alone up to half the overlap's width before the equator.
     const double alone = pi / 2 - dips.share.overlap.middle / 2 / radius;
     const double disc = pi * std::pow(2 * radius * std::sin(alone / 2), 2) * 16;
     const auto painted = double(countOf(picture, painterColour(Painter::First), picture.rect()));
@@ -697,8 +699,8 @@ void ResultsTest::coveragePicture_showsSharesAndSeam() {
 }
 
 void ResultsTest::printedColours_shiftedOverlap_matchClosedForm() {
-    // Two films fade into each other over b = 10 mm, and the second is shifted by e. Ink is missing
-    // there: a grey of reflectance R shows R^(1 − e/b).
+    // Two films fade into each other over b = 10 mm. The second film is shifted by e, so ink is
+    // missing in the overlap: a grey of reflectance R shows R^(1 − e/b).
     const double shift = 2, band = 10, grey = 0.3;
     const auto fading = [&](bool toTheRight) {
         QImage image(1400, 1960, QImage::Format_RGBA8888);

@@ -1,4 +1,4 @@
-// Coverage previewed from the body's shape alone, compared with closed forms and with dips.
+// Tests coverage previewed from the body's shape alone, compared with closed forms and with dips.
 #include "search/CoveragePreview.h"
 #include "HollowBodies.h"
 #include "SearchSubjects.h"
@@ -63,8 +63,8 @@ private slots:
     }
 
     void coveragePreview_hiddenFromBelow_staysBare() {
-        // Two plates, one above the other: film does not reach the underside and walls of the upper
-        // one.
+        // Two plates, one above the other. Film does not reach the underside and the walls of the
+        // upper plate.
         TriangleMesh plates = boxMesh({30, 4, 30});
         TriangleMesh upper = boxMesh({20, 4, 20});
         const auto first = std::uint32_t(plates.positions.size());
@@ -81,8 +81,8 @@ private slots:
     }
 
     void coveragePreview_trappedAir_staysBare() {
-        // A bowl with its rim down is painted on the rim and the wall up to the overhang. With a
-        // hole in its top, or tilted so that the air escapes, it is painted more.
+        // A bowl with its rim down is painted on the rim, and on the wall up to the overhang. With
+        // a hole in its top, or tilted so that the air escapes, more of the bowl is painted.
         const SearchSubject subject = subjectOf(test::bowl());
         const double rim = pi * (32 * 32 - 29 * 29);
         const double wall = 2 * pi * 32 * 32 * std::sin(radians(subject.process.overhang));

@@ -1,4 +1,4 @@
-// The pose search, on bodies whose best poses are obvious.
+// Tests the pose search on bodies whose best poses are obvious.
 #include "search/PoseSearch.h"
 #include "HollowBodies.h"
 #include "SearchSubjects.h"
@@ -19,17 +19,17 @@ using namespace dipwright;
 
 namespace {
 
-// The body's direction that points down in this dip.
+// Returns the body's direction that points down in this dip.
 Eigen::Vector3d downOf(const Immersion& immersion) {
     return rotationMatrix(immersion.rotation).transpose() * -Eigen::Vector3d::UnitY();
 }
 
-// The angle between the body's Y axis and the water, in degrees.
+// Returns the angle between the body's Y axis and the water, in degrees.
 double tiltOf(const RankedPoses& ranked) {
     return std::asin(downOf(ranked.immersions[0]).y()) * 180 / pi;
 }
 
-// Searches only the six sides of the box, without refinement.
+// Returns settings for a search of only the six sides of the box, without refinement.
 SearchSettings sidesOnly(int immersions) {
     SearchSettings settings;
     settings.immersions = immersions;
@@ -63,7 +63,7 @@ private slots:
         const auto ranking = search(board_, sidesOnly(1)).ranking;
         QVERIFY(!ranking.empty());
         QCOMPARE(ranking[0].immersions.size(), 1U);
-        // Edge first, film rolls onto both broad faces.
+        // If the board goes in edge first, film rolls onto both broad faces.
         QVERIFY(std::abs(downOf(ranking[0].immersions[0]).x()) < 0.02);
         QVERIFY(ranking[0].measures[Measure::Coverage] > 0.6);
     }
@@ -94,8 +94,8 @@ private slots:
         QVERIFY(best.immersions[0].name != best.immersions[1].name);
     }
 
-    // An egg on its side, dipped from below and from above: film reaches a little past its widest
-    // line.
+    // An egg on its side is dipped from below and from above. Film reaches a little past the egg's
+    // widest line.
     void searchPoses_largeRegistrationError_makesTheOverlapNarrow() {
         const auto narrow = [&](double error) {
             SearchSubject subject = subjectOf(ellipsoidMesh({14, 22, 10}, 40, 60));
@@ -132,7 +132,8 @@ private slots:
         compare(search(board_, settings), once);
     }
 
-    // Both films must agree, because one table ranks poses by either.
+    // Both films must give about the same objective, because one table ranks poses dipped with
+    // either.
     void searchPoses_finerFilm_agreesWithTheJobsFilm_data() {
         QTest::addColumn<int>("body");
         QTest::newRow("egg") << 0;
@@ -197,7 +198,7 @@ private slots:
                                  Error);
         settings.seed = 1;
         searchPoses(board_, settings, module(), {one, two}, {}, {});
-        SearchSubject elsewhere = board_; // as with another solver
+        SearchSubject elsewhere = board_; // as if made with another solver
         elsewhere.identity = "other";
         QVERIFY_EXCEPTION_THROWN(searchPoses(elsewhere, settings, module(), {one, two}, {}, {}),
                                  Error);
@@ -230,8 +231,8 @@ private slots:
         const TriangleMesh body = coneMesh(0.5, 40, 64);
         const auto fineSubjectOf = [](const TriangleMesh& mesh) {
             SearchSubject subject = subjectOf(mesh);
-            subject.film.columns = subject.film.rows =
-                48; // so fine that its direction does not matter
+            // So fine that the direction of the cells does not matter.
+            subject.film.columns = subject.film.rows = 48;
             return subject;
         };
         const RankedPoses straight = search(fineSubjectOf(body), settings).ranking.front();
@@ -243,17 +244,17 @@ private slots:
             const RankedPoses turned =
                 search(fineSubjectOf(transformed(body, turn)), settings).ranking.front();
             QVERIFY(std::abs(turned.objective - straight.objective) < 0.005);
-            // The best tilt is the same, apart from the film's cells, which do not turn with the
+            // The best tilt is the same, except for the film's cells, which do not turn with the
             // body.
             QVERIFY(std::abs(tiltOf(turned) - tiltOf(straight)) < 12);
         }
     }
 
-    // One face of a cube is marked as important, or three that meet.
+    // The important faces of a cube: one face, or three that meet.
     void searchPoses_markedFaces_pointDown_data() {
         QTest::addColumn<int>("faces");
-        QTest::newRow("one") << 1;
-        QTest::newRow("three") << 3;
+        QTest::newRow("one face") << 1;
+        QTest::newRow("three faces") << 3;
     }
     void searchPoses_markedFaces_pointDown() {
         QFETCH(int, faces);
@@ -279,17 +280,18 @@ private slots:
             qPrintable(
                 QStringLiteral("quality %1, expected > 0.8").arg(best.measures[Measure::Quality])));
         for (int axis = 0; axis < faces; ++axis) {
-            // The face points down or is upright, never up.
-            QVERIFY2(down[axis] > -0.05,
-                     qPrintable(QStringLiteral("the face points down by %1, expected > -0.05")
-                                    .arg(down[axis])));
+            // The face points down or sideways, never up.
+            QVERIFY2(
+                down[axis] > -0.05,
+                qPrintable(QStringLiteral("the face's normal points down by %1, expected > -0.05")
+                               .arg(down[axis])));
         }
     }
 
     void searchPoses_limits_comeBeforeTheObjective() {
         SearchSettings settings = sidesOnly(1);
         const SearchResult free = search(board_, settings);
-        // The limit on stretch is the value of the last pose.
+        // The limit on stretch is the largest stretch of the last pose.
         const double painted = free.ranking.back().measures[Measure::Coverage];
         setLimit(settings.aims, QStringLiteral("stretch"),
                  free.ranking.back().measures[Measure::Stretch] + 1e-6);
@@ -343,7 +345,7 @@ private slots:
         QCOMPARE(found.size(), 2U);
         QVERIFY(!found[0].isBetter && !found[1].isBetter);
         QCOMPARE(reasonText(found), QStringLiteral("−3.0 % coverage, +0.40 largest stretch"));
-        QCOMPARE(reasonText(differences(one, one, {}, 100)), QStringLiteral("the same"));
+        QCOMPARE(reasonText(differences(one, one, {}, 100)), QStringLiteral("no difference"));
     }
 
     void poseAims_valuesOutOfRange_areRefused() {
@@ -358,7 +360,7 @@ private slots:
         QCOMPARE(settings.aims.zoneWeights[1], 7.0);
     }
 
-    void measureText_stretchPastTheScale_isAtLeast() {
+    void measureText_stretchPastTheScale_saysAtLeast() {
         QCOMPARE(measureText(Measure::Stretch, 1.844), QStringLiteral("1.84"));
         QCOMPARE(measureText(Measure::Stretch, 65535.0 / 4096), QStringLiteral("≥ 16"));
     }

@@ -9,7 +9,7 @@
 
 namespace dipwright {
 
-// The mesh over a film of 100 × 100 mm with 25 × 25 points.
+// Returns a subject of the mesh with a film of 100 × 100 mm and 25 × 25 points.
 inline SearchSubject subjectOf(const TriangleMesh& mesh) {
     auto model = std::make_shared<TexturedMesh>();
     model->mesh = mesh;

@@ -1,5 +1,5 @@
-// A ball under two films, laid from opposite sides by a closed form: which dip paints what, and
-// whether the seam shows.
+// Tests a ball under two films that a closed form lays from opposite sides: which dip paints what,
+// and whether the seam shows.
 #include "DippedByHand.h"
 #include "base/Units.h"
 #include "dip/Coverage.h"
@@ -31,7 +31,7 @@ std::shared_ptr<const LaidFilm> laidFrom(const TexturedMesh& model, double turn)
     return test::laidOnTurnedSphere(model.mesh, radius, reach, turn);
 }
 
-// Films from below and from above.
+// Returns films from below and from above.
 Films oppositeFilms(const TexturedMesh& model) {
     return {laidFrom(model, 0), laidFrom(model, 180)};
 }
@@ -49,8 +49,8 @@ double heightOf(const std::array<Eigen::Vector3f, 2>& piece) {
     return double(piece[0].y() + piece[1].y()) / 2;
 }
 
-// The light of a sheet at a place of the flat film, interpolated between four pixels. Unprinted
-// pixels are white.
+// Returns the light of a sheet at a place of the flat film, interpolated between four pixels.
+// Unprinted pixels are white.
 LinearColour printedAt(const QImage& sheet, const solver::FilmGrid& grid,
                        const Eigen::Vector2f& rest) {
     const double x = (double(rest.x()) / grid.width + 0.5) * sheet.width() - 0.5;
@@ -70,7 +70,7 @@ LinearColour printedAt(const QImage& sheet, const solver::FilmGrid& grid,
     return sum;
 }
 
-// The light that one film's sheet shows at a place of the body.
+// Returns the light that one film's sheet shows at a place of the body.
 LinearColour shownBy(const LaidFilm& laid, const QImage& sheet, const SurfacePoint& point) {
     const std::optional<FilmPlace> place = laid.place(point);
     if (!place) {
@@ -101,13 +101,13 @@ private Q_SLOTS:
     void shareBody_overlap_isMeasuredOnTheFlatFilm();
     void shareBody_slippedFilm_doesNotShow();
     void shareBody_tooLittleRoom_isReportedAsNarrow();
-    void shareBody_areaOfOneDipAlone_isItsShare();
+    void shareBody_areaThatOneDipReaches_isThatDipsShare();
     void shareBody_areaOfOneDipAlone_doesNotFade();
     void shareBody_unreachedPlaces_areListed();
     void shareBody_marks_areObeyed();
     void recommendedLastDip_lessStretchedFilm_isLast();
     void markOutline_roundMark_isACircle();
-    void markOutline_face_isItsEdges();
+    void markOutline_ofAFace_followsTheFacesEdges();
     void shareBody_twice_givesTheSameBits();
 };
 
@@ -266,8 +266,8 @@ void BodyShareTest::shareBody_overlap_isMeasuredOnTheFlatFilm() {
         qPrintable(QStringLiteral("overlap %1 mm, expected 1.5 mm").arg(plain.overlap.middle)));
 }
 
-// The second film is shifted by the registration error. It gives each place the ink of another,
-// which changes the sum of both densities.
+// The second film is shifted by the registration error. Each place then gets the ink of another
+// place, which changes the sum of both densities.
 void BodyShareTest::shareBody_slippedFilm_doesNotShow() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
     const BodyShare share = shared(model, oppositeFilms(model));
@@ -282,7 +282,7 @@ void BodyShareTest::shareBody_slippedFilm_doesNotShow() {
         }
         const SurfacePoint point = share.fade.mesh->middle(triangle);
         const Eigen::Vector3d place = position(model.mesh, point).cast<double>();
-        // Along the meridian of the second film, whose pole is on top.
+        // Distance from the middle of the second film, whose pole is on top.
         const double rest = 2 * radius * std::sin(std::acos(place.y() / radius) / 2);
         const Eigen::Vector3d outwards = Eigen::Vector3d(place.x(), 0, place.z()).normalized();
         for (const double off : {-slip, slip}) {
@@ -318,7 +318,7 @@ void BodyShareTest::shareBody_tooLittleRoom_isReportedAsNarrow() {
              qPrintable(QStringLiteral("overlap %1 mm, expected < 10 mm").arg(share.overlap.most)));
 }
 
-void BodyShareTest::shareBody_areaOfOneDipAlone_isItsShare() {
+void BodyShareTest::shareBody_areaThatOneDipReaches_isThatDipsShare() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
     const Films films = oppositeFilms(model);
     const BodyShare share = shared(model, films);
@@ -335,7 +335,7 @@ void BodyShareTest::shareBody_areaOfOneDipAlone_isItsShare() {
 
 void BodyShareTest::shareBody_areaOfOneDipAlone_doesNotFade() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
-    // Two films with a bare ring between them do not fade, up to their ends.
+    // There is a bare ring between the two films. They do not fade towards their ends.
     const Films films{test::laidOnTurnedSphere(model.mesh, radius, 1.3, 0),
                       test::laidOnTurnedSphere(model.mesh, radius, 1.3, 180)};
     const BodyShare share = shared(model, films);
@@ -377,7 +377,7 @@ void BodyShareTest::shareBody_marks_areObeyed() {
         const SurfacePoint point = SurfaceQuery(model.mesh).closest(place).point;
         return share.painters[share.fade.mesh->onFine(point).triangle];
     };
-    // A little above the equator, in the share of dip 2.
+    // A place a little above the equator, in the share of dip 2.
     const Eigen::Vector3f above = 35 * Eigen::Vector3f(0, 0.2f, 1).normalized();
     QCOMPARE(painterAt(shared(model, films), above), Painter::Second);
     ShareSettings settings;
@@ -404,7 +404,7 @@ void BodyShareTest::shareBody_marks_areObeyed() {
 void BodyShareTest::recommendedLastDip_lessStretchedFilm_isLast() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
     BodyShare share = shared(model, oppositeFilms(model));
-    // At the equator viscous film is stretched by 1/cos(45°) along the meridian.
+    // At the equator, viscous film is stretched by 1/cos(45°) along the meridian.
     for (const double stretch : share.seamStretch) {
         QVERIFY2(std::abs(stretch - std::sqrt(2)) < 0.05,
                  qPrintable(QStringLiteral("stretch %1, expected √2").arg(stretch)));
@@ -426,7 +426,8 @@ void BodyShareTest::markOutline_roundMark_isACircle() {
     for (const auto& [from, to] : markOutline(mesh, query, mark)) {
         length += double((to - from).norm());
         const double away = radius * std::acos(double(from.normalized().x()));
-        // A round front is measured a few hundredths too long (SurfaceDistance.h).
+        // The measured radius is a few per cent too large, because the front is round
+        // (SurfaceDistance.h).
         QVERIFY2(std::abs(away - 8) < 0.08 * 8,
                  qPrintable(QStringLiteral("radius %1 mm, expected 8 mm").arg(away)));
     }
@@ -435,7 +436,7 @@ void BodyShareTest::markOutline_roundMark_isACircle() {
              qPrintable(QStringLiteral("length %1 mm, expected %2 mm").arg(length).arg(circle)));
 }
 
-void BodyShareTest::markOutline_face_isItsEdges() {
+void BodyShareTest::markOutline_ofAFace_followsTheFacesEdges() {
     const TriangleMesh box = boxMesh({10, 20, 30});
     const SurfaceQuery query(box);
     ShareMark mark;

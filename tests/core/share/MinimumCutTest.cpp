@@ -1,4 +1,4 @@
-// Labels with the least cost, compared with all possible labels.
+// Tests that the labels have the least cost, compared with all possible labels.
 #include "share/MinimumCut.h"
 
 #include <QtTest>

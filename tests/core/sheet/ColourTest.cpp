@@ -1,4 +1,4 @@
-// The sheet's colours in a printer's colour space, and the files that contain them.
+// Tests the sheet's colours in a printer's colour space, and the files that contain these colours.
 #include "PaperMeasure.h"
 #include "TestProfiles.h"
 
@@ -228,7 +228,7 @@ void ColourTest::writeSheetTiff_cmykProfile_isSeparated() {
     QVERIFY(tiff.pixel(100, 200)[0] <= 2);
 }
 
-// Hairlines in four inks blur if the inks are out of register.
+// Marks are in one ink, because hairlines in four inks blur if the inks are out of register.
 void ColourTest::writeSheetTiff_cmykMarks_areBlackInkOnly() {
     Sheet unpainted = smallSheet();
     unpainted.image.fill(Qt::transparent);
@@ -254,8 +254,8 @@ void ColourTest::writeSheetTiff_cmykMarks_areBlackInkOnly() {
     }
 }
 
-// A raster image processor prints at the size that pixels and resolution give, and the printer
-// stretches that.
+// A raster image processor prints at the size that follows from pixels and resolution. The printer
+// then stretches this size.
 void ColourTest::writeSheetTiff_printerScale_isCorrectedByResolution() {
     const Tiff plain = tiffOf(smallSheet());
     const Tiff corrected = tiffOf(smallSheet(), {.scaleX = 1.004, .scaleY = 0.997});

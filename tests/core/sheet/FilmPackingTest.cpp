@@ -1,4 +1,4 @@
-// Several jobs packed on one film, compared with each job alone.
+// Tests several jobs packed on one film, compared with each job alone.
 #include "PaperMeasure.h"
 
 #include "base/Error.h"
@@ -19,14 +19,14 @@ using namespace dipwright;
 
 namespace {
 
-// A job number that begins with ff, which fonts may draw as a ligature.
+// Returns a job number that begins with ff, which fonts may draw as a ligature.
 QString jobNumber(const QString& name) {
     constexpr int letters = 12;
     const QByteArray hash = QCryptographicHash::hash(name.toUtf8(), QCryptographicHash::Md5);
     return (QStringLiteral("ff") + QString::fromLatin1(hash.toHex())).left(letters);
 }
 
-// A piece on an A4 film, inked in the rectangle `inked` (mm). Each pixel differs from its
+// Returns a piece on an A4 film with ink in the rectangle `inked` (mm). Each pixel differs from its
 // neighbours, also in opacity.
 PieceToPack part(const QString& name, QRectF inked, int copies = 1) {
     PieceToPack piece;
@@ -74,7 +74,7 @@ QRect inkedBox(const QImage& image) {
     return box;
 }
 
-// The place of a piece's picture on the film, in pixels.
+// Returns the place of a piece's picture on the film, in pixels.
 QRect pictureBox(const Sheet& sheet, const SheetPiece& piece) {
     const double unit = sheet.image.width() / sheet.filmWidth.value();
     const QRectF own = piece.picture;
@@ -136,7 +136,7 @@ private slots:
             }
         }
         QCOMPARE(std::count(seen.begin(), seen.end(), 1), std::ptrdiff_t(items.size()));
-        // At most 1.5 times the bins that the area alone would need, and one more.
+        // At most one bin more than 1.5 times the number of bins that the area alone would need.
         QVERIFY2(double(bins.size()) <= 1 + 1.5 * area / (bin.width() * bin.height()),
                  qPrintable(QStringLiteral("%1 bins").arg(bins.size())));
     }

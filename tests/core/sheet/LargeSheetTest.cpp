@@ -1,5 +1,5 @@
-// Measures the memory for the sheet of a large film with a small picture. It is a separate program,
-// because the peak counts for the whole process.
+// Measures the memory for the sheet of a large film with a small picture. This is a separate
+// program, because peak memory is measured for the whole process.
 #include "base/ImageRows.h"
 #include "sheet/page/InkedPixels.h"
 #include "sheet/prepress/SheetFiles.h"
@@ -20,7 +20,7 @@ double peakMegabytes() {
     return double(usage.ru_maxrss) / 1024;
 }
 
-// 700 × 1000 mm at 300 dpi, 98 million pixels, with a patch of 60 × 60 mm.
+// Returns a sheet of 700 × 1000 mm at 300 dpi, 98 million pixels, with a patch of 60 × 60 mm.
 Sheet largeSheet() {
     Sheet sheet;
     sheet.filmWidth = Millimetres(700);

@@ -54,8 +54,8 @@ QImage renderedPage(const QString& path, int dpi, const QRectF& box, int page) {
 std::vector<double> edges(const QImage& grey, int row, int margin) {
     std::vector<double> found;
     const uchar* line = grey.constScanLine(row);
-    int start = margin; // the last pixel that is fully light or dark
-    double light = 0;   // sum of the light in the pixels since then
+    int start = margin; // last pixel that is fully light or dark
+    double light = 0;   // sum of the light in the pixels after `start`
     for (int x = margin; x < grey.width() - margin; ++x) {
         if (line[x] > 5 && line[x] < 250) {
             light += line[x] / 255.0;

@@ -1,5 +1,5 @@
-// Inks of a CMYK printer on stretched film, each with its own law. Ghostscript separates the page,
-// the laws give the inks on the part, and lcms2 gives their colour.
+// Tests the inks of a CMYK printer on stretched film, each with its own law. Ghostscript separates
+// the page, the laws give the inks on the part, and lcms2 gives the colours of the inks.
 #include "PaperMeasure.h"
 #include "TestProfiles.h"
 #include "texture/Ink.h"
@@ -24,7 +24,7 @@ namespace {
 using Inks = std::array<double, 4>; // 0 … 1
 const QStringList inkNames{"Cyan", "Magenta", "Yellow", "Black"};
 
-// Colours of a printer's inks, computed by lcms2.
+// Computes the colours of a printer's inks by lcms2.
 class Print {
 public:
     explicit Print(const QByteArray& icc) {
@@ -46,7 +46,7 @@ public:
         cmsDoTransform(toLab_, percent.data(), &lab, 1);
         return lab;
     }
-    // The density of one ink alone, in the primary of wide colour that it absorbs.
+    // Returns the density of one ink alone, in the primary of wide colour that the ink absorbs.
     double density(std::size_t ink, double amount) const {
         Inks alone{};
         alone[ink] = amount;
@@ -62,7 +62,8 @@ public:
     }
 
 private:
-    // BT.2020's primaries from XYZ, adapted to D50; luminance for black.
+    // Returns the light in the ink's primary of BT.2020, from XYZ adapted to D50. For black,
+    // returns the luminance.
     static double light(std::size_t ink, const cmsCIELab& lab) {
         cmsCIEXYZ xyz;
         cmsLab2XYZ(nullptr, &xyz, &lab);
@@ -85,7 +86,7 @@ const std::array<float, 5> stretches{0.8f, 1.0f, 1.3f, 1.7f, 2.2f};
 constexpr int patch = 8; // mm
 constexpr int dpi = 127; // five pixels per mm
 
-// A sheet with one column for each colour and one row for each stretch.
+// Returns a sheet with one column for each colour and one row for each stretch.
 Sheet rampSheet(const InkSettings& settings) {
     Sheet sheet;
     sheet.filmWidth = Millimetres(patch * double(wantedColours.size()));
@@ -95,7 +96,7 @@ Sheet rampSheet(const InkSettings& settings) {
     const QSize pixels = sheetPixels(sheet.filmWidth, sheet.filmHeight, DotsPerInch(dpi));
     QImage wanted(pixels, QImage::Format_RGBA8888);
     QImage stretch = unstretched(pixels);
-    QImage printed(pixels, QImage::Format_RGBA8888); // as an RGB printer gets it
+    QImage printed(pixels, QImage::Format_RGBA8888); // the image for an RGB printer
     const InkCompensation compensation(settings);
     for (int y = 0; y < pixels.height(); ++y) {
         const float grown = stretches[std::size_t(std::min(y / (5 * patch), 4))];
@@ -113,7 +114,7 @@ Sheet rampSheet(const InkSettings& settings) {
     return sheet;
 }
 
-// Each ink has its own law; none is that of a dye.
+// Returns settings in which each ink has its own law; no law is the law of a dye.
 InkSettings lawOfEachInk() {
     InkSettings settings;
     settings.law.exponents = {0.8, 0.4, 0.6, 0.2, 1};
@@ -143,8 +144,8 @@ class PerInkTest : public QObject {
         }
         return plates;
     }
-    // The largest ΔE between the colour shown and the separated colour, over patches without full
-    // ink. `counted`: the number of these patches.
+    // Returns the largest ΔE between the colour shown and the separated colour, over patches
+    // without full ink. Sets `counted` to the number of these patches.
     double worst(const Sheet& sheet, const PrinterColour& colour, const QByteArray& icc,
                  int& counted) const {
         const Print print(icc);
@@ -251,7 +252,7 @@ void PerInkTest::inkShortfall_fullInkTooPale_isReported() {
     PrintCorrection correction{.colour = &colour};
     sheet.wanted->image.fill(QColor(200, 200, 200));
     QCOMPARE(inkShortfall(sheet, correction), 0.0);
-    // A dark column that stretched film cannot show.
+    // One column is so dark that stretched film cannot show it.
     for (int y = 0; y < sheet.wanted->image.height(); ++y) {
         for (int x = 0; x < 5 * patch; ++x) {
             sheet.wanted->image.setPixelColor(x, y, QColor(12, 12, 12));
@@ -289,7 +290,7 @@ void PerInkTest::separate_totalInk_holdsAfterCompensation() {
     QVERIFY(inkShortfall(sheet, correction) > 0);
 }
 
-// An RGB printer gets the same picture as without laws for each ink.
+// For an RGB printer, the picture is the same as without laws for each ink.
 void PerInkTest::writeSheetTiff_rgbPrinter_ignoresInkLaws() {
     const Sheet sheet = rampSheet(lawOfEachInk());
     Sheet plain = sheet;

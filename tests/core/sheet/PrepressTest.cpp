@@ -1,4 +1,4 @@
-// Files for print shops: PDF/X in CMYK, checked with independent programs.
+// Tests files for print shops, PDF/X in CMYK, with independent programs.
 #include "ChessSheet.h"
 #include "PaperMeasure.h"
 #include "TestProfiles.h"
@@ -23,9 +23,9 @@ using namespace dipwright;
 
 namespace {
 
-constexpr double dark = 0.8; // of a plate's full ink
+constexpr double dark = 0.8; // pixels above this share of full ink count as dark
 
-// A half tint of white over 20 × 20 mm in the film's upper left.
+// Returns a plate with a half tint of white over 20 × 20 mm in the film's upper left.
 QImage cornerOfWhite(const Sheet& sheet) {
     QImage white(sheet.image.size(), QImage::Format_Grayscale8);
     white.fill(0);
@@ -66,8 +66,9 @@ int inkedPixels(const QImage& plate) {
     return count;
 }
 
-// The mean of a black square and the white one beside it is compared. Partly inked pixels at their
-// edges, darker in CMYK than in RGB, make the one wider and the other narrower.
+// Compares the mean width of a black square and of the white square beside it. Partly inked pixels
+// at the edges, darker in CMYK than in RGB, make the black square wider and the white square
+// narrower.
 void verifyPitch(const QString& path, bool across, double wanted) {
     const std::vector<double> sizes = squares(path, across);
     QVERIFY(sizes.size() >= 8);
@@ -272,7 +273,7 @@ void PrepressTest::writeSheetPdf_registrationMarks_areOnEveryPlate() {
     }
 }
 
-// The simple profile has no black generation: a dark colour uses three inks.
+// The simple profile has no black generation, so a dark colour uses three inks.
 void PrepressTest::writeSheetPdf_totalInk_isLimited() {
     const Sheet sheet = patchSheet();
     PrintCorrection correction{.colour = &inks_};
@@ -328,8 +329,8 @@ void PrepressTest::cutLine_isASeparatePlate() {
     QCOMPARE(separations(pdfOf(sheet, {.colour = &inks_}), 150).size(), std::size_t(4));
 }
 
-// The line goes round patches of 60 × 10 mm in the middle, with straight sides at the distance and
-// round corners.
+// The line surrounds patches of 60 × 10 mm in the middle. Its sides are straight, at the set
+// distance, and its corners are round.
 void PrepressTest::cutLine_keepsItsDistanceFromTheInk() {
     constexpr int dpi = 600;
     const auto pixels = [](double mm) { return mm / millimetresPerInch * dpi; };
@@ -353,7 +354,7 @@ void PrepressTest::cutLine_keepsItsDistanceFromTheInk() {
     };
     verify(true, 40, 16, 84);
     verify(false, 50, 31, 49);
-    const double corner = 4 * std::sqrt(0.5); // of the arc, at 45°
+    const double corner = 4 * std::sqrt(0.5); // place on the arc at 45°
     verify(true, 35 - corner, 20 - corner, 80 + corner);
 
     sheet.settings.cutLine = CutLine::Film;
@@ -368,10 +369,10 @@ void PrepressTest::cutLine_goesRoundAllPlates_data() {
     QTest::addColumn<int>("plate");
     QTest::newRow("white printed last") << 0;
     QTest::newRow("varnish printed first") << 1;
-    QTest::newRow("ink compensated by itself") << 2;
+    QTest::newRow("ink compensated separately") << 2;
 }
 
-// The cut line is 4 mm round a square of 10 mm in the upper left, where the picture is empty.
+// The cut line is 4 mm outside a square of 10 mm in the upper left, where the picture is empty.
 void PrepressTest::cutLine_goesRoundAllPlates() {
     QFETCH(int, plate);
     constexpr int dpi = 150;
@@ -434,7 +435,7 @@ void PrepressTest::cutBleed_continuesColourPastTheCut() {
     QCOMPARE(ink(plates, "Magenta", pixel(35, 33)), edge);   // 2 mm out: past the cut
     QCOMPARE(ink(plates, "Magenta", pixel(35, 31.3)), edge); // 3.7 mm
     QCOMPARE(ink(plates, "Magenta", pixel(35, 30.7)), 0.0);  // 4.3 mm
-    QVERIFY(ink(plates, "White", pixel(35, 33)) > 0.6);      // its choke is kept
+    QVERIFY(ink(plates, "White", pixel(35, 33)) > 0.6);      // white keeps its choke
     QCOMPARE(ink(plates, "White", pixel(35, 31.4)), 0.0);
     // The page's boxes contain cut and bleed, in points from below.
     const QByteArray page = output("qpdf", {"--qdf", "--stream-data=uncompress", path, "-"});
@@ -490,7 +491,8 @@ void PrepressTest::white_isASeparatePlate() {
     QVERIFY(order.indexOf("/Plate1 Do") > 0);
 }
 
-// A varnish printed first, a spot colour and white: the file keeps their names and printing order.
+// The file keeps the names and the printing order of a varnish that is printed first, a spot colour
+// and white.
 void PrepressTest::spotPlates_keepNamesAndOrder() {
     Sheet sheet = patchSheet();
     sheet.settings.marks = sheet.settings.ruler = sheet.settings.jobLine = false;

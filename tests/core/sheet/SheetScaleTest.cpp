@@ -1,4 +1,5 @@
-// Printers that stretch and paper that is too small: corrected scale, calibration pages and tiles.
+// Tests the corrected scale and calibration pages for printers that stretch, and tiles for small
+// paper.
 #include "PaperMeasure.h"
 
 #include "sheet/page/CalibrationPage.h"
@@ -77,8 +78,8 @@ private slots:
     void sheetTiles_tooSmallPaper_isRefused();
 };
 
-// The printer stretches by 1.004 × 0.997, and the file is corrected for that. The measured length
-// is multiplied by the printer's error.
+// The printer stretches by 1.004 × 0.997, and the file is corrected for this stretch. The test
+// multiplies the length measured in the file by the printer's stretch.
 void SheetScaleTest::writeSheetPdf_printerScale_rulerMeasures100mm() {
     constexpr double stretchX = 1.004;
     const Sheet sheet = patchSheet();
@@ -90,8 +91,7 @@ void SheetScaleTest::writeSheetPdf_printerScale_rulerMeasures100mm() {
     });
     const QRectF ruler = sheetLayout(sheet).ruler->box();
     const QImage strip = rendered(path, ruler.adjusted(-1, -1, 1, 1));
-    // The page is scaled about its middle, which moves the ruler's lower edge out by 0.003 · 145
-    // mm.
+    // Scaling the page about its middle moves the ruler's lower edge outwards by 0.003 · 145 mm.
     std::vector<double> found;
     for (int row = strip.height() - 1; row > 0 && found.size() != 101; --row) {
         found = ticks(strip, true, row);
@@ -164,7 +164,7 @@ void SheetScaleTest::calibrationPage_everyPaper_fits() {
 
 void SheetScaleTest::calibratedScale_measuredLengths_giveTheScale() {
     QCOMPARE(calibratedScale(1, Millimetres(180), Millimetres(180.72)), 1.004);
-    // On a corrected page the remaining error is multiplied with the scale.
+    // The error measured on a corrected page is multiplied with the page's scale.
     QCOMPARE(calibratedScale(1.004, Millimetres(180), Millimetres(180)), 1.004);
     QVERIFY(std::abs(calibratedScale(1.004, Millimetres(200), Millimetres(199)) - 1.004 * 0.995) <
             1e-12);

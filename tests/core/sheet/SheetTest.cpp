@@ -1,4 +1,4 @@
-// The sheet, measured on the finished PDF and PNG with poppler's tools.
+// Tests the sheet by measuring the finished PDF and PNG with poppler's tools.
 #include "PaperMeasure.h"
 
 #include "sheet/page/SheetLayout.h"
@@ -37,7 +37,8 @@ void fillMillimetres(Sheet& sheet, const QRectF& box, QColor colour) {
     painter.fillRect(box, colour);
 }
 
-// Squares of 17 mm over the whole film; four of them meet in its middle.
+// Returns a sheet with squares of 17 mm over the whole film; four squares meet in the film's
+// middle.
 Sheet chessSheet() {
     Sheet sheet = sheetOf(Millimetres(210), Millimetres(297));
     sheet.image.fill(Qt::white);
@@ -52,7 +53,7 @@ Sheet chessSheet() {
     return sheet;
 }
 
-// A patch in the middle of an otherwise unprinted film.
+// Returns a sheet with a patch in the middle of an otherwise unprinted film.
 Sheet patchSheet(Millimetres width = Millimetres(210), Millimetres height = Millimetres(297)) {
     Sheet sheet = sheetOf(width, height);
     fillMillimetres(sheet, QRectF(width.value() / 2 - 30, height.value() / 2 - 30, 60, 60),
@@ -161,7 +162,8 @@ void SheetTest::writeSheetPdf_image_isBitExact() {
     output("pdfimages", {"-png", path, folder_.filePath("image")});
     QImage image(folder_.filePath("image-000.png"));
     QVERIFY(!image.isNull());
-    image.setColorSpace(QColorSpace::SRgb); // the PDF states it once, in the output intent
+    image.setColorSpace(
+        QColorSpace::SRgb); // the PDF states the colour space only in the output intent
     QCOMPARE(image.convertToFormat(QImage::Format_RGB888), flattened(sheet.image));
     QVERIFY(!QFile::exists(folder_.filePath("image-001.png")));
 }
@@ -175,7 +177,7 @@ void SheetTest::writeSheetPdf_ruler_measures100mm() {
     const QRectF box = layout.ruler->box();
     const QImage strip = renderedPage(path, dpi, box);
     const double millimetre = dpi / millimetresPerInch;
-    // Just above the base line every tick is a dark run whose middle is the millimetre.
+    // Just above the base line, the middle of each dark run is the place of a tick.
     std::vector<double> ticks = darkMiddles(strip, true, strip.height() - int(0.6 * millimetre));
     for (double& tick : ticks) {
         tick /= millimetre;

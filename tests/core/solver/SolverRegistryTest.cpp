@@ -1,4 +1,4 @@
-// How the registry treats the files that it finds, without loading plugin code.
+// How SolverRegistry treats the files that it finds. No plugin code is loaded.
 
 #include "solver/SolverRegistry.h"
 #include "PluginFolder.h"
@@ -44,10 +44,10 @@ private slots:
     void solverRegistry_priorityOutOfRange_isRefused();
     void solverRegistry_fileThatIsNoModule_isRefused();
     void solverRegistry_sameIdTwice_firstFolderWins();
-    void solverRegistry_unknownSolver_isRefusedWithTheChoice();
+    void solverRegistry_unknownSolver_errorListsTheSolvers();
     void standardFolders_shippedPlugins_comeFirst();
     void crashesOf_moduleBeingLoaded_isZero();
-    void writableByOthers_groupFolder_unlessItIsTheUsersOwnGroup();
+    void writableByOthers_groupFolder_isReportedUnlessGroupIsPrivate();
 };
 
 void SolverRegistryTest::initTestCase() {
@@ -109,7 +109,7 @@ void SolverRegistryTest::solverRegistry_missingModule_isNamed() {
     QVERIFY(info.reason.contains(PluginFolder::moduleName(QStringLiteral("good"))));
 }
 
-// Reading the device never ends; reading the pipe never begins.
+// Reading the device would never end; reading the pipe would never begin.
 void SolverRegistryTest::solverRegistry_pipeOrDeviceAsDescription_isNotRead() {
 #ifdef Q_OS_UNIX
     const PluginFolder place;
@@ -185,7 +185,7 @@ void SolverRegistryTest::solverRegistry_sameIdTwice_firstFolderWins() {
     QCOMPARE(solvers[2].id, QStringLiteral("same-2")); // the id by which it can be chosen
 }
 
-void SolverRegistryTest::solverRegistry_unknownSolver_isRefusedWithTheChoice() {
+void SolverRegistryTest::solverRegistry_unknownSolver_errorListsTheSolvers() {
     const PluginFolder folder;
     folder.describe(PluginFolder::description(QStringLiteral("good")));
     const SolverRegistry registry({folder.path()});
@@ -227,7 +227,7 @@ void SolverRegistryTest::crashesOf_moduleBeingLoaded_isZero() {
 }
 
 // Tries every group that this user can give a folder to.
-void SolverRegistryTest::writableByOthers_groupFolder_unlessItIsTheUsersOwnGroup() {
+void SolverRegistryTest::writableByOthers_groupFolder_isReportedUnlessGroupIsPrivate() {
 #ifdef Q_OS_UNIX
     const PluginFolder folder;
     const QByteArray path = QFile::encodeName(folder.path());

@@ -1,4 +1,4 @@
-// From the body to the sheet, with the film simulated by the CPU plugin.
+// Tests the way from the body to the sheet with films that the CPU plugin simulates.
 #include "DippedByHand.h"
 #include "dip/Coverage.h"
 #include "dip/Dip.h"
@@ -50,7 +50,7 @@ TexturedMesh lettered() {
     return test::boxWithPicture(boxSize, test::letterF());
 }
 
-// A box beside the film's middle, dipped by 2 mm.
+// Returns the film of a box that is dipped by 2 mm beside the film's middle.
 std::shared_ptr<const LaidFilm> dippedBox(const FilmSettings& film,
                                           MillimetresPerSecond speed = ProcessSettings().dipSpeed) {
     Immersion beside;
@@ -61,8 +61,7 @@ std::shared_ptr<const LaidFilm> dippedBox() {
     return dippedBox(filmOf(Millimetres(120), Millimetres(100), 97));
 }
 
-// At this speed the box reaches the water after ten seconds. Until then the film below grows by an
-// eighth.
+// At this speed the box reaches the water after 10 s. Until then the film grows by about 1/8.
 constexpr MillimetresPerSecond slowly{0.05};
 FilmSettings growing(FilmSettings film) {
     film.growthRate = 0.02;
@@ -71,13 +70,13 @@ FilmSettings growing(FilmSettings film) {
 }
 const double grownByThen = 1 + 0.2 * (1 - std::exp(-0.02 * 10 / 0.2));
 
-// The smaller stretch in the film's middle, which is under the box.
+// Returns the smaller principal stretch in the film's middle, which is under the box.
 double compressionInTheMiddle(const LaidFilm& laid) {
     const std::vector<float>& stretches = laid.painted().wrinkling.pointStretches;
     return double(stretches[stretches.size() / 2]);
 }
 
-// Whether a film triangle lies completely under the box's bottom.
+// Tells whether a film triangle lies completely under the box's bottom.
 bool isUnderBottom(const solver::FilmGrid& grid, const FilmTriangle& triangle) {
     return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t point) {
         const Eigen::Vector2f rest = restPosition(grid, point) - Eigen::Vector2f(12, -7);
@@ -127,8 +126,8 @@ void PrintedBodyTest::reverseTexture_letterOnTheBottom_isMirroredOnTheSheet() {
     ReverseTextureOptions options;
     options.pixels = {1200, 1000}; // ten per mm
     const QImage sheet = reverseTexture(*dippedBox(), lettered(), options, Progress{}).image;
-    // The letter must be mirrored on the sheet and 60 mm wide, its middle 12 mm right of the film's
-    // and 7 mm above it.
+    // The letter must be mirrored on the sheet and 60 mm wide. Its middle must be 12 mm to the
+    // right of the film's middle and 7 mm above it.
     const QImage mirrored = test::letterF().mirrored(true, false);
     int wrong = 0;
     int inked = 0;
@@ -146,8 +145,8 @@ void PrintedBodyTest::reverseTexture_letterOnTheBottom_isMirroredOnTheSheet() {
     QVERIFY2(wrong < 850, qPrintable(QStringLiteral("%1 wrong pixels, expected < 850").arg(wrong)));
 }
 
-// The sheet is the film at the beginning of the dip. There the letter is an eighth smaller and
-// nearer to the middle.
+// The sheet shows the film before it grew. On the sheet the letter is smaller, by a factor of about
+// 8/9, and nearer to the middle.
 void PrintedBodyTest::reverseTexture_growingFilm_isPrintedSmaller() {
     ReverseTextureOptions options;
     options.pixels = {1200, 1000}; // ten per mm
@@ -179,7 +178,7 @@ void PrintedBodyTest::simulateDip_growingFilmPinnedAllRound_wrinkles() {
     const auto plain = dippedBox(film, slowly), grown = dippedBox(growing(film), slowly);
     QVERIFY(std::abs(compressionInTheMiddle(*plain) - 1) < 0.002);
     QVERIFY(std::abs(compressionInTheMiddle(*grown) - 1 / grownByThen) < 0.002);
-    // Everything wrinkles except film that is drawn down the sides.
+    // All film wrinkles except the film on the sides of the box.
     QVERIFY(plain->painted().wrinkling.share < 0.1);
     QVERIFY(grown->painted().wrinkling.share > 0.9);
 }
@@ -231,7 +230,7 @@ void PrintedBodyTest::simulateDip_sphereOnGrowingFilm_matchesClosedForm() {
     FloatingFilm still = floating;
     still.grown = [](double) { return 1.0; };
     QVERIFY(ClosedForm(sphere, still).filmRadius(sphere.fullArc) >
-            exact.filmRadius(sphere.fullArc) + 2); // growth moves film by more than 2 mm
+            exact.filmRadius(sphere.fullArc) + 2); // the film's growth moves film by more than 2 mm
     const DippedFilm& dip = laid->film();
     int compared = 0;
     for (std::size_t point = 0; point < dip.states.size(); ++point) {

@@ -1,4 +1,4 @@
-// The read-back error, on films laid by hand.
+// Tests the read-back error with films whose positions the test sets.
 #include "texture/ReadBack.h"
 #include "DippedByHand.h"
 #include "geometry/Shapes.h"
@@ -19,7 +19,7 @@ QImage anyPicture() {
     return image;
 }
 
-// The error of a film that lies as `dipped`, with a sheet that was made for `planned`.
+// Returns the error of the film `dipped` with a sheet that was made for `planned`.
 ReadBackError measured(const TexturedMesh& model, const DippedFilm& planned,
                        const DippedFilm& dipped) {
     return readBackError(*test::laid(model.mesh, planned), *test::laid(model.mesh, dipped), model);

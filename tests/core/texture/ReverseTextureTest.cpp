@@ -1,4 +1,4 @@
-// The film image, on films laid by closed forms.
+// Tests the film image with films laid by closed forms.
 #include "texture/ReverseTexture.h"
 #include "DippedByHand.h"
 #include "base/Units.h"
@@ -23,7 +23,7 @@ const QSize a4Pixels(1240, 1754); // 150 dpi
 
 using Pattern = std::function<LinearColour(double u, double v)>;
 
-// A picture of a pattern. Each texel has the colour at its middle.
+// Returns a picture of a pattern. Each texel has the colour at its middle.
 QImage drawn(const Pattern& pattern, QSize size) {
     QImage image(size, QImage::Format_RGBA8888);
     for (int row = 0; row < size.height(); ++row) {
@@ -40,7 +40,7 @@ QImage drawn(const Pattern& pattern, QSize size) {
     return image;
 }
 
-// Smooth waves that are continuous where the map closes.
+// Returns smooth waves that are continuous where the map closes.
 LinearColour waves(double u, double v) {
     return Eigen::Array3d(0.5 + 0.4 * std::sin(6 * pi * u), 0.5 + 0.4 * std::cos(4 * pi * u),
                           0.5 + 0.4 * std::sin(10 * pi * v))
@@ -59,7 +59,7 @@ ReverseTextureOptions uncompensated(QSize pixels = a4Pixels) {
     return options;
 }
 
-// The film's place under a pixel's middle, mm.
+// Returns the place on the film of a pixel's middle, mm.
 Eigen::Vector2d place(const QImage& image, int column, int row) {
     return {((column + 0.5) / image.width() - 0.5) * 210,
             ((row + 0.5) / image.height() - 0.5) * 297};
@@ -141,8 +141,8 @@ void ReverseTextureTest::reverseTexture_letter_isMirroredInItsPlace() {
     const ReverseTexture texture =
         reversed(test::boxWithPicture(boxSize, letter), test::flatUnderBox(test::a4Grid(), boxSize),
                  uncompensated({2480, 3508}));
-    // Seen from below with −Z up, the picture's right is −X. On the sheet, ink side up, the letter
-    // is mirrored left to right and keeps its top.
+    // Seen from below with −Z up, the right of the picture is −X. On the sheet, ink side up, the
+    // letter is mirrored left to right but not upside down.
     std::size_t same = 0;
     std::size_t all = 0;
     std::size_t sameUnmirrored = 0;
@@ -192,7 +192,7 @@ void ReverseTextureTest::reverseTexture_textureSeam_doesNotMixCharts_data() {
 
 void ReverseTextureTest::reverseTexture_textureSeam_doesNotMixCharts() {
     QFETCH(int, texels);
-    // A red and a blue disc on green: the ball is red for x < 0 and blue for x > 0.
+    // The texture has a red and a blue disc on green: the ball is red for x < 0 and blue for x > 0.
     const auto discs = [](double u, double v) {
         const bool onDisc = std::hypot(u - (u < 0.5 ? 0.25 : 0.75), v - 0.5) <= 0.15;
         return onDisc ? LinearColour(u < 0.5 ? 1 : 0, 0, u < 0.5 ? 0 : 1) : LinearColour(0, 1, 0);
@@ -220,7 +220,7 @@ void ReverseTextureTest::reverseTexture_textureSeam_doesNotMixCharts() {
 }
 
 void ReverseTextureTest::reverseTexture_finePattern_isAveragedInLinearLight() {
-    // A checkerboard of single texels; a pixel covers about 40 of them.
+    // The texture is a checkerboard of single texels. A pixel covers about 40 texels.
     QImage picture(2048, 2048, QImage::Format_RGBA8888);
     for (int row = 0; row < picture.height(); ++row) {
         for (int column = 0; column < picture.width(); ++column) {
@@ -280,7 +280,7 @@ void ReverseTextureTest::reverseTexture_colourBeyondSrgb_isKept() {
         }
         other += 4;
     });
-    // Colours beyond sRGB are not clipped, nor in the bleed.
+    // Colours beyond sRGB are not clipped, not even in the bleed.
     QImage green(64, 64, QImage::Format_RGBA64);
     green.setColorSpace(QColorSpace::AdobeRgb);
     green.fill(QColor(20, 230, 20));
@@ -322,7 +322,8 @@ void ReverseTextureTest::reverseTexture_bleed_endsAtItsWidth() {
 }
 
 void ReverseTextureTest::reverseTexture_stretchedFilm_getsMoreInk() {
-    // Flat film stretched by a fifth in both directions: every cell covers 1.44 times its area.
+    // Flat film is stretched by 20 % in both directions, so that every cell covers 1.44 times its
+    // area.
     DippedFilm film = test::flatUnderBox(test::a4Grid(), boxSize / 1.2);
     for (Eigen::Vector3f& position : film.positions) {
         position *= 1.2f;
@@ -350,13 +351,13 @@ void ReverseTextureTest::reverseTexture_inkLimit_reportsShortfallArea() {
     options.ink.limit = 1;
     const ReverseTexture texture =
         reversed(test::plainModel(boxMesh(boxSize), QColor(0, 0, 0)), film, options);
-    // All of the painted bottom: the stretched cells of 28 × 28 points.
+    // The whole painted bottom: the stretched cells between 28 × 28 points.
     const double painted = 27 * 27 * film.grid.spacingX(0) * film.grid.spacingZ(0) * 1.44;
     QVERIFY(std::abs(texture.shortfallArea - painted) < 0.01 * painted);
 }
 
-// A half tint on film with an area stretch of 1.44. White extends as far as the colour and its
-// bleed.
+// A half tint is printed on film with an area stretch of 1.44. White extends as far as the colour
+// and its bleed.
 void ReverseTextureTest::reverseTexture_stretchedFilm_getsMoreWhite() {
     DippedFilm film = test::flatUnderBox(test::a4Grid(), boxSize / 1.2);
     for (Eigen::Vector3f& position : film.positions) {
@@ -379,12 +380,12 @@ void ReverseTextureTest::reverseTexture_stretchedFilm_getsMoreWhite() {
                      qPrintable(QStringLiteral("tint %1 of 255").arg(tint)));
         }
     }
-    options.white = 0.9; // the tint is limited to full
+    options.white = 0.9; // the printed tint is limited to full tint
     const ReverseTexture full = reversed(model, film, options);
     QCOMPARE(int(full.white.constScanLine(full.white.height() / 2)[full.white.width() / 2]), 255);
 }
 
-// The wanted colour and the film's stretch, for printers that compensate each ink.
+// Returns the wanted colour and the film's stretch, for printers that compensate each ink.
 void ReverseTextureTest::reverseTexture_keepsWanted_returnsWantedColourAndStretch() {
     DippedFilm film = test::flatUnderBox(test::a4Grid(), boxSize / 1.2);
     for (Eigen::Vector3f& position : film.positions) {
@@ -414,7 +415,7 @@ void ReverseTextureTest::reverseTexture_keepsWanted_returnsWantedColourAndStretc
     QVERIFY(printed > 10'000);
 }
 
-// One laid film serves the colours and all plates.
+// The colours and all plates come from the same laid film.
 void ReverseTextureTest::reverseTexture_spotInks_keepTheirOrder() {
     const TexturedMesh box = test::boxWithPicture(boxSize, drawn(waves, {256, 256}));
     const auto laid = test::laid(box.mesh, test::flatUnderBox(test::a4Grid(), boxSize));

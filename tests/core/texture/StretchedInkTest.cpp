@@ -1,5 +1,5 @@
-// Two kinds of simulated ink on a ball under film that stretches up to its rim. Compensation by a
-// law that was fitted to a step wedge must show the wanted grey.
+// Tests two kinds of simulated ink on a ball, on film that stretches up to the ball's rim.
+// Compensation by a law that was fitted to a step wedge must show the wanted grey.
 #include "DippedByHand.h"
 #include "base/Error.h"
 #include "base/Units.h"
@@ -27,13 +27,15 @@ double density(double light) {
     return -std::log10(light);
 }
 
-// The light of ink on film with the area stretch J, if it has `light` on unstretched film.
+// Returns the light of ink on film with the area stretch J, if the ink has `light` on unstretched
+// film.
 using InkOnFilm = std::function<double(double light, double stretch)>;
 
 double dye(double light, double stretch) {
     return std::pow(light, 1 / stretch);
 }
-// Dots of the density `solid` that cover a share of the film and stretch with it.
+// Returns the ink law of dots of the density `solid`, which cover a share of the film and stretch
+// with the film.
 InkOnFilm dots(double solid) {
     return [solid](double light, double stretch) {
         const double covered = (1 - light) / (1 - std::pow(10, -solid));
@@ -41,7 +43,7 @@ InkOnFilm dots(double solid) {
     };
 }
 
-// A wedge of three inks as a densitometer reads it, with `noise` as standard deviation.
+// Returns the readings of a wedge of three inks, with `noise` as standard deviation.
 std::vector<WedgeReading> wedge(const InkOnFilm& ink, double solid, double noise = 0) {
     std::mt19937 random(7);
     std::normal_distribution<double> off(0, noise > 0 ? noise : 1);
@@ -61,8 +63,8 @@ std::vector<WedgeReading> wedge(const InkOnFilm& ink, double solid, double noise
     return readings;
 }
 
-// A ball of radius 35 mm. Film from the distance R lies at the polar angle R/ρ + (R/ρ)³/3; at its
-// end its area is doubled.
+// The ball's radius in mm. Film from the distance R lies at the polar angle R/ρ + (R/ρ)³/3. At its
+// end the film's area is doubled.
 constexpr double radius = 35;
 constexpr double rim = 100 * pi / 180;
 double polarAngle(double distance) {
@@ -82,7 +84,7 @@ double areaStretch(double distance) {
     return std::sin(polarAngle(distance)) / share * (1 + share * share);
 }
 
-// A ramp from white in the middle to a sixteenth of its light at the left and right edges.
+// Returns a ramp from white in the middle to 1/16 of the light at the left and right edges.
 QImage ramp() {
     QImage picture(1024, 8, QImage::Format_RGBA8888);
     for (int column = 0; column < picture.width(); ++column) {
@@ -244,8 +246,8 @@ void StretchedInkTest::fitInk_impossibleReadings_areRefused_data() {
     QTest::newRow("no density") << QList<double>{1, 1, 2, 0};
     QTest::newRow("not a number") << QList<double>{1, 1, 2, std::nan("")};
     QTest::newRow("infinite") << QList<double>{1, 1, std::numeric_limits<double>::infinity(), 0.5};
-    QTest::newRow("denser by far when it is stretched") << QList<double>{0.3, 0.1, 1.3, 2};
-    QTest::newRow("paler by far") << QList<double>{0.3, 2, 1.3, 0.01};
+    QTest::newRow("much denser when stretched") << QList<double>{0.3, 0.1, 1.3, 2};
+    QTest::newRow("much paler than the dye law") << QList<double>{0.3, 2, 1.3, 0.01};
 }
 
 void StretchedInkTest::fitInk_impossibleReadings_areRefused() {
@@ -253,7 +255,7 @@ void StretchedInkTest::fitInk_impossibleReadings_areRefused() {
     const WedgeReading wrong{FilmInk::Cyan, reading[0], reading[1], reading[2], reading[3]};
     QVERIFY_EXCEPTION_THROWN(fitInk(std::vector{wrong}, {}), Error);
     QVERIFY_EXCEPTION_THROWN(fitInk({}, {}), Error);
-    // More ink that shows a paler colour.
+    // By these readings, more ink would show a paler colour.
     const std::vector<WedgeReading> crossing{{FilmInk::Cyan, 1, 1, 3, 0.9},
                                              {FilmInk::Cyan, 1.1, 1.1, 3, 0.4}};
     QVERIFY_EXCEPTION_THROWN(fitInk(crossing, {}), Error);
@@ -282,7 +284,7 @@ void StretchedInkTest::readWedge_faultyTable_isRefused_data() {
     QTest::newRow("empty") << QByteArray();
     QTest::newRow("another's head") << QByteArray("a,b\n1,2\n");
     QTest::newRow("no ink") << head + "green,1,1,120,120,0.5\n";
-    QTest::newRow("a number short") << head + "cyan,1,1,120,0.5\n";
+    QTest::newRow("one number missing") << head + "cyan,1,1,120,0.5\n";
     QTest::newRow("a word") << head + "cyan,1,1,120,wide,0.5\n";
     QTest::newRow("not a number") << head + "cyan,1,1,120,nan,0.5\n";
     QTest::newRow("endless") << head + QByteArray(20'000, '\n');

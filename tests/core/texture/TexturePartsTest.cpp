@@ -1,4 +1,4 @@
-// The parts of the reverse texture: light, ink, filters, charts, bleed and chessboard.
+// Tests the parts of the reverse texture: light, ink, filters, charts, bleed and chessboard.
 #include "DippedByHand.h"
 #include "base/Units.h"
 #include "geometry/Shapes.h"
@@ -38,7 +38,7 @@ LinearColour look(const TextureSampler& sampler, const Eigen::Vector2f& coordina
     return sampler.sample(coordinate, sampler.footprint(steps));
 }
 
-// Two triangles that cover the box from (left, bottom) to (right, top) of the texture.
+// Adds two triangles that cover the box from (left, bottom) to (right, top) of the texture.
 void addChart(TexturedMesh& model, float left, float bottom, float right, float top) {
     const auto first = std::uint32_t(model.mesh.positions.size());
     for (int corner = 0; corner < 4; ++corner) {
@@ -165,7 +165,7 @@ void TexturePartsTest::textureSampler_minifiedChecker_isGreyInLinearLight() {
 }
 
 void TexturePartsTest::textureSampler_oddSize_keepsItsMean() {
-    // One white column of seven, wherever it is, gives a seventh of the light.
+    // One white column of seven gives 1/7 of the light, at every position.
     for (int white = 0; white < 7; ++white) {
         QImage image = filled(7, 5, Qt::black);
         for (int row = 0; row < 5; ++row) {
@@ -178,7 +178,7 @@ void TexturePartsTest::textureSampler_oddSize_keepsItsMean() {
 }
 
 void TexturePartsTest::textureSampler_anisotropicFootprint_doesNotBlurAcross() {
-    // Stripes along u, and pixels that are six texels long along u and one texel wide.
+    // The texture has stripes along u. Pixels are six texels long along u and one texel wide.
     QImage image = filled(64, 64, Qt::black);
     for (int row = 0; row < 64; row += 4) {
         for (int column = 0; column < 64; ++column) {
@@ -210,7 +210,7 @@ void TexturePartsTest::textureSampler_transparentTexels_showWhite() {
 }
 
 void TexturePartsTest::textureSampler_sampleWithin_staysInItsChart() {
-    // A red and a blue chart that meet in the middle, on a green ground.
+    // A red and a blue chart meet in the middle, on a green ground.
     QImage image = filled(32, 32, Qt::green);
     for (int row = 8; row < 24; ++row) {
         for (int column = 4; column < 28; ++column) {
@@ -316,8 +316,8 @@ void TexturePartsTest::chessboard_squaresMeetInTheMiddle() {
     QVERIFY(isWhite(200, 100) != isWhite(233, 134));
 }
 
-// Film that is gathered to a point has triangles without area, which rounding keeps beside the
-// surface.
+// Film that is compressed to a point has triangles without area. Because of rounding they do not
+// lie exactly on the surface.
 void TexturePartsTest::reverseMap_filmGatheredToAPoint_findsTheSurface() {
     const TexturedMesh model = test::plainModel(sphereMesh(35, 40, 80), Qt::red);
     DippedFilm film = test::viscousOnSphere(test::a4Grid(), 35, 1.2);

@@ -1,4 +1,4 @@
-// The motion of a dip, as points in time and as a filled template.
+// Tests the motion of a dip, as points in time and as a filled template.
 #include "traveller/Motion.h"
 
 #include "base/Error.h"
@@ -26,7 +26,7 @@ class MotionTest : public QObject {
     Q_OBJECT
 
 private slots:
-    // 49.5 mm at 20 mm/s, 42.5 mm at 4 mm/s, 5 s, and 92 mm at 4 mm/s.
+    // The motion is 49.5 mm at 20 mm/s, 42.5 mm at 4 mm/s, a hold of 5 s, and 92 mm at 4 mm/s.
     void motionCsv_hasDepthsAndTimes() {
         QCOMPARE(motionCsv(motion()), QByteArray("time_s,height_mm,speed_mm_s\n"
                                                  "0.000,50.000,0.000\n"
@@ -56,13 +56,13 @@ private slots:
                               "M0", "G1 Z50.000 F240.000", "M2"}));
     }
 
-    // Some controllers take a dwell in ms, others in s. So the hold consists of moves that last as
-    // long.
+    // Some controllers take a dwell in ms, others in s. The hold therefore consists of moves that
+    // take the same time.
     void filledTemplate_hold_lastsAsLongOnEveryController() {
         const MotionTemplate shipped = motionTemplate();
         const QString code =
             QString::fromUtf8(filledTemplate(motion(), shipped.text, shipped.where));
-        double height = 0, minutes = 0; // mm; minutes at the dip's depth
+        double height = 0, minutes = 0; // height in mm; time at the dip's depth
         for (const QString& line : code.split(u'\n')) {
             const QString command = line.section(u';', 0, 0).trimmed();
             QVERIFY2(!command.startsWith(QStringLiteral("G4")), qPrintable(command));

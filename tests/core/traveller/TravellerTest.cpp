@@ -1,5 +1,4 @@
-// The pages for the tank, read back by the tools that read any PDF, and a phone's way to read a
-// code.
+// Tests the traveller's pages with general PDF tools and a QR code reader.
 #include "traveller/Traveller.h"
 #include "DippedByHand.h"
 #include "geometry/Shapes.h"
@@ -114,7 +113,8 @@ private slots:
         QCOMPARE(travellerPdf(traveller()), travellerPdf(traveller()));
     }
 
-    // A ball whose lower half is red: from the front its lower half is red, from below all of it.
+    // The ball's lower half is red. From the front, the lower half of the picture is red; from
+    // below, the whole ball.
     void posePicture_showsTheBodyFromFrontAndBelow() {
         QImage red(210, 297, QImage::Format_RGBA8888);
         red.fill(Qt::red);
@@ -127,7 +127,7 @@ private slots:
         QVERIFY(isRed(front.image.pixelColor(100, 130)));
         QVERIFY(!isRed(front.image.pixelColor(100, 70)));
         QCOMPARE(front.image.pixelColor(3, 3), QColor(Qt::white));
-        // 70 mm high, with a rim of 6 %.
+        // The ball is 70 mm high; the picture has a rim of 6 %.
         QVERIFY(std::abs(front.scale - 200 / (1.06 * 70)) < 0.01);
         QVERIFY(std::abs(front.bottom + 0.03 * 70) < 0.1);
         const PosePicture below = posePicture(view, PoseSide::Below, size, {});

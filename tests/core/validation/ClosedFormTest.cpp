@@ -1,4 +1,4 @@
-// The closed forms, compared with known values and formulas (docs/film-model.md, "Closed forms").
+// Tests the closed forms against known values and formulas (docs/film-model.md, "Closed forms").
 #include "validation/ClosedForm.h"
 
 #include "base/Units.h"
@@ -10,7 +10,7 @@ using namespace dipwright;
 
 namespace {
 
-constexpr double large = 1e6; // mm, a film's radius
+constexpr double large = 1e6; // radius of a very large film, mm
 
 FloatingFilm film(FilmLaw law, FilmEdge edge, double radius) {
     return {law, edge, radius};
@@ -69,7 +69,8 @@ void ClosedFormTest::closedForm_heldFilm_doesNotDependOnGrowth() {
     }
 }
 
-// Growth by e^(kh) until the depth h. Viscous, R² = 2∫a/g² ds; elastic, dR/ds·(2g − a/R) = 1.
+// The film has grown by the factor e^(kh) at the depth h. Viscous film: R² = 2∫a/g² ds. Elastic
+// film: dR/ds·(2g − a/R) = 1.
 void ClosedFormTest::closedForm_growingLargeFilms_matchFormulas() {
     constexpr double k = 0.004;
     const auto law = [](double depth) { return std::exp(k * depth); };
@@ -93,7 +94,7 @@ void ClosedFormTest::filmOnCylinder_freeFilm_matchesKnownLengths() {
         const FloatingFilm free = film(law, FilmEdge::Free, 0);
         QVERIFY(agree(filmOnCylinder(20, 28, free), 28));
         QVERIFY(agree(filmOnCylinder(20, 28, grown(free, [](double) { return 1.2; })), 28 / 1.2));
-        // Growth after the first contact stretches the film across by a third more.
+        // The film grows after the first contact, which stretches it across the cylinder.
         const auto late = [](double depth) { return depth > 0 ? 1.03 : 1.0; };
         QVERIFY(std::abs(filmOnCylinder(20, 28, grown(free, late)) * 1.04 / 28 - 1) < 1e-3);
     }

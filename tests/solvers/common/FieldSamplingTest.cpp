@@ -1,4 +1,4 @@
-// Sampling of the distance field, compared with fields in closed form.
+// Compares the sampling of distance fields with fields in closed form.
 
 #include "common/FieldSampling.h"
 
@@ -38,7 +38,7 @@ class FieldSamplingTest : public QObject {
 private Q_SLOTS:
     void sampleField_linearField_isExact();
     void sampleField_error_fallsWithTheSquareOfTheSpacing();
-    void sampleField_outsideTheGrid_addsTheWayToIt();
+    void sampleField_outsideTheGrid_addsTheDistanceToTheGrid();
     void clearance_neverExceedsTheDistance();
     void onLevel_reachesTheLevel();
     void smoothGradient_acrossCells_isContinuous();
@@ -67,7 +67,7 @@ void FieldSamplingTest::sampleField_error_fallsWithTheSquareOfTheSpacing() {
                             .arg(fine)));
 }
 
-void FieldSamplingTest::sampleField_outsideTheGrid_addsTheWayToIt() {
+void FieldSamplingTest::sampleField_outsideTheGrid_addsTheDistanceToTheGrid() {
     const test::SampledBody body = test::sampledBody(10, 11, linearAt);
     const auto field = fieldGrid<double>(body.view);
     const FieldSample<double> sample = sampleField(field, Place{8, 9, 0});
@@ -93,7 +93,7 @@ void FieldSamplingTest::onLevel_reachesTheLevel() {
         const Place place = onLevel(field, Place{20, 15, 12}, level);
         QVERIFY(std::abs(sampleField(field, place).distance - level) <= 1e-4 * field.spacing);
         QVERIFY(std::abs(length(place) - (30 + level)) < 0.02);
-        // radially outwards from the centre
+        // The place moved radially outwards from the centre.
         QVERIFY(std::abs(place.x / place.y - 20.0 / 15) < 0.02);
     }
 }

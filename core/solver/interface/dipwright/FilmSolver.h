@@ -37,8 +37,8 @@ enum class Support : std::uint8_t {
     Water, // a free point stays on the plane y = 0
 };
 
-// Whether this is the production film, which floats on water and resists shear, or else the paper's
-// film.
+// Returns true for the production film, which floats on water and resists shear; false for the
+// paper's film.
 constexpr bool isProductionFilm(Lattice lattice, Support support) {
     return lattice == Lattice::Isotropic && support == Support::Water;
 }
@@ -49,28 +49,33 @@ enum class Relaxation : std::uint8_t { Jacobi, GaussSeidel };
 // The flat film before the dip: columns × rows points, columns along +X, rows along +Z, centred on
 // the origin in the plane y = 0. Point (column i, row j) has index j·columns + i and rests at
 // (restX(i), 0, restZ(j)). The lines need not be evenly spaced: a graded film is fine under the
-// body and coarse towards its edges. Each cell is cut into two triangles along the diagonal (i,
-// j)–(i+1, j+1) where i + j is even and (i+1, j)–(i, j+1) where it is odd.
+// body and coarse towards its edges. Each cell is cut into two triangles. If i + j is even, the cut
+// is the diagonal (i, j)–(i+1, j+1), otherwise (i+1, j)–(i, j+1).
 struct FilmGrid {
     int columns = 0;
     int rows = 0;
     double width = 0; // mm along X, swell included
     double depth = 0; // mm along Z, swell included
-    // Rest positions of the columns along X and of the rows along Z, mm, one each, ascending. The
-    // first is −width/2 or −depth/2, the last width/2 or depth/2. Empty: evenly spaced.
+    // Rest positions of all columns along X, mm, ascending from −width/2 to width/2. Empty: evenly
+    // spaced.
     std::vector<double> columnPlaces = {};
+    // Rest positions of all rows along Z, mm, ascending from −depth/2 to depth/2. Empty: evenly
+    // spaced.
     std::vector<double> rowPlaces = {};
 
     bool operator==(const FilmGrid&) const = default;
 
     std::size_t pointCount() const { return std::size_t(columns) * std::size_t(rows); }
     bool isEven() const { return columnPlaces.empty() && rowPlaces.empty(); }
-    // Rest positions of a column along X and of a row along Z, mm.
+    // Returns the rest position of a column along X, mm.
     double restX(int column) const { return rest(columnPlaces, columns, width, column); }
+    // Returns the rest position of a row along Z, mm.
     double restZ(int row) const { return rest(rowPlaces, rows, depth, row); }
-    // Distance in mm from a column or row (not the last) to the next: the size of the cells
-    // between.
+    // Returns the distance from a column (not the last) to the next, mm: the width of the cells
+    // between them.
     double spacingX(int column) const { return spacing(columnPlaces, columns, width, column); }
+    // Returns the distance from a row (not the last) to the next, mm: the depth of the cells
+    // between them.
     double spacingZ(int row) const { return spacing(rowPlaces, rows, depth, row); }
     // Smallest cell sizes, mm.
     double leastSpacingX() const { return leastSpacing(columnPlaces, columns, width); }
@@ -96,9 +101,10 @@ private:
     }
 };
 
-// Signed distance to the body, sampled on a uniform grid in body coordinates; negative inside. Not
-// owned; valid until the solver is begun again or destroyed. Sample (i, j, k) is at origin +
-// spacing·(i, j, k) and has index (k·ny + j)·nx + i. Between samples: trilinear.
+// Signed distance to the body, sampled on a uniform grid in body coordinates; negative inside. The
+// samples are not owned. They must stay valid until the solver is begun again or destroyed. Sample
+// (i, j, k) is at origin + spacing·(i, j, k) and has index (k·ny + j)·nx + i. Values between
+// samples are interpolated trilinearly.
 struct FieldView {
     const float* distance = nullptr;
     std::array<int, 3> size{};
@@ -107,7 +113,7 @@ struct FieldView {
 };
 
 // The body's motion into the water. A point q of the body (body coordinates, as in the field) has
-// the world position rotation·q + start − (0, descent, 0), where descent grows from 0 to `travel`.
+// the world position rotation·q + start − (0, descent, 0). Here descent grows from 0 to `travel`.
 struct BodyMotion {
     std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1}; // row-major
     std::array<double, 3> start{};                             // mm
@@ -118,37 +124,38 @@ struct BodyMotion {
 struct Settings {
     Lattice lattice = Lattice::Isotropic;
     Support support = Support::Water;
-    double contactDistance = 0; // mm: a point at this distance from the surface touches it
+    double contactDistance = 0; // mm; a film point this close to the surface touches it
     // Time constant in seconds by which stress in the floating film decays: infinity = elastic, 0 =
     // viscous. Isotropic film on water only.
     double relaxationTime = 0;
-    // For a structural lattice or no support: the step in seconds and the sweeps of one step.
-    double timeStep = 1.0 / 60;
-    int iterations = 5;
+    // The next four settings apply to a structural lattice or to film without support.
+    double timeStep = 1.0 / 60; // s
+    int iterations = 5;         // sweeps of the constraints in one step
     Relaxation relaxation = Relaxation::Jacobi;
     bool selfContact = false;
-    // For isotropic film on water. `contactTravel` is the travel of the contact line in one step,
-    // in cells. A step has converged when its residual is below `residual`. The residual is the
-    // forces left on the free points divided by the elastic forces in the film, each as the root of
-    // its sum of squares.
+    // The next two settings apply to isotropic film on water. `contactTravel` is how far the
+    // contact line moves in one step, in cells. A step has converged when its residual is below
+    // `residual`. The residual is the remaining forces on the free points divided by the elastic
+    // forces in the film. Both are root sums of squares.
     double contactTravel = 0.5;
     double residual = 1e-4;
-    // Laws of film behaviour, for isotropic film on water only (docs/film-model.md, "Assumed
-    // constants"). Film is laid on faces that turn upwards by at most `overhang` radians from the
-    // vertical, with ever less grip before that. Beyond it the body releases the film. Film that
-    // the body catches there (PointState::Trapped) is neither painted nor pulled along.
+    // The following laws apply to isotropic film on water only (docs/film-model.md, "Assumed
+    // constants"). Film adheres to faces that turn upwards from the vertical by at most `overhang`
+    // radians. The body releases film at steeper faces. Film that the body catches there
+    // (PointState::Trapped) is not painted and takes no part in the unfolding.
     double overhang = 0.35;
-    // The grip is full up to this far before the overhang, radians, and fades from there on.
+    // Range of angles before the overhang in which the grip fades, radians. Before that range the
+    // grip is full.
     double gripFade = 5 * std::numbers::pi / 180;
     double tearStretch = 4; // length or area stretch above which film tears
-    // Film whose mean stretch (λ1 + λ2)/2 falls below this gathers; 2/3 … 1.
+    // Film gathers where its mean stretch (λ1 + λ2)/2 falls below this value, 2/3 … 1.
     double gatheringStretch = 0.8;
-    // Floating film grows equally along X and Z: t seconds after the dip began its rest shape is 1
-    // + limit·(1 − exp(−rate·t/limit)) times as long. Laid film grows no more. The rate is in 1/s,
-    // the limit a share of the length; no growth if one of them is 0.
-    double growthRate = 0;
-    double growthLimit = 0;
-    int threads = 0; // 0: all threads of the host
+    // Floating film grows equally along X and Z: t seconds after the start of the dip, its rest
+    // lengths are 1 + limit·(1 − exp(−rate·t/limit)) times the original ones. Adhered film stops
+    // growing. The film does not grow if the rate or the limit is 0.
+    double growthRate = 0;  // 1/s
+    double growthLimit = 0; // share of the length
+    int threads = 0;        // 0: all threads of the host
 
     bool operator==(const Settings&) const = default;
 };
@@ -163,17 +170,17 @@ struct DipSetup {
     std::vector<std::uint8_t> pinned;
 };
 
-// How well the steps of a dip so far have converged, for a film that seeks equilibrium; all zero
-// for any other.
+// How well the steps of a dip have converged so far. All zero for a film that does not seek
+// equilibrium.
 struct EquilibriumAccount {
     std::int64_t stepsWithout = 0;     // steps that ended with a residual above Settings::residual
     double worstForceLeft = 0;         // the largest residual of those steps
-    std::int64_t linearIterations = 0; // of the linear solver, in all steps
+    std::int64_t linearIterations = 0; // iterations of the linear solver in all steps
 };
 
 // Progress of a dip.
 struct DipState {
-    std::int64_t steps = 0; // done so far
+    std::int64_t steps = 0; // steps done so far
     double descent = 0;     // mm that the body has come down
     bool finished = false;  // descent has reached the travel
     EquilibriumAccount equilibrium = {};
@@ -191,8 +198,8 @@ enum class PointState : std::uint8_t {
 enum class PointMark : std::uint8_t {
     Torn = 1,  // held because its film tore
     LetGo = 2, // its film was released at an overhang
-    // Held, or left with a residual above Settings::residual, because it did not converge; or held
-    // because its film turned inside out.
+    // The point did not converge, and was held or left with a residual above Settings::residual. Or
+    // it was held because its film turned inside out.
     Unbalanced = 4,
 };
 
@@ -221,11 +228,12 @@ public:
     }
 
     // Reads the film for display, without delaying a device that computes in parallel with the
-    // host. If true, the arrays are filled as by read(), with the film after some whole step.
-    // `shown` is the film's current progress on entry and the progress of that step on return. If
-    // false, a transfer of the current film has begun or is not complete; advance and ask again.
+    // host. If it returns true, the arrays are filled as by read(), with the film at the end of a
+    // step. `shown` is the film's current progress on entry and the progress of that step on
+    // return. If it returns false, a transfer of the current film has begun or is not complete;
+    // advance and call it again.
     virtual bool peek(std::span<float> positions, std::span<PointState> states, DipState& shown) {
-        static_cast<void>(shown); // already the current progress
+        static_cast<void>(shown); // it is already the current progress
         read(positions, states);
         return true;
     }
@@ -254,13 +262,14 @@ struct BatchItem {
     }
 };
 
-// The measured peak performance of a device, an upper bound for a film's rates.
+// The measured peak performance of a device. A simulation cannot exceed these rates.
 struct Ceiling {
     double flopsPerSecond = 0; // single precision; a fused multiply-add counts as two
     double bytesPerSecond = 0; // read and written by a = b + s·c in arrays larger than every cache
 };
 
-// Asked between pieces of work; true: stop as soon as possible.
+// A module calls it between pieces of work. If it returns true, the module stops as soon as
+// possible.
 using CancelFunction = bool (*)(void* context);
 
 // What a module gives the host. Owned by the module; lives while it is loaded.
@@ -274,8 +283,8 @@ public:
     // Returns the device's name for the user: "2 × AMD EPYC, AVX-512", "NVIDIA H200".
     virtual const char* device() const = 0;
     virtual std::unique_ptr<FilmSolver> create() const = 0;
-    // Simulates all dips, together where that is faster. Gives the same results as one by one.
-    // Returns false if cancelled.
+    // Simulates all dips, several at a time where that is faster. The results are the same as one
+    // by one. Returns false if cancelled.
     virtual bool runBatch(std::span<BatchItem> items, CancelFunction cancelled,
                           void* context) const = 0;
     // Measures the device with all available threads, in a few tenths of a second.

@@ -1,5 +1,5 @@
-// The error that repeats in the parts of a job is separated from scatter and corrected on the next
-// sheet.
+// Tests that the error that repeats in the parts of a job is separated from scatter and corrected
+// on the next sheet.
 #include "accuracy/correction/SheetCorrection.h"
 
 #include <QtTest>
@@ -13,13 +13,13 @@ namespace {
 
 const Millimetres width(210), height(297);
 
-// The tank's error, about 1 mm, which the simulation does not contain.
+// Returns the error of the tank, about 1 mm, which the simulation does not contain.
 Eigen::Vector2d tank(const Eigen::Vector2d& at) {
     return {0.7 + 0.35 * std::sin(at.x() / 40) + 0.2 * std::cos(at.y() / 45),
             -0.4 + 0.3 * std::cos((at.x() - at.y()) / 60)};
 }
 
-// 48 places on the uncorrected film, 16 mm apart.
+// Returns 48 places on the uncorrected film, 16 mm apart.
 std::vector<Eigen::Vector2d> places() {
     std::vector<Eigen::Vector2d> places;
     for (int row = 0; row < 8; ++row) {
@@ -30,8 +30,9 @@ std::vector<Eigen::Vector2d> places() {
     return places;
 }
 
-// Dips a part with the sheet as it is corrected now and keeps the measured places. `scatter` is
-// that of each place along each axis, `whole` that of the part, both in mm.
+// Dips a part with the sheet corrected by `built` and adds the measured places to `built`.
+// `scatter` is the scatter of single places along each axis, `whole` the scatter of whole parts,
+// both in mm.
 void dip(AsBuilt& built, double scatter, double whole, std::mt19937& random) {
     std::normal_distribution<double> off(0, 1);
     const RepeatingError error(built, 1);
@@ -51,8 +52,8 @@ void dip(AsBuilt& built, double scatter, double whole, std::mt19937& random) {
     }
 }
 
-// Root mean square of how far the film of a next part without scatter lies from its place, in mm,
-// halfway between the measured places.
+// Returns the root mean square distance, in mm, between the film of a next part without scatter and
+// its place. Measured halfway between the measured places.
 double nextResidual(const AsBuilt& built) {
     const RepeatingError error(built, 1);
     double sum = 0;
@@ -104,7 +105,7 @@ private slots:
     }
 
     void repeatingError_partsOnCorrectedSheets_staysCorrected() {
-        QVERIFY(fallen(6, 0.05, 0, 3) > 0.9); // all but the first on a corrected sheet
+        QVERIFY(fallen(6, 0.05, 0, 3) > 0.9); // all parts but the first use a corrected sheet
     }
 
     void repeatingError_scatterOnly_isReportedAndNotCorrected() {

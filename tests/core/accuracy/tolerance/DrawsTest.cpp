@@ -1,4 +1,4 @@
-// Random draws of handling errors whose mean and covariance are exact.
+// Tests random draws of handling errors, whose mean and covariance must be exact.
 #include "accuracy/tolerance/Draws.h"
 
 #include <QtTest>

@@ -1,4 +1,5 @@
-// How far colours land from their places for given handling errors, where that is known.
+// Tests how far colours land from their places for given handling errors, in cases with known
+// results.
 #include "DippedByHand.h"
 #include "TestFolders.h"
 #include "geometry/Shapes.h"
@@ -17,7 +18,7 @@ using namespace dipwright;
 
 namespace {
 
-constexpr double radius = 25; // mm, the ball's
+constexpr double radius = 25; // radius of the ball, mm
 constexpr double percent = 0.01;
 
 ToleranceSettings exact() {
@@ -42,7 +43,8 @@ Project jobOf(const TriangleMesh& mesh, double film, int points) {
     return project;
 }
 
-// A box whose flat bottom touches the film all at once and does not deform it.
+// Returns a project with a box whose flat bottom touches the film all at once and does not deform
+// the film.
 Project box() {
     Project project = jobOf(boxMesh({60, 20, 40}), 100, 51);
     project.process.depth = Millimetres(1);
@@ -68,8 +70,8 @@ DipTolerances tolerances(const JobResult& result, const ToleranceSettings& setti
     return jobTolerances(result, settings, registry(), {}).dips.front();
 }
 
-// Calls `look` with each place of the box's bottom that is a cell from its edges, in model
-// coordinates.
+// Calls `look` with each place of the box's bottom that is at least one cell from the bottom's
+// edges, in model coordinates.
 template <typename Look>
 void eachOfTheBottom(const JobResult& result, const DipTolerances& found, const Look& look) {
     const TexturedMesh& model = *result.project.model;
@@ -122,15 +124,16 @@ private slots:
         film.filmTurn = body.turn[1] = Degrees(0.7);
         const DipTolerances one = tolerances(ball_, film), other = tolerances(ball_, body);
         QCOMPARE(one.places, other.places);
-        // The change of the dip is the same, but inverted.
+        // A moved film changes the dip like a body that is moved in the opposite direction.
         Immersion aside;
         aside.offset = {Millimetres(20), Millimetres(-10)};
         const DipChange change = changeBy(Contributor::FilmTurn, aside);
-        // A body beside the film's centre moves round that centre the other way.
+        // If the film turns, a body beside the film's centre moves around that centre in the
+        // opposite direction.
         const Eigen::Vector2d offset(20, -10);
         const double angle = pi / 180;
         VERIFY_NEAR(of(change, Freedom::TurnY), -1.0, 1e-12);
-        // About Y, right-handed: x goes to x + angle·z, z to z − angle·x.
+        // A right-handed turn about Y moves x to x + angle·z and z to z − angle·x.
         VERIFY_NEAR(of(change, Freedom::X), -angle * offset.y(), 1e-12);
         VERIFY_NEAR(of(change, Freedom::Z), angle * offset.x(), 1e-12);
     }
@@ -153,8 +156,8 @@ private slots:
                         });
     }
 
-    // Viscous film lies at R = 2ρ sin(θ/2): 1 mm of it becomes 1/cos(θ/2) mm along the meridian and
-    // cos(θ/2) mm across (docs/film-model.md, "Closed forms").
+    // Viscous film lies at R = 2ρ sin(θ/2). A millimetre of this film becomes 1/cos(θ/2) mm along
+    // the meridian and cos(θ/2) mm across it (docs/film-model.md, "Closed forms").
     void jobTolerances_positionOnBall_movesColoursByTheClosedForm() {
         Project viscous = ball();
         viscous.film.relaxationTime = Seconds(0);
@@ -225,7 +228,7 @@ private slots:
         QVERIFY(!found.sampled);
     }
 
-    // Only the ratio of the dip's duration to the relaxation time counts.
+    // Speed and relaxation act only through the ratio of the dip's duration to the relaxation time.
     void jobTolerances_speedAndRelaxation_haveTheSameEffect() {
         Project slow = ball();
         slow.film.relaxationTime = Seconds(5);
@@ -306,7 +309,7 @@ private slots:
     }
 
 private:
-    // The ball's tolerances with the settings of a new project.
+    // Returns the ball's tolerances with the settings of a new project.
     const DipTolerances& everythingOff() {
         if (!everythingOff_) {
             everythingOff_ = tolerances(ball_, ToleranceSettings());

@@ -1,4 +1,4 @@
-// Which zone a place of a body belongs to, and the verdict on each zone.
+// Tests which zone a place of a body belongs to, and the verdict on each zone.
 #include "accuracy/tolerance/Zones.h"
 #include "DippedByHand.h"
 #include "geometry/Shapes.h"
@@ -23,8 +23,8 @@ double shareOf(Zone zone, const std::vector<Zone>& zones) {
     return double(std::count(zones.begin(), zones.end(), zone)) / double(zones.size());
 }
 
-// A dip with the same spread (mm) everywhere, from one contributor.
-DipTolerances evenlyOff(std::size_t places, float spread, Contributor contributor) {
+// Returns the tolerances of a dip with the same spread (mm) everywhere, from one contributor.
+DipTolerances evenTolerances(std::size_t places, float spread, Contributor contributor) {
     DipTolerances dip;
     Contribution contribution;
     contribution.contributor = contributor;
@@ -61,7 +61,7 @@ private slots:
         const std::vector<SurfacePoint> places = tolerancePlaces(*ball_);
         const auto zones =
             zonesOf(ball_, {markAt(Zone::A, ZoneExtent::Spot, {0, -radius, 0}, 20)}, places);
-        const double cap = (1 - std::cos(20 / radius)) / 2; // of the ball's surface
+        const double cap = (1 - std::cos(20 / radius)) / 2; // share of the ball's surface
         QVERIFY2(std::abs(shareOf(Zone::A, zones) / cap - 1) < 0.05,
                  qPrintable(QStringLiteral("the zone is %1 of the cap, expected 1")
                                 .arg(shareOf(Zone::A, zones) / cap)));
@@ -121,9 +121,9 @@ private slots:
         const std::vector<SurfacePoint> places = tolerancePlaces(*ball_);
         ToleranceSettings settings;
         settings.marks = {markAt(Zone::A, ZoneExtent::Spot, {0, -radius, 0}, 20)};
-        DipTolerances dip = evenlyOff(places.size(), 0.5f, Contributor::TurnX);
+        DipTolerances dip = evenTolerances(places.size(), 0.5f, Contributor::TurnX);
         const auto verdicts = zoneVerdicts(ball_, {&dip}, {{}}, settings);
-        QCOMPARE(verdicts.size(), std::size_t(2)); // A and the rest
+        QCOMPARE(verdicts.size(), std::size_t(2)); // zone A and the rest
         QCOMPARE(verdicts[0].zone, Zone::A);
         QVERIFY(!verdicts[0].holds()); // 0.3 mm
         QCOMPARE(verdicts[0].within, 0.0);
@@ -136,8 +136,8 @@ private slots:
 
     void zoneVerdicts_twoDips_takeTheWorseAndReportUnpaintedArea() {
         const std::vector<SurfacePoint> places = tolerancePlaces(*ball_);
-        DipTolerances one = evenlyOff(places.size(), 0.2f, Contributor::Swell);
-        DipTolerances other = evenlyOff(places.size(), 1, Contributor::FilmTurn);
+        DipTolerances one = evenTolerances(places.size(), 0.2f, Contributor::Swell);
+        DipTolerances other = evenTolerances(places.size(), 1, Contributor::FilmTurn);
         for (std::size_t place = 0; place < places.size(); place += 2) {
             one.places[place] = other.places[place] = unpaintedPlace;
         }

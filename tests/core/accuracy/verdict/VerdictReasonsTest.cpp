@@ -1,4 +1,5 @@
-// Verdicts on films laid by hand, with and without an estimate of the numerical error.
+// Tests verdicts on films whose positions the test sets, with and without an estimate of the
+// numerical error.
 #include "accuracy/verdict/Verdict.h"
 
 #include "DippedByHand.h"
@@ -12,7 +13,8 @@ namespace {
 
 const Eigen::Vector3d boxSize(40, 30, 40);
 
-// `isGraded`: the film lists its lines one by one, 1 mm apart, as automatic cells do.
+// Returns a film with the given convergence. If `isGraded` is true, the film lists each of its
+// lines, 1 mm apart, as automatic cells do.
 std::shared_ptr<const LaidFilm> filmWith(const solver::EquilibriumAccount& account,
                                          bool isGraded = false) {
     DippedFilm film = test::flatUnderBox({61, 61, 60, 60}, boxSize);
@@ -24,13 +26,13 @@ std::shared_ptr<const LaidFilm> filmWith(const solver::EquilibriumAccount& accou
     return test::laid(boxMesh(boxSize), film);
 }
 
-// The estimate for a film with which all coarser dips agree.
+// Returns the estimate for a film that does not change in coarser dips.
 NumericalErrorEstimate agreement(const LaidFilm& laid) {
     const auto same = test::laid(laid.body().mesh, laid.film());
     return estimateNumericalError(laid, {same, same, {}});
 }
 
-// The estimate for a film that twice the cell moves by `change` mm everywhere.
+// Returns the estimate for a film that moves by `change` mm everywhere if its cells are doubled.
 NumericalErrorEstimate movedBy(const LaidFilm& laid, double change) {
     NumericalErrorEstimate estimate = agreement(laid);
     estimate.doubleSpacing.distance.percentile95 = change;
@@ -44,8 +46,9 @@ Verdict judged(const LaidFilm& laid, const NumericalErrorEstimate* estimate,
     return verdict({laid, coverage(laid), estimate, 0, zones}, tolerance, {});
 }
 
-// The verdict's text for a film of 1 mm cells that twice the cell moves by `change` mm.
-QString toldOf(double change, bool isGraded) {
+// Returns the verdict's text for a film of 1 mm cells that moves by `change` mm if its cells are
+// doubled.
+QString verdictTextOf(double change, bool isGraded) {
     const auto laid = filmWith({}, isGraded);
     const NumericalErrorEstimate estimate = movedBy(*laid, change);
     return verdictText(QStringLiteral("Top"), judged(*laid, &estimate));
@@ -55,7 +58,8 @@ qsizetype mentions(const Verdict& verdict) {
     return verdictText(QStringLiteral("Top"), verdict).count(QStringLiteral("equilibrium"));
 }
 
-// The verdict on a dip without numerical error, after `change` to its coverage.
+// Returns the verdict on a dip without numerical error, after `change` has changed the dip's
+// coverage.
 template <typename Change>
 Verdict changedBy(Change change, double paleArea = 0) {
     const auto laid = filmWith({});
@@ -79,12 +83,12 @@ private slots:
         QCOMPARE(mentions(found), qsizetype(1));
     }
 
-    // Zone C, the unmarked area, allows a third of 1.5 mm.
+    // In zone C, the unmarked area, the numerical error may be a third of 1.5 mm.
     void verdictText_coarseFilm_namesTheSettingToChange() {
-        QVERIFY(toldOf(0.75, false).contains(QStringLiteral("Film > Points")));
-        QVERIFY(toldOf(0.75, true).contains(QStringLiteral("Set Film > Cells to 0.67 mm")));
+        QVERIFY(verdictTextOf(0.75, false).contains(QStringLiteral("Film > Points")));
+        QVERIFY(verdictTextOf(0.75, true).contains(QStringLiteral("Set Film > Cells to 0.67 mm")));
         for (const bool isGraded : {false, true}) {
-            const QString line = toldOf(4, isGraded);
+            const QString line = verdictTextOf(4, isGraded);
             QVERIFY2(line.startsWith(QStringLiteral("Top: Do not print")), qPrintable(line));
             QVERIFY(line.contains(QStringLiteral("much smaller cells or more points")));
             QVERIFY(!line.contains(QStringLiteral("to 0.")));
@@ -102,7 +106,7 @@ private slots:
         tolerance.marks = {bottom};
         ZonedBody zones(model);
         zones.setMarks(tolerance.marks);
-        const NumericalErrorEstimate estimate = movedBy(*laid, 0.2); // A allows 0.1 mm
+        const NumericalErrorEstimate estimate = movedBy(*laid, 0.2); // zone A allows 0.1 mm
         QCOMPARE(judged(*laid, &estimate).advice, Advice::Print);
         const Verdict marked = judged(*laid, &estimate, &zones, tolerance);
         QCOMPARE(marked.advice, Advice::CheckFirst);
@@ -157,7 +161,7 @@ private slots:
         QCOMPARE(bare.reasons.front().kind, VerdictReason::Kind::Unpainted);
     }
 
-    // The film is 60 mm wide and the box 40 mm, which leaves 10 mm on each side.
+    // The film is 60 mm wide and the box 40 mm, so 10 mm of film are left on each side.
     void verdict_paintNearFilmEdge_checkFirst() {
         const auto laid = filmWith({});
         const NumericalErrorEstimate estimate = agreement(*laid);
@@ -171,7 +175,7 @@ private slots:
         QVERIFY(std::abs(near.reasons.front().value - 10) < 1.01); // within a cell
     }
 
-    // Reasons against printing count without an estimate, too.
+    // Reasons against printing also count without an estimate.
     void verdict_withoutEstimate_isNotJudged() {
         QCOMPARE(judged(*filmWith({}), nullptr).advice, Advice::NotJudged);
         const Verdict unbalanced = judged(*filmWith({3, 0.25, 900}), nullptr);

@@ -1,4 +1,4 @@
-// The row kernels in vector instructions, compared bit for bit with scalar arithmetic, for rows of
+// Compares the row kernels in vector instructions with scalar arithmetic, bit for bit, for rows of
 // every length.
 
 #include "production/cpu/RowKernels.h"
@@ -19,10 +19,10 @@ using test::Row;
 
 namespace {
 
-constexpr float resistance = -1.5f; // of gathered film
-constexpr std::size_t longest = 70; // four of the longest vectors and a rest
+constexpr float resistance = -1.5f; // resistance of gathered film
+constexpr std::size_t longest = 70; // four of the longest vectors and a remainder
 
-// Two rows of displaced points and shapes of the cells between them.
+// Two rows of displaced points, and the shapes of the cells between them.
 struct Cells {
     explicit Cells(std::size_t count)
         : cells(count), x0(randomRow(count + 1, 1, -0.2f, 0.2f)),
@@ -60,7 +60,7 @@ struct Cells {
     static constexpr float edgeZ = 0.97f, inverseZ = 1.03f;
 };
 
-// Forces on the edges of a row of cells, and their states, filled cell by cell.
+// The forces on the edges of a row of cells, and the states of the cells, filled cell by cell.
 struct Edges {
     explicit Edges(std::size_t count) : arrays(8, Row(count)), states(8, Row(count)) {}
     RowOfForces forces() {

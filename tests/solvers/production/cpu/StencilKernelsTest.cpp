@@ -1,5 +1,6 @@
-// The multigrid cycle's row kernels on every instruction set of this processor. They are compared
-// bit for bit with plain loops where the arithmetic is the same, otherwise with their matrices.
+// Tests the multigrid cycle's row kernels on every instruction set of this processor. Results are
+// compared bit for bit with plain loops where the arithmetic is the same. Otherwise they are
+// compared with the matrices that the kernels apply.
 
 #include "production/cpu/StencilKernels.h"
 #include "RandomRows.h"
@@ -23,7 +24,7 @@ using test::Row;
 
 namespace {
 
-// Whether `work` gives the same bits on all of the processor's instruction sets.
+// Returns whether `work` gives the same bits on all of the processor's instruction sets.
 bool isSameOnAll(const std::function<Row()>& work) {
     const std::int64_t all = hwy::SupportedTargets();
     const Row first = work();
@@ -44,9 +45,10 @@ Row joined(std::initializer_list<Row> rows) {
     return all;
 }
 
-constexpr std::size_t longest = 40, room = 16; // numbers past a row's end that the kernels need
+// `room`: numbers past a row's end that the kernels need.
+constexpr std::size_t longest = 40, room = 16;
 
-// The stiffness of a grid, row after row. No entry reaches out of the grid.
+// The stiffness of a grid, row after row. No entry connects to a point outside the grid.
 struct Grid {
     Grid(int columnCount, int rowCount)
         : columns(columnCount), rows(rowCount), pitch(std::size_t(columnCount) + room),
@@ -79,7 +81,8 @@ struct Grid {
     Lines<const float> constRow(int r) const {
         return {stencils.data() + std::size_t(r) * stencilLines * pitch, pitch};
     }
-    // Entry `k` (xx, xz, zx, zz) of a point with its neighbour `dr` rows and `dc` columns away.
+    // Returns entry `k` (xx, xz, zx, zz) of a point with the neighbour that is `dr` rows and `dc`
+    // columns away.
     float& at(int r, int column, int dr, int dc, int k) {
         return row(r)[std::size_t(4 * (3 * (dr + 1) + dc + 1) + k)][column];
     }
@@ -92,13 +95,13 @@ struct Grid {
     Row stencils;
 };
 
-// The weight of a coarse point in a fine one; the coarse grid has every second point.
+// Returns the weight of a coarse point at a fine point. The coarse grid has every second point.
 double share(int fine, int coarse) {
     const int apart = std::abs(fine - 2 * coarse);
     return apart == 0 ? 1 : apart == 1 ? 0.5 : 0;
 }
 
-// PᵀKP, summed over the entries of K.
+// Returns PᵀKP, summed over the entries of K.
 Grid galerkin(const Grid& fine) {
     Grid coarse(fine.columns / 2 + 1, fine.rows / 2 + 1);
     fine.forEntries([&](int row, int column, int dr, int dc, int k) {
@@ -143,7 +146,7 @@ double largestDifference(const Row& a, const Row& b) {
     return most;
 }
 
-// Three rows of points with zeros round them.
+// Three rows of points, surrounded by zeros.
 struct Points {
     Points(std::size_t count, unsigned seed)
         : columns(count), pitch(count + 2 * room), x(3 * pitch), z(3 * pitch) {
@@ -251,7 +254,7 @@ void StencilKernelsTest::addToStencils_assemblesTheTriangles() {
             }
             QVERIFY(largestDifference(assembled(), expected.stencils) < 1e-5);
             QVERIFY(isSameOnAll(assembled));
-            // One row alone, as at the end of a band of rows.
+            // Adds one row alone, as at the end of a band of rows.
             Grid upper(int(cells) + 1, 2);
             addToStencils(cells, parity, {{first.data(), cells}, {second.data(), cells}}, {},
                           upper.row(1));
@@ -300,7 +303,7 @@ void StencilKernelsTest::invertMiddle_invertsTheDiagonalBlocks() {
         }
     };
     put(0, {4, 1, 3, 3}); // symmetric part: 4, 2, 3
-    put(1, {0, 0, 0, 0}); // held
+    put(1, {0, 0, 0, 0}); // a held point
     put(2, {2, 2, 2, 2}); // nearly singular
     put(3, {1, 0, 0, 0}); // stiff in one direction only
     const auto inverted = [&] {
@@ -404,14 +407,14 @@ void StencilKernelsTest::residualRow_equalsScalarBits() {
     }
 }
 
-// (P c) · f = c · (Pᵀ f) for all rows of a fine and a coarse grid.
+// Checks that (P c) · f = c · (Pᵀ f) for all rows of a fine and a coarse grid.
 void StencilKernelsTest::restrictRow_isTheTransposeOfInterpolateRow() {
     for (const auto [columns, rows] : {std::array{2, 2}, std::array{5, 7}, std::array{6, 6},
                                        std::array{33, 4}, std::array{34, 5}}) {
         const auto fineColumns = std::size_t(columns), coarseColumns = fineColumns / 2 + 1;
         const int coarseRows = rows / 2 + 1;
         const Row coarse = randomRow(coarseColumns * std::size_t(coarseRows), 2);
-        // One row of zeros below the fine grid and two rows above it.
+        // The fine grid has one row of zeros below it and two above it.
         Row fine = randomRow(fineColumns * std::size_t(rows + 3), 1);
         std::fill_n(fine.begin(), fineColumns, 0.f);
         std::fill_n(fine.end() - long(2 * fineColumns), 2 * fineColumns, 0.f);

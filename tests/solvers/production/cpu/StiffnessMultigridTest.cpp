@@ -1,5 +1,5 @@
-// How much of an error a multigrid cycle leaves, for flat film and for films with another
-// stiffness: stretched, gathered, partly held.
+// Tests what share of an error remains after a multigrid cycle, for flat film and for films with
+// other stiffness: stretched, gathered, partly held.
 
 #include "production/cpu/StiffnessMultigrid.h"
 
@@ -16,7 +16,7 @@ using namespace dipwright::cpu;
 
 namespace {
 
-// A film of 1 mm cells with a displacement. Points with `free` 0 are held.
+// A film of 1 mm cells with a displacement. Points whose `free` is 0 are held.
 struct Film {
     Film(int columns, int rows)
         : setup(flat(columns, rows)), along(numerics::columnsOf<float>(setup.film)),
@@ -28,7 +28,7 @@ struct Film {
             free[at(0, row)] = free[at(columns - 1, row)] = 0;
         }
     }
-    Film(const Film&) = delete; // the model points into the lines
+    Film(const Film&) = delete; // the model points into the film's lines
     Film& operator=(const Film&) = delete;
 
     static solver::DipSetup flat(int columns, int rows) {
@@ -39,7 +39,7 @@ struct Film {
     std::size_t at(int column, int row) const {
         return std::size_t(row) * std::size_t(plane.columns()) + std::size_t(column);
     }
-    // Displaces the film to the stretches a and d along X and Z.
+    // Displaces the film so that its stretches along X and Z are a and d.
     void stretch(float a, float d) {
         for (int row = 0; row < plane.rows(); ++row) {
             for (int column = 0; column < plane.columns(); ++column) {
@@ -103,7 +103,8 @@ double dot(const PlaneVector& a, const PlaneVector& b) {
     return sum;
 }
 
-// The share of an error that a cycle leaves after several cycles, measured by its elastic energy.
+// Returns the share of an error that one cycle leaves, after several cycles. The error is measured
+// by its elastic energy.
 double reduction(Film& film) {
     film.prepare();
     PlaneVector error = film.random(1);
@@ -151,7 +152,7 @@ void StiffnessMultigridTest::cycle_flatFilm_reducesTheError() {
     QFETCH(int, rows);
     Film film(columns, rows);
     const double left = reduction(film);
-    qInfo("a cycle leaves %.3f", left);
+    qInfo("a cycle leaves the share %.3f of the error", left);
     QVERIFY(left < 0.4);
 }
 
@@ -159,16 +160,17 @@ void StiffnessMultigridTest::cycle_stretchedFilm_reducesTheError() {
     Film film(65, 65);
     film.stretch(3, 1);
     const double left = reduction(film);
-    qInfo("a cycle leaves %.3f", left);
+    qInfo("a cycle leaves the share %.3f of the error", left);
     QVERIFY(left < 0.6);
 }
 
-// Gathered film hardly resists in some directions, even with the semi-definite derivative.
+// In some directions gathered film has hardly any resistance, even with the semi-definite
+// derivative.
 void StiffnessMultigridTest::cycle_gatheredFilm_reducesTheError() {
     Film film(65, 65);
     film.stretch(0.7f, 0.8f);
     const double left = reduction(film);
-    qInfo("a cycle leaves %.3f", left);
+    qInfo("a cycle leaves the share %.3f of the error", left);
     QVERIFY(left < 0.9);
 }
 
@@ -183,7 +185,7 @@ void StiffnessMultigridTest::cycle_heldFilm_reducesTheError() {
         }
     }
     const double left = reduction(film);
-    qInfo("a cycle leaves %.3f", left);
+    qInfo("a cycle leaves the share %.3f of the error", left);
     QVERIFY(left < 0.5);
 }
 
@@ -197,7 +199,7 @@ void StiffnessMultigridTest::cycle_isSymmetric() {
             1e-4 * std::sqrt(dot(a, film.cycle(a)) * dot(b, film.cycle(b))));
 }
 
-// The grid has a point in its middle, so that its cells' diagonals are mirrored as well.
+// The grid has a point in its middle, so that the diagonals of its cells are mirrored as well.
 void StiffnessMultigridTest::cycle_mirroredForces_giveMirroredFilm() {
     Film film(33, 25);
     film.prepare();

@@ -1,4 +1,4 @@
-// When and where film adheres, how it lies then, and where the body releases it.
+// Tests when and where film adheres, how it lies then, and where the body releases it.
 
 #include "production/formulas/Adhesion.h"
 
@@ -35,7 +35,7 @@ class AdhesionTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void attachment_touchedPoint_adheresAtTheMomentOfContact();
-    void attachment_movingPoint_adheresOnItsWay();
+    void attachment_movingPoint_adheresWhereItTouches();
     void attachment_pastOverhang_staysFreeOrIsTrapped();
     void grip_fadesTowardsTheOverhang();
     void slide_firmlyHeldFilm_doesNotSlip();
@@ -43,8 +43,8 @@ private Q_SLOTS:
     void releaseTriangle_isCutAtTheContactLine();
 };
 
-// The point is under the sphere, 12 mm beside its axis, where the sphere is h mm higher than its
-// lowest point. It touches when the body has come down by the gap and h, and adheres there.
+// The point is under the sphere, 12 mm from its axis. There the sphere is h mm higher than at its
+// lowest point. The point touches when the body has descended by the gap and h, and adheres there.
 void AdhesionTest::attachment_touchedPoint_adheresAtTheMomentOfContact() {
     const double h = radius - std::sqrt(radius * radius - 144);
     for (const double start : {0.1, 0.4, 0.9}) { // mm from the start of a step of 1 mm
@@ -58,13 +58,13 @@ void AdhesionTest::attachment_touchedPoint_adheresAtTheMomentOfContact() {
     QVERIFY(length(met.place - Place{0, -radius - 0.3, 0}) < 0.01);
 }
 
-// The point moves 2 mm towards the axis in the step, while the contact line moves towards it.
-void AdhesionTest::attachment_movingPoint_adheresOnItsWay() {
+// The point moves 2 mm towards the axis during the step. The contact line moves towards the point.
+void AdhesionTest::attachment_movingPoint_adheresWhereItTouches() {
     const Dipped dip(0);
     const double before = 5, increment = 1;
     const Place start{18.5, 0, 0}, way{-2, 0, 0};
     const auto met = attachment(dip.body, before, increment, start, way);
-    double share = 0; // solved here: x² = R² − (R − descent)²
+    double share = 0; // solves x² = R² − (R − descent)²
     for (double step = 0.5; step > 1e-9; step /= 2) {
         const double x = 18.5 - 2 * (share + step), down = before + increment * (share + step);
         share += x * x > radius * radius - (radius - down) * (radius - down) ? step : 0;
@@ -77,9 +77,9 @@ void AdhesionTest::attachment_movingPoint_adheresOnItsWay() {
 void AdhesionTest::attachment_pastOverhang_staysFreeOrIsTrapped() {
     const Dipped dip(0);
     const double down =
-        radius + 20; // mm, past the equator: the contact line is at 22.4 mm and shrinks
+        radius + 20; // mm, past the equator: the contact line has a radius of 22.4 mm and shrinks
     const double edge = std::sqrt(radius * radius - 400);
-    // Film that crosses the contact line is free; film that was inside the body before is trapped.
+    // Film that crosses the contact line is free. Film that was inside the body before is trapped.
     QVERIFY(attachment(dip.body, down, 0.1, Place{edge + 0.5, 0, 0}, Place{-1.5, 0, 0}).state ==
             solver::PointState::Free);
     QVERIFY(attachment(dip.body, down, 0.1, Place{edge - 1, 0, 0}, Place{-0.5, 0, 0}).state ==
@@ -95,7 +95,7 @@ void AdhesionTest::grip_fadesTowardsTheOverhang() {
     QCOMPARE(detail::grip(body, body.steepestHeld), 0.0);
     QCOMPARE(detail::grip(body, 1.0), 0.0);
     QVERIFY(std::abs(detail::grip(body, (body.firmlyHeld + body.steepestHeld) / 2) - 0.5) < 1e-12);
-    // No film is laid at the overhang: of the unfolded film, the share g − (1 − g)·u is laid.
+    // No film is laid at the overhang. The share g − (1 − g)·u of the unfolded film is laid.
     const double overhang = std::sin(solver::Settings().overhang);
     const double share = detail::grip(body, overhang);
     QVERIFY(std::abs(share - (1 - share) * overhang) < 0.01);
@@ -127,13 +127,13 @@ void AdhesionTest::slide_looseFilm_staysInItsPlace() {
         detail::slide(dip.body, heldCorner(10), 0, Place{x, 0, 0}, 1.0, true, film);
         QCOMPARE(detail::offset(film, 0).x, lay);
     }
-    // But it moves with the film if the film moves, not the body.
+    // But the corner moves with the film if only the film moves and the body does not.
     detail::slide(dip.body, heldCorner(10), 0, Place{7.5, 0, 0}, 1.0, false, film);
     QCOMPARE(detail::offset(film, 0).x, lay - 0.5);
 }
 
-// A triangle with its left corner held, of which 0.4 floats: its edge moves to the contact line,
-// and its stretch stays the same.
+// The left corner of the triangle is held, and 0.4 of the triangle floats. Its edge moves to the
+// contact line, and its stretch stays the same.
 void AdhesionTest::releaseTriangle_isCutAtTheContactLine() {
     const Dipped dip(0);
     const TriangleCorners triangle{
@@ -153,7 +153,7 @@ void AdhesionTest::releaseTriangle_isCutAtTheContactLine() {
     QVERIFY(std::abs(film.lost - 0.6) < 1e-12);
     const Place cut = Place{0, 0, 0} + detail::offset(film, 0);
     QVERIFY(length(cut - Place{2 * 0.6, 0, 1 * 0.6}) <
-            1e-12); // towards the middle of the free corners
+            1e-12); // moves towards the middle of the free corners
     const Matrix2<double> rest{0.5, 0, 0, 0.5};
     const auto before = gradientOf(EdgePair<double>{2, 0, 0, 2}, rest);
     const auto after = gradientOf(EdgePair<double>{2 - cut.x, -cut.z, 0, 2}, change * rest);

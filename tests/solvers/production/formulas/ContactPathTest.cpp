@@ -1,4 +1,4 @@
-// The contact line and the surface unfolded about it, on bodies with closed forms.
+// Tests the contact line and the unfolding of the surface about it, on bodies with closed forms.
 
 #include "production/formulas/ContactPath.h"
 
@@ -15,7 +15,7 @@ namespace {
 using Place = Vector3<double>;
 constexpr double radius = 30, cell = 1.5;
 
-// A body with its centre `height` mm above the water.
+// A body whose centre is `height` mm above the water.
 struct Placed {
     test::SampledBody body;
     FieldGrid<double> field;
@@ -33,7 +33,8 @@ struct Placed {
     }
 };
 
-// A place on the sphere: `angle` from straight down, `around` the vertical, both in radians.
+// Returns a place on the sphere. `angle` is measured from straight down and `around` about the
+// vertical axis, both in radians.
 Place onSphere(double angle, double around, double height) {
     return {radius * std::sin(angle) * std::cos(around), height - radius * std::cos(angle),
             radius * std::sin(angle) * std::sin(around)};
@@ -44,23 +45,23 @@ Place onSphere(double angle, double around, double height) {
 class ContactPathTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void contactLine_sphere_isWhereItMeetsTheWater_data();
-    void contactLine_sphere_isWhereItMeetsTheWater();
+    void contactLine_sphere_equalsItsWaterline_data();
+    void contactLine_sphere_equalsItsWaterline();
     void contactLine_contactDistance_isKept();
     void contactLine_flatFace_isNotFound();
-    void unfolded_sphere_isItsArc();
-    void unfolded_wall_isItsHeight();
-    void unfolded_cornerBesideTheLine_followsItsOwnMeridian();
+    void unfolded_sphere_distanceIsTheArcLength();
+    void unfolded_wall_distanceIsTheHeight();
+    void unfolded_cornerBesideTheLine_liesOnItsOwnMeridian();
 };
 
-void ContactPathTest::contactLine_sphere_isWhereItMeetsTheWater_data() {
+void ContactPathTest::contactLine_sphere_equalsItsWaterline_data() {
     QTest::addColumn<double>("height");
-    QTest::newRow("under the water's half") << 22.0;
+    QTest::newRow("less than half under water") << 22.0;
     QTest::newRow("half") << 0.0;
-    QTest::newRow("past the half") << -12.0;
+    QTest::newRow("more than half under water") << -12.0;
 }
 
-void ContactPathTest::contactLine_sphere_isWhereItMeetsTheWater() {
+void ContactPathTest::contactLine_sphere_equalsItsWaterline() {
     QFETCH(double, height);
     const Placed sphere(test::sphere(radius, 129), height);
     const double edge = std::sqrt(radius * radius - height * height);
@@ -84,12 +85,12 @@ void ContactPathTest::contactLine_contactDistance_isKept() {
 }
 
 void ContactPathTest::contactLine_flatFace_isNotFound() {
-    const Placed box(test::box(20, 10, 20, 65), 10.5); // its lower face is 0.5 mm above the water
+    const Placed box(test::box(20, 10, 20, 65), 10.5); // the lower face is 0.5 mm above the water
     QVERIFY(!box.lineAt({0, 0.5, 0}, {1.5, 0, 0}, 1).found);
 }
 
-// Film on an arc of the meridian is unfolded as far inwards from the line as the arc is long.
-void ContactPathTest::unfolded_sphere_isItsArc() {
+// Film on an arc of the meridian is unfolded inwards of the line, by the length of the arc.
+void ContactPathTest::unfolded_sphere_distanceIsTheArcLength() {
     const double height = 20, lineAngle = std::acos(height / radius);
     const double edge = radius * std::sin(lineAngle);
     const Placed sphere(test::sphere(radius, 129), height);
@@ -105,7 +106,7 @@ void ContactPathTest::unfolded_sphere_isItsArc() {
     }
 }
 
-void ContactPathTest::unfolded_wall_isItsHeight() {
+void ContactPathTest::unfolded_wall_distanceIsTheHeight() {
     const Placed box(test::box(20, 25, 20, 129), 5);
     const Place corner{20, -1.2, 3}; // on the wall, under water
     const auto line = box.lineAt({19.9, -1.2, 3}, {21, 0, 3});
@@ -117,8 +118,8 @@ void ContactPathTest::unfolded_wall_isItsHeight() {
     QVERIFY(length(result.position - Place{18.8, 0, 3}) < 0.02);
 }
 
-// A corner beside the triangle's contact line is unfolded along its own meridian.
-void ContactPathTest::unfolded_cornerBesideTheLine_followsItsOwnMeridian() {
+// A corner beside the triangle's contact line is unfolded along the meridian through the corner.
+void ContactPathTest::unfolded_cornerBesideTheLine_liesOnItsOwnMeridian() {
     const double height = 20, lineAngle = std::acos(height / radius);
     const double edge = radius * std::sin(lineAngle);
     const Placed sphere(test::sphere(radius, 129), height);

@@ -1,4 +1,4 @@
-// A triangle that crosses the contact line: which part strains and which part pulls.
+// Tests a triangle that crosses the contact line: which part strains and which part pulls.
 
 #include "production/formulas/CrossingTriangle.h"
 
@@ -14,7 +14,7 @@ using Matrix = Matrix2<double>;
 using Crossing = CrossingTriangle<double>;
 using Anchor = CrossingAnchor<double>;
 
-const Matrix rest{0.5, 0, 0, 0.25}; // inverse of edges 2 and 4 mm long
+const Matrix rest{0.5, 0, 0, 0.25}; // inverse of a shape with edges 2 and 4 mm long
 constexpr double area = 4;
 
 double distance(const Matrix& a, const Matrix& b) {
@@ -46,7 +46,7 @@ Anchor anchorFor(double nx, double nz, double before, double after,
 class CrossingTriangleTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void crossingTriangle_fullyFloating_equalsAnOrdinaryOne();
+    void crossingTriangle_fullyFloating_equalsAFloatingTriangle();
     void crossingForces_onlyFloatingPartsOfTheSidesPull();
     void crossingForces_heldCorners_balanceTheForces();
     void floatingChange_acrossTheLine_isInTheFloatingPart();
@@ -54,10 +54,10 @@ private Q_SLOTS:
     void crossingAnchor_smallFloatingPart_isLimited();
     void unfoldedEdges_addTheUnfoldedOffsets();
     void relaxedCrossingShape_hasTheFloatingGradient();
-    void crossingAnchor_turnedFilm_turnsItsNormal();
+    void crossingAnchor_rotatedFilm_rotatesTheNormal();
 };
 
-void CrossingTriangleTest::crossingTriangle_fullyFloating_equalsAnOrdinaryOne() {
+void CrossingTriangleTest::crossingTriangle_fullyFloating_equalsAFloatingTriangle() {
     const Matrix P{0.3, -0.1, 0.2, 0.5};
     for (const bool second : {false, true}) {
         for (const bool onRight : {false, true}) {
@@ -76,8 +76,8 @@ void CrossingTriangleTest::crossingTriangle_fullyFloating_equalsAnOrdinaryOne() 
     QVERIFY(distance(floatingGradient(anchorFor(1, 0, 1, 1), whole), whole) < 1e-12);
 }
 
-// The force on a corner is ½ P Σ share ℓ n over the two sides that meet in it. For s = (0, 0), h =
-// (2, 0), v = (0, 4), the sides s–h, h–v and v–s have ℓ n = (0, −2), (4, 2) and (−4, 0).
+// The force on a corner is ½ P Σ share ℓ n over the two sides that meet at the corner. For s = (0,
+// 0), h = (2, 0), v = (0, 4), the sides s–h, h–v and v–s have ℓ n = (0, −2), (4, 2) and (−4, 0).
 void CrossingTriangleTest::crossingForces_onlyFloatingPartsOfTheSidesPull() {
     const Matrix P{0.3, -0.1, 0.2, 0.5};
     Crossing triangle = crossing(false, true, true);
@@ -111,7 +111,7 @@ void CrossingTriangleTest::crossingForces_heldCorners_balanceTheForces() {
 void CrossingTriangleTest::floatingChange_acrossTheLine_isInTheFloatingPart() {
     const Anchor anchor = anchorFor(1, 0, 0.5, 0.5);
     const Matrix across = floatingChange(anchor, Matrix{0.1, 0, 0.02, 0});
-    QVERIFY(distance(across, {0.2, 0, 0.04, 0}) < 1e-12); // half floats: the change doubles
+    QVERIFY(distance(across, {0.2, 0, 0.04, 0}) < 1e-12); // one half floats, so the change doubles
     const Matrix along{0, 0.1, 0, -0.05};
     QVERIFY(distance(floatingChange(anchor, along), along) < 1e-12);
     const Matrix whole{1.1, 0.1, 0, 1};
@@ -125,7 +125,7 @@ void CrossingTriangleTest::crossingAnchor_usesTheLineInTheMiddleOfTheStep() {
 
 void CrossingTriangleTest::crossingAnchor_smallFloatingPart_isLimited() {
     QCOMPARE(anchorFor(1, 0, 0.01, 0.01).gain, 1 / leastFloatingFraction - 1);
-    // Without a contact line the triangle is whole.
+    // Without a contact line, the change of the whole triangle is used.
     const Matrix change{0.1, 0.2, 0.3, 0.4};
     QVERIFY(distance(floatingChange(anchorFor(0, 0, 0.5, 0.5), change), change) < 1e-12);
 }
@@ -154,10 +154,11 @@ void CrossingTriangleTest::relaxedCrossingShape_hasTheFloatingGradient() {
     QVERIFY(distance(relaxedCrossingShape(anchor, flat, rest, 1.0), rest) == 0);
 }
 
-void CrossingTriangleTest::crossingAnchor_turnedFilm_turnsItsNormal() {
+void CrossingTriangleTest::crossingAnchor_rotatedFilm_rotatesTheNormal() {
     const double c = std::cos(0.5), s = std::sin(0.5);
     const Anchor anchor = anchorFor(c, s, 0.5, 0.5, {c, -s, s, c});
-    QVERIFY(std::abs(anchor.mx - 1) < 1e-12); // across the line is the film's X
+    // The direction across the line is the film's X direction.
+    QVERIFY(std::abs(anchor.mx - 1) < 1e-12);
     QVERIFY(std::abs(anchor.mz) < 1e-12);
 }
 

@@ -1,5 +1,5 @@
-// The stiffness of a triangle's edges, compared with differences of its forces. The rows of a cell,
-// compared with the sum of its two triangles.
+// Compares the stiffness of a triangle's edges with differences of its forces, and the rows of a
+// cell with the sum of the cell's two triangles.
 
 #include "production/formulas/EdgeStiffness.h"
 
@@ -14,12 +14,13 @@ using namespace dipwright::numerics;
 
 namespace {
 
-const double resistance = gatheredResistance(0.8); // of gathered film
+const double resistance = gatheredResistance(0.8); // resistance of gathered film
 
 using Matrix = Matrix2<double>;
 using Edges = EdgePair<double>;
 using Four = std::array<double, 4>; // hx, hz, vx, vz
-using Square = std::array<Four, 4>; // derivative of force number row by edge number column
+// Derivative of the force (row) with respect to the edge (column).
+using Square = std::array<Four, 4>;
 
 const Matrix shape{0.6, 0.05, -0.1, 0.8};
 constexpr double area = 0.7;
@@ -72,14 +73,16 @@ Matrix turned(double angle, const Matrix& F) {
     return Matrix{std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle)} * F;
 }
 
-// Deformations for which the projected derivative is the true one: both factors are at least −1.
+// Returns deformations for which the projected derivative is the true derivative: both coefficients
+// are at least −1.
 std::vector<Matrix> firmFilm() {
     return {{1.1, 0, 0, 1.05},
             {1.3, 0.2, -0.1, 1.1},
             {3, 0.1, 0.2, 0.9}, // stretched
             turned(2.1, {1.2, 0.1, 0.1, 1})};
 }
-// Deformations for which it is not: about to gather, gathered, turned and gathered, inside out.
+// Returns deformations for which the two derivatives differ: about to gather, gathered, rotated and
+// gathered, inside out.
 std::vector<Matrix> gatheredFilm() {
     return {{0.85, 0.02, 0, 0.77},
             {0.6, 0.1, 0, 0.7},
@@ -87,8 +90,8 @@ std::vector<Matrix> gatheredFilm() {
             {1, 0, 0.1, -0.2}};
 }
 
-// The stress to first order about F with the projected factors. Its derivative is the projected
-// one; for firm film that is the true one.
+// Returns the stress to first order about F with the projected coefficients. Its derivative is the
+// projected derivative; for firm film that is the true derivative.
 Matrix stressNear(const Matrix& F, const Matrix& now) {
     StressState<double> state;
     const Matrix at = stress(F, resistance, state);
@@ -103,8 +106,8 @@ EdgeStiffness<double> stiffnessAt(const Matrix& F) {
     return edgeStiffness(shape, state, area);
 }
 
-// The stiffness of a cell: eight numbers, x and z of lower left, lower right, upper left and upper
-// right.
+// The stiffness of a cell for eight numbers: x and z of the lower left, lower right, upper left and
+// upper right point.
 using Cell = std::array<std::array<double, 8>, 8>;
 
 void addTriangle(Cell& cell, const EdgeStiffness<double>& stiffness, bool isUpper, bool onRight) {
@@ -189,7 +192,7 @@ void EdgeStiffnessTest::edgeStiffness_isSymmetricAndSemiDefinite() {
     }
 }
 
-// Any corners may be held, in any position of the triangle in its cell.
+// Each corner may be held or free, in any position of the triangle in its cell.
 void EdgeStiffnessTest::edgeStiffness_crossingTriangle_isTheForcesDerivative() {
     for (int corners = 1; corners < 7; ++corners) {
         for (int way = 0; way < 4; ++way) {

@@ -1,5 +1,5 @@
-// The search for equilibrium, with one spring as the smallest backend, and its linear solver, with
-// a matrix in place of the film.
+// Tests the search for equilibrium with one spring as the smallest backend. Tests its linear solver
+// with a matrix in place of the film.
 
 #include "production/formulas/Equilibrium.h"
 
@@ -71,8 +71,8 @@ Spring spring(double x, std::function<double(double)> pull, std::function<double
     return film;
 }
 
-// `size` equations with `diagonal` or more on the diagonal and random, unsymmetric numbers up to 1
-// elsewhere. Smoothing divides by the diagonal.
+// A system of `size` equations. The diagonal has `diagonal` or more; the other entries are random,
+// unsymmetric numbers up to 1. Smoothing divides by the diagonal.
 struct Matrix {
     using Real = double;
     using Vector = std::vector<double>;
@@ -167,13 +167,13 @@ private Q_SLOTS:
     void findEquilibrium_spring_reachesTheRoot();
     void findEquilibrium_tooLongSteps_areShortened();
     void findEquilibrium_step_isAtMostTwoCells();
-    void findEquilibrium_noRoot_endsAtTheLeastForce();
+    void findEquilibrium_noRoot_endsAtTheSmallestForce();
     void findEquilibrium_nanStep_stops();
     void findEquilibrium_uphillStep_isTurnedDownhill();
     void findEquilibrium_farFromRest_acceptsRounding();
     void findEquilibrium_result_hasResidualAndConvergence();
     void solveGmres_unsymmetricSystem_isSolved();
-    void solveGmres_manyEquations_restart();
+    void solveGmres_manyEquations_restarts();
     void solveGmres_smallSystem_isExact();
 };
 
@@ -193,7 +193,7 @@ void EquilibriumTest::findEquilibrium_spring_reachesTheRoot() {
     QVERIFY(std::abs(film.x - 2) < 1e-6);
 }
 
-// Newton's method alone diverges from the root of arctan if it begins beyond 1.39.
+// Without a line search, Newton's method diverges from the root of arctan if it begins beyond 1.39.
 void EquilibriumTest::findEquilibrium_tooLongSteps_areShortened() {
     Spring film = spring(
         3, [](double x) { return std::atan(x); }, [](double x) { return 1 / (1 + x * x); });
@@ -217,8 +217,8 @@ void EquilibriumTest::findEquilibrium_step_isAtMostTwoCells() {
     QVERIFY(farthest <= longestNewtonStep * 10 + 1e-9);
 }
 
-// Without a root the film ends where the forces were least, not where the search stopped.
-void EquilibriumTest::findEquilibrium_noRoot_endsAtTheLeastForce() {
+// Without a root, the film ends where the forces were least, not where the search stopped.
+void EquilibriumTest::findEquilibrium_noRoot_endsAtTheSmallestForce() {
     double last = 0;
     Spring film = spring(
         0.7,
@@ -240,7 +240,7 @@ void EquilibriumTest::findEquilibrium_nanStep_stops() {
     QCOMPARE(film.x, 1.0);
 }
 
-// With a negative stiffness the step leads uphill; a stiffer film's step leads downhill.
+// With a negative stiffness, the step leads uphill. A stiffer film makes the step lead downhill.
 void EquilibriumTest::findEquilibrium_uphillStep_isTurnedDownhill() {
     Spring film = spring(
         4, [](double x) { return x - 3; }, [](double) { return -1.0; });
@@ -248,7 +248,7 @@ void EquilibriumTest::findEquilibrium_uphillStep_isTurnedDownhill() {
     QVERIFY(std::abs(film.x - 3) < 1e-6);
 }
 
-// The remaining forces are only the rounding of places far away.
+// The remaining forces are only rounding errors of places far from rest.
 void EquilibriumTest::findEquilibrium_farFromRest_acceptsRounding() {
     const double rounding = NewtonLimits().flatForce * 100;
     Spring film = spring(
@@ -285,12 +285,12 @@ void EquilibriumTest::solveGmres_unsymmetricSystem_isSolved() {
 }
 
 // There are more equations than basis vectors.
-void EquilibriumTest::solveGmres_manyEquations_restart() {
+void EquilibriumTest::solveGmres_manyEquations_restarts() {
     Matrix film(40, 12);
     solveGmres(film, 0, Tangent::True, std::sqrt(Matrix::dot(film.forces, film.forces)), 1e-9);
     QVERIFY(film.state().equilibrium.linearIterations > mostBasisVectors);
     QVERIFY(film.left(0) <= 1.001e-9);
-    // It stops at the limit of restarts.
+    // This system stops at the limit of restarts.
     Matrix never(40, 0.5);
     const double start = std::sqrt(Matrix::dot(never.forces, never.forces));
     solveGmres(never, 0, Tangent::True, start, 0);

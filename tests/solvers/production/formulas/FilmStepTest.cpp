@@ -1,4 +1,4 @@
-// How a step finds equilibrium, with a spring at each point in place of the film's forces.
+// Tests how a step finds equilibrium. A spring at each point replaces the film's forces.
 
 #include "production/formulas/FilmStep.h"
 
@@ -26,7 +26,7 @@ struct PlaneVector {
     explicit PlaneVector(std::size_t points) : x(points), z(points) {}
 };
 
-// The force on a point at x, and its derivative.
+// The force on a point at x, and the derivative of the force.
 struct Spring {
     std::function<double(double)> force = [](double x) { return x; };
     std::function<double(double)> slope = [](double) { return 1.0; };
@@ -42,7 +42,7 @@ solver::DipSetup flatFilm() {
     return setup;
 }
 
-// A film of springs. Its triangles exert no forces; they only tear and fold.
+// A film of springs. Its triangles exert no forces; they can only tear and fold.
 class Springs : public HostFilm<PlaneVector> {
 public:
     Springs() : HostFilm(flatFilm()), springs(columns * rows), held_(columns * rows) {}
@@ -132,12 +132,12 @@ public:
     int timesSetFree = 0;
 
 private:
-    std::vector<char> held_; // as of the last setFree()
+    std::vector<char> held_; // as at the last setFree()
     PlaneVector start_, step_, best_;
 };
 static_assert(FilmBackend<Springs>);
 
-// A spring with the same force everywhere, which has no equilibrium.
+// Returns a spring with the same force everywhere. It has no equilibrium.
 Spring restless(double force) {
     return {[force](double) { return force; }, [](double) { return 1.0; }};
 }
@@ -174,16 +174,16 @@ void FilmStepTest::settle_filmDoesNotConverge_isHeldAndMarked() {
     QVERIFY(!film.moves(7));
     QVERIFY(film.isMarked(7, PointMark::Unbalanced));
     QVERIFY(!film.isMarked(3, PointMark::Unbalanced));
-    QVERIFY(std::abs(film.displacement(3).x) < 1e-6); // the others converge
+    QVERIFY(std::abs(film.displacement(3).x) < 1e-6); // the other points converge
 }
 
-// A corner past its opposite side is held with its triangles, before the point with the largest
-// force.
+// If a corner lies past its opposite side, its triangles are held first. Only then is the point
+// with the largest force held.
 void FilmStepTest::settle_foldedFilm_isHeldFirst() {
     Springs film;
     film.springs[12] = restless(0.5);
     film.springs[2] = {[](double x) { return x - 0.1; }, [](double) { return 1.0; }};
-    film.place(12, 0, 1.2); // past the next row
+    film.place(12, 0, 1.2); // past the next row, so triangles fold
     QVERIFY(detail::settle(film, 0).isReached);
     QVERIFY(!film.moves(12));
     QVERIFY(!film.moves(17));
@@ -208,7 +208,8 @@ void FilmStepTest::holdTornOrFolded_tornFilm_isHeldAndMarked() {
     QVERIFY(film.moves(0) && !film.isMarked(0, PointMark::Torn));
 }
 
-// Each round holds the points with the largest forces. This film needs more rounds than the limit.
+// Each round holds the points with the largest forces. This film needs more rounds than the limit
+// allows.
 void FilmStepTest::settle_tooManyDivergingPoints_givesUp() {
     Springs film;
     for (int point = 0; point <= mostHolds; ++point) {
@@ -219,7 +220,8 @@ void FilmStepTest::settle_tooManyDivergingPoints_givesUp() {
     QCOMPARE(film.timesSetFree, mostHolds);
     QVERIFY(film.moves(mostHolds));
     QVERIFY(!found.isReached);
-    QVERIFY(film.isMarked(mostHolds, PointMark::Unbalanced)); // left without equilibrium
+    // This point is left without equilibrium.
+    QVERIFY(film.isMarked(mostHolds, PointMark::Unbalanced));
     QVERIFY(!film.isMarked(mostHolds + 1, PointMark::Unbalanced));
     QCOMPARE(found.left, std::pow(0.05, mostHolds));
 }

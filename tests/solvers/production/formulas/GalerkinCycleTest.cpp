@@ -1,4 +1,4 @@
-// The parts of the multigrid cycle for the film's stiffness: its smoother and its grids.
+// Tests the parts of the multigrid cycle for the film's stiffness: the smoother and the grids.
 
 #include "production/formulas/GalerkinCycle.h"
 
@@ -10,13 +10,13 @@ using namespace dipwright::numerics::galerkin;
 class GalerkinCycleTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void smoothingSteps_dampTheirPartOfTheSpectrum();
+    void smoothingSteps_errorsInTheirSpectrum_areDamped();
     void coarser_repeated_reachesTheCoarsestGrid();
-    void coarser_grid_coversTheFineOne();
+    void coarser_grid_coversTheFineGrid();
 };
 
-// An error in an eigenvector of eigenvalue λ has a residual of λ times the error.
-void GalerkinCycleTest::smoothingSteps_dampTheirPartOfTheSpectrum() {
+// The residual of an error that is an eigenvector with the eigenvalue λ is λ times the error.
+void GalerkinCycleTest::smoothingSteps_errorsInTheirSpectrum_areDamped() {
     const auto left = [](const auto& steps, double eigenvalue) {
         double error = 1, direction = 0;
         for (const ChebyshevStep& step : steps) {
@@ -46,9 +46,9 @@ void GalerkinCycleTest::coarser_repeated_reachesTheCoarsestGrid() {
     }
 }
 
-// The coarse points lie on the fine points 0, 2, 4 … They reach the last one or pass it by less
-// than a coarse cell.
-void GalerkinCycleTest::coarser_grid_coversTheFineOne() {
+// The coarse points lie on the fine points 0, 2, 4 … The last coarse point lies on the last fine
+// point, or less than a coarse cell past it.
+void GalerkinCycleTest::coarser_grid_coversTheFineGrid() {
     for (int points = 2; points < 100; ++points) {
         const int last = 2 * (coarser(points) - 1);
         QVERIFY(last >= points - 1 && last <= points);

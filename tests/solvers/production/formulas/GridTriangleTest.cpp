@@ -1,4 +1,4 @@
-// The film's triangles in its grid: their corners, edges, forces and areas.
+// Tests the film's triangles in its grid: their corners, edges, forces and areas.
 
 #include "production/formulas/GridTriangle.h"
 
@@ -16,7 +16,7 @@ using namespace dipwright::numerics;
 
 namespace {
 
-const double resistance = gatheredResistance(0.8); // of gathered film
+const double resistance = gatheredResistance(0.8); // resistance of gathered film
 
 constexpr int columns = 5, rows = 4;
 constexpr double spacingX = 2, spacingZ = 3;
@@ -40,7 +40,7 @@ EdgePair<double> edgesOf(const TriangleCorners& triangle, const std::vector<doub
             z(upper) + dz[upper] - z(lower) - dz[lower]};
 }
 
-// W of PlaneStress.h in tension.
+// Returns the energy W of PlaneStress.h for film in tension.
 double energyOf(const EdgePair<double>& edges, const Matrix2<double>& inverseShape) {
     const Matrix2<double> F = gradientOf(edges, inverseShape);
     const double s = std::hypot(F.a + F.d, F.c - F.b);
@@ -79,7 +79,7 @@ void GridTriangleTest::triangleCorners_twoTriangles_makeACell() {
 }
 
 // Each inner edge belongs to two triangles, each edge on the border to one. So triangles do not
-// overlap, and the diagonals of neighbouring cells meet in the same points.
+// overlap, and the diagonals of neighbouring cells meet at the same points.
 void GridTriangleTest::triangleCorners_neighbours_shareWholeEdges() {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
     for (std::size_t number = 0; number < 2 * (columns - 1) * (rows - 1); ++number) {
@@ -170,10 +170,11 @@ void GridTriangleTest::filmModel_gradedFilm_hasItsLinesAndAreas() {
     QCOMPARE(model.cell, 1.0);
     QCOMPARE(planePosition(model, 6, Vector2<double>{}).x, -0.5);
     QCOMPARE(planePosition(model, 6, Vector2<double>{}).z, 1.0);
-    // The second triangle of the last cell of the first row: 4 × 3.
+    // The second triangle of the last cell of the first row; the cell is 4 × 3 mm.
     QCOMPARE(triangleSize(model, 5).x, 4.0);
     QCOMPARE(triangleSize(model, 5).area(), 6.0);
-    // The area of a point over that of the finest cell; at an edge, that of a whole cell.
+    // The area of a point relative to the finest cell's area. At a border of the film, a whole cell
+    // counts.
     QCOMPARE(pointArea(model, 6), 2.5 * 2);
     QCOMPARE(pointArea(model, 0), 2.0 * 3);
     double area = 0;

@@ -1,4 +1,4 @@
-// The film's law in one triangle, compared with its energy.
+// Compares the film's elastic law in one triangle with its energy.
 
 #include "production/formulas/PlaneStress.h"
 
@@ -12,7 +12,7 @@ using namespace dipwright::numerics;
 
 namespace {
 
-const double gatheredSlope = gatheredResistance(0.8); // of gathered film
+const double gatheredSlope = gatheredResistance(0.8); // h′ of gathered film
 
 using Matrix = Matrix2<double>;
 
@@ -33,8 +33,8 @@ double traceOfStretch(const Matrix& F) {
     return std::hypot(F.a + F.d, F.c - F.b);
 }
 
-// W = δ²/2 + G(s). G = (s − 2)² for s > 1.7 and, where film gathers, the parabola −s²/4 for s <
-// 1.5, with a cubic in between.
+// W = δ²/2 + G(s). For s > 1.7, G = (s − 2)². For s < 1.5, where film gathers, G is the parabola
+// −s²/4. In between, G is a cubic.
 double energy(const Matrix& F) {
     const double s = traceOfStretch(F);
     const double squares = (F.a - F.d) * (F.a - F.d) + (F.b + F.c) * (F.b + F.c);
@@ -56,7 +56,8 @@ Matrix derivativeAt(const Matrix& F, const Matrix& change, Tangent tangent) {
 
 const std::vector<Matrix> directions{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
 
-// Stretched, sheared, turned, compressed, beginning to gather, gathered, inside out.
+// Returns film that is stretched, sheared, rotated, compressed, about to gather, gathered, and
+// inside out.
 std::vector<Matrix> states() {
     return {{1.2, 0, 0, 1.1},
             {1.3, 0.4, -0.1, 0.9},
@@ -76,12 +77,12 @@ class PlaneStressTest : public QObject {
 private Q_SLOTS:
     void stress_isTheEnergysGradient();
     void stressDerivative_true_isTheHessian();
-    void stressDerivative_projectedInTension_isTheTrueOne();
+    void stressDerivative_projectedInTension_isTheTrueDerivative();
     void stressDerivative_projected_isSemiDefinite();
-    void stress_turnedFilm_isZero();
+    void stress_rotatedFilm_isZero();
     void stress_isIsotropic();
     void stress_pulledFilm_narrowsByPoissonsRatio();
-    void stress_beginOfGathering_isContinuous();
+    void stress_startOfGathering_isContinuous();
     void relaxedInverseShape_keepsItsShareOfTheStretch();
     void relaxedInverseShape_insideOutFilm_isUnchanged();
 };
@@ -107,7 +108,7 @@ void PlaneStressTest::stressDerivative_true_isTheHessian() {
     }
 }
 
-void PlaneStressTest::stressDerivative_projectedInTension_isTheTrueOne() {
+void PlaneStressTest::stressDerivative_projectedInTension_isTheTrueDerivative() {
     for (const Matrix& F : states()) {
         for (const Matrix& way : directions) {
             const double apart = distance(derivativeAt(F, way, Tangent::True),
@@ -131,7 +132,7 @@ void PlaneStressTest::stressDerivative_projected_isSemiDefinite() {
     QVERIFY(isTrueIndefinite);
 }
 
-void PlaneStressTest::stress_turnedFilm_isZero() {
+void PlaneStressTest::stress_rotatedFilm_isZero() {
     for (const double angle : {0.0, 0.3, 1.5, -3.0}) {
         QVERIFY(distance(stressAt(rotation(angle)), {}) < 1e-11);
     }
@@ -158,8 +159,8 @@ void PlaneStressTest::stress_pulledFilm_narrowsByPoissonsRatio() {
 }
 
 // The stress and its derivative are continuous at both ends of the transition to gathered film.
-// Outside it, one of the two laws applies.
-void PlaneStressTest::stress_beginOfGathering_isContinuous() {
+// Outside the transition, exactly one of the two laws applies.
+void PlaneStressTest::stress_startOfGathering_isContinuous() {
     const auto squeezed = [](double s) { return stressAt({s / 2, 0, 0, s / 2}).a; };
     const auto resistance = [](double s) {
         StressState<double> state;
@@ -175,7 +176,7 @@ void PlaneStressTest::stress_beginOfGathering_isContinuous() {
     QVERIFY(std::abs(squeezed(end) + end / 2) < 1e-11);
     QCOMPARE(resistance(begin + 0.01), 1.0);
     QCOMPARE(resistance(end - 0.01), gatheredSlope);
-    // Beyond that, film resists less the more it is gathered.
+    // Beyond the transition, film resists less the more it is gathered.
     QVERIFY(std::abs(squeezed(1.0)) < std::abs(squeezed(end)));
 }
 

@@ -1,4 +1,4 @@
-// The length of a step, the stress that is left after it, and the water's drag.
+// Tests the length of a step, the stress that remains after it, and the drag of the water.
 
 #include "production/formulas/StepLength.h"
 
@@ -21,7 +21,7 @@ private Q_SLOTS:
     void pointDrag_growsWithAreaAndSpeed();
 };
 
-// On a surface of steepness sin(angle), the body comes down by travel · sin(angle).
+// On a surface with the steepness sin(angle), the body descends by travel · sin(angle).
 void StepLengthTest::contactIncrement_followsTheSteepness() {
     QCOMPARE(contactIncrement(0.5, 1), 0.5);
     QCOMPARE(contactIncrement(0.5, std::sin(0.5)), 0.5 * std::sin(0.5));
@@ -35,7 +35,7 @@ void StepLengthTest::contactIncrement_flatFace_hasAMinimum() {
 void StepLengthTest::approachIncrement_endsAtTheFirstContact() {
     QCOMPARE(approachIncrement(0.5, 3.25), 3.25);
     QCOMPARE(approachIncrement(0.5, 0.2), 0.2);
-    QCOMPARE(approachIncrement(0.5, 0.001), 0.05); // the dip still continues
+    QCOMPARE(approachIncrement(0.5, 0.001), 0.05); // at least this much, so that the dip continues
     QCOMPARE(approachIncrement(0.5, -2), 0.05);
 }
 
@@ -52,17 +52,18 @@ void StepLengthTest::isNextToContact_reachesTwoCells() {
 
 void StepLengthTest::keptStress_decaysExponentially() {
     QVERIFY(std::abs(keptStress(10, 5, 2) - std::exp(-1)) <
-            1e-15); // two seconds, one time constant
+            1e-15); // two seconds are one time constant
     QVERIFY(std::abs(keptStress(4, 5, 2) * keptStress(6, 5, 2) - keptStress(10, 5, 2)) < 1e-15);
-    QCOMPARE(keptStress(10, 5, std::numeric_limits<double>::infinity()), 1.0); // elastic
-    QCOMPARE(keptStress(10, 5, 0), 0.0);                                       // viscous
+    QCOMPARE(keptStress(10, 5, std::numeric_limits<double>::infinity()), 1.0); // elastic film
+    QCOMPARE(keptStress(10, 5, 0), 0.0);                                       // viscous film
 }
 
 void StepLengthTest::pointDrag_growsWithAreaAndSpeed() {
     const double drag = pointDrag(1.5, 2, 0.5);
     QCOMPARE(drag, waterDrag * 1.5 * 2 / 0.5);
     QCOMPARE(pointDrag(3, 2, 0.5), 2 * drag);
-    QCOMPARE(pointDrag(1.5, 2, 0.25), 2 * drag); // the same displacement in half the descent
+    // The same displacement in half the descent means twice the speed.
+    QCOMPARE(pointDrag(1.5, 2, 0.25), 2 * drag);
 }
 
 QTEST_GUILESS_MAIN(StepLengthTest)

@@ -1,5 +1,5 @@
-// When film tears or folds, whether the quick check finds all such film, and which rest shapes are
-// kept.
+// Tests when film tears or folds, whether the quick check finds all such film, and which rest
+// shapes are accepted.
 #include "production/formulas/TearLaw.h"
 
 #include <QtTest>
@@ -26,7 +26,7 @@ bool folded(const Matrix2<double>& F) {
     return isFolded(stretched(F));
 }
 
-// Whether a rest shape of F times the undeformed one is sound.
+// Returns whether a rest shape of F times the undeformed shape is within the limits.
 bool sound(const Matrix2<double>& F) {
     return isShapeWithinLimits(Matrix2<double>{1 / spacingX, 0, 0, 1 / spacingZ} * inverse(F),
                                spacingX, spacingZ);
@@ -48,8 +48,8 @@ void TearLawTest::isTorn_lengthOrAreaPastTheLimit_isTrue() {
     QVERIFY(torn({1.51, 0, 0, 0.5}, 1.5));
     QVERIFY(torn({0.5, 0, 0, 1.51}, 1.5));
     QVERIFY(!torn({1.2, 0, 0, 1.2}, 1.5));
-    QVERIFY(torn({1.25, 0, 0, 1.25}, 1.5)); // 1.56 times the area
-    // In any direction: stretched by 1.51 along a diagonal.
+    QVERIFY(torn({1.25, 0, 0, 1.25}, 1.5)); // 1.56 times the area, more than 1.5
+    // Stretched by 1.51 along a diagonal direction.
     const double a = (1.51 + 0.6) / 2, b = (1.51 - 0.6) / 2;
     QVERIFY(torn({a, b, b, a}, 1.5));
     QVERIFY(!torn({a, b, b, a}, 1.52));
@@ -58,14 +58,15 @@ void TearLawTest::isTorn_lengthOrAreaPastTheLimit_isTrue() {
 void TearLawTest::isFolded_insideOut_isTrue() {
     QVERIFY(!folded({1, 0, 0, 1}));
     QVERIFY(!folded({0.01, 0, 0, 0.01})); // gathered, but not folded
-    QVERIFY(!folded({-1, 0, 0, -1}));     // turned by 180°
+    QVERIFY(!folded({-1, 0, 0, -1}));     // rotated by 180°
     QVERIFY(folded({1, 0, 0, -0.01}));    // a corner past the opposite side
     QVERIFY(folded({0, 1, 1, 0}));        // mirrored
     QCOMPARE(stretched({1, 0, 0, -0.5}).area, -0.5);
     QCOMPARE(stretched({1, 0, 0, -0.5}).larger, 1.0);
 }
 
-// Checks one triangle, and a row of two, of which the check gets the extremes.
+// Checks one triangle, and a row of two triangles. For the row, the quick check gets the extreme
+// values.
 void TearLawTest::mayBeTornOrFolded_tornOrFoldedFilm_isNeverMissed() {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> entry(-3, 3), limits(1.05, 4);
@@ -95,8 +96,8 @@ void TearLawTest::isShapeWithinLimits_creptPastTheLimit_isFalse() {
     QVERIFY(sound({1, 0, 0, 1}));
     QVERIFY(sound({1.5, 0.2, -0.1, 0.7}));
     QVERIFY(sound({0.1, 0, 0, 10}));
-    QVERIFY(!sound({1, 0, 0, mostCrept * 1.01}));
-    QVERIFY(!sound({1 / (mostCrept * 1.01), 0, 0, 1}));
+    QVERIFY(!sound({1, 0, 0, largestCreepFactor * 1.01}));
+    QVERIFY(!sound({1 / (largestCreepFactor * 1.01), 0, 0, 1}));
     QVERIFY(!sound({1, 0, 0, -1})); // inside out
     const double none = std::nan("");
     QVERIFY(!isShapeWithinLimits(Matrix2<double>{none, 0, 0, none}, spacingX, spacingZ));
