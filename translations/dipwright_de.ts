@@ -4,10 +4,6 @@
 <context>
     <name>Archive</name>
     <message>
-        <source>There is no such file</source>
-        <translation>Diese Datei gibt es nicht</translation>
-    </message>
-    <message>
         <source>The file is empty</source>
         <translation>Die Datei ist leer</translation>
     </message>
@@ -16,36 +12,40 @@
         <translation>Die Datei kann nicht gelesen werden: %1</translation>
     </message>
     <message>
-        <source>This is not a Dipwright project, or the file is cut off or damaged</source>
+        <source>The file cannot be packed</source>
+        <translation>Die Datei lässt sich nicht packen</translation>
+    </message>
+    <message>
+        <source>The file does not exist</source>
+        <translation>Die Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>This is not a Dipwright project, or the file is truncated or damaged</source>
         <translation>Das ist kein Dipwright-Projekt, oder die Datei ist abgeschnitten oder beschädigt</translation>
     </message>
     <message>
-        <source>The file is cut off or damaged</source>
+        <source>The file is truncated or damaged</source>
         <translation>Die Datei ist abgeschnitten oder beschädigt</translation>
     </message>
     <message>
-        <source>The file holds an entry with an unsafe path and is not opened</source>
+        <source>The file contains an entry with an unsafe path and is not opened</source>
         <translation>Die Datei enthält einen Eintrag mit unsicherem Pfad und wird nicht geöffnet</translation>
     </message>
     <message>
-        <source>The file holds the entry %1 twice</source>
+        <source>The file contains the entry %1 twice</source>
         <translation>Die Datei enthält den Eintrag %1 doppelt</translation>
     </message>
     <message>
-        <source>The file is encrypted, save it without a password</source>
+        <source>The file is encrypted; save it without a password</source>
         <translation>Die Datei ist verschlüsselt; speichern Sie sie ohne Kennwort</translation>
     </message>
     <message>
-        <source>The project lacks %1</source>
-        <translation>Dem Projekt fehlt %1</translation>
+        <source>The project does not contain %1</source>
+        <translation>Das Projekt enthält %1 nicht</translation>
     </message>
     <message>
-        <source>%1 in the project is cut off or damaged</source>
+        <source>%1 in the project is truncated or damaged</source>
         <translation>%1 im Projekt ist abgeschnitten oder beschädigt</translation>
-    </message>
-    <message>
-        <source>The file cannot be packed</source>
-        <translation>Die Datei lässt sich nicht packen</translation>
     </message>
 </context>
 <context>
@@ -55,55 +55,47 @@
         <translation>es ist ein Ordner</translation>
     </message>
     <message>
-        <source>it may not be written</source>
-        <translation>sie darf nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>another program is writing it at this moment, try again</source>
-        <translation>ein anderes Programm schreibt sie in diesem Augenblick, versuchen Sie es noch einmal</translation>
-    </message>
-    <message>
-        <source>it does not reach the disk: %1</source>
-        <translation>sie kommt nicht auf die Platte: %1</translation>
-    </message>
-    <message>
         <source>The file cannot be written: %1</source>
         <translation>Die Datei kann nicht geschrieben werden: %1</translation>
     </message>
     <message>
-        <source>its links lead to one another</source>
-        <translation>seine Verknüpfungen führen zueinander</translation>
+        <source>its links form a loop</source>
+        <translation>ihre Verknüpfungen bilden einen Kreis</translation>
     </message>
     <message>
-        <source>it is no plain file</source>
+        <source>it is not a regular file</source>
         <translation>es ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>it is write-protected</source>
+        <translation>sie ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>another program is writing it now; try again</source>
+        <translation>ein anderes Programm schreibt sie gerade; versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>it cannot be flushed to the disk: %1</source>
+        <translation>sie kann nicht auf den Datenträger geschrieben werden: %1</translation>
     </message>
 </context>
 <context>
     <name>BodyAppearance</name>
     <message>
         <source>Painted</source>
-        <translation>Gefärbt</translation>
+        <translation>Bemalt</translation>
     </message>
     <message>
         <source>Not painted</source>
-        <translation>Nicht gefärbt</translation>
+        <translation>Nicht bemalt</translation>
     </message>
     <message>
-        <source>Painted, by the shape</source>
-        <translation>Gefärbt, der Form nach</translation>
+        <source>Painted (estimated from the shape)</source>
+        <translation>Bemalt (aus der Form geschätzt)</translation>
     </message>
 </context>
 <context>
     <name>Certainty</name>
-    <message>
-        <source>the film has too few points to be compared with one of half as many</source>
-        <translation>der Film hat zu wenige Punkte, um ihn mit einem von halb so vielen zu vergleichen</translation>
-    </message>
-    <message>
-        <source>a coarser film does not follow the body at all</source>
-        <translation>ein gröberer Film folgt dem Körper überhaupt nicht</translation>
-    </message>
     <message>
         <source>Overhang (°)</source>
         <translation>Überhang (°)</translation>
@@ -113,27 +105,24 @@
         <translation>Nachlassender Halt (°)</translation>
     </message>
     <message>
-        <source>Tearing (times the length or area)</source>
-        <translation>Reißen (das Wievielfache von Länge oder Fläche)</translation>
-    </message>
-    <message>
         <source>Gathering (mean stretch)</source>
         <translation>Raffen (mittlere Dehnung)</translation>
     </message>
     <message>
-        <source>%1, %2 to %3 in place of %4: the sheet moves by up to %5 (95 % of it), %6 % of what is painted by more than %7, and %8 % is not painted any more.</source>
-        <translation>%1, %2 bis %3 statt %4: Der Bogen verschiebt sich um bis zu %5 (95 % von ihm), %6 % der bemalten Fläche um mehr als %7, und %8 % werden nicht mehr bemalt.</translation>
-    </message>
-</context>
-<context>
-    <name>VerdictPanel</name>
-    <message>
-        <source>Setting</source>
-        <translation>Einstellung</translation>
+        <source>Tearing (stretch in length or area)</source>
+        <translation>Reißen (Dehnung von Länge oder Fläche)</translation>
     </message>
     <message>
-        <source>Places of %1:</source>
-        <translation>Stellen von %1:</translation>
+        <source>%1 varied from %2 to %3 (set: %4): 95 % of the painted area moves by at most %5. %6 % of it moves by more than %7, and %8 % is no longer painted.</source>
+        <translation>%1 von %2 bis %3 verändert (eingestellt: %4): 95 % der bemalten Fläche verschieben sich um höchstens %5. %6 % von ihr verschieben sich um mehr als %7, und %8 % werden nicht mehr bemalt.</translation>
+    </message>
+    <message>
+        <source>the film has too few points to be compared with a film of half as many</source>
+        <translation>der Film hat zu wenige Punkte, um ihn mit einem Film von halb so vielen zu vergleichen</translation>
+    </message>
+    <message>
+        <source>the film with coarser cells does not follow the part</source>
+        <translation>der Film mit gröberen Zellen folgt dem Teil nicht</translation>
     </message>
 </context>
 <context>
@@ -143,75 +132,51 @@
         <translation>er hat eine unbekannte Ausnahme geworfen</translation>
     </message>
     <message>
-        <source>it gave points a state that there is none of</source>
-        <translation>er hat Punkten einen Zustand gegeben, den es nicht gibt</translation>
+        <source>it gave points an invalid state</source>
+        <translation>er hat Punkten einen ungültigen Zustand gegeben</translation>
     </message>
     <message>
-        <source>it gave points a mark that there is none of</source>
-        <translation>er hat Punkten eine Marke gegeben, die es nicht gibt</translation>
+        <source>it gave points an invalid mark</source>
+        <translation>er hat Punkten eine ungültige Marke gegeben</translation>
     </message>
     <message>
-        <source>it gave no film</source>
-        <translation>er hat keinen Film gegeben</translation>
+        <source>it reported impossible convergence values</source>
+        <translation>er hat unmögliche Konvergenzwerte gemeldet</translation>
     </message>
     <message>
-        <source>it stopped by itself</source>
-        <translation>er hat von selbst aufgehört</translation>
+        <source>it reported an impossible number of steps or descent</source>
+        <translation>er hat eine unmögliche Zahl von Schritten oder einen unmöglichen Weg gemeldet</translation>
     </message>
     <message>
-        <source>it left films of a batch empty</source>
-        <translation>er hat Filme eines Stapels leer gelassen</translation>
-    </message>
-    <message>
-        <source>it told steps or a descent that cannot be</source>
-        <translation>er hat Schritte oder einen Weg gemeldet, die nicht sein können</translation>
-    </message>
-    <message>
-        <source>it does not come forward</source>
+        <source>it makes no progress</source>
         <translation>er kommt nicht voran</translation>
     </message>
     <message>
-        <source>it told figures of its equilibrium that cannot be</source>
-        <translation>er hat Werte seines Gleichgewichts gemeldet, die nicht sein können</translation>
+        <source>it stopped without being cancelled</source>
+        <translation>er hat aufgehört, ohne abgebrochen worden zu sein</translation>
+    </message>
+    <message>
+        <source>it returned no result for some films of a batch</source>
+        <translation>er hat für einige Filme eines Stapels kein Ergebnis geliefert</translation>
+    </message>
+    <message>
+        <source>it created no film</source>
+        <translation>er hat keinen Film erzeugt</translation>
     </message>
 </context>
 <context>
     <name>ColourNote</name>
     <message>
-        <source>%1 is in CMYK and names no ICC profile: its colours are guessed by a formula and can be far off; save it with its profile, or as sRGB</source>
-        <translation>%1 ist in CMYK und nennt kein ICC-Profil: Die Farben sind nach einer Formel geschätzt und können weit danebenliegen; speichern Sie das Bild mit seinem Profil oder als sRGB</translation>
+        <source>%1 is in CMYK and has no ICC profile: its colours are estimated by a formula and can be far off; save it with its profile, or as sRGB</source>
+        <translation>%1 ist in CMYK und hat kein ICC-Profil: Die Farben sind nach einer Formel geschätzt und können weit danebenliegen; speichern Sie das Bild mit seinem Profil oder als sRGB</translation>
     </message>
     <message>
-        <source>%1 has colours that are not kept as they are: %2 % of its pixels lie beyond BT.2020, in which pictures are kept, and are printed less saturated; save it in a smaller space, such as Adobe RGB, to choose how</source>
-        <translation>%1 hat Farben, die nicht bleiben, wie sie sind: %2 % der Pixel liegen außerhalb von BT.2020, worin Bilder gehalten werden, und werden weniger gesättigt gedruckt; speichern Sie das Bild in einem kleineren Farbraum wie Adobe RGB, um das selbst zu bestimmen</translation>
+        <source>%1 has colours outside BT.2020, the largest colour space used here: %2 % of its pixels are printed less saturated; to control this, save it in a smaller colour space, such as Adobe RGB</source>
+        <translation>%1 hat Farben außerhalb von BT.2020, dem größten hier verwendeten Farbraum: %2 % der Pixel werden weniger gesättigt gedruckt; um das selbst zu bestimmen, speichern Sie das Bild in einem kleineren Farbraum wie Adobe RGB</translation>
     </message>
 </context>
 <context>
     <name>Cradle</name>
-    <message>
-        <source>%1: the body tips out of its cradle where it is not fixed; what stays dry does not lie on all sides of its middle. Fix it through the bore, or turn the pose</source>
-        <translation>%1: Der Körper kippt aus seiner Halterung, wo er nicht befestigt ist; was trocken bleibt, liegt nicht auf allen Seiten seiner Mitte. Befestigen Sie ihn durch die Bohrung, oder drehen Sie die Lage</translation>
-    </message>
-    <message>
-        <source>%1: nothing keeps the body from sliding sideways in its cradle, for what stays dry is flat; mark its place and fix it there</source>
-        <translation>%1: Nichts hält den Körper davon ab, in seiner Halterung seitlich zu rutschen, denn was trocken bleibt, ist flach; zeichnen Sie seinen Platz an und befestigen Sie ihn dort</translation>
-    </message>
-    <message>
-        <source>%1: the cradle lies on %2 mm² of paint of an earlier dip; line it there with %3 mm of soft felt or foam</source>
-        <translation>%1: Die Halterung liegt auf %2 mm² Farbe eines früheren Tauchvorgangs; legen Sie sie dort mit %3 mm weichem Filz oder Schaum aus</translation>
-    </message>
-    <message>
-        <source>%1: the cradle&apos;s plate has no room for arrow and job; write them on it</source>
-        <translation>%1: Die Platte der Halterung hat keinen Platz für Pfeil und Auftrag; schreiben Sie sie darauf</translation>
-    </message>
-    <message>
-        <source>%1: there is no cradle, for all that could hold the body is painted by an earlier dip; allow it with cradle.on_paint, through padding, or turn the pose</source>
-        <translation>%1: Es gibt keine Halterung, denn alles, was den Körper halten könnte, hat ein früherer Tauchvorgang bemalt; erlauben Sie es mit cradle.on_paint, durch ein Polster, oder drehen Sie die Lage</translation>
-    </message>
-    <message>
-        <source>%1: there is no cradle, for the film reaches all that could hold the body; dip it less deep or turn the pose</source>
-        <translation>%1: Es gibt keine Halterung, denn der Film erreicht alles, was den Körper halten könnte; tauchen Sie ihn weniger tief oder drehen Sie die Lage</translation>
-    </message>
     <message>
         <source>Forming the cradle</source>
         <translation>Halterung wird geformt</translation>
@@ -221,8 +186,32 @@
         <translation>Halterung wird geprüft</translation>
     </message>
     <message>
-        <source>Looking for what stays dry</source>
-        <translation>Gesucht wird, was trocken bleibt</translation>
+        <source>%1: the part tips out of its cradle unless it is fixed, because its dry surface does not surround its centre of mass. Fix it through the bore, or turn the part</source>
+        <translation>%1: Das Teil kippt aus seiner Halterung, wenn es nicht befestigt ist, weil seine trockene Fläche den Schwerpunkt nicht umgibt. Befestigen Sie es durch die Bohrung, oder drehen Sie das Teil</translation>
+    </message>
+    <message>
+        <source>%1: the part can slide sideways in its cradle, because its dry surface is too flat; mark its position and fix it there</source>
+        <translation>%1: Das Teil kann in seiner Halterung seitlich rutschen, weil seine trockene Fläche zu flach ist; zeichnen Sie seine Lage an, und befestigen Sie es dort</translation>
+    </message>
+    <message>
+        <source>%1: the cradle touches %2 mm² that an earlier dip has painted; line it there with %3 mm of soft felt or foam</source>
+        <translation>%1: Die Halterung berührt %2 mm², die ein früherer Tauchvorgang bemalt hat; legen Sie sie dort mit %3 mm weichem Filz oder Schaum aus</translation>
+    </message>
+    <message>
+        <source>%1: the cradle&apos;s plate has no room for the engraving; write the arrow, the dip number and the job on it</source>
+        <translation>%1: Die Platte der Halterung hat keinen Platz für die Gravur; schreiben Sie Pfeil, Nummer des Tauchvorgangs und Auftrag darauf</translation>
+    </message>
+    <message>
+        <source>%1: no cradle is possible, because an earlier dip has painted every place that could hold the part; allow padded contact with paint (cradle.on_paint), or turn the part</source>
+        <translation>%1: Es ist keine Halterung möglich, weil ein früherer Tauchvorgang alle Stellen bemalt hat, die das Teil halten könnten; erlauben Sie gepolsterten Kontakt mit der Farbe (cradle.on_paint), oder drehen Sie das Teil</translation>
+    </message>
+    <message>
+        <source>%1: no cradle is possible, because the film reaches every place that could hold the part; dip it less deep, or turn the part</source>
+        <translation>%1: Es ist keine Halterung möglich, weil der Film alle Stellen erreicht, die das Teil halten könnten; tauchen Sie es weniger tief, oder drehen Sie das Teil</translation>
+    </message>
+    <message>
+        <source>Finding the surface that stays dry</source>
+        <translation>Trocken bleibende Fläche wird gesucht</translation>
     </message>
 </context>
 <context>
@@ -244,10 +233,6 @@
         <translation>Der Löser ist mit einer unbekannten Ausnahme gescheitert</translation>
     </message>
     <message>
-        <source>With these cells the film would have %1 million points, and it may have %2; give it larger cells</source>
-        <translation>Mit diesen Zellen hätte die Folie %1 Millionen Punkte, und sie darf %2 haben; geben Sie ihr größere Zellen</translation>
-    </message>
-    <message>
         <source>%1 mm²</source>
         <translation>%1 mm²</translation>
     </message>
@@ -256,28 +241,12 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>%1, %2 % of what is painted, depend on marked film. %3.</source>
-        <translation>%1, %2 % der bemalten Fläche, hängen von markiertem Film ab. %3.</translation>
-    </message>
-    <message>
-        <source>The body does not meet the film; move it over the film, choose a larger film, or give the film smaller cells or more points</source>
-        <translation>Der Körper trifft den Film nicht; schieben Sie ihn über den Film, wählen Sie einen größeren Film oder geben Sie dem Film kleinere Zellen oder mehr Punkte</translation>
-    </message>
-    <message>
-        <source>The body is not found: parts of it are only %1 mm thick, and the distance field has cells of %2 mm; make them thicker, or dip a smaller part of it</source>
-        <translation>Der Körper wird nicht gefunden: Teile von ihm sind nur %1 mm dick, und das Abstandsfeld hat Zellen von %2 mm; machen Sie sie dicker oder tauchen Sie einen kleineren Teil von ihm</translation>
-    </message>
-    <message>
         <source>choose a film of at least %1 × %2 mm</source>
         <translation>wählen Sie einen Film von mindestens %1 × %2 mm</translation>
     </message>
     <message>
         <source>no film is larger than %1 mm: check the model&apos;s size and unit</source>
         <translation>kein Film ist größer als %1 mm: Prüfen Sie Größe und Einheit des Modells</translation>
-    </message>
-    <message>
-        <source>The body is larger than the film on all sides, %1 × %2 mm on the water, and no film is left to go round it; %3</source>
-        <translation>Der Körper ist auf allen Seiten größer als der Film, %1 × %2 mm auf dem Wasser, und es bleibt kein Film, der sich um ihn legt; %3</translation>
     </message>
     <message>
         <source>Torn film</source>
@@ -289,22 +258,42 @@
     </message>
     <message>
         <source>Released film</source>
-        <translation>Losgelassener Film</translation>
+        <translation>Abgelöster Film</translation>
+    </message>
+    <message>
+        <source>The part does not meet the film; move it over the film, choose a larger film, or give the film smaller cells or more points</source>
+        <translation>Das Teil trifft den Film nicht; schieben Sie es über den Film, wählen Sie einen größeren Film oder geben Sie dem Film kleinere Zellen oder mehr Punkte</translation>
+    </message>
+    <message>
+        <source>The solver did not find the part: it is only %1 mm thick in places, and the distance field has cells of %2 mm; make it thicker there, or dip only a section of it</source>
+        <translation>Der Löser hat das Teil nicht gefunden: Es ist stellenweise nur %1 mm dick, und das Abstandsfeld hat Zellen von %2 mm; machen Sie es dort dicker, oder tauchen Sie nur einen Abschnitt davon</translation>
+    </message>
+    <message>
+        <source>The part, %1 × %2 mm on the water, reaches past the film on all sides, so no film is left to wrap round it; %3</source>
+        <translation>Das Teil, %1 × %2 mm auf dem Wasser, ragt auf allen Seiten über den Film hinaus, sodass kein Film bleibt, der sich um es legt; %3</translation>
+    </message>
+    <message>
+        <source>%1 of the painted area (%2 %) depend on marked film. %3.</source>
+        <translation>%1 der bemalten Fläche (%2 %) hängen von markiertem Film ab. %3.</translation>
+    </message>
+    <message>
+        <source>With these cells the film would have %1 million points, but at most %2 million are allowed; choose larger cells</source>
+        <translation>Mit diesen Zellen hätte der Film %1 Millionen Punkte, erlaubt sind höchstens %2 Millionen; wählen Sie größere Zellen</translation>
     </message>
 </context>
 <context>
     <name>DipCache</name>
     <message>
-        <source>The dips cannot be kept: %1</source>
-        <translation>Die Tauchvorgänge können nicht aufbewahrt werden: %1</translation>
+        <source>The file of cached dips is damaged and is ignored; the next run replaces it</source>
+        <translation>Die Datei der zwischengespeicherten Tauchvorgänge ist beschädigt und wird nicht verwendet; der nächste Lauf ersetzt sie</translation>
     </message>
     <message>
-        <source>Reading the kept dips</source>
-        <translation>Aufbewahrte Tauchvorgänge werden gelesen</translation>
+        <source>The dips cannot be cached: %1</source>
+        <translation>Die Tauchvorgänge können nicht zwischengespeichert werden: %1</translation>
     </message>
     <message>
-        <source>The kept dips are damaged and not used; a run makes them again</source>
-        <translation>Die aufbewahrten Tauchvorgänge sind beschädigt und werden nicht verwendet; ein Lauf macht sie neu</translation>
+        <source>Reading the cached dips</source>
+        <translation>Zwischengespeicherte Tauchvorgänge werden gelesen</translation>
     </message>
 </context>
 <context>
@@ -333,12 +322,12 @@
         <translation>Film reißt</translation>
     </message>
     <message>
-        <source>Air is trapped under the body</source>
-        <translation>Luft wird unter dem Körper eingeschlossen</translation>
-    </message>
-    <message>
         <source>Film is released at an overhang</source>
         <translation>Film löst sich an einem Überhang</translation>
+    </message>
+    <message>
+        <source>Air is trapped under the part</source>
+        <translation>Luft wird unter dem Teil eingeschlossen</translation>
     </message>
 </context>
 <context>
@@ -380,10 +369,6 @@
         <translation>H</translation>
     </message>
     <message>
-        <source>Whether this side of the film floats freely or is held by a barrier in the tank.</source>
-        <translation>Ob diese Seite des Films frei schwimmt oder von einer Barriere im Becken gehalten wird.</translation>
-    </message>
-    <message>
         <source>Free</source>
         <translation>Frei</translation>
     </message>
@@ -396,56 +381,16 @@
         <translation>Quellung</translation>
     </message>
     <message>
-        <source>How much the wetted film has grown over the printed one, across and down. Measure it: it is the first number to calibrate, and the sheet is printed smaller by it.</source>
-        <translation>Wie viel der benetzte Film gegenüber dem gedruckten gewachsen ist, quer und längs. Messen Sie es: Es ist die erste Zahl, die zu kalibrieren ist, und der Bogen wird um sie kleiner gedruckt.</translation>
-    </message>
-    <message>
         <source>Relaxation</source>
         <translation>Relaxation</translation>
-    </message>
-    <message>
-        <source>How fast stress in the floating film decays. An elastic film remembers its shape for ever; a viscous one, at 0 s, forgets at once.</source>
-        <translation>Wie schnell Spannung im schwimmenden Film abklingt. Ein elastischer Film behält seine Form für immer in Erinnerung, ein viskoser, bei 0 s, vergisst sie sofort.</translation>
     </message>
     <message>
         <source>Elastic</source>
         <translation>Elastisch</translation>
     </message>
     <message>
-        <source>Growth</source>
-        <translation>Wachstum</translation>
-    </message>
-    <message>
-        <source>How fast the film goes on growing while it floats, in a second of the dip and at its begin. What is on the body grows no more.</source>
-        <translation>Wie schnell die Folie weiterwächst, während sie schwimmt, in einer Sekunde und zu Beginn des Tauchvorgangs. Was am Körper liegt, wächst nicht mehr.</translation>
-    </message>
-    <message>
-        <source>Grows by at most</source>
-        <translation>Wächst höchstens um</translation>
-    </message>
-    <message>
         <source>Contact distance</source>
         <translation>Kontaktabstand</translation>
-    </message>
-    <message>
-        <source>How near a film point has to come to the surface to touch it.</source>
-        <translation>Wie nahe ein Filmpunkt der Oberfläche kommen muss, um sie zu berühren.</translation>
-    </message>
-    <message>
-        <source>Grip fades over</source>
-        <translation>Halt schwindet über</translation>
-    </message>
-    <message>
-        <source>So far before the overhang the body begins to lose its grip on the film. A guess: no film was measured.</source>
-        <translation>So weit vor dem Überhang beginnt der Körper, die Folie loszulassen. Eine Annahme: Keine Folie wurde gemessen.</translation>
-    </message>
-    <message>
-        <source>Gathers below</source>
-        <translation>Rafft sich unter</translation>
-    </message>
-    <message>
-        <source>Film pushed together to a mean stretch below this gathers, and hardly resists any more. A guess: no film was measured.</source>
-        <translation>Folie, die unter diese mittlere Dehnung zusammengeschoben wird, rafft sich und leistet kaum noch Widerstand. Eine Annahme: Keine Folie wurde gemessen.</translation>
     </message>
     <message>
         <source>Left</source>
@@ -464,14 +409,6 @@
         <translation>Unten</translation>
     </message>
     <message>
-        <source>Ink thins by</source>
-        <translation>Tinte wird dünner mit</translation>
-    </message>
-    <message>
-        <source>The exponent n: ink printed with density D shows D·J^−n where film is stretched to J times its area. 1 for dye, 0 for dots that hide what is behind them. A guess, taken for inks without tones.</source>
-        <translation>Der Exponent n: mit der Dichte D gedruckte Tinte zeigt D·J^−n, wo der Film auf das J-fache seiner Fläche gedehnt ist. 1 für Farbstoff, 0 für Punkte, die alles hinter sich verdecken. Eine Schätzung, für Tinten ohne gemessene Töne.</translation>
-    </message>
-    <message>
         <source>C</source>
         <comment>cyan</comment>
         <translation>C</translation>
@@ -487,14 +424,6 @@
         <translation>Y</translation>
     </message>
     <message>
-        <source>Black and white</source>
-        <translation>Schwarz und Weiß</translation>
-    </message>
-    <message>
-        <source>The same of black and white ink, which printers in CMYK have: there each ink is made up for by itself, after separation.</source>
-        <translation>Dasselbe für schwarze und weiße Tinte, die Drucker in CMYK haben: Dort wird jede Tinte für sich ausgeglichen, nach der Separation.</translation>
-    </message>
-    <message>
         <source>K</source>
         <comment>black</comment>
         <translation>K</translation>
@@ -505,36 +434,96 @@
         <translation>W</translation>
     </message>
     <message>
-        <source>Ink, measured</source>
-        <translation>Tinte, gemessen</translation>
-    </message>
-    <message>
-        <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch (dipwright-cli profile wedge).</source>
-        <translation>Was ein Stufenkeil ergab, Ton für Ton: Tinte, Dichte, Exponent, Krümmung, größte Dehnung (dipwright-cli profile wedge).</translation>
-    </message>
-    <message>
         <source>As in the project</source>
         <translation>Wie im Projekt</translation>
-    </message>
-    <message>
-        <source>Tears at</source>
-        <translation>Reißt bei</translation>
-    </message>
-    <message>
-        <source>How many times its length or its area film can be stretched before it tears. Torn film is marked and not painted.</source>
-        <translation>Um das Wievielfache Länge oder Fläche des Films wachsen können, bevor er reißt. Gerissener Film wird markiert und nicht aufgetragen.</translation>
     </message>
     <message>
         <source>Overhang</source>
         <translation>Überhang</translation>
     </message>
     <message>
-        <source>Film holds on faces that turn upwards by no more than this.</source>
-        <translation>Film hält auf Flächen, die sich höchstens so weit nach oben wenden.</translation>
-    </message>
-    <message>
         <source>Total growth of the floating film after a long time, relative to its length at the start of the dip. 0: the film does not grow.</source>
         <translation>Gesamtes Wachstum des schwimmenden Films nach langer Zeit, bezogen auf seine Länge zu Beginn des Tauchens. 0: Der Film wächst nicht.</translation>
+    </message>
+    <message>
+        <source>Whether this side of the film floats freely or a barrier in the tank holds it.</source>
+        <translation>Ob diese Seite des Films frei schwimmt oder eine Barriere im Becken sie hält.</translation>
+    </message>
+    <message>
+        <source>Size of the wetted film relative to the printed film, in width and height. The sheet is printed smaller by this factor, so measure it first.</source>
+        <translation>Größe des benetzten Films im Verhältnis zum gedruckten, in Breite und Höhe. Das Blatt wird um diesen Faktor kleiner gedruckt; messen Sie ihn deshalb zuerst.</translation>
+    </message>
+    <message>
+        <source>Time in which stress in the floating film decays. Elastic film keeps its stress for ever; viscous film (0 s) loses it at once.</source>
+        <translation>Zeit, in der Spannung im schwimmenden Film abklingt. Elastischer Film behält seine Spannung für immer; viskoser Film (0 s) verliert sie sofort.</translation>
+    </message>
+    <message>
+        <source>Growth rate</source>
+        <translation>Wachstumsrate</translation>
+    </message>
+    <message>
+        <source>How fast the floating film grows at the start of the dip, per second. Adhered film does not grow.</source>
+        <translation>Wie schnell der schwimmende Film zu Beginn des Tauchvorgangs wächst, je Sekunde. Haftender Film wächst nicht.</translation>
+    </message>
+    <message>
+        <source>Growth limit</source>
+        <translation>Grenze des Wachstums</translation>
+    </message>
+    <message>
+        <source>A film point touches the part when it comes this close to its surface.</source>
+        <translation>Ein Filmpunkt berührt das Teil, wenn er dessen Oberfläche so nahe kommt.</translation>
+    </message>
+    <message>
+        <source>Range of angles before the overhang over which the part loses its grip on the film. This value is a guess; no film was measured.</source>
+        <translation>Winkelbereich vor dem Überhang, in dem das Teil den Halt am Film verliert. Dieser Wert ist eine Annahme; kein Film wurde gemessen.</translation>
+    </message>
+    <message>
+        <source>Compressed film gathers where its mean stretch falls below this value; there it hardly resists. This value is a guess; no film was measured.</source>
+        <translation>Gestauchter Film rafft sich, wo seine mittlere Dehnung unter diesen Wert fällt; dort leistet er kaum Widerstand. Dieser Wert ist eine Annahme; kein Film wurde gemessen.</translation>
+    </message>
+    <message>
+        <source>Ink exponent</source>
+        <translation>Tintenexponent</translation>
+    </message>
+    <message>
+        <source>How ink thins: where film is stretched to J times its area, ink of density D shows D·J^−n. n is 1 for dye and 0 for opaque dots. Used for inks without measured tones; the preset value is a guess.</source>
+        <translation>Wie Tinte dünner wird: Wo der Film auf das J-fache seiner Fläche gedehnt ist, zeigt Tinte der Dichte D noch D·J^−n. n ist 1 für Farbstoff und 0 für deckende Punkte. Gilt für Tinten ohne gemessene Töne; der voreingestellte Wert ist eine Annahme.</translation>
+    </message>
+    <message>
+        <source>Ink exponent, black and white</source>
+        <translation>Tintenexponent, Schwarz und Weiß</translation>
+    </message>
+    <message>
+        <source>The exponent n for black and white ink. CMYK printers use it, because there each ink is compensated by itself, after separation.</source>
+        <translation>Der Exponent n für schwarze und weiße Tinte. Er gilt für CMYK-Drucker, weil dort jede Tinte für sich ausgeglichen wird, nach der Separation.</translation>
+    </message>
+    <message>
+        <source>Measured ink</source>
+        <translation>Gemessene Tinte</translation>
+    </message>
+    <message>
+        <source>Measurements of a step wedge for each tone: ink, density, exponent, bend, greatest stretch (dipwright-cli profile wedge).</source>
+        <translation>Messwerte eines Stufenkeils für jeden Ton: Tinte, Dichte, Exponent, Krümmung, größte Dehnung (dipwright-cli profile wedge).</translation>
+    </message>
+    <message>
+        <source>Film tears where its length or its area is stretched by more than this factor. Torn film is marked and does not paint.</source>
+        <translation>Film reißt, wo seine Länge oder seine Fläche um mehr als diesen Faktor gedehnt wird. Gerissener Film wird markiert und bemalt nichts.</translation>
+    </message>
+    <message>
+        <source>Film adheres to faces that turn upwards by at most this angle; the part releases it on steeper faces.</source>
+        <translation>Film haftet auf Flächen, die sich um höchstens diesen Winkel nach oben wenden; von steileren Flächen löst er sich.</translation>
+    </message>
+    <message>
+        <source>Grip fade range</source>
+        <translation>Halt schwindet über</translation>
+    </message>
+    <message>
+        <source>Gathering stretch</source>
+        <translation>Rafft sich unter</translation>
+    </message>
+    <message>
+        <source>Tear stretch</source>
+        <translation>Reißt bei</translation>
     </message>
 </context>
 <context>
@@ -568,70 +557,62 @@
         <translation>%1 nicht gemessen</translation>
     </message>
     <message>
-        <source>None: a film that was not measured</source>
-        <translation>Keines: ein Film, der nicht gemessen wurde</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>None (film not measured)</source>
+        <translation>Keines (Film nicht gemessen)</translation>
     </message>
 </context>
 <context>
     <name>FolderTransaction</name>
     <message>
-        <source>The results cannot be written, %1 is not a folder</source>
-        <translation>Die Ergebnisse können nicht geschrieben werden, %1 ist kein Ordner</translation>
-    </message>
-    <message>
         <source>The results cannot be written: %1</source>
         <translation>Die Ergebnisse können nicht geschrieben werden: %1</translation>
-    </message>
-    <message>
-        <source>The results cannot be moved into the folder, is a file there in use?</source>
-        <translation>Die Ergebnisse können nicht in den Ordner verschoben werden; wird dort eine Datei benutzt?</translation>
     </message>
     <message>
         <source>%1 is in the way of the results; move it, or choose another folder</source>
         <translation>%1 steht den Ergebnissen im Weg; verschieben Sie es oder wählen Sie einen anderen Ordner</translation>
     </message>
     <message>
-        <source>Another program is writing results there (%1); wait for it, or choose another folder</source>
-        <translation>Ein anderes Programm schreibt dort Ergebnisse (%1); warten Sie darauf, oder wählen Sie einen anderen Ordner</translation>
-    </message>
-    <message>
-        <source>The folder cannot be written, choose another</source>
-        <translation>In den Ordner kann nicht geschrieben werden; wählen Sie einen anderen</translation>
-    </message>
-    <message>
-        <source>The results are only in part moved into the folder; close what has files there open, and start the program again, which moves the rest</source>
-        <translation>Die Ergebnisse sind nur zum Teil in den Ordner verschoben; schließen Sie, was dort Dateien geöffnet hat, und starten Sie das Programm neu: Es verschiebt den Rest</translation>
-    </message>
-    <message>
         <source>The results cannot be read again: %1</source>
         <translation>Die Ergebnisse lassen sich nicht noch einmal lesen: %1</translation>
     </message>
     <message>
-        <source>Earlier results there were not completed and cannot be now; close what has files there open, or move %1 out of it</source>
-        <translation>Frühere Ergebnisse dort wurden nicht vollendet und können es jetzt nicht werden; schließen Sie, was dort Dateien offen hat, oder legen Sie %1 woanders hin</translation>
+        <source>The results cannot be written, because %1 is not a folder</source>
+        <translation>Die Ergebnisse können nicht geschrieben werden, weil %1 kein Ordner ist</translation>
     </message>
     <message>
-        <source>Somebody has moved or removed files of %1 while the results were written, and they are not complete; leave it alone and try again</source>
-        <translation>Jemand hat Dateien aus %1 verschoben oder entfernt, während die Ergebnisse geschrieben wurden, und sie sind nicht vollständig; lassen Sie den Ordner in Ruhe und versuchen Sie es noch einmal</translation>
+        <source>Another program is writing results to this folder (%1); wait for it, or choose another folder</source>
+        <translation>Ein anderes Programm schreibt Ergebnisse in diesen Ordner (%1); warten Sie darauf, oder wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>Earlier results in this folder are incomplete and cannot be completed now; close the programs that have files there open, or move %1 out of the folder</source>
+        <translation>Frühere Ergebnisse in diesem Ordner sind unvollständig und können jetzt nicht vervollständigt werden; schließen Sie die Programme, die dort Dateien geöffnet haben, oder verschieben Sie %1 aus dem Ordner</translation>
+    </message>
+    <message>
+        <source>The folder cannot be written; choose another folder</source>
+        <translation>In den Ordner kann nicht geschrieben werden; wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>The results are incomplete, because files in %1 were moved or removed during writing; leave that folder alone and try again</source>
+        <translation>Die Ergebnisse sind unvollständig, weil während des Schreibens Dateien in %1 verschoben oder entfernt wurden; lassen Sie diesen Ordner unberührt und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>The results cannot be moved into the folder, perhaps because a file there is in use; close it and try again</source>
+        <translation>Die Ergebnisse können nicht in den Ordner verschoben werden, vielleicht weil dort eine Datei benutzt wird; schließen Sie sie und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>Only some of the results were moved into the folder; close the programs that have files there open, then start this program again to move the rest</source>
+        <translation>Nur ein Teil der Ergebnisse wurde in den Ordner verschoben; schließen Sie die Programme, die dort Dateien geöffnet haben, und starten Sie dieses Programm neu, um den Rest zu verschieben</translation>
     </message>
 </context>
 <context>
     <name>GuidePlaces</name>
     <message>
-        <source>Dip ▸ Check Certainty</source>
-        <translation>Tauchen ▸ Verlässlichkeit prüfen</translation>
-    </message>
-    <message>
         <source>Dip ▸ Tolerances</source>
         <translation>Tauchen ▸ Toleranzen</translation>
-    </message>
-    <message>
-        <source>File ▸ New Project</source>
-        <translation>Datei ▸ Neues Projekt</translation>
     </message>
     <message>
         <source>Left</source>
@@ -646,24 +627,12 @@
         <translation>Zeitleiste</translation>
     </message>
     <message>
-        <source>Reload Model</source>
-        <translation>Modell neu laden</translation>
-    </message>
-    <message>
-        <source>Join</source>
-        <translation>Fuge</translation>
-    </message>
-    <message>
         <source>File ▸ Print</source>
         <translation>Datei ▸ Drucken</translation>
     </message>
     <message>
         <source>ICC profile</source>
         <translation>ICC-Profil</translation>
-    </message>
-    <message>
-        <source>Dip ▸ Find Poses</source>
-        <translation>Tauchen ▸ Lagen suchen</translation>
     </message>
     <message>
         <source>Stretch</source>
@@ -679,19 +648,11 @@
     </message>
     <message>
         <source>Sheet</source>
-        <translation>Bogen</translation>
+        <translation>Blatt</translation>
     </message>
     <message>
         <source>Report</source>
         <translation>Bericht</translation>
-    </message>
-    <message>
-        <source>File ▸ Print History</source>
-        <translation>Datei ▸ Druckverlauf</translation>
-    </message>
-    <message>
-        <source>File ▸ Calibrate Printer</source>
-        <translation>Datei ▸ Drucker kalibrieren</translation>
     </message>
     <message>
         <source>Edit ▸ Profiles</source>
@@ -706,10 +667,6 @@
         <translation>Anpassung</translation>
     </message>
     <message>
-        <source>As Built</source>
-        <translation>Wie gebaut</translation>
-    </message>
-    <message>
         <source>Measuring a film</source>
         <translation>Einen Film messen</translation>
     </message>
@@ -718,133 +675,165 @@
         <translation>Datei ▸ Schnappschüsse</translation>
     </message>
     <message>
-        <source>File ▸ Job Queue</source>
-        <translation>Datei ▸ Warteschlange</translation>
-    </message>
-    <message>
         <source>log</source>
         <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Dip ▸ Check numerical error</source>
+        <translation>Tauchen ▸ Numerischen Fehler prüfen</translation>
+    </message>
+    <message>
+        <source>File ▸ New project</source>
+        <translation>Datei ▸ Neues Projekt</translation>
+    </message>
+    <message>
+        <source>Reload model</source>
+        <translation>Modell neu laden</translation>
+    </message>
+    <message>
+        <source>Seam</source>
+        <translation>Naht</translation>
+    </message>
+    <message>
+        <source>Dip ▸ Find poses</source>
+        <translation>Tauchen ▸ Lagen suchen</translation>
+    </message>
+    <message>
+        <source>File ▸ Print history</source>
+        <translation>Datei ▸ Druckverlauf</translation>
+    </message>
+    <message>
+        <source>File ▸ Calibrate printer</source>
+        <translation>Datei ▸ Drucker kalibrieren</translation>
+    </message>
+    <message>
+        <source>As built</source>
+        <translation>Wie gebaut</translation>
+    </message>
+    <message>
+        <source>File ▸ Job queue</source>
+        <translation>Datei ▸ Warteschlange</translation>
     </message>
 </context>
 <context>
     <name>ImmersionEdits</name>
     <message>
-        <source>Add Immersion</source>
+        <source>Add dip</source>
         <translation>Tauchvorgang hinzufügen</translation>
     </message>
     <message>
-        <source>Immersion %1</source>
+        <source>Dip %1</source>
         <translation>Tauchvorgang %1</translation>
     </message>
     <message>
-        <source>Remove Immersion</source>
+        <source>Remove dip</source>
         <translation>Tauchvorgang entfernen</translation>
     </message>
     <message>
-        <source>Swap Immersions</source>
-        <translation>Tauchvorgänge tauschen</translation>
+        <source>Use pose</source>
+        <translation>Lage übernehmen</translation>
     </message>
     <message>
-        <source>Take Pose</source>
-        <translation>Lage übernehmen</translation>
+        <source>Swap dips</source>
+        <translation>Tauchvorgänge tauschen</translation>
     </message>
 </context>
 <context>
     <name>InspectionEdits</name>
     <message>
-        <source>Add Photos</source>
+        <source>Measured %1</source>
+        <translation>Gemessen %1</translation>
+    </message>
+    <message>
+        <source>Add photos</source>
         <translation>Fotos hinzufügen</translation>
     </message>
     <message>
-        <source>Remove Photo</source>
+        <source>Remove photo</source>
         <translation>Foto entfernen</translation>
     </message>
     <message>
-        <source>Add Pair of Places</source>
+        <source>Add pair of places</source>
         <translation>Stellenpaar hinzufügen</translation>
     </message>
     <message>
-        <source>Move Place in Photo</source>
+        <source>Move place in photo</source>
         <translation>Stelle im Foto verschieben</translation>
     </message>
     <message>
-        <source>Remove Pair of Places</source>
+        <source>Remove pair of places</source>
         <translation>Stellenpaar entfernen</translation>
     </message>
     <message>
-        <source>Change Film on the Water</source>
+        <source>Change film on the water</source>
         <translation>Film auf dem Wasser ändern</translation>
     </message>
     <message>
-        <source>Keep Part</source>
+        <source>Keep part</source>
         <translation>Teil behalten</translation>
     </message>
     <message>
-        <source>Correct the Next Sheets</source>
-        <translation>Nächste Bögen korrigieren</translation>
+        <source>Correct the next sheets</source>
+        <translation>Nächste Blätter korrigieren</translation>
     </message>
     <message>
-        <source>Change Strength of Correction</source>
+        <source>Change strength of correction</source>
         <translation>Stärke der Korrektur ändern</translation>
     </message>
     <message>
-        <source>Use What Was Fitted</source>
+        <source>Use the fit</source>
         <translation>Anpassung übernehmen</translation>
-    </message>
-    <message>
-        <source>Measured %1</source>
-        <translation>Gemessen %1</translation>
     </message>
 </context>
 <context>
     <name>InspectionProfile</name>
     <message>
-        <source>Save to Profile</source>
+        <source>Save to profile</source>
         <translation>Im Profil speichern</translation>
     </message>
     <message>
-        <source>Name of the film profile, an old or a new one</source>
-        <translation>Name des Filmprofils, ein vorhandener oder neuer</translation>
+        <source>Name of a new or existing film profile</source>
+        <translation>Name eines neuen oder vorhandenen Filmprofils</translation>
     </message>
     <message>
-        <source>The film profile %1 has what was measured</source>
-        <translation>Das Filmprofil %1 hat die Messung übernommen</translation>
+        <source>Saved the measurement in the film profile %1</source>
+        <translation>Messung im Filmprofil %1 gespeichert</translation>
     </message>
 </context>
 <context>
     <name>MainWindow</name>
     <message>
-        <source>Pose Search</source>
-        <translation>Lagensuche</translation>
-    </message>
-    <message>
         <source>Artwork</source>
         <translation>Gestaltung</translation>
+    </message>
+    <message>
+        <source>Pose search</source>
+        <translation>Lagensuche</translation>
     </message>
 </context>
 <context>
     <name>MarkEdits</name>
     <message>
-        <source>Mark for the Join</source>
-        <translation>Marke für die Fuge</translation>
+        <source>Mark for the seam</source>
+        <translation>Marke für die Naht</translation>
     </message>
     <message>
-        <source>Mark a Zone</source>
+        <source>Mark zone</source>
         <translation>Zone markieren</translation>
     </message>
     <message>
-        <source>Remove Mark</source>
+        <source>Remove mark</source>
         <translation>Marke entfernen</translation>
     </message>
     <message>
-        <source>Remove Marks</source>
+        <source>Remove marks</source>
         <translation>Marken entfernen</translation>
     </message>
 </context>
 <context>
     <name>ModelEdits</name>
     <message>
-        <source>Change Size</source>
+        <source>Change size</source>
         <translation>Größe ändern</translation>
     </message>
 </context>
@@ -855,55 +844,43 @@
         <translation>Modell wird gelesen</translation>
     </message>
     <message>
-        <source>Immersion %1</source>
-        <translation>Tauchvorgang %1</translation>
-    </message>
-    <message>
-        <source>Reload Model</source>
-        <translation>Modell neu laden</translation>
-    </message>
-    <message>
-        <source>Replace Model</source>
-        <translation>Modell ersetzen</translation>
-    </message>
-    <message>
-        <source>Replace Texture</source>
-        <translation>Textur ersetzen</translation>
-    </message>
-    <message>
         <source>Reading the texture</source>
         <translation>Textur wird gelesen</translation>
     </message>
     <message>
-        <source>The model names files outside its own folder:</source>
-        <translation>Das Modell nennt Dateien außerhalb seines Ordners:</translation>
+        <source>Dip %1</source>
+        <translation>Tauchvorgang %1</translation>
     </message>
     <message>
-        <source>The project, as it was opened, names these files:</source>
-        <translation>Das Projekt, wie es geöffnet wurde, nennt diese Dateien:</translation>
+        <source>The model refers to files outside its folder:</source>
+        <translation>Das Modell verweist auf Dateien außerhalb seines Ordners:</translation>
+    </message>
+    <message>
+        <source>Reload model</source>
+        <translation>Modell neu laden</translation>
+    </message>
+    <message>
+        <source>The project file refers to these files:</source>
+        <translation>Die Projektdatei verweist auf diese Dateien:</translation>
+    </message>
+    <message>
+        <source>Replace model</source>
+        <translation>Modell ersetzen</translation>
+    </message>
+    <message>
+        <source>Replace texture</source>
+        <translation>Textur ersetzen</translation>
     </message>
 </context>
 <context>
     <name>Motion</name>
     <message>
-        <source>The template of the motion names {%1}, which there is not; use one of %2</source>
-        <translation>Die Vorlage der Bewegung nennt {%1}, das es nicht gibt; nehmen Sie eines von %2</translation>
+        <source>The motion template contains the unknown name {%1}; use one of %2</source>
+        <translation>Die Bewegungsvorlage enthält den unbekannten Namen {%1}; verwenden Sie einen von %2</translation>
     </message>
 </context>
 <context>
     <name>OutOfProcessSolver</name>
-    <message>
-        <source>it cannot be given a process of its own: %1</source>
-        <translation>er kann keinen eigenen Prozess bekommen: %1</translation>
-    </message>
-    <message>
-        <source>it was at one step for more than %1 s and was stopped</source>
-        <translation>er war länger als %1 s an einem Schritt und wurde beendet</translation>
-    </message>
-    <message>
-        <source>its process was killed, perhaps for want of memory</source>
-        <translation>sein Prozess wurde beendet, vielleicht aus Mangel an Speicher</translation>
-    </message>
     <message>
         <source>it crashed (%1)</source>
         <translation>er ist abgestürzt (%1)</translation>
@@ -913,8 +890,20 @@
         <translation>er hat seinen Prozess beendet (%1)</translation>
     </message>
     <message>
-        <source>it answered with more than there can be and was stopped</source>
-        <translation>er hat mit mehr geantwortet, als es geben kann, und wurde beendet</translation>
+        <source>its process cannot be started: %1</source>
+        <translation>sein Prozess kann nicht gestartet werden: %1</translation>
+    </message>
+    <message>
+        <source>it did not respond for %1 s and was stopped</source>
+        <translation>er hat %1 s lang nicht geantwortet und wurde beendet</translation>
+    </message>
+    <message>
+        <source>its answer was impossibly long, so it was stopped</source>
+        <translation>seine Antwort war unmöglich lang, daher wurde er beendet</translation>
+    </message>
+    <message>
+        <source>its process was killed, perhaps for lack of memory</source>
+        <translation>sein Prozess wurde beendet, vielleicht aus Mangel an Speicher</translation>
     </message>
 </context>
 <context>
@@ -969,7 +958,7 @@
     </message>
     <message>
         <source>FAILED</source>
-        <translation>FALSCH</translation>
+        <translation>FEHLER</translation>
     </message>
     <message>
         <source>Dipping</source>
@@ -982,10 +971,6 @@
     <message>
         <source>physics validation</source>
         <translation>Prüfung der Physik</translation>
-    </message>
-    <message>
-        <source>The film never touched the body; the solver cannot be used</source>
-        <translation>Der Film hat den Körper nie berührt; der Löser ist nicht zu gebrauchen</translation>
     </message>
     <message>
         <source>Sphere to 80°</source>
@@ -1047,6 +1032,10 @@
         <source>Film before it is touched</source>
         <translation>Film vor der Berührung</translation>
     </message>
+    <message>
+        <source>The film never touched the body; do not use this solver</source>
+        <translation>Der Film hat den Körper nie berührt; verwenden Sie diesen Löser nicht</translation>
+    </message>
 </context>
 <context>
     <name>Pipeline</name>
@@ -1055,40 +1044,12 @@
         <translation>%1 %2 × %3 mm</translation>
     </message>
     <message>
-        <source>1:1, swell %1 × %2 taken out</source>
-        <translation>1:1, Quellung %1 × %2 herausgerechnet</translation>
-    </message>
-    <message>
-        <source>The project has no model, import one first</source>
-        <translation>Das Projekt hat kein Modell; importieren Sie zuerst eines</translation>
-    </message>
-    <message>
         <source>%1 failed and %2 took over: %3</source>
         <translation>%1 ist gescheitert, %2 hat übernommen: %3</translation>
     </message>
     <message>
-        <source>Finding the film on the body</source>
-        <translation>Film auf dem Körper wird gesucht</translation>
-    </message>
-    <message>
-        <source>The body does not meet the film; move it over the film or choose a larger film</source>
-        <translation>Der Körper trifft den Film nicht; schieben Sie ihn über den Film oder wählen Sie einen größeren Film</translation>
-    </message>
-    <message>
-        <source>The CPU takes over from %1: %2</source>
-        <translation>Die CPU übernimmt für %1: %2</translation>
-    </message>
-    <message>
-        <source>The model is not closed, what is inside is guessed</source>
-        <translation>Das Modell ist nicht geschlossen; was innen ist, wird geschätzt</translation>
-    </message>
-    <message>
-        <source>The model has no texture, its plain colours are printed</source>
-        <translation>Das Modell hat keine Textur; gedruckt werden seine einfachen Farben</translation>
-    </message>
-    <message>
         <source>Writing the sheet of %1</source>
-        <translation>Bogen von %1 wird geschrieben</translation>
+        <translation>Blatt von %1 wird geschrieben</translation>
     </message>
     <message>
         <source>Writing the film of %1</source>
@@ -1099,16 +1060,8 @@
         <translation>Dehnung von %1 wird geschrieben</translation>
     </message>
     <message>
-        <source>Moving the results in place</source>
-        <translation>Ergebnisse werden an ihren Platz gebracht</translation>
-    </message>
-    <message>
-        <source>The film is too fine to be compared with one of %1 × %2 points, set half as many for the comparison</source>
-        <translation>Der Film ist zu fein, um mit einem von %1 × %2 Punkten verglichen zu werden; geben Sie ihm für den Vergleich halb so viele</translation>
-    </message>
-    <message>
         <source>Comparing the sheets</source>
-        <translation>Bögen werden verglichen</translation>
+        <translation>Blätter werden verglichen</translation>
     </message>
     <message>
         <source>Writing the proof</source>
@@ -1135,88 +1088,124 @@
         <translation>Laufkarte wird geschrieben</translation>
     </message>
     <message>
-        <source>Writing the motion</source>
-        <translation>Bewegung wird geschrieben</translation>
-    </message>
-    <message>
-        <source>With a law varied the film does not follow the body; give the film smaller cells or more points</source>
-        <translation>Mit einem veränderten Gesetz folgt der Film dem Körper nicht; geben Sie dem Film kleinere Zellen oder mehr Punkte</translation>
-    </message>
-    <message>
-        <source>The body is smaller than the film&apos;s cells; give the film smaller cells or more points, or check the model&apos;s unit</source>
-        <translation>Der Körper ist kleiner als die Zellen des Films; geben Sie dem Film kleinere Zellen oder mehr Punkte, oder prüfen Sie die Einheit des Modells</translation>
-    </message>
-    <message>
-        <source>%1: the film&apos;s cells are coarse for this body, give the film smaller cells or more points</source>
-        <translation>%1: Die Zellen des Films sind grob für diesen Körper; geben Sie dem Film kleinere Zellen oder mehr Punkte</translation>
-    </message>
-    <message>
-        <source>%1 is better dipped after %2: along the join its film is drawn out %3 times and that of %2 %4 times, and the last film lies off so many times as far on the body as on the water</source>
-        <translation>%1 wird besser nach %2 getaucht: längs der Fuge ist sein Film auf das %3-fache gedehnt und der von %2 auf das %4-fache, und der letzte Film liegt auf dem Körper um so viel mehr daneben als auf dem Wasser</translation>
-    </message>
-    <message>
-        <source>Writing who paints what</source>
-        <translation>Schreibe, wer was färbt</translation>
-    </message>
-    <message>
         <source>Writing the tolerances of %1</source>
-        <translation>Schreibe die Toleranzen von %1</translation>
+        <translation>Toleranzen von %1 werden geschrieben</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>The body reaches past the edge of the tank “%1”; move or turn it</source>
-        <translation>Der Körper ragt über den Rand des Beckens „%1“ hinaus; verschieben oder drehen Sie ihn</translation>
-    </message>
-    <message>
-        <source>The body reaches past the film&apos;s edge; move or turn it, or %1</source>
-        <translation>Der Körper ragt über den Rand des Films hinaus; verschieben oder drehen Sie ihn, oder %1</translation>
-    </message>
-    <message>
-        <source>Film %1: %2 × %3 mm, pieces: %4, %5 % of it used</source>
-        <translation>Film %1: %2 × %3 mm, Stücke: %4, zu %5 % genutzt</translation>
-    </message>
-    <message>
         <source>Writing film %1</source>
-        <translation>Schreibe Film %1</translation>
+        <translation>Film %1 wird geschrieben</translation>
     </message>
     <message>
         <source>Dipping deeper</source>
-        <translation>Tiefer getaucht</translation>
-    </message>
-    <message>
-        <source>Two plates of the sheet are called %1; give each a name of its own</source>
-        <translation>Zwei Platten des Bogens heißen %1; geben Sie jeder einen eigenen Namen</translation>
-    </message>
-    <message>
-        <source>The artwork has %1 spot inks, and there is room for %2</source>
-        <translation>Die Gestaltung hat %1 Sonderfarben, und Platz ist für %2</translation>
-    </message>
-    <message>
-        <source>Of the model&apos;s file: %1</source>
-        <translation>Zur Datei des Modells: %1</translation>
-    </message>
-    <message>
-        <source>Parts of the model are only %1 mm thick, and the distance field, with cells of %2 mm, is at its limit: film may miss them; make them thicker, or dip a smaller part of the model</source>
-        <translation>Teile des Modells sind nur %1 mm dick, und das Abstandsfeld ist mit Zellen von %2 mm an seiner Grenze: Der Film kann sie verfehlen; machen Sie sie dicker oder tauchen Sie einen kleineren Teil des Modells</translation>
-    </message>
-    <message>
-        <source>The model is inside out, at least in parts, and film does not lie on what faces inwards; import it anew, which turns it</source>
-        <translation>Das Modell ist zumindest teilweise umgestülpt, und auf dem, was nach innen zeigt, liegt kein Film; lesen Sie es neu ein, dann wird es gewendet</translation>
-    </message>
-    <message>
-        <source>The sheets take about %1 GB of memory while they are made</source>
-        <translation>Die Bogen brauchen etwa %1 GB Speicher, während sie entstehen</translation>
-    </message>
-    <message>
-        <source>The sheets would take about %1 GB of memory, and this computer has %2 GB: choose a lower resolution or a smaller film</source>
-        <translation>Die Bogen bräuchten etwa %1 GB Speicher, und dieser Rechner hat %2 GB: Wählen Sie eine niedrigere Auflösung oder einen kleineren Film</translation>
+        <translation>Tieferer Tauchvorgang</translation>
     </message>
     <message>
         <source>The picture on the film</source>
         <translation>Das Bild auf dem Film</translation>
+    </message>
+    <message>
+        <source>Film %1: %2 × %3 mm, pieces: %4, %5 % used</source>
+        <translation>Film %1: %2 × %3 mm, Stücke: %4, zu %5 % genutzt</translation>
+    </message>
+    <message>
+        <source>Moving the results into place</source>
+        <translation>Ergebnisse werden an ihren Platz gebracht</translation>
+    </message>
+    <message>
+        <source>1:1, reduced for swell %1 × %2</source>
+        <translation>1:1, verkleinert um Quellung %1 × %2</translation>
+    </message>
+    <message>
+        <source>Two plates of the sheet have the name %1; give each plate its own name</source>
+        <translation>Zwei Platten des Blatts heißen %1; geben Sie jeder Platte einen eigenen Namen</translation>
+    </message>
+    <message>
+        <source>The artwork has %1 spot colours; the limit is %2</source>
+        <translation>Die Gestaltung hat %1 Sonderfarben; die Grenze ist %2</translation>
+    </message>
+    <message>
+        <source>With this setting varied, the film does not follow the part; give the film smaller cells or more points</source>
+        <translation>Mit dieser veränderten Einstellung folgt der Film dem Teil nicht; geben Sie dem Film kleinere Zellen oder mehr Punkte</translation>
+    </message>
+    <message>
+        <source>Parts of the model are only %1 mm thick. The film may miss them, because the smallest possible cells of the distance field are %2 mm. Make these parts thicker, or dip a smaller piece of the model.</source>
+        <translation>Teile des Modells sind nur %1 mm dick. Der Film kann sie verfehlen, weil die kleinstmöglichen Zellen des Abstandsfelds %2 mm groß sind. Machen Sie diese Teile dicker oder tauchen Sie einen kleineren Abschnitt des Modells.</translation>
+    </message>
+    <message>
+        <source>The model is inside out, at least in parts. Film does not adhere to faces that point inwards. Import the model again; the import turns these faces.</source>
+        <translation>Das Modell ist zumindest teilweise umgestülpt. Film haftet nicht auf Flächen, die nach innen zeigen. Importieren Sie das Modell neu; der Import wendet diese Flächen.</translation>
+    </message>
+    <message>
+        <source>Locating the film on the part</source>
+        <translation>Film auf dem Teil wird gesucht</translation>
+    </message>
+    <message>
+        <source>%1 should be dipped after %2. Along the seam, the film&apos;s stretch is %3 for %1 and %4 for %2. A placement error of the second film grows with its stretch.</source>
+        <translation>%1 sollte nach %2 getaucht werden. Längs der Naht beträgt die Dehnung des Films %3 bei %1 und %4 bei %2. Ein Lagefehler des zweiten Films wächst mit dessen Dehnung.</translation>
+    </message>
+    <message>
+        <source>The project has no model; import one first</source>
+        <translation>Das Projekt hat kein Modell; importieren Sie zuerst eines</translation>
+    </message>
+    <message>
+        <source>The run needs about %1 GB of memory for the sheets</source>
+        <translation>Der Lauf braucht für die Blätter etwa %1 GB Speicher</translation>
+    </message>
+    <message>
+        <source>The sheets need about %1 GB of memory, but this computer has %2 GB; choose a lower resolution or a smaller film</source>
+        <translation>Die Blätter brauchen etwa %1 GB Speicher, aber dieser Rechner hat %2 GB; wählen Sie eine niedrigere Auflösung oder einen kleineren Film</translation>
+    </message>
+    <message>
+        <source>The comparison would need a film of %1 × %2 points, which is too many; set half as many points for it</source>
+        <translation>Der Vergleich bräuchte einen Film von %1 × %2 Punkten; das sind zu viele. Setzen Sie dafür halb so viele Punkte</translation>
+    </message>
+    <message>
+        <source>The CPU takes over from %1, which is not available: %2</source>
+        <translation>Die CPU übernimmt für %1, das nicht verfügbar ist: %2</translation>
+    </message>
+    <message>
+        <source>The part does not meet the film; move it over the film or choose a larger film</source>
+        <translation>Das Teil trifft den Film nicht; schieben Sie es über den Film oder wählen Sie einen größeren Film</translation>
+    </message>
+    <message>
+        <source>The part is smaller than the film&apos;s cells; give the film smaller cells or more points, or check the model&apos;s unit</source>
+        <translation>Das Teil ist kleiner als die Zellen des Films; geben Sie dem Film kleinere Zellen oder mehr Punkte, oder prüfen Sie die Einheit des Modells</translation>
+    </message>
+    <message>
+        <source>%1: the film&apos;s cells are too coarse for this part; give the film smaller cells or more points</source>
+        <translation>%1: Die Zellen des Films sind zu grob für dieses Teil; geben Sie dem Film kleinere Zellen oder mehr Punkte</translation>
+    </message>
+    <message>
+        <source>Import of the model: %1</source>
+        <translation>Import des Modells: %1</translation>
+    </message>
+    <message>
+        <source>The model is not closed; Dipwright guesses what is inside</source>
+        <translation>Das Modell ist nicht geschlossen; Dipwright schätzt, was innen ist</translation>
+    </message>
+    <message>
+        <source>The model has no texture; its plain colours are printed</source>
+        <translation>Das Modell hat keine Textur; gedruckt werden seine einfachen Farben</translation>
+    </message>
+    <message>
+        <source>The part reaches past the edge of the tank “%1”; move or turn it</source>
+        <translation>Das Teil ragt über den Rand des Beckens „%1“ hinaus; verschieben oder drehen Sie es</translation>
+    </message>
+    <message>
+        <source>The part reaches past the film&apos;s edge; move or turn it, or %1</source>
+        <translation>Das Teil ragt über den Rand des Films hinaus; verschieben oder drehen Sie es, oder %1</translation>
+    </message>
+    <message>
+        <source>Writing the motion files</source>
+        <translation>Bewegungsdateien werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing the coverage picture</source>
+        <translation>Abdeckungsbild wird geschrieben</translation>
     </message>
 </context>
 <context>
@@ -1226,8 +1215,8 @@
         <translation>es ist ein Ordner</translation>
     </message>
     <message>
-        <source>it is a pipe or a device; save what it sends as a file, and name that</source>
-        <translation>es ist eine Pipe oder ein Gerät; was sie liefert, als Datei speichern und diese angeben</translation>
+        <source>it is a pipe or a device; save its data to a file and choose that file</source>
+        <translation>es ist eine Pipe oder ein Gerät; speichern Sie die Daten in einer Datei und wählen Sie diese</translation>
     </message>
 </context>
 <context>
@@ -1237,8 +1226,8 @@
         <translation>Das Bild kann nicht als PNG gespeichert werden: %1</translation>
     </message>
     <message>
-        <source>The picture cannot be stored as PNG, it is empty or too large for this computer&apos;s memory</source>
-        <translation>Das Bild kann nicht als PNG gespeichert werden, es ist leer oder zu groß für den Speicher dieses Rechners</translation>
+        <source>The picture cannot be stored as PNG, because it is empty or too large for this computer&apos;s memory</source>
+        <translation>Das Bild kann nicht als PNG gespeichert werden, weil es leer oder zu groß für den Speicher dieses Rechners ist</translation>
     </message>
 </context>
 <context>
@@ -1248,36 +1237,8 @@
         <translation>Lagen werden probiert</translation>
     </message>
     <message>
-        <source>No pose paints anything; choose a larger film</source>
-        <translation>Keine Lage bemalt etwas; wählen Sie einen größeren Film</translation>
-    </message>
-    <message>
-        <source>Immersion %1</source>
-        <translation>Tauchvorgang %1</translation>
-    </message>
-    <message>
-        <source>The project has no model, import one first</source>
-        <translation>Das Projekt hat kein Modell; importieren Sie zuerst eines</translation>
-    </message>
-    <message>
-        <source>Judging directions by the body&apos;s shape</source>
-        <translation>Richtungen werden nach der Form des Körpers beurteilt</translation>
-    </message>
-    <message>
         <source>part %1 of %2</source>
         <translation>Teil %1 von %2</translation>
-    </message>
-    <message>
-        <source>Hand over each of the %1 parts once; there are %2</source>
-        <translation>Übergeben Sie jeden der %1 Teile einmal; es sind %2</translation>
-    </message>
-    <message>
-        <source>This part does not hold the dips that are its share; make it again</source>
-        <translation>Dieser Teil enthält nicht die Tauchvorgänge, die sein Anteil sind; erzeugen Sie ihn neu</translation>
-    </message>
-    <message>
-        <source>the same</source>
-        <translation>dasselbe</translation>
     </message>
     <message>
         <source>This is not a part of a pose search, or it is damaged; make it again</source>
@@ -1288,40 +1249,20 @@
         <translation>Wählen Sie eine Zahl von %1 bis %2</translation>
     </message>
     <message>
-        <source>There is no measure of this name; choose one of %1</source>
-        <translation>Es gibt kein Maß dieses Namens; wählen Sie eines von %1</translation>
-    </message>
-    <message>
         <source>Quality</source>
         <translation>Qualität</translation>
     </message>
     <message>
         <source>Coverage</source>
-        <translation>Bedeckung</translation>
+        <translation>Abdeckung</translation>
     </message>
     <message>
         <source>Largest stretch</source>
         <translation>Größte Dehnung</translation>
     </message>
     <message>
-        <source>Certain</source>
-        <translation>Sicher</translation>
-    </message>
-    <message>
-        <source>Wrinkled</source>
-        <translation>Gefaltet</translation>
-    </message>
-    <message>
-        <source>Torn</source>
-        <translation>Gerissen</translation>
-    </message>
-    <message>
         <source>Trapped air</source>
         <translation>Eingeschlossene Luft</translation>
-    </message>
-    <message>
-        <source>Join</source>
-        <translation>Naht</translation>
     </message>
     <message>
         <source>Film used</source>
@@ -1332,10 +1273,6 @@
         <translation>Gewicht einer Zone</translation>
     </message>
     <message>
-        <source>All weights are 0; give one of them more</source>
-        <translation>Alle Gewichte sind 0; geben Sie einem mehr</translation>
-    </message>
-    <message>
         <source>This part belongs to another search; make all parts from the same project with the same options and solver</source>
         <translation>Dieser Teil gehört zu einer anderen Suche; erzeugen Sie alle Teile aus demselben Projekt mit denselben Optionen und demselben Löser</translation>
     </message>
@@ -1343,16 +1280,64 @@
         <source>Narrow overlap</source>
         <translation>Schmale Überlappung</translation>
     </message>
+    <message>
+        <source>The project has no model; import one first</source>
+        <translation>Das Projekt hat kein Modell; importieren Sie zuerst eines</translation>
+    </message>
+    <message>
+        <source>Rating directions by the part&apos;s shape</source>
+        <translation>Richtungen werden nach der Form des Teils bewertet</translation>
+    </message>
+    <message>
+        <source>Give each of the %1 parts once; you gave %2</source>
+        <translation>Geben Sie jeden der %1 Teile einmal an; angegeben sind %2</translation>
+    </message>
+    <message>
+        <source>This part does not contain the dips that it should; make it again</source>
+        <translation>Dieser Teil enthält nicht die Tauchvorgänge, die er sollte; erzeugen Sie ihn neu</translation>
+    </message>
+    <message>
+        <source>No pose paints any of the part; choose a larger film</source>
+        <translation>Keine Lage bemalt etwas vom Teil; wählen Sie einen größeren Film</translation>
+    </message>
+    <message>
+        <source>Dip %1</source>
+        <translation>Tauchvorgang %1</translation>
+    </message>
+    <message>
+        <source>no difference</source>
+        <translation>kein Unterschied</translation>
+    </message>
+    <message>
+        <source>There is no measure with this name; choose one of %1</source>
+        <translation>Es gibt kein Maß mit diesem Namen; wählen Sie eines von %1</translation>
+    </message>
+    <message>
+        <source>Film without faults</source>
+        <translation>Film ohne Fehler</translation>
+    </message>
+    <message>
+        <source>Wrinkled film</source>
+        <translation>Film mit Falten</translation>
+    </message>
+    <message>
+        <source>Torn film</source>
+        <translation>Gerissener Film</translation>
+    </message>
+    <message>
+        <source>Seam length</source>
+        <translation>Nahtlänge</translation>
+    </message>
+    <message>
+        <source>All weights are 0; set at least one weight above 0</source>
+        <translation>Alle Gewichte sind 0; setzen Sie mindestens ein Gewicht über 0</translation>
+    </message>
 </context>
 <context>
     <name>ProfileSpecs</name>
     <message>
         <source>Name</source>
         <translation>Name</translation>
-    </message>
-    <message>
-        <source>What the profile is called in lists and in projects.</source>
-        <translation>Wie das Profil in Listen und Projekten heißt.</translation>
     </message>
     <message>
         <source>Free</source>
@@ -1379,20 +1364,8 @@
         <translation>Unten</translation>
     </message>
     <message>
-        <source>System&apos;s name</source>
-        <translation>Name im System</translation>
-    </message>
-    <message>
-        <source>The name under which the system knows the printer. It is then chosen at first when a sheet is printed.</source>
-        <translation>Der Name, unter dem das System den Drucker kennt. Beim Drucken eines Bogens ist er dann zuerst gewählt.</translation>
-    </message>
-    <message>
         <source>Scale</source>
         <translation>Maßstab</translation>
-    </message>
-    <message>
-        <source>Printed length over true length, across the paper and along its feed. Sheets are drawn smaller by it. “Calibrate Printer” measures it.</source>
-        <translation>Gedruckte durch wahre Länge, quer zum Papier und entlang seinem Einzug. Bögen werden um so viel kleiner gezeichnet. „Drucker kalibrieren“ misst es.</translation>
     </message>
     <message>
         <source>X</source>
@@ -1405,10 +1378,6 @@
     <message>
         <source>Margins</source>
         <translation>Ränder</translation>
-    </message>
-    <message>
-        <source>What the printer does not reach at the paper&apos;s left, top, right and bottom edge.</source>
-        <translation>Was der Drucker am linken, oberen, rechten und unteren Rand des Papiers nicht erreicht.</translation>
     </message>
     <message>
         <source>L</source>
@@ -1435,20 +1404,12 @@
         <translation>Auflösung</translation>
     </message>
     <message>
-        <source>Pixels an inch of the sheets for this printer.</source>
-        <translation>Pixel je Zoll der Bögen für diesen Drucker.</translation>
-    </message>
-    <message>
         <source>Colour</source>
         <translation>Farbe</translation>
     </message>
     <message>
         <source>Rendering intent</source>
-        <translation>Wiedergabeabsicht</translation>
-    </message>
-    <message>
-        <source>How colours that the printer cannot make are brought into its reach.</source>
-        <translation>Wie Farben, die der Drucker nicht kann, in seinen Bereich geholt werden.</translation>
+        <translation>Rendering Intent</translation>
     </message>
     <message>
         <source>Perceptual</source>
@@ -1467,28 +1428,12 @@
         <translation>Absolut farbmetrisch</translation>
     </message>
     <message>
-        <source>Fit black point</source>
-        <translation>Schwarzpunkt anpassen</translation>
-    </message>
-    <message>
-        <source>Fits the darkest dark to what the printer can print, so that shadows stay distinct.</source>
-        <translation>Passt das dunkelste Dunkel an das an, was der Drucker kann, damit Schatten unterscheidbar bleiben.</translation>
-    </message>
-    <message>
         <source>Ink limit</source>
-        <translation>Farbgrenze</translation>
-    </message>
-    <message>
-        <source>The highest optical density a channel that the film holds.</source>
-        <translation>Die höchste optische Dichte je Kanal, die der Film hält.</translation>
+        <translation>Tintenlimit</translation>
     </message>
     <message>
         <source>Size</source>
         <translation>Größe</translation>
-    </message>
-    <message>
-        <source>Width and height of the dry film.</source>
-        <translation>Breite und Höhe des trockenen Films.</translation>
     </message>
     <message>
         <source>W</source>
@@ -1505,10 +1450,6 @@
         <translation>Einzug</translation>
     </message>
     <message>
-        <source>The edge that goes into the printer first: a film swells more along its web.</source>
-        <translation>Die Kante, die zuerst in den Drucker geht: Ein Film quillt entlang seiner Bahn stärker.</translation>
-    </message>
-    <message>
         <source>Short edge first</source>
         <translation>Kurze Kante zuerst</translation>
     </message>
@@ -1521,16 +1462,8 @@
         <translation>Charge</translation>
     </message>
     <message>
-        <source>The maker&apos;s number: another lot may swell otherwise.</source>
-        <translation>Die Nummer des Herstellers: Eine andere Charge quillt vielleicht anders.</translation>
-    </message>
-    <message>
         <source>Use before</source>
         <translation>Verwendbar bis</translation>
-    </message>
-    <message>
-        <source>A date such as 2027-03-31, or nothing.</source>
-        <translation>Ein Datum wie 2027-03-31 oder nichts.</translation>
     </message>
     <message>
         <source>Behaviour on the water</source>
@@ -1541,24 +1474,12 @@
         <translation>Weichzeit</translation>
     </message>
     <message>
-        <source>From the water to the activator.</source>
-        <translation>Vom Auflegen bis zum Aktivator.</translation>
-    </message>
-    <message>
         <source>Activator time</source>
         <translation>Aktivatorzeit</translation>
     </message>
     <message>
-        <source>From the activator to the dip.</source>
-        <translation>Vom Aktivator bis zum Tauchen.</translation>
-    </message>
-    <message>
         <source>Sides</source>
         <translation>Seiten</translation>
-    </message>
-    <message>
-        <source>Width and length of the water.</source>
-        <translation>Breite und Länge der Wasserfläche.</translation>
     </message>
     <message>
         <source>L</source>
@@ -1570,18 +1491,6 @@
         <translation>Wasserstand</translation>
     </message>
     <message>
-        <source>How far the water stands under the tank&apos;s rim.</source>
-        <translation>Wie weit das Wasser unter dem Beckenrand steht.</translation>
-    </message>
-    <message>
-        <source>Marks</source>
-        <translation>Marken</translation>
-    </message>
-    <message>
-        <source>Between the tank&apos;s marks, across and along, which the sheet&apos;s registration marks are laid to. 0: there are none.</source>
-        <translation>Abstand der Marken des Beckens, quer und längs, an die die Passmarken des Bogens gelegt werden. 0: Es gibt keine.</translation>
-    </message>
-    <message>
         <source>Barriers</source>
         <translation>Barrieren</translation>
     </message>
@@ -1590,16 +1499,8 @@
         <translation>Ob eine Barriere im Becken diese Seite des Films hält.</translation>
     </message>
     <message>
-        <source>Advanced: laws without measurement</source>
-        <translation>Erweitert: Gesetze ohne Messung</translation>
-    </message>
-    <message>
         <source>Flash time</source>
         <translation>Ablüftzeit</translation>
-    </message>
-    <message>
-        <source>From the dip to the rinse.</source>
-        <translation>Vom Tauchen bis zum Abspülen.</translation>
     </message>
     <message>
         <source>Not given</source>
@@ -1610,96 +1511,184 @@
         <translation>Trockenzeit</translation>
     </message>
     <message>
-        <source>From the rinse until the body may be touched, or dipped again.</source>
-        <translation>Vom Abspülen, bis der Körper angefasst oder wieder getaucht werden darf.</translation>
-    </message>
-    <message>
-        <source>Measured by photos</source>
-        <translation>Auf Fotos gemessen</translation>
-    </message>
-    <message>
         <source>Measured on</source>
         <translation>Gemessen am</translation>
-    </message>
-    <message>
-        <source>The day of the photos. While swell and growth are what they gave, the profile counts as measured, else as guessed.</source>
-        <translation>Der Tag der Fotos. Solange Quellung und Wachstum sind, was sie ergaben, gilt das Profil als gemessen, sonst als geschätzt.</translation>
-    </message>
-    <message>
-        <source>Water, °C</source>
-        <translation>Wasser, °C</translation>
-    </message>
-    <message>
-        <source>How warm the water was.</source>
-        <translation>Wie warm das Wasser war.</translation>
-    </message>
-    <message>
-        <source>Swell found</source>
-        <translation>Gefundene Quellung</translation>
-    </message>
-    <message>
-        <source>The swell that the photos gave. 0: none.</source>
-        <translation>Die Quellung, die die Fotos ergaben. 0: keine.</translation>
-    </message>
-    <message>
-        <source>… and off by</source>
-        <translation>… und ungenau um</translation>
-    </message>
-    <message>
-        <source>How far that swell may be off, at 95 %.</source>
-        <translation>Um wie viel diese Quellung falsch sein kann, mit 95 %.</translation>
-    </message>
-    <message>
-        <source>Growth found</source>
-        <translation>Gefundenes Wachstum</translation>
-    </message>
-    <message>
-        <source>The growth that the photos gave.</source>
-        <translation>Das Wachstum, das die Fotos ergaben.</translation>
-    </message>
-    <message>
-        <source>… at most</source>
-        <translation>… höchstens</translation>
-    </message>
-    <message>
-        <source>The growth&apos;s limit that the photos gave.</source>
-        <translation>Die Grenze des Wachstums, die die Fotos ergaben.</translation>
     </message>
     <message>
         <source>Residual</source>
         <translation>Restfehler</translation>
     </message>
     <message>
-        <source>How far the corners in the photos lie from where these figures have them, on the average.</source>
-        <translation>Wie weit die Ecken auf den Fotos im Mittel davon entfernt liegen, wo diese Zahlen sie erwarten.</translation>
-    </message>
-    <message>
         <source>Photos</source>
         <translation>Fotos</translation>
     </message>
     <message>
-        <source>The SHA-256 of the photos&apos; files, by which they can be known again.</source>
-        <translation>Der SHA-256 der Fotodateien, an dem sie wiederzuerkennen sind.</translation>
+        <source>The name of the profile in lists and projects.</source>
+        <translation>Der Name des Profils in Listen und Projekten.</translation>
     </message>
     <message>
-        <source>Relaxation found</source>
-        <translation>Gefundene Relaxation</translation>
+        <source>System name</source>
+        <translation>Name im System</translation>
     </message>
     <message>
-        <source>The relaxation time that photos of a dipped part gave.</source>
-        <translation>Die Relaxationszeit, die Fotos eines getauchten Teils ergaben.</translation>
+        <source>The printer&apos;s name in the operating system. The print dialog selects this printer first.</source>
+        <translation>Der Name des Druckers im Betriebssystem. Der Druckdialog wählt diesen Drucker zuerst.</translation>
     </message>
     <message>
-        <source>Total ink</source>
+        <source>Pixels per inch of the sheets for this printer.</source>
+        <translation>Pixel je Zoll der Blätter für diesen Drucker.</translation>
+    </message>
+    <message>
+        <source>How out-of-gamut colours are mapped to colours that the printer can print.</source>
+        <translation>Wie Farben außerhalb des Farbumfangs auf druckbare Farben abgebildet werden.</translation>
+    </message>
+    <message>
+        <source>Black point compensation</source>
+        <translation>Tiefenkompensierung</translation>
+    </message>
+    <message>
+        <source>Maps the darkest colour to the darkest that the printer can print, so that shadows stay distinct.</source>
+        <translation>Bildet die dunkelste Farbe auf die dunkelste ab, die der Drucker drucken kann, damit Schatten unterscheidbar bleiben.</translation>
+    </message>
+    <message>
+        <source>The highest optical density per channel that the film holds.</source>
+        <translation>Die höchste optische Dichte je Kanal, die der Film hält.</translation>
+    </message>
+    <message>
+        <source>Total area coverage</source>
         <translation>Gesamtfarbauftrag</translation>
     </message>
     <message>
-        <source>Most of all four inks together on one place, with an ICC profile in CMYK. Cyan, magenta and yellow give way, black stays.</source>
-        <translation>Höchstens so viel von allen vier Farben zusammen an einer Stelle, mit einem ICC-Profil in CMYK. Cyan, Magenta und Gelb weichen, Schwarz bleibt.</translation>
+        <source>The largest sum of the four inks at one place (TAC), with an ICC profile in CMYK. Cyan, magenta and yellow are reduced; black stays.</source>
+        <translation>Die größte Summe der vier Farben an einer Stelle (TAC), mit einem ICC-Profil in CMYK. Cyan, Magenta und Gelb werden verringert; Schwarz bleibt.</translation>
     </message>
     <message>
-        <source>As the ICC profile has it</source>
-        <translation>Wie im ICC-Profil</translation>
+        <source>From the ICC profile</source>
+        <translation>Aus dem ICC-Profil</translation>
+    </message>
+    <message>
+        <source>Measured from photos</source>
+        <translation>Auf Fotos gemessen</translation>
+    </message>
+    <message>
+        <source>The date of the photos. The profile counts as measured as long as swell and growth have the values from the photos.</source>
+        <translation>Das Datum der Fotos. Das Profil gilt als gemessen, solange Quellung und Wachstum die Werte aus den Fotos haben.</translation>
+    </message>
+    <message>
+        <source>Water temperature, °C</source>
+        <translation>Wassertemperatur, °C</translation>
+    </message>
+    <message>
+        <source>The temperature of the water in the photos.</source>
+        <translation>Die Temperatur des Wassers bei den Fotos.</translation>
+    </message>
+    <message>
+        <source>Measured swell</source>
+        <translation>Gemessene Quellung</translation>
+    </message>
+    <message>
+        <source>Swell error</source>
+        <translation>Fehler der Quellung</translation>
+    </message>
+    <message>
+        <source>Measured growth</source>
+        <translation>Gemessenes Wachstum</translation>
+    </message>
+    <message>
+        <source>The growth measured from the photos.</source>
+        <translation>Das auf den Fotos gemessene Wachstum.</translation>
+    </message>
+    <message>
+        <source>Growth limit</source>
+        <translation>Grenze des Wachstums</translation>
+    </message>
+    <message>
+        <source>The limit of the growth, measured from the photos.</source>
+        <translation>Die auf den Fotos gemessene Grenze des Wachstums.</translation>
+    </message>
+    <message>
+        <source>Measured relaxation</source>
+        <translation>Gemessene Relaxation</translation>
+    </message>
+    <message>
+        <source>The relaxation time measured from photos of a dipped part.</source>
+        <translation>Die auf Fotos eines getauchten Teils gemessene Relaxationszeit.</translation>
+    </message>
+    <message>
+        <source>Average distance between the corners in the photos and the corners computed from these values.</source>
+        <translation>Mittlerer Abstand zwischen den Ecken auf den Fotos und den aus diesen Werten berechneten Ecken.</translation>
+    </message>
+    <message>
+        <source>The SHA-256 checksums of the photo files, to identify them.</source>
+        <translation>Die SHA-256-Prüfsummen der Fotodateien, um sie wiederzuerkennen.</translation>
+    </message>
+    <message>
+        <source>The edge that enters the printer first. Film swells more along its web.</source>
+        <translation>Die Kante, die zuerst in den Drucker geht. Film quillt längs seiner Bahn stärker.</translation>
+    </message>
+    <message>
+        <source>The manufacturer&apos;s lot number. Another lot may swell differently.</source>
+        <translation>Die Chargennummer des Herstellers. Eine andere Charge quillt vielleicht anders.</translation>
+    </message>
+    <message>
+        <source>A date such as 2027-03-31. May be empty.</source>
+        <translation>Ein Datum wie 2027-03-31. Darf leer sein.</translation>
+    </message>
+    <message>
+        <source>Time from laying the film on the water to the activator.</source>
+        <translation>Zeit vom Auflegen des Films auf das Wasser bis zum Aktivator.</translation>
+    </message>
+    <message>
+        <source>Time from the activator to the dip.</source>
+        <translation>Zeit vom Aktivator bis zum Tauchvorgang.</translation>
+    </message>
+    <message>
+        <source>Time from the dip to the rinse.</source>
+        <translation>Zeit vom Tauchvorgang bis zum Abspülen.</translation>
+    </message>
+    <message>
+        <source>Time from the rinse until the part may be touched or dipped again.</source>
+        <translation>Zeit vom Abspülen, bis das Teil angefasst oder wieder getaucht werden darf.</translation>
+    </message>
+    <message>
+        <source>Distance from the tank&apos;s rim down to the water.</source>
+        <translation>Abstand vom Beckenrand hinab zum Wasser.</translation>
+    </message>
+    <message>
+        <source>Mark spacing</source>
+        <translation>Abstand der Marken</translation>
+    </message>
+    <message>
+        <source>Printed length divided by true length, across the paper (X) and along its feed (Y). Sheets are scaled down by this factor. “Calibrate printer” measures the factor.</source>
+        <translation>Gedruckte Länge geteilt durch wahre Länge, quer zum Papier (X) und längs seines Einzugs (Y). Blätter werden um diesen Faktor verkleinert. „Drucker kalibrieren“ misst den Faktor.</translation>
+    </message>
+    <message>
+        <source>The margins that the printer cannot reach at the left (L), top (T), right (R) and bottom (B) edge of the paper.</source>
+        <translation>Die Ränder, die der Drucker an der linken (L), oberen (O), rechten (R) und unteren (U) Kante des Papiers nicht erreicht.</translation>
+    </message>
+    <message>
+        <source>The swell measured from the photos, in width (W) and height (H). 0: not measured.</source>
+        <translation>Die auf den Fotos gemessene Quellung, in Breite (B) und Höhe (H). 0: nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the measured swell (±, 95 % confidence), in width (W) and height (H).</source>
+        <translation>Unsicherheit der gemessenen Quellung (±, 95 % Konfidenz), in Breite (B) und Höhe (H).</translation>
+    </message>
+    <message>
+        <source>Width (W) and height (H) of the dry film.</source>
+        <translation>Breite (B) und Höhe (H) des trockenen Films.</translation>
+    </message>
+    <message>
+        <source>Advanced: material laws that are not measured</source>
+        <translation>Erweitert: nicht gemessene Materialgesetze</translation>
+    </message>
+    <message>
+        <source>Width (W) and length (L) of the water surface.</source>
+        <translation>Breite (B) und Länge (L) der Wasserfläche.</translation>
+    </message>
+    <message>
+        <source>Distance between the tank&apos;s marks, across (X) and along (Y) the tank. The sheet&apos;s registration marks are aligned with the tank&apos;s marks. 0: no marks.</source>
+        <translation>Abstand der Marken des Beckens, quer (X) und längs (Y) zum Becken. Die Passmarken des Blatts werden an den Marken des Beckens ausgerichtet. 0: keine Marken.</translation>
     </message>
 </context>
 <context>
@@ -1709,44 +1698,16 @@
         <translation>%1, Charge %2,</translation>
     </message>
     <message>
-        <source>The film %1 expired on %2; take a fresh lot, or try this one first</source>
-        <translation>Der Film %1 ist am %2 abgelaufen; nehmen Sie eine frische Charge oder proben Sie erst mit dieser</translation>
-    </message>
-    <message>
-        <source>The ICC profile is not stored as base64 text, import it anew</source>
-        <translation>Das ICC-Profil ist nicht als Base64-Text gespeichert; importieren Sie es neu</translation>
-    </message>
-    <message>
-        <source>%1 is not a date, write it as 2027-03-31</source>
-        <translation>%1 ist kein Datum; schreiben Sie es wie 2027-03-31</translation>
-    </message>
-    <message>
         <source>This is not a Dipwright profile</source>
         <translation>Das ist kein Dipwright-Profil</translation>
-    </message>
-    <message>
-        <source>The profile has version %1 of the file format and this program reads up to version %2, open it with a newer Dipwright</source>
-        <translation>Das Profil hat die Version %1 des Dateiformats, dieses Programm liest bis Version %2; öffnen Sie es mit einem neueren Dipwright</translation>
     </message>
     <message>
         <source>A profile needs a name</source>
         <translation>Ein Profil braucht einen Namen</translation>
     </message>
     <message>
-        <source>There is no %1 profile of this name, there are: %2</source>
-        <translation>Ein Profil für %1 mit diesem Namen gibt es nicht; es gibt: %2</translation>
-    </message>
-    <message>
-        <source>The folder for profiles cannot be made, choose another with DIPWRIGHT_PROFILE_PATH</source>
-        <translation>Der Ordner für Profile kann nicht angelegt werden; wählen Sie mit DIPWRIGHT_PROFILE_PATH einen anderen</translation>
-    </message>
-    <message>
         <source>The profile cannot be removed</source>
         <translation>Das Profil kann nicht entfernt werden</translation>
-    </message>
-    <message>
-        <source>There is no %1 profile of your own of this name</source>
-        <translation>Ein eigenes Profil für %1 mit diesem Namen gibt es nicht</translation>
     </message>
     <message>
         <source>This is not a Dipwright profile: %1</source>
@@ -1757,24 +1718,52 @@
         <translation>Das Profil kann nicht geschrieben werden: %1</translation>
     </message>
     <message>
-        <source>There is no such kind of profile, use printer, film or tank</source>
-        <translation>Diese Art Profil gibt es nicht; nehmen Sie printer, film oder tank</translation>
+        <source>The ICC profile is not valid base64 text; import it again</source>
+        <translation>Das ICC-Profil ist kein gültiger Base64-Text; importieren Sie es neu</translation>
     </message>
     <message>
-        <source>There is no such value in this profile, there are %1</source>
+        <source>%1 is not a date; write it as 2027-03-31</source>
+        <translation>%1 ist kein Datum; schreiben Sie es wie 2027-03-31</translation>
+    </message>
+    <message>
+        <source>The profile has version %1 of the file format, but this program reads only up to version %2; open it with a newer Dipwright</source>
+        <translation>Das Profil hat die Version %1 des Dateiformats, aber dieses Programm liest nur bis Version %2; öffnen Sie es mit einem neueren Dipwright</translation>
+    </message>
+    <message>
+        <source>This profile has no such value; it has %1</source>
         <translation>Diesen Wert gibt es in diesem Profil nicht; es gibt %1</translation>
     </message>
     <message>
-        <source>The profile is being written elsewhere (%1), try again</source>
-        <translation>Das Profil wird gerade anderswo geschrieben (%1); versuchen Sie es noch einmal</translation>
+        <source>Another program is writing the profile (%1); try again</source>
+        <translation>Ein anderes Programm schreibt das Profil gerade (%1); versuchen Sie es noch einmal</translation>
     </message>
     <message>
-        <source>Another program has changed the profile since it was read, nothing is saved; look at what it says now and do it again</source>
-        <translation>Ein anderes Programm hat das Profil geändert, seit es gelesen wurde; nichts ist gespeichert. Sehen Sie nach, was es nun sagt, und ändern Sie es noch einmal</translation>
+        <source>A file of this name exists and is not a readable profile, so it is not replaced; repair it, move it, or choose another name: %1</source>
+        <translation>Eine Datei dieses Namens ist vorhanden und nicht als Profil lesbar, deshalb wird sie nicht ersetzt; berichtigen oder verschieben Sie sie, oder wählen Sie einen anderen Namen: %1</translation>
     </message>
     <message>
-        <source>The file that is there cannot be read as a profile and is not replaced; mend it, move it away, or choose another name: %1</source>
-        <translation>Die vorhandene Datei ist nicht als Profil lesbar und wird nicht ersetzt; bitte berichtigen, verschieben oder einen anderen Namen wählen: %1</translation>
+        <source>There is no %1 profile of this name; there are: %2</source>
+        <translation>Ein Profil für %1 mit diesem Namen gibt es nicht; es gibt: %2</translation>
+    </message>
+    <message>
+        <source>Another program has changed the profile since it was read, so it is not saved; read it again and repeat your change</source>
+        <translation>Ein anderes Programm hat das Profil geändert, seit es gelesen wurde, deshalb wird es nicht gespeichert; lesen Sie es neu und wiederholen Sie Ihre Änderung</translation>
+    </message>
+    <message>
+        <source>The folder for profiles cannot be created; choose another with DIPWRIGHT_PROFILE_PATH</source>
+        <translation>Der Ordner für Profile kann nicht angelegt werden; wählen Sie mit DIPWRIGHT_PROFILE_PATH einen anderen</translation>
+    </message>
+    <message>
+        <source>You have no %1 profile of this name</source>
+        <translation>Sie haben kein Profil für %1 mit diesem Namen</translation>
+    </message>
+    <message>
+        <source>There is no such kind of profile; use printer, film or tank</source>
+        <translation>Diese Art Profil gibt es nicht; nehmen Sie printer, film oder tank</translation>
+    </message>
+    <message>
+        <source>The film %1 expired on %2; use a fresh lot, or test this one first</source>
+        <translation>Der Film %1 ist am %2 abgelaufen; nehmen Sie eine frische Charge oder testen Sie zuerst diese</translation>
     </message>
 </context>
 <context>
@@ -1801,31 +1790,15 @@
     </message>
     <message>
         <source>an array</source>
-        <translation>ein Feld</translation>
+        <translation>eine Liste</translation>
     </message>
     <message>
         <source>an object</source>
         <translation>ein Objekt</translation>
     </message>
     <message>
-        <source>%1 does not fit here, give %2</source>
-        <translation>%1 passt hier nicht; geben Sie %2 an</translation>
-    </message>
-    <message>
-        <source>%1 does not fit here, give %2 parts, each %3</source>
-        <translation>%1 passt hier nicht; geben Sie %2 Teile an, jeder %3</translation>
-    </message>
-    <message>
         <source>“%1” must be an object</source>
         <translation>„%1“ muss ein Objekt sein</translation>
-    </message>
-    <message>
-        <source>There is no film size of this name, use one of %1</source>
-        <translation>Ein Filmformat dieses Namens gibt es nicht; nehmen Sie eines von %1</translation>
-    </message>
-    <message>
-        <source>immersions must be an array of one or two immersions</source>
-        <translation>immersions muss ein Feld von einem oder zwei Tauchvorgängen sein</translation>
     </message>
     <message>
         <source>%1 must be an object</source>
@@ -1840,60 +1813,76 @@
         <translation>Das ist kein Dipwright-Projekt</translation>
     </message>
     <message>
-        <source>The project has version %1 of the file format and this program reads up to version %2, open it with a newer Dipwright</source>
-        <translation>Das Projekt hat die Version %1 des Dateiformats, dieses Programm liest bis Version %2; öffnen Sie es mit einem neueren Dipwright</translation>
-    </message>
-    <message>
         <source>there are %1</source>
         <translation>es gibt %1</translation>
-    </message>
-    <message>
-        <source>There is no such setting, %1</source>
-        <translation>Diese Einstellung gibt es nicht; %1</translation>
-    </message>
-    <message>
-        <source>There is no preset %1, use production or paper-2020</source>
-        <translation>Die Vorgabe %1 gibt es nicht; nehmen Sie production oder paper-2020</translation>
-    </message>
-    <message>
-        <source>%1 × %2 points are more than the %3 million that a film may have, give fewer</source>
-        <translation>%1 × %2 Punkte sind mehr als die %3 Millionen, die ein Film haben darf; nehmen Sie weniger</translation>
-    </message>
-    <message>
-        <source>A value is missing, give %1</source>
-        <translation>Hier fehlt ein Wert; geben Sie %1 an</translation>
     </message>
     <message>
         <source>%1 must be an array of at most %2 entries</source>
         <translation>%1 muss eine Liste mit höchstens %2 Einträgen sein</translation>
     </message>
     <message>
-        <source>inspection.pairs names a photo that inspection.photos has not</source>
-        <translation>inspection.pairs nennt ein Foto, das inspection.photos nicht hat</translation>
-    </message>
-    <message>
-        <source>A spot ink needs a name of its own, and not All, None, or that of one of the four inks</source>
-        <translation>Eine Sonderfarbe braucht einen eigenen Namen, nicht All, None oder den einer der vier Farben</translation>
-    </message>
-    <message>
-        <source>“%1” is not a colour, write it as #1a2b3c</source>
-        <translation>„%1“ ist keine Farbe, schreiben Sie sie als #1a2b3c</translation>
-    </message>
-    <message>
         <source>a colour such as #1a2b3c</source>
         <translation>eine Farbe wie #1a2b3c</translation>
     </message>
     <message>
-        <source>The artwork&apos;s layers are %1 in number, the lowest is artwork.layers[0]</source>
-        <translation>Die Gestaltung hat Ebenen in der Zahl %1, die unterste ist artwork.layers[0]</translation>
-    </message>
-    <message>
-        <source>The project&apos;s immersions are %1 in number, the first is immersions[0]</source>
-        <translation>Die Zahl der Tauchvorgänge des Projekts ist %1, der erste ist immersions[0]</translation>
-    </message>
-    <message>
         <source>the sections are artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built and inspection</source>
         <translation>die Abschnitte sind artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built und inspection</translation>
+    </message>
+    <message>
+        <source>A value is missing; expected %1</source>
+        <translation>Hier fehlt ein Wert; erwartet wird %1</translation>
+    </message>
+    <message>
+        <source>%1 is not allowed here; expected %2</source>
+        <translation>%1 ist hier nicht erlaubt; erwartet wird %2</translation>
+    </message>
+    <message>
+        <source>%1 is not allowed here; expected %2 parts, each of them %3</source>
+        <translation>%1 ist hier nicht erlaubt; erwartet werden %2 Teile, jeder davon %3</translation>
+    </message>
+    <message>
+        <source>There is no film size of this name; use one of %1</source>
+        <translation>Ein Filmformat dieses Namens gibt es nicht; nehmen Sie eines von %1</translation>
+    </message>
+    <message>
+        <source>immersions must be an array with one or two entries</source>
+        <translation>immersions muss eine Liste mit einem oder zwei Einträgen sein</translation>
+    </message>
+    <message>
+        <source>The project has version %1 of the file format, but this program reads only up to version %2; open it with a newer Dipwright</source>
+        <translation>Das Projekt hat die Version %1 des Dateiformats, aber dieses Programm liest nur bis Version %2; öffnen Sie es mit einem neueren Dipwright</translation>
+    </message>
+    <message>
+        <source>There is no such setting; %1</source>
+        <translation>Diese Einstellung gibt es nicht; %1</translation>
+    </message>
+    <message>
+        <source>There is no preset %1; use production or paper-2020</source>
+        <translation>Die Vorgabe %1 gibt es nicht; nehmen Sie production oder paper-2020</translation>
+    </message>
+    <message>
+        <source>There is no such layer; the artwork&apos;s layers: %1, the lowest is artwork.layers[0]</source>
+        <translation>Diese Ebene gibt es nicht; Ebenen der Gestaltung: %1, die unterste ist artwork.layers[0]</translation>
+    </message>
+    <message>
+        <source>There is no such dip; the project&apos;s dips: %1, the first is immersions[0]</source>
+        <translation>Diesen Tauchvorgang gibt es nicht; Tauchvorgänge des Projekts: %1, der erste ist immersions[0]</translation>
+    </message>
+    <message>
+        <source>inspection.pairs names a photo that is not in inspection.photos</source>
+        <translation>inspection.pairs nennt ein Foto, das nicht in inspection.photos steht</translation>
+    </message>
+    <message>
+        <source>%1 × %2 points are too many; a film may have up to %3 million points</source>
+        <translation>%1 × %2 Punkte sind zu viele; ein Film darf bis zu %3 Millionen Punkte haben</translation>
+    </message>
+    <message>
+        <source>A spot colour needs its own name; All, None and the names of the four process inks are reserved</source>
+        <translation>Eine Sonderfarbe braucht einen eigenen Namen; All, None und die Namen der vier Prozessfarben sind vergeben</translation>
+    </message>
+    <message>
+        <source>“%1” is not a colour; write it as #1a2b3c</source>
+        <translation>„%1“ ist keine Farbe; schreiben Sie sie als #1a2b3c</translation>
     </message>
 </context>
 <context>
@@ -1907,28 +1896,8 @@
         <translation>Nein</translation>
     </message>
     <message>
-        <source>Immersions</source>
-        <translation>Tauchvorgänge</translation>
-    </message>
-    <message>
-        <source>Marks for the join</source>
-        <translation>Marken für die Fuge</translation>
-    </message>
-    <message>
         <source>Marks for zones</source>
         <translation>Marken für Zonen</translation>
-    </message>
-    <message>
-        <source>Printer&apos;s profile</source>
-        <translation>Druckerprofil</translation>
-    </message>
-    <message>
-        <source>Film&apos;s profile</source>
-        <translation>Filmprofil</translation>
-    </message>
-    <message>
-        <source>Tank&apos;s profile</source>
-        <translation>Beckenprofil</translation>
     </message>
     <message>
         <source>Pose search · weight of %1</source>
@@ -1947,10 +1916,6 @@
         <translation>Gestaltung · Grundfarbe</translation>
     </message>
     <message>
-        <source>%1, otherwise</source>
-        <translation>%1, sonst anders</translation>
-    </message>
-    <message>
         <source>Artwork · layer %1</source>
         <translation>Gestaltung · Ebene %1</translation>
     </message>
@@ -1958,59 +1923,83 @@
         <source>%1, %2 × %3%7 at (%4; %5; %6)%7, turned by %8°</source>
         <translation>%1, %2 × %3%7 bei (%4; %5; %6)%7, um %8° gedreht</translation>
     </message>
+    <message>
+        <source>%1, with other settings</source>
+        <translation>%1, mit anderen Einstellungen</translation>
+    </message>
+    <message>
+        <source>Dips</source>
+        <translation>Tauchvorgänge</translation>
+    </message>
+    <message>
+        <source>Marks for the seam</source>
+        <translation>Marken für die Naht</translation>
+    </message>
+    <message>
+        <source>Printer profile</source>
+        <translation>Druckerprofil</translation>
+    </message>
+    <message>
+        <source>Film profile</source>
+        <translation>Filmprofil</translation>
+    </message>
+    <message>
+        <source>Tank profile</source>
+        <translation>Beckenprofil</translation>
+    </message>
 </context>
 <context>
     <name>ProjectFile</name>
-    <message>
-        <source>Another program has written the project since it was read, nothing is saved; look at what it holds now and do it again</source>
-        <translation>Ein anderes Programm hat das Projekt geschrieben, seit es gelesen wurde; nichts ist gespeichert. Sehen Sie nach, was es nun enthält, und wiederholen Sie den Schritt</translation>
-    </message>
     <message>
         <source>The project is open elsewhere (%1); close it there, or work on a copy</source>
         <translation>Das Projekt ist anderswo geöffnet (%1); schließen Sie es dort, oder arbeiten Sie an einer Kopie</translation>
     </message>
     <message>
-        <source>The file that is there cannot be read, and nothing is saved over it; try again, or save under another name</source>
-        <translation>Die Datei, die dort liegt, kann nicht gelesen werden, und nichts wird über sie gespeichert; versuchen Sie es noch einmal, oder speichern Sie unter einem anderen Namen</translation>
+        <source>The existing file cannot be read, so it is not replaced; try again, or save under another name</source>
+        <translation>Die vorhandene Datei kann nicht gelesen werden, deshalb wird sie nicht ersetzt; versuchen Sie es noch einmal, oder speichern Sie unter einem anderen Namen</translation>
+    </message>
+    <message>
+        <source>Another program has changed the project since it was read, so it is not saved; open it again and repeat your change</source>
+        <translation>Ein anderes Programm hat das Projekt geändert, seit es gelesen wurde, deshalb wird es nicht gespeichert; öffnen Sie es neu und wiederholen Sie Ihre Änderung</translation>
     </message>
 </context>
 <context>
     <name>ProjectStore</name>
     <message>
-        <source>This is not a Dipwright project, it holds no project.json</source>
-        <translation>Das ist kein Dipwright-Projekt, es enthält keine project.json</translation>
-    </message>
-    <message>
         <source>project.json is damaged at character %1: %2</source>
         <translation>project.json ist bei Zeichen %1 beschädigt: %2</translation>
-    </message>
-    <message>
-        <source>The model in the project is not the one that was saved, its sha256 differs</source>
-        <translation>Das Modell im Projekt ist nicht das gespeicherte, sein sha256 weicht ab</translation>
-    </message>
-    <message>
-        <source>The project lists %1 textures and its model needs %2</source>
-        <translation>Das Projekt nennt %1 Texturen, sein Modell braucht %2</translation>
     </message>
     <message>
         <source>The project cannot be saved: %1</source>
         <translation>Das Projekt kann nicht gespeichert werden: %1</translation>
     </message>
     <message>
-        <source>project.json holds a list where a project should be</source>
-        <translation>project.json enthält eine Liste, wo ein Projekt stehen sollte</translation>
-    </message>
-    <message>
-        <source>The project names no model, model.mesh is missing</source>
-        <translation>Das Projekt nennt kein Modell, model.mesh fehlt</translation>
-    </message>
-    <message>
         <source>%1 in %2</source>
         <translation>%1 in %2</translation>
     </message>
     <message>
-        <source>The project is not saved, as it could not be opened again: %1</source>
-        <translation>Das Projekt wird nicht gespeichert, da es nicht wieder geöffnet werden könnte: %1</translation>
+        <source>The project is not saved, because it could not be opened again: %1</source>
+        <translation>Das Projekt wird nicht gespeichert, weil es nicht wieder geöffnet werden könnte: %1</translation>
+    </message>
+    <message>
+        <source>This is not a Dipwright project: it has no project.json</source>
+        <translation>Das ist kein Dipwright-Projekt: Es hat keine project.json</translation>
+    </message>
+    <message>
+        <source>project.json contains a list instead of a project</source>
+        <translation>project.json enthält eine Liste statt eines Projekts</translation>
+    </message>
+    <message>
+        <source>The project names no model: model.mesh is missing</source>
+        <translation>Das Projekt nennt kein Modell: model.mesh fehlt</translation>
+    </message>
+    <message>
+        <source>The model in the project was changed after saving: its sha256 differs</source>
+        <translation>Das Modell im Projekt wurde nach dem Speichern geändert: Sein sha256 weicht ab</translation>
+    </message>
+    <message>
+        <source>The project lists %1 textures, but its model needs %2</source>
+        <translation>Das Projekt nennt %1 Texturen, aber sein Modell braucht %2</translation>
     </message>
 </context>
 <context>
@@ -2027,16 +2016,8 @@
         <translation>Name</translation>
     </message>
     <message>
-        <source>What the project is called. It stands in the job line of every sheet.</source>
-        <translation>Wie das Projekt heißt. Der Name steht in der Auftragszeile jedes Bogens.</translation>
-    </message>
-    <message>
         <source>Date</source>
         <translation>Datum</translation>
-    </message>
-    <message>
-        <source>The date in the job line. It belongs to the project, so that the same project always gives the same sheet.</source>
-        <translation>Das Datum in der Auftragszeile. Es gehört zum Projekt, damit dasselbe Projekt immer denselben Bogen ergibt.</translation>
     </message>
     <message>
         <source>Distance field</source>
@@ -2047,10 +2028,6 @@
         <translation>Auflösung</translation>
     </message>
     <message>
-        <source>Samples along each edge of the cube round the body in which the distance to its surface is kept. More follows finer detail and takes longer to build.</source>
-        <translation>Abtastpunkte je Kante des Würfels um den Körper, in dem der Abstand zur Oberfläche liegt. Mehr folgt feineren Einzelheiten und braucht länger.</translation>
-    </message>
-    <message>
         <source>Printed film</source>
         <translation>Gedruckter Film</translation>
     </message>
@@ -2059,20 +2036,12 @@
         <translation>Format</translation>
     </message>
     <message>
-        <source>The size in which the film comes and is printed.</source>
-        <translation>Die Größe, in der der Film geliefert und bedruckt wird.</translation>
-    </message>
-    <message>
         <source>Custom</source>
         <translation>Eigenes</translation>
     </message>
     <message>
         <source>Size</source>
         <translation>Größe</translation>
-    </message>
-    <message>
-        <source>Width and height of the printed film. The grid keeps its spacing.</source>
-        <translation>Breite und Höhe des gedruckten Films. Das Gitter behält seinen Abstand.</translation>
     </message>
     <message>
         <source>W</source>
@@ -2087,10 +2056,6 @@
     <message>
         <source>Points</source>
         <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>Points of the simulated film across and down. More points show finer detail and take longer.</source>
-        <translation>Punkte des simulierten Films quer und längs. Mehr Punkte zeigen feinere Einzelheiten und brauchen länger.</translation>
     </message>
     <message>
         <source>Behaviour on the water</source>
@@ -2109,10 +2074,6 @@
         <translation>Filmmodell</translation>
     </message>
     <message>
-        <source>Isotropic film resists shear and gives the same result whichever way the grid lies. The structural lattice joins horizontal and vertical neighbours only, as in the paper of 2020.</source>
-        <translation>Isotroper Film widersteht Scherung und ergibt dasselbe, wie das Gitter auch liegt. Das strukturelle Gitter verbindet nur waagrechte und senkrechte Nachbarn, wie in der Arbeit von 2020.</translation>
-    </message>
-    <message>
         <source>Isotropic</source>
         <translation>Isotrop</translation>
     </message>
@@ -2123,10 +2084,6 @@
     <message>
         <source>Support</source>
         <translation>Auflage</translation>
-    </message>
-    <message>
-        <source>Whether the water holds up the free film. Without it nothing does.</source>
-        <translation>Ob das Wasser den freien Film trägt. Ohne es trägt ihn nichts.</translation>
     </message>
     <message>
         <source>Water</source>
@@ -2149,28 +2106,12 @@
         <translation>Geschwindigkeit</translation>
     </message>
     <message>
-        <source>How fast the body comes down into the water.</source>
-        <translation>Wie schnell der Körper ins Wasser sinkt.</translation>
-    </message>
-    <message>
         <source>Depth</source>
         <translation>Tiefe</translation>
     </message>
     <message>
-        <source>How far the lowest point of the body goes under the waterline. “Whole body” dips until all of it is under.</source>
-        <translation>Wie weit der tiefste Punkt des Körpers unter die Wasserlinie kommt. „Ganzer Körper“ taucht, bis alles unter Wasser ist.</translation>
-    </message>
-    <message>
-        <source>Whole body</source>
-        <translation>Ganzer Körper</translation>
-    </message>
-    <message>
         <source>Margin</source>
         <translation>Zugabe</translation>
-    </message>
-    <message>
-        <source>How much farther than fully under the body is dipped.</source>
-        <translation>Wie viel weiter als ganz unter Wasser der Körper getaucht wird.</translation>
     </message>
     <message>
         <source>Limits</source>
@@ -2185,60 +2126,24 @@
         <translation>Schritt</translation>
     </message>
     <message>
-        <source>How far the contact line travels in one step, in cells of the film. Smaller is finer and slower.</source>
-        <translation>Wie weit die Kontaktlinie in einem Schritt wandert, in Zellen des Films. Kleiner ist feiner und langsamer.</translation>
-    </message>
-    <message>
         <source>Time step</source>
         <translation>Zeitschritt</translation>
-    </message>
-    <message>
-        <source>Time that one step simulates.</source>
-        <translation>Zeit, die ein Schritt simuliert.</translation>
     </message>
     <message>
         <source>Iterations</source>
         <translation>Iterationen</translation>
     </message>
     <message>
-        <source>Sweeps over all constraints in one step.</source>
-        <translation>Durchläufe über alle Zwangsbedingungen in einem Schritt.</translation>
-    </message>
-    <message>
-        <source>Sweeps</source>
-        <translation>Durchläufe</translation>
-    </message>
-    <message>
-        <source>Jacobi corrects all points at once and averages; Gauss–Seidel one after the other.</source>
-        <translation>Jacobi korrigiert alle Punkte zugleich und mittelt, Gauß–Seidel einen nach dem anderen.</translation>
-    </message>
-    <message>
         <source>Self-contact</source>
         <translation>Selbstkontakt</translation>
-    </message>
-    <message>
-        <source>Keep film from passing through film.</source>
-        <translation>Verhindert, dass Film durch Film dringt.</translation>
-    </message>
-    <message>
-        <source>What this immersion is called. It stands in the job line of its sheet.</source>
-        <translation>Wie dieser Tauchvorgang heißt. Der Name steht in der Auftragszeile seines Bogens.</translation>
     </message>
     <message>
         <source>Rotation</source>
         <translation>Drehung</translation>
     </message>
     <message>
-        <source>How the body is turned about X, then Y, then Z before it is dipped. Drag the rings in the view to turn it by hand; hold Shift for steps of 15°.</source>
-        <translation>Wie der Körper vor dem Tauchen um X, dann Y, dann Z gedreht wird. Ziehen Sie an den Ringen der Ansicht, um ihn von Hand zu drehen; mit Umschalt in Schritten von 15°.</translation>
-    </message>
-    <message>
         <source>Offset</source>
         <translation>Versatz</translation>
-    </message>
-    <message>
-        <source>Where the body meets the film, from the middle of the film: X to the right, Z down the sheet.</source>
-        <translation>Wo der Körper den Film trifft, von der Mitte des Films aus: X nach rechts, Z den Bogen hinab.</translation>
     </message>
     <message>
         <source>Page</source>
@@ -2249,36 +2154,16 @@
         <translation>Papier</translation>
     </message>
     <message>
-        <source>The page that the film image is laid on. “As the film” prints the film itself, edge to edge.</source>
-        <translation>Die Seite, auf die das Filmbild gelegt wird. „Wie der Film“ druckt den Film selbst, von Rand zu Rand.</translation>
-    </message>
-    <message>
         <source>As the film</source>
         <translation>Wie der Film</translation>
-    </message>
-    <message>
-        <source>Width and height of the page.</source>
-        <translation>Breite und Höhe der Seite.</translation>
     </message>
     <message>
         <source>Landscape</source>
         <translation>Querformat</translation>
     </message>
     <message>
-        <source>Turn the page on its side.</source>
-        <translation>Die Seite quer legen.</translation>
-    </message>
-    <message>
-        <source>Pixels to the inch of the film image.</source>
-        <translation>Bildpunkte je Zoll des Filmbilds.</translation>
-    </message>
-    <message>
         <source>Bleed</source>
         <translation>Beschnitt</translation>
-    </message>
-    <message>
-        <source>How far the colour is continued past the painted area, so that a small error of position leaves no bare edge.</source>
-        <translation>Wie weit die Farbe über die bemalte Fläche hinaus weitergeht, damit ein kleiner Lagefehler keinen kahlen Rand lässt.</translation>
     </message>
     <message>
         <source>On the page</source>
@@ -2289,56 +2174,24 @@
         <translation>Passmarken</translation>
     </message>
     <message>
-        <source>Marks in the corners by which the film is laid into the tank.</source>
-        <translation>Marken in den Ecken, nach denen der Film ins Becken gelegt wird.</translation>
-    </message>
-    <message>
         <source>Ruler</source>
         <translation>Lineal</translation>
-    </message>
-    <message>
-        <source>A ruler of 100 mm: measure it to see that the page was printed at true size.</source>
-        <translation>Ein Lineal von 100 mm: Messen Sie nach, ob die Seite in wahrer Größe gedruckt wurde.</translation>
     </message>
     <message>
         <source>Job line</source>
         <translation>Auftragszeile</translation>
     </message>
     <message>
-        <source>A line with project, immersion, date, film, scale and a check sum.</source>
-        <translation>Eine Zeile mit Projekt, Tauchvorgang, Datum, Film, Maßstab und Prüfsumme.</translation>
-    </message>
-    <message>
         <source>Compensate stretch</source>
         <translation>Dehnung ausgleichen</translation>
     </message>
     <message>
-        <source>Ink thins where the film stretches. Print more there, so that the body shows the colour of the texture.</source>
-        <translation>Farbe wird dünner, wo sich der Film dehnt. Dort mehr drucken, damit der Körper die Farbe der Textur zeigt.</translation>
-    </message>
-    <message>
         <source>Ink limit</source>
-        <translation>Farbgrenze</translation>
-    </message>
-    <message>
-        <source>The highest optical density that can be printed. Where more would be needed, the colour falls short and the report says so.</source>
-        <translation>Die höchste optische Dichte, die gedruckt werden kann. Wo mehr nötig wäre, reicht die Farbe nicht, und der Bericht sagt es.</translation>
-    </message>
-    <message>
-        <source>Advanced: laws without measurement</source>
-        <translation>Erweitert: Gesetze ohne Messung</translation>
-    </message>
-    <message>
-        <source>How fine the simulated film is. Automatic chooses the size of its cells from the body&apos;s narrow parts and its pose: fine where the body comes down, coarse towards the film&apos;s edges.</source>
-        <translation>Wie fein die simulierte Folie ist. „Automatisch“ wählt die Größe ihrer Zellen nach den schmalen Stellen des Körpers und seiner Lage: fein, wo der Körper eintaucht, grob zu den Rändern der Folie hin.</translation>
+        <translation>Tintenlimit</translation>
     </message>
     <message>
         <source>Automatic</source>
         <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>Size of the cells</source>
-        <translation>Größe der Zellen</translation>
     </message>
     <message>
         <source>Number of points</source>
@@ -2349,36 +2202,12 @@
         <translation>Zellen</translation>
     </message>
     <message>
-        <source>The side of the simulated film&apos;s cells where the body comes down. Smaller cells show finer detail and take longer.</source>
-        <translation>Die Seite der Zellen der simulierten Folie dort, wo der Körper eintaucht. Kleinere Zellen zeigen feinere Einzelheiten und dauern länger.</translation>
-    </message>
-    <message>
-        <source>Each dip paints the places that it paints better, and leaves the others blank. If not, both paint all that they reach, and some places are painted twice.</source>
-        <translation>Jeder Tauchvorgang färbt die Stellen, die er besser färbt, und lässt die anderen frei. Sonst färben beide alles, was sie erreichen, und manche Stellen werden doppelt gefärbt.</translation>
-    </message>
-    <message>
         <source>Overlap</source>
         <translation>Überlappung</translation>
     </message>
     <message>
-        <source>The band along the join in which both dips fade into each other, on the body. It is made wider where the registration error would show in it.</source>
-        <translation>Das Band längs der Fuge, in dem beide Tauchvorgänge ineinander übergehen, auf dem Körper. Es wird breiter, wo der Passerfehler darin zu sehen wäre.</translation>
-    </message>
-    <message>
         <source>Registration error</source>
         <translation>Passerfehler</translation>
-    </message>
-    <message>
-        <source>How far the second dip may lie off the first. The band is made wide enough that no edge shows.</source>
-        <translation>Wie weit der zweite Tauchvorgang neben dem ersten liegen darf. Das Band wird so breit, dass keine Kante zu sehen ist.</translation>
-    </message>
-    <message>
-        <source>Stretched by at most</source>
-        <translation>Höchstens gedehnt um</translation>
-    </message>
-    <message>
-        <source>Where one dip&apos;s film is drawn out to more times its length, the other is to paint, if it can.</source>
-        <translation>Wo der Film eines Tauchvorgangs auf mehr als das Sovielfache seiner Länge gezogen ist, färbt der andere, wenn er kann.</translation>
     </message>
     <message>
         <source>Cradle</source>
@@ -2389,212 +2218,40 @@
         <translation>Spiel</translation>
     </message>
     <message>
-        <source>How far the cradle keeps off the body that lies in it.</source>
-        <translation>Wie weit die Halterung von dem Körper wegbleibt, der in ihr liegt.</translation>
-    </message>
-    <message>
-        <source>Walls</source>
-        <translation>Wände</translation>
-    </message>
-    <message>
-        <source>How thick what holds the body is, at its thinnest.</source>
-        <translation>Wie dick an der dünnsten Stelle ist, was den Körper hält.</translation>
-    </message>
-    <message>
-        <source>Reaches down</source>
-        <translation>Reicht hinab</translation>
-    </message>
-    <message>
-        <source>How far below the body&apos;s top the cradle reaches. It goes deeper where the body would tip or slide.</source>
-        <translation>Wie weit unter das obere Ende des Körpers die Halterung reicht. Sie geht tiefer, wo der Körper kippen oder rutschen würde.</translation>
-    </message>
-    <message>
-        <source>Off the film</source>
-        <translation>Vom Film weg</translation>
-    </message>
-    <message>
-        <source>How far the cradle keeps off all that the film reaches, and off what earlier dips have painted.</source>
-        <translation>Wie weit die Halterung von allem wegbleibt, was der Film erreicht, und von dem, was frühere Tauchvorgänge bemalt haben.</translation>
-    </message>
-    <message>
-        <source>On paint</source>
-        <translation>Auf Farbe</translation>
-    </message>
-    <message>
-        <source>Whether the cradle may lie on what earlier dips have painted, through padding.</source>
-        <translation>Ob die Halterung, durch ein Polster, auf dem liegen darf, was frühere Tauchvorgänge bemalt haben.</translation>
-    </message>
-    <message>
         <source>Padding</source>
         <translation>Polster</translation>
-    </message>
-    <message>
-        <source>Room that is left for felt or foam where the cradle lies on paint.</source>
-        <translation>Raum, der für Filz oder Schaum bleibt, wo die Halterung auf Farbe liegt.</translation>
-    </message>
-    <message>
-        <source>Plate</source>
-        <translation>Platte</translation>
-    </message>
-    <message>
-        <source>How thick the plate is that the cradle hangs from.</source>
-        <translation>Wie dick die Platte ist, an der die Halterung hängt.</translation>
-    </message>
-    <message>
-        <source>Off the water</source>
-        <translation>Vom Wasser weg</translation>
-    </message>
-    <message>
-        <source>How far the plate stays above the water at the end of the dip.</source>
-        <translation>Wie weit die Platte am Ende des Tauchvorgangs über dem Wasser bleibt.</translation>
-    </message>
-    <message>
-        <source>Pins apart</source>
-        <translation>Abstand der Stifte</translation>
-    </message>
-    <message>
-        <source>How far apart two of the datum pins are at most. They stand where the sheet&apos;s marks float, or are drawn in towards the film&apos;s middle.</source>
-        <translation>Wie weit zwei der Passstifte höchstens voneinander entfernt sind. Sie stehen, wo die Marken des Bogens schwimmen, oder sind zur Mitte des Films hereingezogen.</translation>
-    </message>
-    <message>
-        <source>Pins</source>
-        <translation>Stifte</translation>
-    </message>
-    <message>
-        <source>The diameter of the datum pins of the tank&apos;s frame.</source>
-        <translation>Der Durchmesser der Passstifte am Rahmen des Beckens.</translation>
     </message>
     <message>
         <source>Pin clearance</source>
         <translation>Spiel der Stifte</translation>
     </message>
     <message>
-        <source>How much wider than the pins their holes are, all round.</source>
-        <translation>Um wie viel weiter als die Stifte ihre Löcher ringsum sind.</translation>
-    </message>
-    <message>
         <source>Bore</source>
         <translation>Bohrung</translation>
-    </message>
-    <message>
-        <source>A hole through plate and seat, to fix the body by a screw, suction or hot glue. At 0 there is none.</source>
-        <translation>Ein Loch durch Platte und Sitz, um den Körper mit Schraube, Sauger oder Heißkleber zu befestigen. Bei 0 gibt es keines.</translation>
     </message>
     <message>
         <source>Engraving</source>
         <translation>Gravur</translation>
     </message>
     <message>
-        <source>How deep arrow, number and job are cut into the plate. At 0 they are not.</source>
-        <translation>Wie tief Pfeil, Nummer und Auftrag in die Platte geschnitten sind. Bei 0 gar nicht.</translation>
-    </message>
-    <message>
-        <source>Fineness</source>
-        <translation>Feinheit</translation>
-    </message>
-    <message>
-        <source>The side of the cells that the cradle&apos;s form is computed on. Smaller is smoother, slower and makes larger files.</source>
-        <translation>Die Seite der Zellen, auf denen die Form der Halterung berechnet wird. Kleiner ist glatter, langsamer und macht größere Dateien.</translation>
-    </message>
-    <message>
-        <source>Body on the water</source>
-        <translation>Körper auf dem Wasser</translation>
-    </message>
-    <message>
-        <source>How far the body may lie off its place when it meets the film. 95 of 100 dips keep a tolerance.</source>
-        <translation>Wie weit der Körper neben seinem Ort sein darf, wenn er den Film trifft. 95 von 100 Tauchvorgängen halten eine Toleranz ein.</translation>
-    </message>
-    <message>
-        <source>Body turned</source>
-        <translation>Körper verdreht</translation>
-    </message>
-    <message>
-        <source>How far the body may be turned off its pose, about axes through its middle.</source>
-        <translation>Wie weit der Körper gegen seine Lage verdreht sein darf, um Achsen durch seine Mitte.</translation>
-    </message>
-    <message>
-        <source>Film on the water</source>
-        <translation>Film auf dem Wasser</translation>
-    </message>
-    <message>
-        <source>How far the film may lie off its place when the body meets it.</source>
-        <translation>Wie weit der Film neben seinem Ort liegen darf, wenn der Körper ihn trifft.</translation>
-    </message>
-    <message>
-        <source>Film turned</source>
-        <translation>Film verdreht</translation>
-    </message>
-    <message>
-        <source>How far the film may be turned on the water, about its middle.</source>
-        <translation>Wie weit der Film auf dem Wasser verdreht sein darf, um seine Mitte.</translation>
-    </message>
-    <message>
-        <source>By how much of its length the floating film may be longer or shorter than reckoned.</source>
-        <translation>Um welchen Teil seiner Länge der schwimmende Film länger oder kürzer sein darf als gerechnet.</translation>
-    </message>
-    <message>
         <source>Water level</source>
         <translation>Wasserstand</translation>
-    </message>
-    <message>
-        <source>By how much the body may go under deeper or less deep.</source>
-        <translation>Um wie viel der Körper tiefer oder weniger tief eintauchen darf.</translation>
-    </message>
-    <message>
-        <source>By how much of its speed the dip may be faster or slower.</source>
-        <translation>Um welchen Teil seiner Geschwindigkeit der Tauchvorgang schneller oder langsamer sein darf.</translation>
-    </message>
-    <message>
-        <source>By how much of it the film&apos;s relaxation time may be longer or shorter.</source>
-        <translation>Um welchen Teil die Relaxationszeit des Films länger oder kürzer sein darf.</translation>
-    </message>
-    <message>
-        <source>Of the zones</source>
-        <translation>Der Zonen</translation>
-    </message>
-    <message>
-        <source>How far colours may land off their places, to either side. What is not marked on the body is zone C.</source>
-        <translation>Wie weit Farben neben ihrem Ort landen dürfen, nach beiden Seiten. Was auf dem Körper nicht markiert ist, ist Zone C.</translation>
-    </message>
-    <message>
-        <source>Check</source>
-        <translation>Probe</translation>
     </message>
     <message>
         <source>Dips</source>
         <translation>Tauchvorgänge</translation>
     </message>
     <message>
-        <source>Dips with everything off at once, to see whether what each does by itself can be added up. 0: none.</source>
-        <translation>Tauchvorgänge, in denen alles zugleich abweicht, um zu sehen, ob sich die einzelnen Wirkungen addieren lassen. 0: keine.</translation>
-    </message>
-    <message>
         <source>Seed</source>
-        <translation>Startzahl</translation>
-    </message>
-    <message>
-        <source>What is off by how much in them. Another number draws others.</source>
-        <translation>Was darin um wie viel abweicht. Eine andere Zahl zieht andere.</translation>
+        <translation>Startwert</translation>
     </message>
     <message>
         <source>Correction</source>
         <translation>Korrektur</translation>
     </message>
     <message>
-        <source>By what repeats</source>
-        <translation>Um das Wiederkehrende</translation>
-    </message>
-    <message>
-        <source>Takes off the sheet what the parts that the job keeps are off again and again.</source>
-        <translation>Nimmt vom Bogen, was an den Teilen, die der Auftrag behält, immer wieder daneben liegt.</translation>
-    </message>
-    <message>
         <source>Strength</source>
         <translation>Stärke</translation>
-    </message>
-    <message>
-        <source>How much of it is taken off.</source>
-        <translation>Wie viel davon abgezogen wird.</translation>
     </message>
     <message>
         <source>Model</source>
@@ -2609,12 +2266,8 @@
         <translation>Tauchen</translation>
     </message>
     <message>
-        <source>Join</source>
-        <translation>Fuge</translation>
-    </message>
-    <message>
         <source>Sheet</source>
-        <translation>Bogen</translation>
+        <translation>Blatt</translation>
     </message>
     <message>
         <source>Ink</source>
@@ -2625,22 +2278,6 @@
         <translation>Toleranzen</translation>
     </message>
     <message>
-        <source>Spot inks</source>
-        <translation>Sonderfarben</translation>
-    </message>
-    <message>
-        <source>Cut line</source>
-        <translation>Schnittlinie</translation>
-    </message>
-    <message>
-        <source>A line for the cutter, as a spot ink in a PDF in CMYK.</source>
-        <translation>Eine Linie für den Schneideplotter, als Sonderfarbe in einem PDF in CMYK.</translation>
-    </message>
-    <message>
-        <source>Round the ink</source>
-        <translation>Um die Farbe herum</translation>
-    </message>
-    <message>
         <source>Along the film&apos;s edge</source>
         <translation>Am Rand des Films</translation>
     </message>
@@ -2649,28 +2286,8 @@
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>Of the cut line from the ink.</source>
-        <translation>Der Schnittlinie von der Farbe.</translation>
-    </message>
-    <message>
-        <source>Its ink</source>
-        <translation>Ihre Farbe</translation>
-    </message>
-    <message>
-        <source>The name by which the cutter knows the line.</source>
-        <translation>Der Name, unter dem der Schneideplotter die Linie kennt.</translation>
-    </message>
-    <message>
-        <source>Part&apos;s colour</source>
-        <translation>Farbe des Teils</translation>
-    </message>
-    <message>
         <source>White</source>
         <translation>Weiß</translation>
-    </message>
-    <message>
-        <source>A plate of white under all colour. What is printed last touches the part; printed first, it lies on the outside, over the colour. In PDF and TIFF in CMYK.</source>
-        <translation>Eine weiße Platte unter aller Farbe. Was zuletzt gedruckt wird, berührt das Teil; zuerst gedruckt liegt es außen, über der Farbe. In PDF und TIFF in CMYK.</translation>
     </message>
     <message>
         <source>Printed last, under the colour</source>
@@ -2685,36 +2302,8 @@
         <translation>Dichte</translation>
     </message>
     <message>
-        <source>Share of full tint that the part is to have; more is printed where the film stretches, as far as full tint goes.</source>
-        <translation>Anteil des vollen Tons, den das Teil haben soll; gedruckt wird mehr, wo der Film sich dehnt, soweit der volle Ton reicht.</translation>
-    </message>
-    <message>
         <source>Choke</source>
         <translation>Unterfüllung</translation>
-    </message>
-    <message>
-        <source>How much smaller than the colour the white is, all round, on the film.</source>
-        <translation>Um wie viel das Weiß ringsum kleiner ist als die Farbe, auf dem Film.</translation>
-    </message>
-    <message>
-        <source>Name of white</source>
-        <translation>Name des Weiß</translation>
-    </message>
-    <message>
-        <source>The name by which the printer knows its white ink.</source>
-        <translation>Der Name, unter dem der Drucker seine weiße Farbe kennt.</translation>
-    </message>
-    <message>
-        <source>Of the bare part, as #1a2b3c: proof and view show the ink on it. Empty: light grey, and ink as it looks on white.</source>
-        <translation>Des unbedruckten Teils, wie #1a2b3c: Vorschau und Ansicht zeigen die Farbe darauf. Leer: hellgrau, und Farbe, wie sie auf Weiß aussieht.</translation>
-    </message>
-    <message>
-        <source>Bleed past it</source>
-        <translation>Beschnittzugabe</translation>
-    </message>
-    <message>
-        <source>How far beyond the cut line the colours of the painted film&apos;s edge go on, so that a cut that slips shows no bare film.</source>
-        <translation>Wie weit die Farben vom Rand des bemalten Films über die Schnittlinie hinaus weitergehen, damit ein verrutschter Schnitt keinen leeren Film zeigt.</translation>
     </message>
     <message>
         <source>Print it</source>
@@ -2722,7 +2311,7 @@
     </message>
     <message>
         <source>Check first</source>
-        <translation>Erst prüfen</translation>
+        <translation>Zuerst prüfen</translation>
     </message>
     <message>
         <source>Do not print</source>
@@ -2730,95 +2319,491 @@
     </message>
     <message>
         <source>Verdict: check first above</source>
-        <translation>Urteil: erst prüfen oberhalb von</translation>
+        <translation>Urteil: zuerst prüfen oberhalb von</translation>
     </message>
     <message>
         <source>Trapped air</source>
         <translation>Eingeschlossene Luft</translation>
     </message>
     <message>
-        <source>The share of the body&apos;s surface that trapped air may keep dry. The verdict is “do not print” above five times a limit.</source>
-        <translation>Der Anteil der Oberfläche des Körpers, den eingeschlossene Luft trocken halten darf. Über dem Fünffachen einer Grenze lautet das Urteil „Nicht drucken“.</translation>
-    </message>
-    <message>
         <source>Too pale</source>
         <translation>Zu blass</translation>
     </message>
     <message>
-        <source>The share of the painted area that may look too pale, because the film stretches more than the ink can make up for.</source>
-        <translation>Der Anteil der bemalten Fläche, der zu blass werden darf, weil der Film sich mehr dehnt, als die Farbe ausgleichen kann.</translation>
-    </message>
-    <message>
         <source>Torn or released film</source>
-        <translation>Gerissener oder losgelassener Film</translation>
-    </message>
-    <message>
-        <source>The share of the painted area on which the film may tear or be pulled off the body.</source>
-        <translation>Der Anteil der bemalten Fläche, auf dem der Film reißen oder vom Körper abgezogen werden darf.</translation>
+        <translation>Gerissener oder abgelöster Film</translation>
     </message>
     <message>
         <source>Reached by neither dip</source>
         <translation>Von keinem Tauchvorgang erreicht</translation>
     </message>
     <message>
-        <source>The share of the body&apos;s surface that neither of two dips may reach. A job of one dip has no such limit.</source>
-        <translation>Der Anteil der Oberfläche des Körpers, den keiner von zwei Tauchvorgängen erreichen muss. Ein Auftrag mit einem Tauchvorgang hat keine solche Grenze.</translation>
-    </message>
-    <message>
         <source>Narrow overlap</source>
         <translation>Schmale Überlappung</translation>
     </message>
     <message>
-        <source>The share of the overlap of two dips that may be too narrow for how far the second film may lie off.</source>
-        <translation>Der Anteil der Überlappung zweier Tauchvorgänge, der zu schmal dafür sein darf, wie weit der zweite Film daneben liegen kann.</translation>
-    </message>
-    <message>
         <source>Bare in a zone</source>
-        <translation>Frei in einer Zone</translation>
-    </message>
-    <message>
-        <source>The share of zone A or B, where they are marked, that may stay without paint.</source>
-        <translation>Der Anteil von Zone A oder B, wo sie markiert sind, der ohne Farbe bleiben darf.</translation>
+        <translation>Unbemalt in einer Zone</translation>
     </message>
     <message>
         <source>Film&apos;s edge</source>
         <translation>Rand des Films</translation>
     </message>
     <message>
-        <source>How far the painted film has to stay from the film&apos;s edge, so that it neither curls nor folds.</source>
-        <translation>Wie weit der bemalende Film vom Rand des Films wegbleiben muss, damit er sich weder rollt noch faltet.</translation>
-    </message>
-    <message>
         <source>No picture</source>
         <translation>Kein Bild</translation>
-    </message>
-    <message>
-        <source>What a model of one plain colour, without artwork, comes to.</source>
-        <translation>Was ein Modell von einer einzigen Farbe, ohne Gestaltung, ergibt.</translation>
     </message>
     <message>
         <source>Repaired model</source>
         <translation>Berichtigtes Modell</translation>
     </message>
     <message>
-        <source>What a model comes to that was put right, or lacks something that its file names.</source>
-        <translation>Was ein Modell ergibt, das berichtigt wurde oder dem etwas fehlt, das seine Datei nennt.</translation>
-    </message>
-    <message>
         <source>Film not measured</source>
         <translation>Film nicht gemessen</translation>
     </message>
     <message>
-        <source>What a film comes to whose swell nobody has measured.</source>
-        <translation>Was ein Film ergibt, dessen Quellung niemand gemessen hat.</translation>
-    </message>
-    <message>
-        <source>Split the body between the dips</source>
-        <translation>Den Körper auf die Tauchvorgänge aufteilen</translation>
-    </message>
-    <message>
         <source>Expected deviations (±)</source>
         <translation>Erwartete Abweichungen (±)</translation>
+    </message>
+    <message>
+        <source>The name of the project. It is printed in the job line of every sheet.</source>
+        <translation>Der Name des Projekts. Er wird in der Auftragszeile jedes Blatts gedruckt.</translation>
+    </message>
+    <message>
+        <source>The date in the job line. It is stored in the project, so that the same project always gives the same sheet.</source>
+        <translation>Das Datum in der Auftragszeile. Es ist im Projekt gespeichert, damit dasselbe Projekt immer dasselbe Blatt ergibt.</translation>
+    </message>
+    <message>
+        <source>Number of samples along each edge of the distance field around the part. More samples follow finer detail and take longer to compute.</source>
+        <translation>Anzahl der Abtastpunkte je Kante des Abstandsfelds um das Teil. Mehr Punkte folgen feineren Einzelheiten und brauchen länger.</translation>
+    </message>
+    <message>
+        <source>The size of the film as it is delivered and printed.</source>
+        <translation>Die Größe, in der der Film geliefert und bedruckt wird.</translation>
+    </message>
+    <message>
+        <source>How fine the simulated film is. “Automatic” chooses the cell size from the part&apos;s narrow features and its pose: fine where the part enters the film, coarse towards the film&apos;s edges.</source>
+        <translation>Wie fein der simulierte Film ist. „Automatisch“ wählt die Zellgröße nach den schmalen Stellen des Teils und seiner Lage: fein, wo das Teil in den Film eintaucht, grob zu den Rändern des Films hin.</translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>Zellgröße</translation>
+    </message>
+    <message>
+        <source>Side length of the simulated film&apos;s cells where the part enters the film. Smaller cells show finer detail and take longer.</source>
+        <translation>Seitenlänge der Zellen des simulierten Films, wo das Teil in den Film eintaucht. Kleinere Zellen zeigen feinere Einzelheiten und brauchen länger.</translation>
+    </message>
+    <message>
+        <source>Isotropic film resists shear; the result does not depend on the direction of the grid. The structural lattice joins only horizontal and vertical neighbours, as in the paper of 2020.</source>
+        <translation>Isotroper Film widersteht Scherung; das Ergebnis hängt nicht von der Richtung des Gitters ab. Das strukturelle Gitter verbindet nur waagerechte und senkrechte Nachbarn, wie in der Arbeit von 2020.</translation>
+    </message>
+    <message>
+        <source>Whether the water supports the floating film. Without it, nothing supports the film.</source>
+        <translation>Ob das Wasser den schwimmenden Film trägt. Sonst trägt ihn nichts.</translation>
+    </message>
+    <message>
+        <source>Gap between the cradle and the part that lies in it.</source>
+        <translation>Abstand zwischen der Halterung und dem Teil, das in ihr liegt.</translation>
+    </message>
+    <message>
+        <source>Wall thickness</source>
+        <translation>Wandstärke</translation>
+    </message>
+    <message>
+        <source>The smallest thickness of the walls that hold the part.</source>
+        <translation>Die kleinste Dicke der Wände, die das Teil halten.</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Reichweite</translation>
+    </message>
+    <message>
+        <source>How far below the top of the part the cradle reaches. It reaches deeper where the part would tip or slide.</source>
+        <translation>Wie weit unter das obere Ende des Teils die Halterung reicht. Sie reicht tiefer, wo das Teil kippen oder rutschen würde.</translation>
+    </message>
+    <message>
+        <source>Distance to the film</source>
+        <translation>Abstand zum Film</translation>
+    </message>
+    <message>
+        <source>Distance from the cradle to all places that the film reaches or that earlier dips have painted.</source>
+        <translation>Abstand der Halterung zu allen Stellen, die der Film erreicht oder die frühere Tauchvorgänge bemalt haben.</translation>
+    </message>
+    <message>
+        <source>Rest on paint</source>
+        <translation>Auf Farbe auflegen</translation>
+    </message>
+    <message>
+        <source>Whether the cradle may rest on areas that earlier dips have painted, with padding in between.</source>
+        <translation>Ob die Halterung auf Flächen liegen darf, die frühere Tauchvorgänge bemalt haben, mit einem Polster dazwischen.</translation>
+    </message>
+    <message>
+        <source>Space for felt or foam where the cradle rests on paint.</source>
+        <translation>Raum für Filz oder Schaum, wo die Halterung auf Farbe liegt.</translation>
+    </message>
+    <message>
+        <source>Plate thickness</source>
+        <translation>Plattendicke</translation>
+    </message>
+    <message>
+        <source>Thickness of the plate that the cradle hangs from.</source>
+        <translation>Dicke der Platte, an der die Halterung hängt.</translation>
+    </message>
+    <message>
+        <source>Height above the water</source>
+        <translation>Höhe über dem Wasser</translation>
+    </message>
+    <message>
+        <source>Height of the plate above the water at the end of the dip.</source>
+        <translation>Höhe der Platte über dem Wasser am Ende des Tauchvorgangs.</translation>
+    </message>
+    <message>
+        <source>Pin spacing</source>
+        <translation>Abstand der Stifte</translation>
+    </message>
+    <message>
+        <source>Largest distance between two datum pins. The pins stand where the sheet&apos;s marks float, or closer to the film&apos;s centre.</source>
+        <translation>Größter Abstand zweier Passstifte. Die Stifte stehen, wo die Marken des Blatts schwimmen, oder näher an der Mitte des Films.</translation>
+    </message>
+    <message>
+        <source>Pin diameter</source>
+        <translation>Durchmesser der Stifte</translation>
+    </message>
+    <message>
+        <source>Diameter of the datum pins on the tank&apos;s frame.</source>
+        <translation>Der Durchmesser der Passstifte am Rahmen des Beckens.</translation>
+    </message>
+    <message>
+        <source>Gap between a pin and its hole, all round.</source>
+        <translation>Spalt zwischen Stift und Loch, ringsum.</translation>
+    </message>
+    <message>
+        <source>Diameter of a hole through plate and seat, for holding the part with a screw, suction or hot glue. 0: no hole.</source>
+        <translation>Durchmesser eines Lochs durch Platte und Sitz, um das Teil mit Schraube, Sauger oder Heißkleber zu halten. 0: kein Loch.</translation>
+    </message>
+    <message>
+        <source>Depth of the engraved arrow, dip number and job number in the plate. 0: no engraving.</source>
+        <translation>Tiefe der Gravur von Pfeil, Tauchvorgang und Auftragsnummer in der Platte. 0: keine Gravur.</translation>
+    </message>
+    <message>
+        <source>Side length of the cells on which the cradle is computed. Smaller cells give a smoother surface, take longer and make larger files.</source>
+        <translation>Seitenlänge der Zellen, auf denen die Halterung berechnet wird. Kleinere Zellen geben eine glattere Oberfläche, brauchen länger und machen größere Dateien.</translation>
+    </message>
+    <message>
+        <source>How fast the part moves down into the water.</source>
+        <translation>Wie schnell sich das Teil nach unten ins Wasser bewegt.</translation>
+    </message>
+    <message>
+        <source>How far the lowest point of the part goes below the waterline. “Whole part” dips until the part is fully under water.</source>
+        <translation>Wie weit der tiefste Punkt des Teils unter die Wasserlinie kommt. „Ganzes Teil“ taucht, bis das Teil ganz unter Wasser ist.</translation>
+    </message>
+    <message>
+        <source>Whole part</source>
+        <translation>Ganzes Teil</translation>
+    </message>
+    <message>
+        <source>How much farther the part moves down once it is fully under water.</source>
+        <translation>Wie viel weiter das Teil sinkt, wenn es ganz unter Wasser ist.</translation>
+    </message>
+    <message>
+        <source>How far the contact line moves in one step, in cells of the film. Smaller steps are more accurate and slower.</source>
+        <translation>Wie weit die Kontaktlinie in einem Schritt wandert, in Zellen des Films. Kleinere Schritte sind genauer und langsamer.</translation>
+    </message>
+    <message>
+        <source>The simulated time of one step.</source>
+        <translation>Die simulierte Zeit eines Schritts.</translation>
+    </message>
+    <message>
+        <source>Number of sweeps over all constraints in one step.</source>
+        <translation>Anzahl der Durchläufe über alle Zwangsbedingungen in einem Schritt.</translation>
+    </message>
+    <message>
+        <source>Sweep method</source>
+        <translation>Art der Durchläufe</translation>
+    </message>
+    <message>
+        <source>Jacobi corrects all points at once and averages the corrections. Gauss–Seidel corrects one point after the other.</source>
+        <translation>Jacobi korrigiert alle Punkte zugleich und mittelt die Korrekturen. Gauß–Seidel korrigiert einen Punkt nach dem anderen.</translation>
+    </message>
+    <message>
+        <source>Keeps film from passing through other film.</source>
+        <translation>Verhindert, dass Film durch anderen Film dringt.</translation>
+    </message>
+    <message>
+        <source>The name of this dip. It is printed in the job line of its sheet.</source>
+        <translation>Der Name dieses Tauchvorgangs. Er wird in der Auftragszeile seines Blatts gedruckt.</translation>
+    </message>
+    <message>
+        <source>Rotation of the part about X, then Y, then Z before the dip. You can also drag the rings in the view; hold Shift for steps of 15°.</source>
+        <translation>Drehung des Teils um X, dann Y, dann Z vor dem Tauchvorgang. Sie können auch die Ringe in der Ansicht ziehen; mit Umschalt in Schritten von 15°.</translation>
+    </message>
+    <message>
+        <source>Where the part meets the film, measured from the film&apos;s centre: X to the right, Z down the sheet.</source>
+        <translation>Wo das Teil den Film trifft, von der Mitte des Films aus gemessen: X nach rechts, Z das Blatt hinab.</translation>
+    </message>
+    <message>
+        <source>Split the part between the dips</source>
+        <translation>Das Teil auf die Tauchvorgänge aufteilen</translation>
+    </message>
+    <message>
+        <source>Each dip paints the areas where it gives the better result and leaves the others blank. If off, both dips paint everything they reach, and some areas are painted twice.</source>
+        <translation>Jeder Tauchvorgang bemalt die Flächen, auf denen er das bessere Ergebnis gibt, und lässt die anderen frei. Wenn ausgeschaltet, bemalen beide alles, was sie erreichen, und manche Flächen werden doppelt bemalt.</translation>
+    </message>
+    <message>
+        <source>How far the second dip may be displaced from the first. The overlap is made wide enough that no edge shows.</source>
+        <translation>Wie weit der zweite Tauchvorgang gegen den ersten verschoben sein darf. Die Überlappung wird so breit, dass keine Kante zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Stretch limit</source>
+        <translation>Grenze der Dehnung</translation>
+    </message>
+    <message>
+        <source>Where the film of one dip stretches beyond this factor, the other dip paints if it can.</source>
+        <translation>Wo sich der Film eines Tauchvorgangs über diesen Faktor hinaus dehnt, bemalt der andere Tauchvorgang das Teil, wenn er kann.</translation>
+    </message>
+    <message>
+        <source>The page that the film image is placed on. “As the film” prints the film itself, edge to edge.</source>
+        <translation>Die Seite, auf die das Filmbild gelegt wird. „Wie der Film“ druckt den Film selbst, von Rand zu Rand.</translation>
+    </message>
+    <message>
+        <source>Turns the page on its side.</source>
+        <translation>Legt die Seite quer.</translation>
+    </message>
+    <message>
+        <source>Pixels per inch of the film image.</source>
+        <translation>Bildpunkte je Zoll des Filmbilds.</translation>
+    </message>
+    <message>
+        <source>How far the colour continues beyond the painted area, so that a small position error leaves no bare edge.</source>
+        <translation>Wie weit die Farbe über die bemalte Fläche hinaus weitergeht, damit ein kleiner Lagefehler keinen unbemalten Rand lässt.</translation>
+    </message>
+    <message>
+        <source>Marks in the corners, for aligning the film in the tank.</source>
+        <translation>Marken in den Ecken, um den Film im Becken auszurichten.</translation>
+    </message>
+    <message>
+        <source>A ruler of 100 mm. Measure it to check that the page was printed at true size.</source>
+        <translation>Ein Lineal von 100 mm. Messen Sie nach, ob die Seite in wahrer Größe gedruckt wurde.</translation>
+    </message>
+    <message>
+        <source>A line with project, dip, date, film, scale and a checksum.</source>
+        <translation>Eine Zeile mit Projekt, Tauchvorgang, Datum, Film, Maßstab und Prüfsumme.</translation>
+    </message>
+    <message>
+        <source>Part colour</source>
+        <translation>Farbe des Teils</translation>
+    </message>
+    <message>
+        <source>Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this colour. Empty: light grey, with the ink as it looks on white.</source>
+        <translation>Farbe des unbemalten Teils, zum Beispiel #1a2b3c. Vorschau und Ansicht zeigen die Druckfarbe darauf. Leer: hellgrau, mit der Druckfarbe, wie sie auf Weiß aussieht.</translation>
+    </message>
+    <message>
+        <source>A plate of white ink. White that is printed last touches the part, under the colours. White that is printed first lies outside, over the colours. For PDF and TIFF in CMYK.</source>
+        <translation>Eine Platte mit weißer Farbe. Zuletzt gedrucktes Weiß berührt das Teil, unter den Farben. Zuerst gedrucktes Weiß liegt außen, über den Farben. Für PDF und TIFF in CMYK.</translation>
+    </message>
+    <message>
+        <source>Tint of the white on the finished part. Where the film stretches, more is printed, up to the full tint.</source>
+        <translation>Tonwert des Weiß auf dem fertigen Teil. Wo sich der Film dehnt, wird mehr gedruckt, bis zum vollen Ton.</translation>
+    </message>
+    <message>
+        <source>How far the edge of the white stays inside the edge of the colour, on the film.</source>
+        <translation>Wie weit der Rand des Weiß innerhalb des Rands der Farbe bleibt, auf dem Film.</translation>
+    </message>
+    <message>
+        <source>Name of the white ink</source>
+        <translation>Name der weißen Farbe</translation>
+    </message>
+    <message>
+        <source>The name of the white ink in the printer.</source>
+        <translation>Der Name der weißen Farbe im Drucker.</translation>
+    </message>
+    <message>
+        <source>Cut contour</source>
+        <translation>Schneidkontur</translation>
+    </message>
+    <message>
+        <source>A contour for the cutter, as a spot colour in a PDF in CMYK.</source>
+        <translation>Eine Kontur für den Schneideplotter, als Sonderfarbe in einem PDF in CMYK.</translation>
+    </message>
+    <message>
+        <source>Around the ink</source>
+        <translation>Um die Farbe herum</translation>
+    </message>
+    <message>
+        <source>Distance from the ink to the cut contour.</source>
+        <translation>Abstand der Schneidkontur von der Farbe.</translation>
+    </message>
+    <message>
+        <source>Bleed at the contour</source>
+        <translation>Beschnitt an der Kontur</translation>
+    </message>
+    <message>
+        <source>How far the colours continue beyond the cut contour, so that a misplaced cut shows no bare film.</source>
+        <translation>Wie weit die Farben über die Schneidkontur hinaus weitergehen, damit ein verrutschter Schnitt keinen leeren Film zeigt.</translation>
+    </message>
+    <message>
+        <source>Contour name</source>
+        <translation>Name der Kontur</translation>
+    </message>
+    <message>
+        <source>The name of the spot colour that the cutter follows.</source>
+        <translation>Der Name der Sonderfarbe, der der Schneideplotter folgt.</translation>
+    </message>
+    <message>
+        <source>Correct repeating errors</source>
+        <translation>Wiederkehrende Fehler korrigieren</translation>
+    </message>
+    <message>
+        <source>Corrects the sheet by the errors that repeat on the finished parts recorded in the job.</source>
+        <translation>Korrigiert das Blatt um die Fehler, die sich an den im Auftrag erfassten fertigen Teilen wiederholen.</translation>
+    </message>
+    <message>
+        <source>How much of the repeating error is corrected.</source>
+        <translation>Wie viel des wiederkehrenden Fehlers korrigiert wird.</translation>
+    </message>
+    <message>
+        <source>Spot colours</source>
+        <translation>Sonderfarben</translation>
+    </message>
+    <message>
+        <source>Ink thins where the film stretches. This prints more ink there, so that the part shows the colour of the texture.</source>
+        <translation>Farbe wird dünner, wo sich der Film dehnt. Hiermit wird dort mehr Farbe gedruckt, damit das Teil die Farbe der Textur zeigt.</translation>
+    </message>
+    <message>
+        <source>The highest optical density that can be printed. Where more is needed, the colour is too pale; the report gives the area.</source>
+        <translation>Die höchste optische Dichte, die gedruckt werden kann. Wo mehr nötig ist, wird die Farbe zu blass; der Bericht nennt die Fläche.</translation>
+    </message>
+    <message>
+        <source>Part position</source>
+        <translation>Ort des Teils</translation>
+    </message>
+    <message>
+        <source>Part rotation</source>
+        <translation>Drehung des Teils</translation>
+    </message>
+    <message>
+        <source>How far the part may be rotated from its pose, about axes through its centre.</source>
+        <translation>Wie weit das Teil gegen seine Lage verdreht sein darf, um Achsen durch seine Mitte.</translation>
+    </message>
+    <message>
+        <source>Film position</source>
+        <translation>Ort des Films</translation>
+    </message>
+    <message>
+        <source>How far the film may be from its intended place when the part meets it.</source>
+        <translation>Wie weit der Film von seinem vorgesehenen Ort entfernt sein darf, wenn das Teil ihn trifft.</translation>
+    </message>
+    <message>
+        <source>Film rotation</source>
+        <translation>Drehung des Films</translation>
+    </message>
+    <message>
+        <source>How far the film may be rotated on the water, about its centre.</source>
+        <translation>Wie weit der Film auf dem Wasser verdreht sein darf, um seine Mitte.</translation>
+    </message>
+    <message>
+        <source>How much longer or shorter than assumed the floating film may be, as a share of its length.</source>
+        <translation>Wie viel länger oder kürzer als angenommen der schwimmende Film sein darf, als Anteil seiner Länge.</translation>
+    </message>
+    <message>
+        <source>How much deeper or less deep the part may be dipped.</source>
+        <translation>Wie viel tiefer oder weniger tief das Teil getaucht werden darf.</translation>
+    </message>
+    <message>
+        <source>The share of the part&apos;s surface that trapped air may keep dry. Above five times any of these limits, the verdict is “do not print”.</source>
+        <translation>Der Anteil der Oberfläche des Teils, den eingeschlossene Luft trocken halten darf. Über dem Fünffachen einer dieser Grenzen lautet das Urteil „Nicht drucken“.</translation>
+    </message>
+    <message>
+        <source>The share of the painted area that may be too pale because the film stretches more than the ink can compensate.</source>
+        <translation>Der Anteil der bemalten Fläche, der zu blass sein darf, weil sich der Film mehr dehnt, als die Farbe ausgleichen kann.</translation>
+    </message>
+    <message>
+        <source>The share of the painted area where the film may tear or be released from the part.</source>
+        <translation>Der Anteil der bemalten Fläche, auf dem der Film reißen oder sich vom Teil lösen darf.</translation>
+    </message>
+    <message>
+        <source>The share of the part&apos;s surface that both dips may leave unreached. A job with one dip has no such limit.</source>
+        <translation>Der Anteil der Oberfläche des Teils, den beide Tauchvorgänge auslassen dürfen. Ein Auftrag mit einem Tauchvorgang hat keine solche Grenze.</translation>
+    </message>
+    <message>
+        <source>The share of the overlap that may be too narrow for the registration error of the second film.</source>
+        <translation>Der Anteil der Überlappung, der für den Passerfehler des zweiten Films zu schmal sein darf.</translation>
+    </message>
+    <message>
+        <source>The share of a marked zone A or B that may stay unpainted.</source>
+        <translation>Der Anteil einer markierten Zone A oder B, der ohne Farbe bleiben darf.</translation>
+    </message>
+    <message>
+        <source>The verdict for a model of one plain colour without artwork.</source>
+        <translation>Das Urteil für ein einfarbiges Modell ohne Gestaltung.</translation>
+    </message>
+    <message>
+        <source>The verdict for a model that was repaired, or whose file names something that is missing.</source>
+        <translation>Das Urteil für ein Modell, das berichtigt wurde oder dessen Datei etwas nennt, das fehlt.</translation>
+    </message>
+    <message>
+        <source>The verdict for a film whose swell was not measured.</source>
+        <translation>Das Urteil für einen Film, dessen Quellung nicht gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation>Zonen</translation>
+    </message>
+    <message>
+        <source>How far (±) colours may land from their intended places. Surface that is not marked is zone C.</source>
+        <translation>Wie weit (±) Farben von ihrem vorgesehenen Ort entfernt landen dürfen. Nicht markierte Oberfläche ist Zone C.</translation>
+    </message>
+    <message>
+        <source>Number of simulated dips with all deviations at once. They check whether the separate effects add up. 0: no check.</source>
+        <translation>Anzahl simulierter Tauchvorgänge mit allen Abweichungen zugleich. Sie prüfen, ob sich die einzelnen Wirkungen addieren. 0: keine Prüfung.</translation>
+    </message>
+    <message>
+        <source>Selects the random deviations of these dips. Another number draws other deviations.</source>
+        <translation>Bestimmt die zufälligen Abweichungen dieser Tauchvorgänge. Eine andere Zahl zieht andere Abweichungen.</translation>
+    </message>
+    <message>
+        <source>Seam</source>
+        <translation>Naht</translation>
+    </message>
+    <message>
+        <source>Width (W) and height (H) of the printed film. The grid spacing does not change.</source>
+        <translation>Breite (B) und Höhe (H) des bedruckten Films. Der Gitterabstand ändert sich nicht.</translation>
+    </message>
+    <message>
+        <source>Number of points of the simulated film, across (W) and down (H). More points show finer detail and take longer.</source>
+        <translation>Anzahl der Punkte des simulierten Films, quer (B) und längs (H). Mehr Punkte zeigen feinere Einzelheiten und brauchen länger.</translation>
+    </message>
+    <message>
+        <source>Advanced: material laws that are not measured</source>
+        <translation>Erweitert: nicht gemessene Materialgesetze</translation>
+    </message>
+    <message>
+        <source>Width of the band along the seam on the part that both dips paint. The dips fade into each other there. The band is wider where the registration error would show.</source>
+        <translation>Breite des Streifens längs der Naht auf dem Teil, den beide Tauchvorgänge bemalen. Die Tauchvorgänge gehen dort ineinander über. Der Streifen ist breiter, wo der Passfehler sichtbar würde.</translation>
+    </message>
+    <message>
+        <source>Width (W) and height (H) of the page.</source>
+        <translation>Breite (B) und Höhe (H) der Seite.</translation>
+    </message>
+    <message>
+        <source>How far the part may be from its intended place when it meets the film. 95 of 100 dips are within this distance.</source>
+        <translation>Wie weit das Teil von seinem Sollort entfernt sein darf, wenn es den Film trifft. 95 von 100 Tauchvorgängen liegen innerhalb dieses Abstands.</translation>
+    </message>
+    <message>
+        <source>How much faster or slower the dip may be, as a share of the set speed.</source>
+        <translation>Wie viel schneller oder langsamer der Tauchvorgang sein darf, als Anteil der eingestellten Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>How much longer or shorter the film&apos;s relaxation time may be, as a share of the relaxation time.</source>
+        <translation>Wie viel länger oder kürzer die Relaxationszeit des Films sein darf, als Anteil der Relaxationszeit.</translation>
+    </message>
+    <message>
+        <source>The smallest allowed distance between film that paints and the film&apos;s edge. Nearer to the edge, film may curl or fold.</source>
+        <translation>Der kleinste erlaubte Abstand zwischen bemalendem Film und dem Rand des Films. Näher am Rand kann sich der Film rollen oder falten.</translation>
+    </message>
+    <message>
+        <source>Check with simulated dips</source>
+        <translation>Prüfung mit simulierten Tauchvorgängen</translation>
     </message>
 </context>
 <context>
@@ -2826,14 +2811,6 @@
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>Body painted</source>
-        <translation>Körper bemalt</translation>
-    </message>
-    <message>
-        <source>Film points on the body</source>
-        <translation>Filmpunkte auf dem Körper</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -2852,14 +2829,6 @@
         <translation>Filmdreiecke über Texturnähten</translation>
     </message>
     <message>
-        <source>Colour short of ink</source>
-        <translation>Farbe ohne genug Tinte</translation>
-    </message>
-    <message>
-        <source>Air trapped</source>
-        <translation>Eingeschlossene Luft</translation>
-    </message>
-    <message>
         <source>Simulated in</source>
         <translation>Simuliert in</translation>
     </message>
@@ -2872,44 +2841,8 @@
         <translation>Schritte</translation>
     </message>
     <message>
-        <source>Steps without equilibrium</source>
-        <translation>Schritte ohne Gleichgewicht</translation>
-    </message>
-    <message>
-        <source>Texture read back, mean and 95 %</source>
-        <translation>Textur zurückgelesen, Mittel und 95 %</translation>
-    </message>
-    <message>
-        <source>Of that, by marked film</source>
-        <translation>Davon durch markierten Film</translation>
-    </message>
-    <message>
-        <source>Painted by %1 alone</source>
-        <translation>Von %1 allein gefärbt</translation>
-    </message>
-    <message>
-        <source>In the overlap, by both</source>
-        <translation>In der Überlappung, von beiden</translation>
-    </message>
-    <message>
-        <source>Reached by neither</source>
-        <translation>Von keinem erreicht</translation>
-    </message>
-    <message>
         <source>Width of the overlap</source>
         <translation>Breite der Überlappung</translation>
-    </message>
-    <message>
-        <source>Length of the join</source>
-        <translation>Länge der Fuge</translation>
-    </message>
-    <message>
-        <source>Join</source>
-        <translation>Fuge</translation>
-    </message>
-    <message>
-        <source>Smaller places not reached</source>
-        <translation>Kleinere nicht erreichte Stellen</translation>
     </message>
     <message>
         <source>Not reached at %1</source>
@@ -2920,16 +2853,68 @@
         <translation>%1 bis %2</translation>
     </message>
     <message>
-        <source>Overlap that is too narrow for %1 off</source>
-        <translation>Überlappung, zu schmal für %1 daneben</translation>
+        <source>Painted by %1 only</source>
+        <translation>Nur von %1 bemalt</translation>
     </message>
     <message>
-        <source>Most of the film stays empty: %1, %2 × %3, is enough.</source>
-        <translation>Das meiste vom Film bleibt leer: %1, %2 × %3, genügt.</translation>
+        <source>Overlap, painted by both</source>
+        <translation>Überlappung, von beiden bemalt</translation>
     </message>
     <message>
-        <source>Take this film</source>
-        <translation>Diesen Film nehmen</translation>
+        <source>Reached by neither dip</source>
+        <translation>Von keinem Tauchvorgang erreicht</translation>
+    </message>
+    <message>
+        <source>Overlap too narrow for a registration error of %1</source>
+        <translation>Überlappung, zu schmal für einen Passerfehler von %1</translation>
+    </message>
+    <message>
+        <source>Length of the seam</source>
+        <translation>Länge der Naht</translation>
+    </message>
+    <message>
+        <source>Smaller areas not reached</source>
+        <translation>Kleinere nicht erreichte Flächen</translation>
+    </message>
+    <message>
+        <source>Seam</source>
+        <translation>Naht</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Abdeckung</translation>
+    </message>
+    <message>
+        <source>Film points on the part</source>
+        <translation>Filmpunkte auf dem Teil</translation>
+    </message>
+    <message>
+        <source>Read-back error, mean and 95 %</source>
+        <translation>Rücklesefehler, Mittel und 95 %</translation>
+    </message>
+    <message>
+        <source>Too pale for lack of ink</source>
+        <translation>Zu blass mangels Farbe</translation>
+    </message>
+    <message>
+        <source>Trapped air</source>
+        <translation>Eingeschlossene Luft</translation>
+    </message>
+    <message>
+        <source>Steps that did not converge</source>
+        <translation>Nicht konvergierte Schritte</translation>
+    </message>
+    <message>
+        <source>Most of the film stays empty. %1 (%2 × %3) is large enough.</source>
+        <translation>Der größte Teil des Films bleibt leer. %1 (%2 × %3) ist groß genug.</translation>
+    </message>
+    <message>
+        <source>Use this film</source>
+        <translation>Diesen Film verwenden</translation>
+    </message>
+    <message>
+        <source>Painted by torn, released or unconverged film</source>
+        <translation>Von gerissenem, gelöstem oder nicht konvergiertem Film bemalt</translation>
     </message>
 </context>
 <context>
@@ -3018,23 +3003,23 @@
         <translation>Die Datei kann nicht gelesen werden: %1</translation>
     </message>
     <message>
-        <source>The file is larger than %1 MB, more than what is asked for here takes; choose another one</source>
-        <translation>Die Datei ist größer als %1 MB, mehr als das, wonach hier gefragt ist, braucht; wählen Sie eine andere</translation>
+        <source>The file is larger than %1 MB, too large for this purpose; choose another file</source>
+        <translation>Die Datei ist größer als %1 MB und damit zu groß für diesen Zweck; wählen Sie eine andere Datei</translation>
     </message>
 </context>
 <context>
     <name>SnapshotEdits</name>
     <message>
-        <source>Take Snapshot “%1”</source>
+        <source>Take snapshot “%1”</source>
         <translation>Schnappschuss „%1“ aufnehmen</translation>
     </message>
     <message>
-        <source>Remove Snapshot “%1”</source>
+        <source>Remove snapshot “%1”</source>
         <translation>Schnappschuss „%1“ entfernen</translation>
     </message>
     <message>
-        <source>Go Back to “%1”</source>
-        <translation>Zu „%1“ zurückgehen</translation>
+        <source>Restore snapshot “%1”</source>
+        <translation>Schnappschuss „%1“ wiederherstellen</translation>
     </message>
 </context>
 <context>
@@ -3055,20 +3040,8 @@
         <translation>Seine Beschreibung kann nicht gelesen werden: %1</translation>
     </message>
     <message>
-        <source>Its description is too large to be one</source>
-        <translation>Seine Beschreibung ist zu groß, um eine zu sein</translation>
-    </message>
-    <message>
         <source>Its description is not valid JSON: %1</source>
         <translation>Seine Beschreibung ist kein gültiges JSON: %1</translation>
-    </message>
-    <message>
-        <source>Its description is not one of a solver</source>
-        <translation>Seine Beschreibung ist nicht die eines Lösers</translation>
-    </message>
-    <message>
-        <source>Its id may hold only small letters, digits and hyphens</source>
-        <translation>Seine Kennung darf nur Kleinbuchstaben, Ziffern und Bindestriche enthalten</translation>
     </message>
     <message>
         <source>Its module has to be a file beside its description</source>
@@ -3084,7 +3057,7 @@
     </message>
     <message>
         <source>Its module has no entry point %1</source>
-        <translation>Sein Modul hat keinen Einsprung %1</translation>
+        <translation>Sein Modul hat keinen Einsprungpunkt %1</translation>
     </message>
     <message>
         <source>Its module failed at start: %1</source>
@@ -3111,28 +3084,40 @@
         <translation>Dieser Löser kann nicht verwendet werden: %1</translation>
     </message>
     <message>
-        <source>It was built for solver interface %1, and this program has %2; get it for this version of the program, or build it anew</source>
-        <translation>Er wurde für die Löserschnittstelle %1 gebaut, und dieses Programm hat %2; besorgen Sie ihn für diese Version des Programms, oder bauen Sie ihn neu</translation>
-    </message>
-    <message>
-        <source>Its module does not fit this program&apos;s solver interface %1, whatever its description says; build it anew</source>
-        <translation>Sein Modul passt nicht zur Löserschnittstelle %1 dieses Programms, was auch immer seine Beschreibung sagt; bauen Sie es neu</translation>
-    </message>
-    <message>
         <source>It has crashed twice; replace it, or set DIPWRIGHT_RETRY_SOLVERS=1 to try it again</source>
         <translation>Er ist zweimal abgestürzt; ersetzen Sie ihn, oder setzen Sie DIPWRIGHT_RETRY_SOLVERS=1, um ihn wieder zu versuchen</translation>
     </message>
     <message>
-        <source>Others can write to %1; take that right from them, or move the plugin</source>
-        <translation>Andere können %1 schreiben; nehmen Sie ihnen das Recht, oder verschieben Sie das Plugin</translation>
+        <source>The &quot;priority&quot; in its description has to be a whole number from -%1 to %1</source>
+        <translation>„priority“ in seiner Beschreibung muss eine ganze Zahl von -%1 bis %1 sein</translation>
     </message>
     <message>
-        <source>It cannot run here and does not say why; ask whoever made it</source>
+        <source>Its module does not match this program&apos;s solver interface %1, although its description file says so; build it again</source>
+        <translation>Sein Modul passt nicht zur Löserschnittstelle %1 dieses Programms, obwohl seine Beschreibungsdatei das sagt; bauen Sie es neu</translation>
+    </message>
+    <message>
+        <source>It cannot run here and does not say why; ask its author</source>
         <translation>Er kann hier nicht laufen und sagt nicht, warum; fragen Sie seinen Hersteller</translation>
     </message>
     <message>
-        <source>The &quot;priority&quot; in its description has to be a whole number from -%1 to %1</source>
-        <translation>„priority“ in seiner Beschreibung muss eine ganze Zahl von -%1 bis %1 sein</translation>
+        <source>Its description file is too large</source>
+        <translation>Seine Beschreibungsdatei ist zu groß</translation>
+    </message>
+    <message>
+        <source>It was built for solver interface %1, but this program has %2; get the plugin for this version of the program, or build it again</source>
+        <translation>Er wurde für die Löserschnittstelle %1 gebaut, dieses Programm hat aber %2; besorgen Sie das Plugin für diese Version des Programms, oder bauen Sie es neu</translation>
+    </message>
+    <message>
+        <source>Its description file does not describe a solver</source>
+        <translation>Seine Beschreibungsdatei beschreibt keinen Löser</translation>
+    </message>
+    <message>
+        <source>Its id may contain only lower-case letters, digits and hyphens</source>
+        <translation>Seine Kennung darf nur Kleinbuchstaben, Ziffern und Bindestriche enthalten</translation>
+    </message>
+    <message>
+        <source>Other users can write to %1; remove that permission, or move the plugin</source>
+        <translation>Andere Benutzer können %1 schreiben; entziehen Sie ihnen dieses Recht, oder verschieben Sie das Plugin</translation>
     </message>
 </context>
 <context>
@@ -3154,56 +3139,24 @@
         <translation>%1, schlechter</translation>
     </message>
     <message>
-        <source>Body painted altogether</source>
-        <translation>Körper insgesamt bemalt</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Largest stretch of 95 % of the film on the body</source>
-        <translation>Größte Dehnung von 95 % des Films am Körper</translation>
+        <source>Total coverage</source>
+        <translation>Gesamte Abdeckung</translation>
     </message>
     <message>
-        <source>Area that is not certain</source>
-        <translation>Fläche, die nicht sicher ist</translation>
+        <source>Area with too large a numerical error</source>
+        <translation>Fläche mit zu großem numerischem Fehler</translation>
+    </message>
+    <message>
+        <source>Stretch of the film on the part, 95th percentile</source>
+        <translation>Dehnung des Films auf dem Teil, 95. Perzentil</translation>
     </message>
 </context>
 <context>
     <name>Tolerance</name>
-    <message>
-        <source>Body along X</source>
-        <translation>Körper längs X</translation>
-    </message>
-    <message>
-        <source>Body along Z</source>
-        <translation>Körper längs Z</translation>
-    </message>
-    <message>
-        <source>Body about X</source>
-        <translation>Körper um X</translation>
-    </message>
-    <message>
-        <source>Body about Y</source>
-        <translation>Körper um Y</translation>
-    </message>
-    <message>
-        <source>Body about Z</source>
-        <translation>Körper um Z</translation>
-    </message>
-    <message>
-        <source>Film along X</source>
-        <translation>Film längs X</translation>
-    </message>
-    <message>
-        <source>Film along Z</source>
-        <translation>Film längs Z</translation>
-    </message>
-    <message>
-        <source>Film about Y</source>
-        <translation>Film um Y</translation>
-    </message>
     <message>
         <source>Swell</source>
         <translation>Quellung</translation>
@@ -3221,32 +3174,64 @@
         <translation>Relaxation</translation>
     </message>
     <message>
-        <source>Dipping off its place</source>
-        <translation>Tauche mit Abweichungen</translation>
-    </message>
-    <message>
-        <source>A film that lies off its place does not follow the body; give the film smaller cells or more points</source>
-        <translation>Ein Film, der neben seinem Ort liegt, folgt dem Körper nicht; geben Sie dem Film kleinere Zellen oder mehr Punkte</translation>
-    </message>
-    <message>
-        <source>%1 dips with everything off at once come to ±%2 in place of ±%3.</source>
-        <translation>%1 Tauchvorgänge, in denen alles zugleich abweicht, ergeben ±%2 statt ±%3.</translation>
-    </message>
-    <message>
-        <source>%1 dips with everything off at once come to ±%2 in place of ±%3: what the contributors do cannot simply be added here.</source>
-        <translation>%1 Tauchvorgänge, in denen alles zugleich abweicht, ergeben ±%2 statt ±%3: Die einzelnen Wirkungen lassen sich hier nicht einfach addieren.</translation>
-    </message>
-    <message>
         <source>Zone %1 is not painted.</source>
         <translation>Zone %1 wird nicht bemalt.</translation>
     </message>
     <message>
-        <source>Zone %1 keeps its limit: %2 % of what is painted is within ±%3, 95 % within ±%4. Most of it comes from: %5.</source>
-        <translation>Zone %1 hält ihre Grenze ein: %2 % des Bemalten liegen innerhalb von ±%3, 95 % innerhalb von ±%4. Das meiste kommt von: %5.</translation>
+        <source>A film displaced within its tolerance does not follow the part; give the film smaller cells or more points</source>
+        <translation>Ein innerhalb seiner Toleranz verschobener Film folgt dem Teil nicht; geben Sie dem Film kleinere Zellen oder mehr Punkte</translation>
     </message>
     <message>
-        <source>Zone %1 does not keep its limit: %2 % of what is painted is within ±%3, 95 % only within ±%4. Most of it comes from: %5.</source>
-        <translation>Zone %1 hält ihre Grenze nicht ein: %2 % des Bemalten liegen innerhalb von ±%3, 95 % erst innerhalb von ±%4. Das meiste kommt von: %5.</translation>
+        <source>Dipping with deviations</source>
+        <translation>Tauchen mit Abweichungen</translation>
+    </message>
+    <message>
+        <source>Check: %1 dips with all deviations at once give ±%2; the sum of the contributors gives ±%3. Both agree.</source>
+        <translation>Prüfung: %1 Tauchvorgänge mit allen Abweichungen zugleich ergeben ±%2; die Summe der Beiträge ergibt ±%3. Beides stimmt überein.</translation>
+    </message>
+    <message>
+        <source>Check: %1 dips with all deviations at once give ±%2; the sum of the contributors gives ±%3. They differ: the contributors do not simply add up here.</source>
+        <translation>Prüfung: %1 Tauchvorgänge mit allen Abweichungen zugleich ergeben ±%2; die Summe der Beiträge ergibt ±%3. Beides weicht voneinander ab: Die Beiträge lassen sich hier nicht einfach addieren.</translation>
+    </message>
+    <message>
+        <source>Zone %1 keeps its limit of ±%3: %2 % of the painted area is within it, 95 % is within ±%4. Largest contributor: %5.</source>
+        <translation>Zone %1 hält ihre Grenze von ±%3 ein: %2 % der bemalten Fläche liegen innerhalb der Grenze, 95 % innerhalb von ±%4. Größter Beitrag: %5.</translation>
+    </message>
+    <message>
+        <source>Zone %1 exceeds its limit of ±%3: only %2 % of the painted area is within it, 95 % is within ±%4. Largest contributor: %5.</source>
+        <translation>Zone %1 überschreitet ihre Grenze von ±%3: Nur %2 % der bemalten Fläche liegen innerhalb der Grenze, 95 % innerhalb von ±%4. Größter Beitrag: %5.</translation>
+    </message>
+    <message>
+        <source>Position of the part along X</source>
+        <translation>Lage des Teils entlang X</translation>
+    </message>
+    <message>
+        <source>Position of the part along Z</source>
+        <translation>Lage des Teils entlang Z</translation>
+    </message>
+    <message>
+        <source>Rotation of the part about X</source>
+        <translation>Drehung des Teils um X</translation>
+    </message>
+    <message>
+        <source>Rotation of the part about Y</source>
+        <translation>Drehung des Teils um Y</translation>
+    </message>
+    <message>
+        <source>Rotation of the part about Z</source>
+        <translation>Drehung des Teils um Z</translation>
+    </message>
+    <message>
+        <source>Position of the film along X</source>
+        <translation>Lage des Films entlang X</translation>
+    </message>
+    <message>
+        <source>Position of the film along Z</source>
+        <translation>Lage des Films entlang Z</translation>
+    </message>
+    <message>
+        <source>Rotation of the film about Y</source>
+        <translation>Drehung des Films um Y</translation>
     </message>
 </context>
 <context>
@@ -3264,32 +3249,12 @@
         <translation>Tauchvorgang %1 von %2: %3</translation>
     </message>
     <message>
-        <source>Traveller of %1, %2</source>
-        <translation>Laufkarte von %1, %2</translation>
-    </message>
-    <message>
         <source>%1. %2, sheet %3</source>
-        <translation>%1. %2, Bogen %3</translation>
-    </message>
-    <message>
-        <source>Order: %1</source>
-        <translation>Reihenfolge: %1</translation>
+        <translation>%1. %2, Blatt %3</translation>
     </message>
     <message>
         <source>Job %1</source>
         <translation>Auftrag %1</translation>
-    </message>
-    <message>
-        <source>Turned about X %1°, then Y %2°, then Z %3°. Its middle %4 mm to the right of the film&apos;s middle and %5 mm towards the film&apos;s lower edge. Solid blue: the water when the dip begins; dashed: when it ends.</source>
-        <translation>Gedreht um X %1°, dann Y %2°, dann Z %3°. Seine Mitte %4 mm rechts von der Mitte des Films und %5 mm zu seiner unteren Kante hin. Blau durchgezogen: das Wasser, wenn das Tauchen beginnt; gestrichelt: wenn es endet.</translation>
-    </message>
-    <message>
-        <source>No cradle was made for this job; hold the body as drawn.</source>
-        <translation>Für diesen Auftrag wurde keine Halterung gemacht; halten Sie den Körper wie gezeichnet.</translation>
-    </message>
-    <message>
-        <source>Cradle %1: its plate shows the same number and job; its arrow points to the film&apos;s upper edge.</source>
-        <translation>Halterung %1: Ihre Platte zeigt dieselbe Nummer und denselben Auftrag; ihr Pfeil zeigt zur oberen Kante des Films.</translation>
     </message>
     <message>
         <source>Seen from the film&apos;s lower edge</source>
@@ -3312,28 +3277,8 @@
         <translation>linke Kante</translation>
     </message>
     <message>
-        <source>From above, ink side up. Crosses: the sheet&apos;s marks as they float; red: the datum pins, at %1 / %2 / %3 mm from the film&apos;s middle (to the right; down); dashed: the body.</source>
-        <translation>Von oben, Farbseite oben. Kreuze: die Marken des Bogens, wie sie schwimmen; rot: die Passstifte, bei %1 / %2 / %3 mm von der Mitte des Films (nach rechts; nach unten); gestrichelt: der Körper.</translation>
-    </message>
-    <message>
-        <source>Dotted: the tank&apos;s marks, %1 × %2 mm apart; the film lies in their middle.</source>
-        <translation>Gepunktet: die Marken des Beckens, %1 × %2 mm voneinander; der Film liegt in ihrer Mitte.</translation>
-    </message>
-    <message>
-        <source>The tank&apos;s marks are not given.</source>
-        <translation>Die Marken des Beckens sind nicht angegeben.</translation>
-    </message>
-    <message>
-        <source>Film %1 × %2 mm, swell %3 × %4.</source>
-        <translation>Film %1 × %2 mm, Quellung %3 × %4.</translation>
-    </message>
-    <message>
         <source>No film profile is given.</source>
         <translation>Kein Filmprofil ist angegeben.</translation>
-    </message>
-    <message>
-        <source>%1, lot %2, good until %3.</source>
-        <translation>%1, Charge %2, haltbar bis %3.</translation>
     </message>
     <message>
         <source>At the tank</source>
@@ -3364,14 +3309,6 @@
         <translation>Urteil: %1</translation>
     </message>
     <message>
-        <source>as the film maker says (no time given)</source>
-        <translation>wie der Hersteller des Films angibt (keine Zeit angegeben)</translation>
-    </message>
-    <message>
-        <source>Lay sheet %1 on the water, ink side up; its upper edge lies where the arrow of the plate points.</source>
-        <translation>Bogen %1 auf das Wasser legen, Farbseite oben; seine obere Kante liegt dort, wohin der Pfeil der Platte zeigt.</translation>
-    </message>
-    <message>
         <source>Soak the film: %1</source>
         <translation>Film einweichen: %1</translation>
     </message>
@@ -3380,32 +3317,80 @@
         <translation>Aktivator aufsprühen, dann warten: %1</translation>
     </message>
     <message>
-        <source>Dip from %1 mm above the water to %2 mm below it, at %3 mm/s: %4 s</source>
-        <translation>Von %1 mm über dem Wasser bis %2 mm darunter tauchen, mit %3 mm/s: %4 s</translation>
+        <source>see the film maker&apos;s instructions (no time given)</source>
+        <translation>siehe Anleitung des Filmherstellers (keine Zeit angegeben)</translation>
     </message>
     <message>
-        <source>Hold under water for %1 s, clear the film around the part, lift it out at %2 mm/s</source>
-        <translation>%1 s unter Wasser halten, den Film um das Teil entfernen, mit %2 mm/s herausheben</translation>
+        <source>Traveller for %1, %2</source>
+        <translation>Laufkarte für %1, %2</translation>
     </message>
     <message>
-        <source>Let it flash off before rinsing: %1</source>
-        <translation>Vor dem Abspülen ablüften lassen: %1</translation>
+        <source>Order of the dips: %1</source>
+        <translation>Reihenfolge der Tauchvorgänge: %1</translation>
     </message>
     <message>
-        <source>Rinse and dry: %1</source>
-        <translation>Abspülen und trocknen: %1</translation>
+        <source>Rotation about fixed axes: X %1°, then Y %2°, then Z %3°. Centre of the part: x = %4 mm (to the right), z = %5 mm (towards the lower edge) from the film&apos;s centre. Blue line: water when the dip begins (solid) and ends (dashed).</source>
+        <translation>Drehung um feste Achsen: X %1°, dann Y %2°, dann Z %3°. Mitte des Teils: x = %4 mm (nach rechts), z = %5 mm (zur unteren Kante) von der Mitte des Films. Blaue Linie: Wasser am Anfang (durchgezogen) und Ende (gestrichelt).</translation>
     </message>
     <message>
-        <source>Compare the part with the picture before dip %1: colour in its place, no tear, no fold, dry where the next cradle holds it</source>
-        <translation>Vor Tauchvorgang %1 das Teil mit dem Bild vergleichen: Farbe an ihrem Platz, kein Riss, keine Falte, trocken, wo die nächste Halterung es hält</translation>
+        <source>No cradle was made for this job. Hold the part as drawn.</source>
+        <translation>Für diesen Auftrag wurde keine Halterung gemacht. Halten Sie das Teil wie gezeichnet.</translation>
     </message>
     <message>
-        <source>Compare the part with the picture</source>
-        <translation>Das Teil mit dem Bild vergleichen</translation>
+        <source>Cradle marked with this dip&apos;s number and job %1. Its arrow points to the film&apos;s upper edge.</source>
+        <translation>Halterung mit der Nummer dieses Tauchvorgangs und Auftrag %1. Ihr Pfeil zeigt zur oberen Kante des Films.</translation>
     </message>
     <message>
-        <source>After dip %1 the part should look like this: seen from the film&apos;s lower edge, from its right edge, and from below</source>
-        <translation>Nach Tauchvorgang %1 soll das Teil so aussehen: von der unteren Kante des Films, von der rechten Kante und von unten gesehen</translation>
+        <source>From above, ink side up. Crosses: marks of the floating film. Red circles: datum pins at x; z = %1 / %2 / %3 mm from the film&apos;s centre (z towards the lower edge). Dashed: the part.</source>
+        <translation>Von oben, Farbseite oben. Kreuze: Marken des schwimmenden Films. Rote Kreise: Passstifte bei x; z = %1 / %2 / %3 mm von der Mitte des Films (z zur unteren Kante). Gestrichelt: das Teil.</translation>
+    </message>
+    <message>
+        <source>Dotted: the tank&apos;s marks, %1 × %2 mm apart. Centre the film between them.</source>
+        <translation>Gepunktet: die Marken des Beckens, %1 × %2 mm voneinander. Den Film mittig dazwischen legen.</translation>
+    </message>
+    <message>
+        <source>The distance between the tank&apos;s marks is not given.</source>
+        <translation>Der Abstand der Marken des Beckens ist nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>Film: printed size %1 × %2 mm, swell %3 × %4.</source>
+        <translation>Film: gedruckte Größe %1 × %2 mm, Quellung %3 × %4.</translation>
+    </message>
+    <message>
+        <source>%1 (lot: %2, use by: %3).</source>
+        <translation>%1 (Charge: %2, haltbar bis: %3).</translation>
+    </message>
+    <message>
+        <source>Lay sheet %1 on the water, ink side up. The arrow on the cradle&apos;s plate must point to the upper edge of the sheet.</source>
+        <translation>Blatt %1 auf das Wasser legen, Farbseite oben. Der Pfeil auf der Platte der Halterung muss zur oberen Kante des Blatts zeigen.</translation>
+    </message>
+    <message>
+        <source>Dip the part: lower its lowest point from %1 mm above the water to %2 mm below it, at %3 mm/s: %4 s</source>
+        <translation>Das Teil tauchen: seinen tiefsten Punkt von %1 mm über dem Wasser auf %2 mm darunter senken, mit %3 mm/s: %4 s</translation>
+    </message>
+    <message>
+        <source>Hold the part under water for %1 s. Clear the remaining film from the water around it. Then lift the part out at %2 mm/s.</source>
+        <translation>Das Teil %1 s unter Wasser halten. Den restlichen Film rundherum vom Wasser entfernen. Dann das Teil mit %2 mm/s herausheben.</translation>
+    </message>
+    <message>
+        <source>Let the part flash off before rinsing: %1</source>
+        <translation>Das Teil vor dem Abspülen ablüften lassen: %1</translation>
+    </message>
+    <message>
+        <source>Rinse the part, then let it dry: %1</source>
+        <translation>Das Teil abspülen, dann trocknen lassen: %1</translation>
+    </message>
+    <message>
+        <source>Before dip %1, compare the part with the picture below: the colours are in place, nothing is torn or folded, and the part is dry where the next cradle holds it.</source>
+        <translation>Vor Tauchvorgang %1 das Teil mit dem Bild unten vergleichen: Die Farben sind an ihrem Platz, nichts ist gerissen oder gefaltet, und das Teil ist trocken, wo die nächste Halterung es hält.</translation>
+    </message>
+    <message>
+        <source>Compare the part with the picture below.</source>
+        <translation>Das Teil mit dem Bild unten vergleichen.</translation>
+    </message>
+    <message>
+        <source>After dip %1 the part should look like this (seen from lower edge, right edge, below)</source>
+        <translation>Nach Tauchvorgang %1 soll das Teil so aussehen (von unterer Kante, rechter Kante, unten)</translation>
     </message>
 </context>
 <context>
@@ -3502,76 +3487,8 @@
         <translation>Der numerische Fehler ließ sich nicht schätzen: %1.</translation>
     </message>
     <message>
-        <source>No place is painted both by this dip and by coarser ones.</source>
-        <translation>Keine Stelle wird sowohl von diesem Tauchvorgang als auch von gröberen bemalt.</translation>
-    </message>
-    <message>
         <source>95 % of the sheet is within %1 (numerical error).</source>
-        <translation>95 % des Bogens liegen innerhalb von %1 (numerischer Fehler).</translation>
-    </message>
-    <message>
-        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set Film &gt; Cells to %3, turn the body, or dip it twice.</source>
-        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Setzen Sie Film &gt; Zellen auf %3, drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
-    </message>
-    <message>
-        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set more points (Film &gt; Points), turn the body, or dip it twice.</source>
-        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Setzen Sie mehr Punkte (Film &gt; Punkte), drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
-    </message>
-    <message>
-        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Turn the body, dip it twice, or set much smaller cells or more points (Film &gt; Cells).</source>
-        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Drehen Sie den Körper, tauchen Sie ihn zweimal oder setzen Sie viel kleinere Zellen oder mehr Punkte (Film &gt; Zellen).</translation>
-    </message>
-    <message>
-        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Most of it comes from the steps: set a smaller Dipping &gt; Step.</source>
-        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Das meiste davon kommt von den Schritten: Setzen Sie Tauchen &gt; Schritt kleiner.</translation>
-    </message>
-    <message>
-        <source>Numerical error: %1 % of the painted area may be off by more than %2. Check the places in the list.</source>
-        <translation>Numerischer Fehler: %1 % der bemalten Fläche können um mehr als %2 daneben liegen. Prüfen Sie die Stellen in der Liste.</translation>
-    </message>
-    <message>
-        <source>The border of the paint is uncertain: only finer or only coarser dips paint %1 % of the body. Set smaller cells (Film &gt; Cells).</source>
-        <translation>Der Rand der Farbe ist unsicher: %1 % des Körpers bemalen nur feinere oder nur gröbere Tauchvorgänge. Setzen Sie kleinere Zellen (Film &gt; Zellen).</translation>
-    </message>
-    <message>
-        <source>%1 steps of the dip did not reach equilibrium; up to %2 % of the elastic force remained. Set smaller cells (Film &gt; Cells).</source>
-        <translation>%1 Schritte des Tauchvorgangs erreichten kein Gleichgewicht; bis zu %2 % der elastischen Kraft blieben übrig. Setzen Sie kleinere Zellen (Film &gt; Zellen).</translation>
-    </message>
-    <message>
-        <source>The film paints nothing of the body. Check the model&apos;s unit, its place over the film, and the depth of the dip.</source>
-        <translation>Der Film bemalt nichts vom Körper. Prüfen Sie die Einheit des Modells, seinen Platz über dem Film und die Tauchtiefe.</translation>
-    </message>
-    <message>
-        <source>Trapped air keeps %1 % of the body dry; the limit is %2 %. Turn the body so that the air escapes, or drill a vent hole.</source>
-        <translation>Eingeschlossene Luft hält %1 % des Körpers trocken; die Grenze ist %2 %. Drehen Sie den Körper so, dass die Luft entweicht, oder bohren Sie ein Entlüftungsloch.</translation>
-    </message>
-    <message>
-        <source>%1 % of the painted area will be too pale; the limit is %2 %. The film stretches more than Ink &gt; Ink limit can compensate. Turn the body, or choose lighter colours.</source>
-        <translation>%1 % der bemalten Fläche werden zu blass; die Grenze ist %2 %. Der Film dehnt sich mehr, als Farbe &gt; Farbgrenze ausgleichen kann. Drehen Sie den Körper oder wählen Sie hellere Farben.</translation>
-    </message>
-    <message>
-        <source>The film tore or was released on %1 % of the painted area; the limit is %2 %. Turn the body, or dip it twice.</source>
-        <translation>Der Film riss oder löste sich auf %1 % der bemalten Fläche; die Grenze ist %2 %. Drehen Sie den Körper oder tauchen Sie ihn zweimal.</translation>
-    </message>
-    <message>
-        <source>The painted film comes within %1 of the film&apos;s edge; at least %2 are required. Use a larger film, or move the body to the film&apos;s centre.</source>
-        <translation>Der bemalende Film kommt dem Rand des Films auf %1 nahe; mindestens %2 sind nötig. Nehmen Sie einen größeren Film oder rücken Sie den Körper in die Mitte des Films.</translation>
-    </message>
-    <message>
-        <source>Neither dip reaches %1 % of the body; the limit is %2 %. Turn one of the poses.</source>
-        <translation>Kein Tauchvorgang erreicht %1 % des Körpers; die Grenze ist %2 %. Drehen Sie eine der Lagen.</translation>
-    </message>
-    <message>
-        <source>%1 % of the overlap is too narrow; the limit is %2 %. The second film shows there if it is misplaced. Widen Join &gt; Overlap, or turn one of the poses.</source>
-        <translation>%1 % der Überlappung sind zu schmal; die Grenze ist %2 %. Dort ist der zweite Film zu sehen, wenn er versetzt liegt. Verbreitern Sie Fuge &gt; Überlappung oder drehen Sie eine der Lagen.</translation>
-    </message>
-    <message>
-        <source>%1 % is not painted; the limit is %2 %. Turn the body so that film reaches it.</source>
-        <translation>%1 % sind nicht bemalt; die Grenze ist %2 %. Drehen Sie den Körper so, dass Film dorthin kommt.</translation>
-    </message>
-    <message>
-        <source>Handling and numerical error together: 95 % of the painted area is within ±%1; the limit is ±%2. Tighten the largest contributor, or turn the body.</source>
-        <translation>Handhabung und numerischer Fehler zusammen: 95 % der bemalten Fläche liegen innerhalb von ±%1; die Grenze ist ±%2. Verringern Sie den größten Beitrag oder drehen Sie den Körper.</translation>
+        <translation>95 % des Blatts liegen innerhalb von %1 (numerischer Fehler).</translation>
     </message>
     <message>
         <source>The model has no texture and no artwork: one plain colour is printed.</source>
@@ -3587,11 +3504,90 @@
     </message>
     <message>
         <source>Check these places first</source>
-        <translation>Erst diese Stellen prüfen</translation>
+        <translation>Diese Stellen zuerst prüfen</translation>
     </message>
     <message>
-        <source>%1 may be off by more than %2, at most by %3</source>
-        <translation>%1 können um mehr als %2 daneben liegen, höchstens um %3</translation>
+        <source>The numerical error is not known: this dip and the coarser dips for comparison paint no place in common. Set smaller cells (Film &gt; Cells).</source>
+        <translation>Der numerische Fehler ist unbekannt: Dieser Tauchvorgang und die gröberen Tauchvorgänge zum Vergleich bemalen keine gemeinsame Stelle. Setzen Sie kleinere Zellen (Film &gt; Zellen).</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set Film &gt; Cells to %3, turn the part, or dip it twice.</source>
+        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Setzen Sie Film &gt; Zellen auf %3, drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set more points (Film &gt; Points), turn the part, or dip it twice.</source>
+        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Setzen Sie mehr Punkte (Film &gt; Punkte), drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Turn the part, dip it twice, or set much smaller cells or more points (Film &gt; Cells).</source>
+        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Drehen Sie das Teil, tauchen Sie es zweimal oder setzen Sie viel kleinere Zellen oder mehr Punkte (Film &gt; Zellen).</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. The steps cause most of it: set a smaller step (Dipping &gt; Step).</source>
+        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Das meiste davon verursachen die Schritte: Setzen Sie einen kleineren Schritt (Tauchen &gt; Schritt).</translation>
+    </message>
+    <message>
+        <source>The numerical error may exceed %2 on %1 % of the painted area. Check the places in the list.</source>
+        <translation>Der numerische Fehler kann auf %1 % der bemalten Fläche größer als %2 sein. Prüfen Sie die Stellen in der Liste.</translation>
+    </message>
+    <message>
+        <source>The border of the painted area is uncertain: with other cells or steps, %1 % of the part changes between painted and bare. Set smaller cells (Film &gt; Cells).</source>
+        <translation>Der Rand der bemalten Fläche ist unsicher: Mit anderen Zellen oder Schritten wechseln %1 % des Teils zwischen bemalt und unbemalt. Setzen Sie kleinere Zellen (Film &gt; Zellen).</translation>
+    </message>
+    <message>
+        <source>In %1 steps of the dip, the film did not converge; the residual force was up to %2 % of the elastic force. Set smaller cells (Film &gt; Cells).</source>
+        <translation>In %1 Schritten des Tauchvorgangs konvergierte der Film nicht; die Restkraft betrug bis zu %2 % der elastischen Kraft. Setzen Sie kleinere Zellen (Film &gt; Zellen).</translation>
+    </message>
+    <message>
+        <source>The film does not paint the part. Check the model&apos;s unit, its place over the film, and the depth of the dip.</source>
+        <translation>Der Film bemalt das Teil nicht. Prüfen Sie die Einheit des Modells, seinen Platz über dem Film und die Tauchtiefe.</translation>
+    </message>
+    <message>
+        <source>Trapped air keeps %1 % of the part dry; the limit is %2 %. Turn the part so that the air escapes, or drill a vent hole.</source>
+        <translation>Eingeschlossene Luft hält %1 % des Teils trocken; die Grenze ist %2 %. Drehen Sie das Teil so, dass die Luft entweicht, oder bohren Sie ein Entlüftungsloch.</translation>
+    </message>
+    <message>
+        <source>%1 % of the painted area will be too pale; the limit is %2 %. The film stretches more than the ink limit (Ink &gt; Ink limit) can compensate. Turn the part, or choose lighter colours.</source>
+        <translation>%1 % der bemalten Fläche werden zu blass; die Grenze ist %2 %. Der Film dehnt sich mehr, als das Tintenlimit (Farbe &gt; Tintenlimit) ausgleichen kann. Drehen Sie das Teil oder wählen Sie hellere Farben.</translation>
+    </message>
+    <message>
+        <source>The film tore or was released on %1 % of the painted area; the limit is %2 %. Turn the part, or dip it twice.</source>
+        <translation>Der Film riss oder löste sich auf %1 % der bemalten Fläche; die Grenze ist %2 %. Drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
+    </message>
+    <message>
+        <source>The painted film comes within %1 of the film&apos;s edge; at least %2 are required. Use a larger film, or move the part to the film&apos;s centre.</source>
+        <translation>Der bemalte Film reicht bis auf %1 an den Rand des Films; mindestens %2 sind nötig. Nehmen Sie einen größeren Film oder rücken Sie das Teil in die Mitte des Films.</translation>
+    </message>
+    <message>
+        <source>%1 % of the part is painted by neither dip; the limit is %2 %. Turn the part in one of the dips.</source>
+        <translation>%1 % des Teils werden von keinem Tauchvorgang bemalt; die Grenze ist %2 %. Drehen Sie das Teil in einem der Tauchvorgänge.</translation>
+    </message>
+    <message>
+        <source>%1 % of the overlap is too narrow; the limit is %2 %. A small placement error of the second film shows there. Widen the overlap (Seam &gt; Overlap), or turn the part in one of the dips.</source>
+        <translation>%1 % der Überlappung sind zu schmal; die Grenze ist %2 %. Dort ist ein kleiner Lagefehler des zweiten Films zu sehen. Verbreitern Sie die Überlappung (Naht &gt; Überlappung) oder drehen Sie das Teil in einem der Tauchvorgänge.</translation>
+    </message>
+    <message>
+        <source>Handling and numerical error together: 95 % of the painted area is within ±%1; the limit is ±%2. Reduce the largest contributor, or turn the part.</source>
+        <translation>Handhabung und numerischer Fehler zusammen: 95 % der bemalten Fläche liegen innerhalb von ±%1; die Grenze ist ±%2. Verringern Sie den größten Beitrag oder drehen Sie das Teil.</translation>
+    </message>
+    <message>
+        <source>%1: numerical error up to %3; the limit is %2</source>
+        <translation>%1: numerischer Fehler bis zu %3; die Grenze ist %2</translation>
+    </message>
+    <message>
+        <source>%1 % of the zone is not painted; the limit is %2 %. Turn the part so that film reaches it.</source>
+        <translation>%1 % der Zone sind nicht bemalt; die Grenze ist %2 %. Drehen Sie das Teil so, dass Film die Zone erreicht.</translation>
+    </message>
+</context>
+<context>
+    <name>VerdictPanel</name>
+    <message>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Places to check in %1:</source>
+        <translation>Zu prüfende Stellen in %1:</translation>
     </message>
 </context>
 <context>
@@ -3601,31 +3597,31 @@
         <translation>Zone %1, ±%2 mm</translation>
     </message>
     <message>
-        <source>Pale: far within the limit</source>
-        <translation>Blass: weit innerhalb der Grenze</translation>
-    </message>
-    <message>
-        <source>Past the limit</source>
-        <translation>Über der Grenze</translation>
-    </message>
-    <message>
         <source>Not painted</source>
         <translation>Nicht bemalt</translation>
+    </message>
+    <message>
+        <source>Pale: well within the limit</source>
+        <translation>Blass: deutlich innerhalb der Grenze</translation>
+    </message>
+    <message>
+        <source>Above the limit</source>
+        <translation>Über der Grenze</translation>
     </message>
 </context>
 <context>
     <name>dipwright::Artwork</name>
     <message>
-        <source>The artwork has %1 layers, as many as there may be; remove one</source>
-        <translation>Die Gestaltung hat %1 Ebenen, mehr dürfen es nicht sein; entfernen Sie eine</translation>
-    </message>
-    <message>
-        <source>The text “%1” is to be set in %2, which this computer does not have, and is set in another; install that font or choose one that is here</source>
-        <translation>Der Text „%1“ soll in %2 gesetzt werden, die es auf diesem Rechner nicht gibt, und steht in einer anderen Schrift; installieren Sie die Schrift oder wählen Sie eine vorhandene</translation>
-    </message>
-    <message>
         <source>The picture of the layer “%1”</source>
         <translation>Das Bild der Ebene „%1“</translation>
+    </message>
+    <message>
+        <source>The artwork already has %1 layers, which is the limit; remove one</source>
+        <translation>Die Gestaltung hat schon %1 Ebenen, mehr sind nicht möglich; entfernen Sie eine</translation>
+    </message>
+    <message>
+        <source>The font %2 of the text “%1” is not installed on this computer, so another font replaces it; install it, or choose an installed font</source>
+        <translation>Die Schrift %2 des Textes „%1“ ist auf diesem Rechner nicht installiert und wird durch eine andere ersetzt; installieren Sie sie, oder wählen Sie eine installierte Schrift</translation>
     </message>
 </context>
 <context>
@@ -3647,14 +3643,6 @@
         <translation>Holz</translation>
     </message>
     <message>
-        <source>Change Layer</source>
-        <translation>Ebene ändern</translation>
-    </message>
-    <message>
-        <source>Base Colour</source>
-        <translation>Grundfarbe</translation>
-    </message>
-    <message>
         <source>Add %1</source>
         <translation>%1 hinzufügen</translation>
     </message>
@@ -3663,44 +3651,36 @@
         <translation>Bild wird gelesen</translation>
     </message>
     <message>
-        <source>Add Picture</source>
+        <source>Change layer</source>
+        <translation>Ebene ändern</translation>
+    </message>
+    <message>
+        <source>Change base colour</source>
+        <translation>Grundfarbe ändern</translation>
+    </message>
+    <message>
+        <source>Add picture</source>
         <translation>Bild hinzufügen</translation>
     </message>
     <message>
-        <source>Move Layer</source>
+        <source>Move layer</source>
         <translation>Ebene verschieben</translation>
     </message>
     <message>
-        <source>Remove Layer</source>
+        <source>Remove layer</source>
         <translation>Ebene entfernen</translation>
     </message>
     <message>
-        <source>Turn Layer</source>
+        <source>Turn layer</source>
         <translation>Ebene drehen</translation>
     </message>
     <message>
-        <source>Size of Layer</source>
-        <translation>Größe der Ebene</translation>
+        <source>Resize layer</source>
+        <translation>Größe der Ebene ändern</translation>
     </message>
 </context>
 <context>
     <name>dipwright::ArtworkPage</name>
-    <message>
-        <source>Add &amp;Picture…</source>
-        <translation>&amp;Bild hinzufügen …</translation>
-    </message>
-    <message>
-        <source>Lays a picture on the body. A picture dropped on the body in the view is laid where it was dropped.</source>
-        <translation>Legt ein Bild auf den Körper. Ein Bild, das in der Ansicht auf dem Körper fallen gelassen wird, liegt dort.</translation>
-    </message>
-    <message>
-        <source>Add &amp;Text</source>
-        <translation>&amp;Text hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add Pa&amp;ttern</source>
-        <translation>&amp;Muster hinzufügen</translation>
-    </message>
     <message>
         <source>Carbon</source>
         <translation>Carbon</translation>
@@ -3714,28 +3694,12 @@
         <translation>Holz</translation>
     </message>
     <message>
-        <source>Layers, the uppermost first</source>
-        <translation>Ebenen, die oberste zuerst</translation>
-    </message>
-    <message>
-        <source>The layers, the uppermost first. The tick shows or hides one, a double click renames it; Delete removes it, Ctrl with the arrows moves it.</source>
-        <translation>Die Ebenen, die oberste zuerst. Das Häkchen blendet eine ein oder aus, ein Doppelklick benennt sie um; Entf entfernt sie, Strg mit den Pfeilen verschiebt sie.</translation>
-    </message>
-    <message>
         <source>Up</source>
         <translation>Nach oben</translation>
     </message>
     <message>
-        <source>Lays the layer over the next one (Ctrl+Up)</source>
-        <translation>Legt die Ebene über die nächste (Strg+Auf)</translation>
-    </message>
-    <message>
         <source>Down</source>
         <translation>Nach unten</translation>
-    </message>
-    <message>
-        <source>Lays the layer under the next one (Ctrl+Down)</source>
-        <translation>Legt die Ebene unter die nächste (Strg+Ab)</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3748,10 +3712,6 @@
     <message>
         <source>Base colour</source>
         <translation>Grundfarbe</translation>
-    </message>
-    <message>
-        <source>What lies below all layers; white is no ink. Without it the model shows what it looks like by itself.</source>
-        <translation>Was unter allen Ebenen liegt; Weiß ist keine Druckfarbe. Ohne sie zeigt das Modell sein eigenes Aussehen.</translation>
     </message>
     <message>
         <source>Text</source>
@@ -3774,16 +3734,8 @@
         <translation>Variante</translation>
     </message>
     <message>
-        <source>Each number makes another pattern of the same kind.</source>
-        <translation>Jede Zahl ergibt ein anderes Muster derselben Art.</translation>
-    </message>
-    <message>
         <source>Opacity</source>
         <translation>Deckkraft</translation>
-    </message>
-    <message>
-        <source>100 %: hides what lies below it.</source>
-        <translation>100 %: verdeckt, was darunter liegt.</translation>
     </message>
     <message>
         <source> %</source>
@@ -3794,10 +3746,6 @@
         <translation> mm</translation>
     </message>
     <message>
-        <source>Laid on</source>
-        <translation>Aufgelegt</translation>
-    </message>
-    <message>
         <source>As a decal</source>
         <translation>Als Abziehbild</translation>
     </message>
@@ -3806,24 +3754,12 @@
         <translation>Längs einer Achse</translation>
     </message>
     <message>
-        <source>Round an axis</source>
-        <translation>Um eine Achse</translation>
-    </message>
-    <message>
         <source>From six sides</source>
         <translation>Von sechs Seiten</translation>
     </message>
     <message>
-        <source>A decal keeps lengths and straight lines round its middle. The others are for patterns over all of the body.</source>
-        <translation>Ein Abziehbild erhält Längen und gerade Linien um seine Mitte. Die anderen sind für Muster über den ganzen Körper.</translation>
-    </message>
-    <message>
         <source>Axis</source>
         <translation>Achse</translation>
-    </message>
-    <message>
-        <source>What is shown fits in, its proportions kept.</source>
-        <translation>Was gezeigt wird, passt hinein; seine Proportionen bleiben.</translation>
     </message>
     <message>
         <source>Width</source>
@@ -3834,76 +3770,136 @@
         <translation>Höhe</translation>
     </message>
     <message>
-        <source>Turn</source>
-        <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>Counterclockwise as seen from outside.</source>
-        <translation>Gegen den Uhrzeigersinn, von außen gesehen.</translation>
-    </message>
-    <message>
         <source>°</source>
         <translation>°</translation>
     </message>
     <message>
-        <source>Repeated every</source>
-        <translation>Wiederholt alle</translation>
+        <source>Add &amp;picture…</source>
+        <translation>&amp;Bild hinzufügen …</translation>
     </message>
     <message>
-        <source>The width of one repeat on the body; round an axis a whole number of them is laid.</source>
-        <translation>Die Breite einer Wiederholung auf dem Körper; um eine Achse geht eine ganze Zahl davon.</translation>
+        <source>Places a picture on the part. You can also drop a picture on the part in the view.</source>
+        <translation>Legt ein Bild auf das Teil. Sie können auch ein Bild auf das Teil in der Ansicht ziehen.</translation>
     </message>
     <message>
-        <source>once</source>
-        <translation>einmal</translation>
+        <source>Add &amp;text</source>
+        <translation>&amp;Text hinzufügen</translation>
     </message>
     <message>
-        <source>Middle, X</source>
-        <translation>Mitte, X</translation>
+        <source>Add p&amp;attern</source>
+        <translation>&amp;Muster hinzufügen</translation>
     </message>
     <message>
-        <source>Middle, Y</source>
-        <translation>Mitte, Y</translation>
+        <source>Layers, top layer first</source>
+        <translation>Ebenen, die oberste zuerst</translation>
     </message>
     <message>
-        <source>Middle, Z</source>
-        <translation>Mitte, Z</translation>
+        <source>The layers, top layer first. The tick shows or hides a layer, a double click renames it. Delete removes it, Ctrl+Up and Ctrl+Down move it.</source>
+        <translation>Die Ebenen, die oberste zuerst. Das Häkchen blendet eine Ebene ein oder aus, ein Doppelklick benennt sie um. Entf entfernt sie, Strg+Auf und Strg+Ab verschieben sie.</translation>
     </message>
     <message>
-        <source>In the model&apos;s coordinates; of a decal the nearest place of the body counts.</source>
-        <translation>In Koordinaten des Modells; bei einem Abziehbild zählt die nächste Stelle des Körpers.</translation>
+        <source>Moves the layer up (Ctrl+Up)</source>
+        <translation>Verschiebt die Ebene nach oben (Strg+Auf)</translation>
     </message>
     <message>
-        <source>the model&apos;s own</source>
-        <translation>die des Modells</translation>
+        <source>Moves the layer down (Ctrl+Down)</source>
+        <translation>Verschiebt die Ebene nach unten (Strg+Ab)</translation>
     </message>
     <message>
-        <source>Spot ink</source>
+        <source>The colour below all layers. White prints no ink. Without a base colour the model keeps its own colours.</source>
+        <translation>Die Farbe unter allen Ebenen. Weiß druckt keine Farbe. Ohne Grundfarbe behält das Modell seine eigenen Farben.</translation>
+    </message>
+    <message>
+        <source>Each number gives a different pattern of the same kind.</source>
+        <translation>Jede Zahl ergibt ein anderes Muster derselben Art.</translation>
+    </message>
+    <message>
+        <source>At 100 % the layer hides everything below it.</source>
+        <translation>Bei 100 % verdeckt die Ebene alles darunter.</translation>
+    </message>
+    <message>
+        <source>Spot colour</source>
         <translation>Sonderfarbe</translation>
     </message>
     <message>
-        <source>printed in its colours</source>
-        <translation>in ihren Farben gedruckt</translation>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
     <message>
-        <source>The name of a varnish or of an ink of its own, as the printer knows it. The layer is then a plate beside the four inks, in PDF and TIFF in CMYK; what it covers counts, and not its colours.</source>
-        <translation>Der Name eines Lacks oder einer eigenen Druckfarbe, wie der Drucker sie kennt. Die Ebene ist dann eine Platte neben den vier Farben, in PDF und TIFF in CMYK; es zählt, was sie deckt, nicht ihre Farben.</translation>
+        <source>Display colour</source>
+        <translation>Anzeigefarbe</translation>
     </message>
     <message>
-        <source>Looks like</source>
-        <translation>Sieht aus wie</translation>
+        <source>The colour that stands for the ink where its name is unknown.</source>
+        <translation>Die Farbe, die für die Sonderfarbe steht, wo ihr Name unbekannt ist.</translation>
     </message>
     <message>
-        <source>What stands for the ink where nobody knows its name.</source>
-        <translation>Was für die Farbe steht, wo niemand ihren Namen kennt.</translation>
+        <source>On the outside</source>
+        <translation>Außen</translation>
     </message>
     <message>
-        <source>Outside the colours</source>
-        <translation>Außen auf den Farben</translation>
+        <source>Placement</source>
+        <translation>Platzierung</translation>
     </message>
     <message>
-        <source>Printed before the four inks, so that it ends up outside them, as a varnish does; else after them, towards the part.</source>
-        <translation>Vor den vier Farben gedruckt, sodass sie am Ende außen liegt, wie ein Lack; sonst nach ihnen, zum Teil hin.</translation>
+        <source>Around an axis</source>
+        <translation>Um eine Achse</translation>
+    </message>
+    <message>
+        <source>The layer fits into this width and height and keeps its proportions.</source>
+        <translation>Die Ebene passt in diese Breite und Höhe und behält ihre Proportionen.</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Counterclockwise, seen from outside.</source>
+        <translation>Gegen den Uhrzeigersinn, von außen gesehen.</translation>
+    </message>
+    <message>
+        <source>Repeat width</source>
+        <translation>Breite der Wiederholung</translation>
+    </message>
+    <message>
+        <source>no repeat</source>
+        <translation>keine Wiederholung</translation>
+    </message>
+    <message>
+        <source>Centre X</source>
+        <translation>Mitte X</translation>
+    </message>
+    <message>
+        <source>Centre Y</source>
+        <translation>Mitte Y</translation>
+    </message>
+    <message>
+        <source>Centre Z</source>
+        <translation>Mitte Z</translation>
+    </message>
+    <message>
+        <source>colours of the model</source>
+        <translation>Farben des Modells</translation>
+    </message>
+    <message>
+        <source>The name of a varnish or special ink, as the printer knows it. In CMYK PDF and TIFF files the layer then becomes a plate of its own. The plate uses the layer&apos;s shape and opacity, not its colours.</source>
+        <translation>Der Name eines Lacks oder einer Sonderfarbe, wie der Drucker ihn kennt. In CMYK-PDF- und -TIFF-Dateien wird die Ebene dann zu einer eigenen Druckplatte. Die Platte übernimmt Form und Deckkraft der Ebene, nicht ihre Farben.</translation>
+    </message>
+    <message>
+        <source>If ticked, this ink prints before the four process inks and ends up on the outside of the part, like a varnish. Otherwise it prints after the process inks and lies next to the part.</source>
+        <translation>Mit Häkchen druckt diese Farbe vor den vier Prozessfarben und liegt außen auf dem Teil, wie ein Lack. Sonst druckt sie nach den Prozessfarben und liegt direkt auf dem Teil.</translation>
+    </message>
+    <message>
+        <source>A decal keeps lengths and straight lines around its centre. The other placements suit patterns that cover the whole part.</source>
+        <translation>Ein Abziehbild behält um seine Mitte Längen und gerade Linien. Die anderen Platzierungen eignen sich für Muster, die das ganze Teil bedecken.</translation>
+    </message>
+    <message>
+        <source>The width of one repeat on the part. Around an axis, the width is adjusted so that a whole number of repeats fits.</source>
+        <translation>Die Breite einer Wiederholung auf dem Teil. Um eine Achse wird die Breite so angepasst, dass eine ganze Zahl von Wiederholungen passt.</translation>
+    </message>
+    <message>
+        <source>The layer&apos;s centre in the model&apos;s coordinates. A decal is centred at the nearest place on the surface.</source>
+        <translation>Die Mitte der Ebene in den Koordinaten des Modells. Ein Abziehbild liegt an der nächsten Stelle der Oberfläche.</translation>
     </message>
 </context>
 <context>
@@ -3916,40 +3912,32 @@
 <context>
     <name>dipwright::BodyHandles</name>
     <message>
-        <source>Turn Body</source>
-        <translation>Körper drehen</translation>
+        <source>Turn part</source>
+        <translation>Teil drehen</translation>
     </message>
     <message>
-        <source>Turned by %1° about %2; with Shift by steps of %3°</source>
-        <translation>Um %1° um %2 gedreht; mit der Umschalttaste in Schritten von %3°</translation>
+        <source>Turned by %1° about %2 (hold Shift for steps of %3°)</source>
+        <translation>Um %1° um %2 gedreht (mit Umschalt in Schritten von %3°)</translation>
     </message>
     <message>
-        <source>Change Depth</source>
+        <source>Change depth</source>
         <translation>Tiefe ändern</translation>
     </message>
     <message>
-        <source>Dipped %1 deep; with Shift by steps of %2</source>
-        <translation>%1 tief getaucht; mit der Umschalttaste in Schritten von %2</translation>
+        <source>Depth %1 (hold Shift for steps of %2)</source>
+        <translation>Tiefe %1 (mit Umschalt in Schritten von %2)</translation>
     </message>
     <message>
-        <source>Move Body</source>
-        <translation>Körper verschieben</translation>
+        <source>Move part</source>
+        <translation>Teil verschieben</translation>
     </message>
     <message>
-        <source>Moved to %1 along %2; with Shift by steps of %3</source>
-        <translation>Auf %1 längs %2 verschoben; mit der Umschalttaste in Schritten von %3</translation>
+        <source>Moved to %1 along %2 (hold Shift for steps of %3)</source>
+        <translation>Auf %1 längs %2 verschoben (mit Umschalt in Schritten von %3)</translation>
     </message>
 </context>
 <context>
     <name>dipwright::BodyMenu</name>
-    <message>
-        <source>&amp;Lay This Face Down</source>
-        <translation>Diese Fläche nach &amp;unten legen</translation>
-    </message>
-    <message>
-        <source>This Face Must Be &amp;Good (Zone A)</source>
-        <translation>Diese Fläche muss &amp;gut werden (Zone A)</translation>
-    </message>
     <message>
         <source>&amp;Turn</source>
         <translation>&amp;Drehen</translation>
@@ -3959,30 +3947,31 @@
         <translation>&amp;Verschieben</translation>
     </message>
     <message>
-        <source>Turn Body</source>
-        <translation>Körper drehen</translation>
+        <source>&amp;Lay this face down</source>
+        <translation>Diese Fläche nach &amp;unten legen</translation>
     </message>
     <message>
-        <source>Move Body</source>
-        <translation>Körper verschieben</translation>
+        <source>Mark this face as &amp;zone A</source>
+        <translation>Diese Fläche als &amp;Zone A markieren</translation>
     </message>
     <message>
-        <source>Lay Face Down</source>
+        <source>Turn part</source>
+        <translation>Teil drehen</translation>
+    </message>
+    <message>
+        <source>Move part</source>
+        <translation>Teil verschieben</translation>
+    </message>
+    <message>
+        <source>Lay face down</source>
         <translation>Fläche nach unten legen</translation>
-    </message>
-</context>
-<context>
-    <name>dipwright::FinishedPartPreview</name>
-    <message>
-        <source>Printing the body</source>
-        <translation>Bedrucke den Körper</translation>
     </message>
 </context>
 <context>
     <name>dipwright::BodyShare</name>
     <message>
-        <source>Sharing out the body</source>
-        <translation>Der Körper wird aufgeteilt</translation>
+        <source>Splitting the part between the dips</source>
+        <translation>Das Teil wird auf die Tauchvorgänge aufgeteilt</translation>
     </message>
 </context>
 <context>
@@ -3990,10 +3979,6 @@
     <message>
         <source>The file is larger than %1 MB; reduce it</source>
         <translation>Die Datei ist größer als %1 MB; verkleinern Sie sie</translation>
-    </message>
-    <message>
-        <source>The model names more than %1 other files; reduce it</source>
-        <translation>Das Modell nennt mehr als %1 andere Dateien; verkleinern Sie es</translation>
     </message>
     <message>
         <source>The model has more than %1 million triangles, too many for a file of its size or for any computer; reduce it</source>
@@ -4004,70 +3989,74 @@
         <translation>Eine Fläche des Modells hat mehr als %1 Ecken; zerlegen Sie sie in einem Modellierprogramm in Dreiecke</translation>
     </message>
     <message>
-        <source>The model cannot be read: its parts hold one another more than %1 deep; join them in a modelling program</source>
-        <translation>Das Modell kann nicht gelesen werden: Seine Teile enthalten einander mehr als %1-fach; verbinden Sie sie in einem Modellierprogramm</translation>
+        <source>The model refers to more than %1 other files; reduce their number</source>
+        <translation>Das Modell verweist auf mehr als %1 andere Dateien; verringern Sie ihre Zahl</translation>
     </message>
     <message>
-        <source>The model has more than %1 materials; reduce them</source>
+        <source>The model cannot be read: its parts are nested more than %1 levels deep; merge them in a modelling program</source>
+        <translation>Das Modell kann nicht gelesen werden: Seine Teile sind tiefer als %1 Ebenen verschachtelt; vereinigen Sie sie in einem Modellierprogramm</translation>
+    </message>
+    <message>
+        <source>The model has more than %1 materials; reduce their number</source>
         <translation>Das Modell hat mehr als %1 Materialien; verringern Sie ihre Zahl</translation>
     </message>
     <message>
-        <source>The file would unpack to more than %1 MB, more than any of its size needs, and is not opened; ask whoever made it for another</source>
-        <translation>Die Datei ergäbe entpackt mehr als %1 MB, mehr als jede von ihrer Größe braucht, und wird nicht geöffnet; bitten Sie um eine andere</translation>
+        <source>The file is not opened, because it would unpack to more than %1 MB, far too much for its size; ask its author for another file</source>
+        <translation>Die Datei wird nicht geöffnet, weil sie entpackt mehr als %1 MB ergäbe, viel zu viel für ihre Größe; bitten Sie den Urheber um eine andere Datei</translation>
     </message>
     <message>
-        <source>The file holds more entries than %1 and is not opened; ask whoever made it for another</source>
-        <translation>Die Datei enthält mehr Einträge als %1 und wird nicht geöffnet; bitten Sie um eine andere</translation>
+        <source>The file is not opened, because it contains more than %1 entries; ask its author for another file</source>
+        <translation>Die Datei wird nicht geöffnet, weil sie mehr als %1 Einträge enthält; bitten Sie den Urheber um eine andere Datei</translation>
     </message>
     <message>
-        <source>project.json is larger than %1 MB and is not read; ask whoever made the project for another</source>
-        <translation>project.json ist größer als %1 MB und wird nicht gelesen; bitten Sie um ein anderes Projekt</translation>
+        <source>project.json is larger than %1 MB and is not read; ask the project&apos;s author for another file</source>
+        <translation>project.json ist größer als %1 MB und wird nicht gelesen; bitten Sie den Urheber des Projekts um eine andere Datei</translation>
     </message>
     <message>
-        <source>The project holds more than %1 MB that is not its own; take that out with an archive program</source>
-        <translation>Das Projekt enthält mehr als %1 MB, die nicht zu ihm gehören; entfernen Sie diese mit einem Archivprogramm</translation>
+        <source>The file is not read, because its values are nested more than %1 levels deep; ask its author for another file</source>
+        <translation>Die Datei wird nicht gelesen, weil ihre Werte tiefer als %1 Ebenen verschachtelt sind; bitten Sie den Urheber um eine andere Datei</translation>
     </message>
     <message>
-        <source>The texture has more than %1 pixels a side; make it smaller</source>
-        <translation>Die Textur hat mehr als %1 Pixel je Seite; verkleinern Sie sie</translation>
+        <source>The file is not read, because it contains more than %1 million values; ask its author for another file</source>
+        <translation>Die Datei wird nicht gelesen, weil sie mehr als %1 Millionen Werte enthält; bitten Sie den Urheber um eine andere Datei</translation>
     </message>
     <message>
-        <source>The pictures have more than %1 million pixels together, too many for files of their size or for any sheet; make them smaller</source>
-        <translation>Die Bilder haben zusammen mehr als %1 Millionen Pixel, zu viele für Dateien ihrer Größe oder für jeden Bogen; verkleinern Sie sie</translation>
+        <source>The project contains more than %1 MB of files that do not belong to it; remove them with an archive program</source>
+        <translation>Das Projekt enthält mehr als %1 MB an Dateien, die nicht zu ihm gehören; entfernen Sie diese mit einem Archivprogramm</translation>
     </message>
     <message>
-        <source>Reading the file takes more than %1 MB of memory, more than any of its size needs; reduce it or save it anew</source>
-        <translation>Die Datei zu lesen braucht mehr als %1 MB Speicher, mehr als jede von ihrer Größe braucht; verkleinern Sie sie oder speichern Sie sie neu</translation>
+        <source>The texture is more than %1 pixels wide or high; make it smaller</source>
+        <translation>Die Textur ist mehr als %1 Pixel breit oder hoch; verkleinern Sie sie</translation>
     </message>
     <message>
-        <source>Reading the file takes more than %1 seconds, more than any of its size needs; reduce it or save it anew</source>
-        <translation>Die Datei zu lesen dauert länger als %1 Sekunden, länger als jede von ihrer Größe braucht; verkleinern Sie sie oder speichern Sie sie neu</translation>
+        <source>The pictures have more than %1 million pixels in total, too many for their file size or for any sheet; make them smaller</source>
+        <translation>Die Bilder haben insgesamt mehr als %1 Millionen Pixel, zu viele für ihre Dateigröße oder für jedes Blatt; verkleinern Sie sie</translation>
     </message>
     <message>
-        <source>The file&apos;s values hold one another more than %1 deep and it is not read; ask whoever made it for another</source>
-        <translation>Die Werte der Datei enthalten einander mehr als %1 tief, und sie wird nicht gelesen; bitten Sie, wer sie gemacht hat, um eine andere</translation>
+        <source>Reading the file takes more than %1 MB of memory, far too much for its size; make the file smaller or save it again</source>
+        <translation>Die Datei zu lesen braucht mehr als %1 MB Speicher, viel zu viel für ihre Größe; verkleinern Sie die Datei oder speichern Sie sie neu</translation>
     </message>
     <message>
-        <source>The file holds more than %1 million values and is not read; ask whoever made it for another</source>
-        <translation>Die Datei enthält mehr als %1 Millionen Werte und wird nicht gelesen; bitten Sie, wer sie gemacht hat, um eine andere</translation>
+        <source>Reading the file takes more than %1 seconds, far too long for its size; make the file smaller or save it again</source>
+        <translation>Die Datei zu lesen dauert länger als %1 Sekunden, viel zu lange für ihre Größe; verkleinern Sie die Datei oder speichern Sie sie neu</translation>
     </message>
 </context>
 <context>
     <name>dipwright::BuiltController</name>
     <message>
-        <source>Looking for what repeats</source>
-        <translation>Wiederkehrendes wird gesucht</translation>
+        <source>Computing the repeating error</source>
+        <translation>Wiederkehrender Fehler wird berechnet</translation>
     </message>
     <message>
-        <source>As Built</source>
+        <source>As built</source>
         <translation>Wie gebaut</translation>
     </message>
     <message>
-        <source>Measuring the part on the sheet</source>
-        <translation>Teil wird auf dem Bogen gemessen</translation>
+        <source>Measuring the error on the sheet</source>
+        <translation>Fehler auf dem Blatt wird gemessen</translation>
     </message>
     <message>
-        <source>Keep Part</source>
+        <source>Keep part</source>
         <translation>Teil behalten</translation>
     </message>
 </context>
@@ -4075,15 +4064,7 @@
     <name>dipwright::BuiltPage</name>
     <message>
         <source>&amp;Correct the next sheets</source>
-        <translation>Nächste Bögen &amp;korrigieren</translation>
-    </message>
-    <message>
-        <source>What repeats, and the correction</source>
-        <translation>Was sich wiederholt, und die Korrektur</translation>
-    </message>
-    <message>
-        <source>Parts that the job keeps</source>
-        <translation>Teile, die der Auftrag behält</translation>
+        <translation>Nächste Blätter &amp;korrigieren</translation>
     </message>
     <message>
         <source>Date</source>
@@ -4098,36 +4079,8 @@
         <translation>Fotos</translation>
     </message>
     <message>
-        <source>Off</source>
-        <translation>Abweichung</translation>
-    </message>
-    <message>
-        <source>On the sheet, root mean square</source>
-        <translation>Auf dem Bogen, quadratisches Mittel</translation>
-    </message>
-    <message>
-        <source>Who says that the part may count</source>
-        <translation>Wer sagt, dass das Teil zählen darf</translation>
-    </message>
-    <message>
-        <source>&amp;Keep Part</source>
-        <translation>Teil &amp;behalten</translation>
-    </message>
-    <message>
-        <source>Keeps with the job how far the print of the measured part is off</source>
-        <translation>Behält beim Auftrag, wie weit der Druck des gemessenen Teils abweicht</translation>
-    </message>
-    <message>
-        <source>Prints the next sheets so that what repeats does not come again</source>
-        <translation>Druckt die nächsten Bögen so, dass nicht wiederkehrt, was sich wiederholt</translation>
-    </message>
-    <message>
         <source>Strength of the correction</source>
         <translation>Stärke der Korrektur</translation>
-    </message>
-    <message>
-        <source>How much of what repeats is taken off the next sheets</source>
-        <translation>Wie viel davon auf den nächsten Bögen ausgeglichen wird</translation>
     </message>
     <message>
         <source> %</source>
@@ -4146,39 +4099,75 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>The next sheets are corrected so.</source>
-        <translation>So werden die nächsten Bögen korrigiert.</translation>
-    </message>
-    <message>
-        <source>The next sheets are not corrected: this is what they would be.</source>
-        <translation>Die nächsten Bögen werden nicht korrigiert: So wären sie es.</translation>
-    </message>
-    <message>
-        <source>Keep the part that was measured: the job then has its photos, how far its print is off, and who accepted it.</source>
-        <translation>Behalten Sie das gemessene Teil: Der Auftrag hat dann seine Fotos, die Abweichung des Drucks und wer es abgenommen hat.</translation>
-    </message>
-    <message>
-        <source>To keep a part, find the corners of its print on the page “Dipped Part”, with pairs that are places of the body itself.</source>
-        <translation>Um ein Teil zu behalten, suchen Sie die Ecken seines Drucks auf der Seite „Getauchtes Teil“, mit Paaren, die Stellen des Körpers selbst sind.</translation>
-    </message>
-    <message>
         <source>The repeating error of the parts is shown here.</source>
         <translation>Hier ist der wiederkehrende Fehler der Teile zu sehen.</translation>
+    </message>
+    <message>
+        <source>Repeating error and correction</source>
+        <translation>Wiederkehrender Fehler und Korrektur</translation>
+    </message>
+    <message>
+        <source>Measured parts of the job</source>
+        <translation>Gemessene Teile des Auftrags</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Name of the person who accepts the part</source>
+        <translation>Name der Person, die das Teil abnimmt</translation>
+    </message>
+    <message>
+        <source>&amp;Keep part</source>
+        <translation>Teil &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Stores the measured error of this part with the job</source>
+        <translation>Speichert den gemessenen Fehler dieses Teils beim Auftrag</translation>
+    </message>
+    <message>
+        <source>Shifts the image on the next sheets so that it cancels the repeating error</source>
+        <translation>Verschiebt das Bild auf den nächsten Blättern so, dass der wiederkehrende Fehler verschwindet</translation>
+    </message>
+    <message>
+        <source>How much of the repeating error the next sheets correct</source>
+        <translation>Wie viel des wiederkehrenden Fehlers die nächsten Blätter korrigieren</translation>
+    </message>
+    <message>
+        <source>The picture shows how the next sheets are corrected.</source>
+        <translation>Das Bild zeigt, wie die nächsten Blätter korrigiert werden.</translation>
+    </message>
+    <message>
+        <source>Keep the measured part to store its photos, its error and who accepted it with the job.</source>
+        <translation>Behalten Sie das gemessene Teil, um seine Fotos, seinen Fehler und wer es abgenommen hat beim Auftrag zu speichern.</translation>
+    </message>
+    <message>
+        <source>To keep a part, find its corners on the page “Dipped part”, with pairs that are places on the part itself.</source>
+        <translation>Um ein Teil zu behalten, suchen Sie seine Ecken auf der Seite „Getauchtes Teil“, mit Paaren, die Stellen auf dem Teil selbst sind.</translation>
+    </message>
+    <message>
+        <source>Root mean square of the part&apos;s error, measured on the sheet</source>
+        <translation>Quadratisches Mittel des Fehlers des Teils, auf dem Blatt gemessen</translation>
+    </message>
+    <message>
+        <source>The correction is off. The picture shows how it would change the next sheets.</source>
+        <translation>Die Korrektur ist aus. Das Bild zeigt, wie sie die nächsten Blätter ändern würde.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::BuiltPlaces</name>
     <message>
-        <source>None of the places is seen on film that lies on the body; are the photos of this job?</source>
-        <translation>Keine der Stellen ist auf Film zu sehen, der am Körper liegt; sind die Fotos von diesem Auftrag?</translation>
+        <source>None of the places lies on film that adheres to the part; check that the photos show a part of this job</source>
+        <translation>Keine der Stellen liegt auf Film, der am Teil haftet; prüfen Sie, ob die Fotos ein Teil dieses Auftrags zeigen</translation>
     </message>
     <message>
-        <source>The job keeps %1 parts and %2 places at most, and would have more</source>
-        <translation>Der Auftrag behält höchstens %1 Teile und %2 Stellen und hätte mehr</translation>
+        <source>The job can keep at most %1 parts and %2 places; this part would exceed that</source>
+        <translation>Der Auftrag kann höchstens %1 Teile und %2 Stellen behalten; dieses Teil würde das überschreiten</translation>
     </message>
     <message>
-        <source>The job keeps the part of these photos already; the same part twice would count as two that agree</source>
-        <translation>Der Auftrag behält das Teil dieser Fotos schon; dasselbe Teil zweimal würde als zwei zählen, die übereinstimmen</translation>
+        <source>The job already contains the part in these photos; adding it again would count it as two parts that agree</source>
+        <translation>Der Auftrag enthält das Teil auf diesen Fotos schon; noch einmal hinzugefügt würde es als zwei Teile zählen, die übereinstimmen</translation>
     </message>
 </context>
 <context>
@@ -4186,14 +4175,6 @@
     <message>
         <source> mm</source>
         <translation> mm</translation>
-    </message>
-    <message>
-        <source>Measure: the printer as it is</source>
-        <translation>Messen: der Drucker, wie er ist</translation>
-    </message>
-    <message>
-        <source>Verify: corrected by the profile</source>
-        <translation>Prüfen: durch das Profil korrigiert</translation>
     </message>
     <message>
         <source>Horizontal ruler</source>
@@ -4204,20 +4185,8 @@
         <translation>Senkrechtes Lineal</translation>
     </message>
     <message>
-        <source>&amp;Print Page</source>
-        <translation>Seite &amp;drucken</translation>
-    </message>
-    <message>
         <source>Save as PDF…</source>
         <translation>Als PDF speichern …</translation>
-    </message>
-    <message>
-        <source>&amp;Take over into Profile</source>
-        <translation>Ins Profil &amp;übernehmen</translation>
-    </message>
-    <message>
-        <source>Calibrate Printer</source>
-        <translation>Drucker kalibrieren</translation>
     </message>
     <message>
         <source>Page</source>
@@ -4244,14 +4213,6 @@
         <translation>P&amp;apier</translation>
     </message>
     <message>
-        <source>The profile that the scale goes into. “Profiles” makes new ones.</source>
-        <translation>Das Profil, in das der Maßstab kommt. Unter „Profile“ entstehen neue.</translation>
-    </message>
-    <message>
-        <source>2. Measure its rulers</source>
-        <translation>2. Lineale messen</translation>
-    </message>
-    <message>
         <source>&amp;Horizontal</source>
         <translation>&amp;Waagerecht</translation>
     </message>
@@ -4276,10 +4237,6 @@
         <translation>statt %1 mm</translation>
     </message>
     <message>
-        <source>Print the page, measure both rulers from the first to the last line to a tenth of a millimetre, and type what they show. Then verify with the second page.</source>
-        <translation>Drucken Sie die Seite, messen Sie beide Lineale vom ersten bis zum letzten Strich auf einen Zehntelmillimeter und geben Sie ein, was sie zeigen. Prüfen Sie danach mit der zweiten Seite.</translation>
-    </message>
-    <message>
         <source>X %1, Y %2</source>
         <translation>X %1, Y %2</translation>
     </message>
@@ -4296,10 +4253,6 @@
         <translation>An die Warteschlange von %1 übergeben</translation>
     </message>
     <message>
-        <source>Save Page</source>
-        <translation>Seite speichern</translation>
-    </message>
-    <message>
         <source>calibration</source>
         <translation>Kalibrierung</translation>
     </message>
@@ -4312,52 +4265,68 @@
         <translation>%1 hat jetzt den Maßstab X %2, Y %3. Drucken Sie zum Prüfen die zweite Seite.</translation>
     </message>
     <message>
-        <source>What the printed ruler measures, to a tenth of a millimetre.</source>
-        <translation>Was das gedruckte Lineal misst, auf ein Zehntel Millimeter.</translation>
-    </message>
-    <message>
         <source>The printers that are set up on this machine.</source>
         <translation>Die Drucker, die auf diesem Rechner eingerichtet sind.</translation>
     </message>
     <message>
-        <source>The paper that is in the printer.</source>
-        <translation>Das Papier, das im Drucker liegt.</translation>
+        <source>The measured length of the printed ruler, to 0.1 mm.</source>
+        <translation>Die gemessene Länge des gedruckten Lineals, auf 0,1 mm.</translation>
     </message>
     <message>
-        <source>Rulers without correction, to be measured.</source>
-        <translation>Lineale ohne Korrektur, zum Messen.</translation>
+        <source>Measure (no correction)</source>
+        <translation>Messen (ohne Korrektur)</translation>
     </message>
     <message>
-        <source>The same rulers corrected, which must now measure what they say.</source>
-        <translation>Dieselben Lineale korrigiert: Sie müssen nun messen, was sie sagen.</translation>
+        <source>Verify (corrected by the profile)</source>
+        <translation>Prüfen (durch das Profil korrigiert)</translation>
     </message>
     <message>
-        <source>None is set up</source>
-        <translation>Keiner eingerichtet</translation>
+        <source>&amp;Print page</source>
+        <translation>Seite &amp;drucken</translation>
+    </message>
+    <message>
+        <source>&amp;Save scale to profile</source>
+        <translation>Maßstab ins Profil &amp;übernehmen</translation>
+    </message>
+    <message>
+        <source>Calibrate printer</source>
+        <translation>Drucker kalibrieren</translation>
+    </message>
+    <message>
+        <source>No printer set up</source>
+        <translation>Kein Drucker eingerichtet</translation>
+    </message>
+    <message>
+        <source>The profile that receives the scale. You can create profiles under “Profiles”.</source>
+        <translation>Das Profil, das den Maßstab erhält. Neue Profile legen Sie unter „Profile“ an.</translation>
+    </message>
+    <message>
+        <source>The paper in the printer.</source>
+        <translation>Das Papier im Drucker.</translation>
+    </message>
+    <message>
+        <source>Prints rulers without correction, for measuring.</source>
+        <translation>Druckt Lineale ohne Korrektur, zum Messen.</translation>
+    </message>
+    <message>
+        <source>Prints the same rulers with the correction. Each must now have its nominal length.</source>
+        <translation>Druckt dieselben Lineale mit der Korrektur. Jedes muss nun seine Solllänge haben.</translation>
+    </message>
+    <message>
+        <source>2. Measure the rulers</source>
+        <translation>2. Lineale messen</translation>
+    </message>
+    <message>
+        <source>Print the page. Measure both rulers from the first to the last line, to 0.1 mm, and type the lengths. Then verify with the second page.</source>
+        <translation>Drucken Sie die Seite. Messen Sie beide Lineale vom ersten bis zum letzten Strich auf 0,1 mm und geben Sie die Längen ein. Prüfen Sie danach mit der zweiten Seite.</translation>
+    </message>
+    <message>
+        <source>Save page</source>
+        <translation>Seite speichern</translation>
     </message>
 </context>
 <context>
     <name>dipwright::CalibrationPage</name>
-    <message>
-        <source>The horizontal ruler must measure %1 mm and the vertical one %2 mm from the first to the last line.</source>
-        <translation>Das waagrechte Lineal muss %1 mm messen, das senkrechte %2 mm, vom ersten bis zum letzten Strich.</translation>
-    </message>
-    <message>
-        <source>If either is more than 0.2 mm off, measure and calibrate once more.</source>
-        <translation>Weicht eines um mehr als 0,2 mm ab, messen und kalibrieren Sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>Type what they do measure, to a tenth of a millimetre, into the printer&apos;s profile.</source>
-        <translation>Tragen Sie ein, was sie wirklich messen, auf ein Zehntel Millimeter, in das Profil des Druckers.</translation>
-    </message>
-    <message>
-        <source>Corrected for X %1, Y %2</source>
-        <translation>Korrigiert um X %1, Y %2</translation>
-    </message>
-    <message>
-        <source>Not corrected: X 1, Y 1</source>
-        <translation>Nicht korrigiert: X 1, Y 1</translation>
-    </message>
     <message>
         <source>Verification of the printer&apos;s scale</source>
         <translation>Prüfung des Druckermaßstabs</translation>
@@ -4367,140 +4336,43 @@
         <translation>Kalibrierung des Druckermaßstabs</translation>
     </message>
     <message>
-        <source>Paper of %1 × %2 mm is too small to calibrate a printer with; take A5 or larger</source>
-        <translation>Papier von %1 × %2 mm ist zu klein, um einen Drucker zu kalibrieren; nehmen Sie A5 oder größer</translation>
-    </message>
-    <message>
         <source>The calibration page cannot be written: %1</source>
         <translation>Die Kalibrierseite kann nicht geschrieben werden: %1</translation>
     </message>
     <message>
-        <source>%1 mm in place of %2 mm is more than 10 % off; switch off all scaling in the printer&apos;s settings, print the page anew and measure again</source>
-        <translation>%1 mm statt %2 mm ist mehr als 10 % daneben; schalten Sie alle Skalierung in den Einstellungen des Druckers ab, drucken Sie die Seite neu und messen Sie wieder</translation>
-    </message>
-</context>
-<context>
-    <name>dipwright::NumericalErrorCheck</name>
-    <message>
-        <source>Checking the certainty</source>
-        <translation>Verlässlichkeit wird geprüft</translation>
+        <source>From its first to its last line, the horizontal ruler must measure %1 mm and the vertical ruler %2 mm.</source>
+        <translation>Vom ersten bis zum letzten Strich muss das waagerechte Lineal %1 mm und das senkrechte %2 mm messen.</translation>
     </message>
     <message>
-        <source>Check Certainty</source>
-        <translation>Verlässlichkeit prüfen</translation>
-    </message>
-</context>
-<context>
-    <name>dipwright::NumericalErrorDialog</name>
-    <message>
-        <source>How far the sheet moves</source>
-        <translation>Wie weit sich der Bogen verschiebt</translation>
+        <source>If a ruler differs by more than 0.2 mm, calibrate the printer again.</source>
+        <translation>Weicht ein Lineal um mehr als 0,2 mm ab, kalibrieren Sie den Drucker noch einmal.</translation>
     </message>
     <message>
-        <source>95 %</source>
-        <translation>95 %</translation>
+        <source>Measure both rulers to 0.1 mm and enter the lengths in the printer&apos;s profile.</source>
+        <translation>Messen Sie beide Lineale auf 0,1 mm und tragen Sie die Längen in das Profil des Druckers ein.</translation>
     </message>
     <message>
-        <source>With steps half as long</source>
-        <translation>Mit halb so langen Schritten</translation>
+        <source>Scale correction: X %1, Y %2</source>
+        <translation>Maßstabskorrektur: X %1, Y %2</translation>
     </message>
     <message>
-        <source>With film cells half as wide</source>
-        <translation>Mit halb so breiten Filmzellen</translation>
+        <source>No scale correction: X 1, Y 1</source>
+        <translation>Keine Maßstabskorrektur: X 1, Y 1</translation>
     </message>
     <message>
-        <source>Certainty of the sheet</source>
-        <translation>Verlässlichkeit des Bogens</translation>
+        <source>Paper of %1 × %2 mm is too small to calibrate a printer; use A5 or larger</source>
+        <translation>Papier von %1 × %2 mm ist zu klein, um einen Drucker zu kalibrieren; verwenden Sie A5 oder größer</translation>
     </message>
     <message>
-        <source>Certainty of the Sheets</source>
-        <translation>Verlässlichkeit der Bögen</translation>
-    </message>
-    <message>
-        <source>&amp;Save Maps…</source>
-        <translation>Karten &amp;speichern …</translation>
-    </message>
-    <message>
-        <source>Save Maps to a Folder</source>
-        <translation>Karten in einem Ordner speichern</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Mittel</translation>
-    </message>
-    <message>
-        <source>Maximum</source>
-        <translation>Maximum</translation>
-    </message>
-    <message>
-        <source>Painted twice</source>
-        <translation>Beide malen</translation>
-    </message>
-    <message>
-        <source>Painted once</source>
-        <translation>Nur einer malt</translation>
-    </message>
-    <message>
-        <source>The part of the body that is painted by both dips</source>
-        <translation>Der Teil des Körpers, den beide Tauchvorgänge bemalen</translation>
-    </message>
-    <message>
-        <source>The part of the body that is painted by one of the dips only</source>
-        <translation>Der Teil des Körpers, den nur einer der Tauchvorgänge bemalt</translation>
-    </message>
-    <message>
-        <source>%1: nothing is painted that could be compared.</source>
-        <translation>%1: es wird nichts bemalt, das verglichen werden könnte.</translation>
-    </message>
-    <message>
-        <source>%1: this sheet is certain. 95 % of it moves by %2 or less when it is computed more finely.</source>
-        <translation>%1: dieser Bogen ist verlässlich. 95 % davon verschieben sich um %2 oder weniger, wenn feiner gerechnet wird.</translation>
-    </message>
-    <message>
-        <source>These are the figures of the project as it was before the last changes.</source>
-        <translation>Dies sind die Zahlen des Projekts, wie es vor den letzten Änderungen war.</translation>
-    </message>
-    <message>
-        <source>%1: this sheet is not certain. 95 % of it moves by up to %2 when it is computed more finely; give the film smaller cells or more points, turn the body, or dip it in two immersions.</source>
-        <translation>%1: dieser Bogen ist nicht verlässlich. 95 % davon verschieben sich um bis zu %2, wenn feiner gerechnet wird; geben Sie dem Film kleinere Zellen oder mehr Punkte, drehen Sie den Körper oder tauchen Sie ihn in zwei Tauchvorgängen.</translation>
-    </message>
-</context>
-<context>
-    <name>dipwright::VerdictPanel</name>
-    <message>
-        <source>Certainty of the sheet</source>
-        <translation>Sicherheit des Bogens</translation>
-    </message>
-    <message>
-        <source>Run the dip to see how far the sheet may be off.</source>
-        <translation>Starten Sie den Tauchvorgang, um zu sehen, wie weit der Bogen daneben liegen kann.</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>Urteil</translation>
+        <source>A ruler of %2 mm measures %1 mm, which differs by more than 10 %; switch off all scaling in the printer&apos;s settings, print the page again and measure again</source>
+        <translation>Ein Lineal von %2 mm misst %1 mm und weicht damit um mehr als 10 % ab; schalten Sie jede Skalierung in den Einstellungen des Druckers ab, drucken Sie die Seite neu und messen Sie noch einmal</translation>
     </message>
 </context>
 <context>
     <name>dipwright::CompareWindow</name>
     <message>
-        <source>Side by Side</source>
-        <translation>Nebeneinander</translation>
-    </message>
-    <message>
         <source>What is shown</source>
         <translation>Was gezeigt wird</translation>
-    </message>
-    <message>
-        <source>What both bodies wear: the film&apos;s lines, how far it is drawn out, or what is painted</source>
-        <translation>Was beide Körper tragen: die Linien des Films, wie weit er gedehnt ist, oder was bemalt ist</translation>
-    </message>
-    <message>
-        <source>Film on the body</source>
-        <translation>Film am Körper</translation>
     </message>
     <message>
         <source>Stretch of the film</source>
@@ -4508,31 +4380,11 @@
     </message>
     <message>
         <source>Coverage</source>
-        <translation>Bedeckung</translation>
-    </message>
-    <message>
-        <source>Immersion</source>
-        <translation>Tauchvorgang</translation>
-    </message>
-    <message>
-        <source>The immersion that is looked at</source>
-        <translation>Der Tauchvorgang, der betrachtet wird</translation>
-    </message>
-    <message>
-        <source>Immersion %1</source>
-        <translation>Tauchvorgang %1</translation>
+        <translation>Abdeckung</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
         <translation>&amp;Einpassen</translation>
-    </message>
-    <message>
-        <source>Show the bodies as large as can be</source>
-        <translation>Die Körper so groß wie möglich zeigen</translation>
-    </message>
-    <message>
-        <source>Figures of both</source>
-        <translation>Zahlen von beiden</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -4543,53 +4395,81 @@
         <translation>&amp;Schließen</translation>
     </message>
     <message>
-        <source>Back to the project; Escape does the same</source>
-        <translation>Zurück zum Projekt; Escape tut dasselbe</translation>
-    </message>
-    <message>
         <source>Figure</source>
-        <translation>Zahl</translation>
+        <translation>Kennzahl</translation>
     </message>
     <message>
         <source>Difference</source>
         <translation>Unterschied</translation>
     </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>What both views show: the lines of the film, its stretch, or the painted area</source>
+        <translation>Was beide Ansichten zeigen: die Linien des Films, seine Dehnung oder die bemalte Fläche</translation>
+    </message>
+    <message>
+        <source>Film on the part</source>
+        <translation>Film auf dem Teil</translation>
+    </message>
+    <message>
+        <source>Dip</source>
+        <translation>Tauchvorgang</translation>
+    </message>
+    <message>
+        <source>The dip that is shown</source>
+        <translation>Der gezeigte Tauchvorgang</translation>
+    </message>
+    <message>
+        <source>Dip %1</source>
+        <translation>Tauchvorgang %1</translation>
+    </message>
+    <message>
+        <source>Fit both parts into their views</source>
+        <translation>Beide Teile in ihre Ansichten einpassen</translation>
+    </message>
+    <message>
+        <source>Figures of both states</source>
+        <translation>Zahlen beider Zustände</translation>
+    </message>
+    <message>
+        <source>Close the comparison (Escape)</source>
+        <translation>Den Vergleich schließen (Escape)</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::DeeperFilm</name>
     <message>
-        <source>Dipping deeper</source>
-        <translation>Tiefer getaucht</translation>
-    </message>
-    <message>
         <source>Deeper dip</source>
         <translation>Tieferer Tauchvorgang</translation>
+    </message>
+    <message>
+        <source>Simulating a deeper dip</source>
+        <translation>Tieferer Tauchvorgang wird simuliert</translation>
     </message>
 </context>
 <context>
     <name>dipwright::DipCacheUpdater</name>
     <message>
-        <source>Looking for results</source>
-        <translation>Ergebnisse werden gesucht</translation>
+        <source>Reading cached results</source>
+        <translation>Zwischengespeicherte Ergebnisse werden gelesen</translation>
     </message>
     <message>
-        <source>The results are those of the dips kept beside the project.</source>
-        <translation>Die Ergebnisse sind die der Tauchvorgänge, die neben dem Projekt aufbewahrt sind.</translation>
+        <source>Took the results from the cache file beside the project.</source>
+        <translation>Die Ergebnisse stammen aus der Cache-Datei neben dem Projekt.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::DipController</name>
-    <message>
-        <source>The Dip</source>
-        <translation>Der Tauchvorgang</translation>
-    </message>
     <message>
         <source>Simulated with %1 on %2</source>
         <translation>Simuliert mit %1 auf %2</translation>
     </message>
     <message>
         <source>The sheet is out of date: it was made before the last changes.</source>
-        <translation>Der Bogen ist veraltet: Er entstand vor den letzten Änderungen.</translation>
+        <translation>Das Blatt ist veraltet: Es entstand vor den letzten Änderungen.</translation>
     </message>
     <message>
         <source>The results are out of date: they were made before the last changes.</source>
@@ -4600,15 +4480,19 @@
         <translation>Die Ergebnisse sind veraltet; starten Sie zuerst das Tauchen neu.</translation>
     </message>
     <message>
-        <source>Film %1</source>
-        <translation>Film %1</translation>
+        <source>Dip</source>
+        <translation>Tauchvorgang</translation>
+    </message>
+    <message>
+        <source>Use film %1</source>
+        <translation>Film %1 verwenden</translation>
     </message>
 </context>
 <context>
     <name>dipwright::DipView</name>
     <message>
-        <source>The 3D view needs OpenGL 3.2, and no such context could be made. Everything else works.</source>
-        <translation>Die 3D-Ansicht braucht OpenGL 3.2, und ein solcher Kontext ließ sich nicht anlegen. Alles andere geht.</translation>
+        <source>The 3D view needs OpenGL 3.2, but no such context could be created. Everything else works.</source>
+        <translation>Die 3D-Ansicht braucht OpenGL 3.2, aber ein solcher Kontext ließ sich nicht anlegen. Alles andere geht.</translation>
     </message>
 </context>
 <context>
@@ -4618,12 +4502,12 @@
         <translation>Die Auflösung des Abstandsfelds ist %1; wählen Sie 32 bis 512</translation>
     </message>
     <message>
-        <source>The body has no extent; choose a model with a surface</source>
-        <translation>Der Körper hat keine Ausdehnung; wählen Sie ein Modell mit einer Oberfläche</translation>
-    </message>
-    <message>
         <source>Building the distance field</source>
         <translation>Abstandsfeld wird gebaut</translation>
+    </message>
+    <message>
+        <source>The model has no extent; choose a model with a surface</source>
+        <translation>Das Modell hat keine Ausdehnung; wählen Sie ein Modell mit einer Oberfläche</translation>
     </message>
 </context>
 <context>
@@ -4636,76 +4520,76 @@
 <context>
     <name>dipwright::DocumentController</name>
     <message>
-        <source>Open Project</source>
-        <translation>Projekt öffnen</translation>
-    </message>
-    <message>
-        <source>Project in Use</source>
-        <translation>Projekt in Benutzung</translation>
-    </message>
-    <message>
-        <source>“%1” is open already, on %2 (process %3).</source>
-        <translation>„%1“ ist schon geöffnet, auf %2 (Prozess %3).</translation>
-    </message>
-    <message>
         <source>an unknown machine</source>
         <translation>einem unbekannten Rechner</translation>
-    </message>
-    <message>
-        <source>Open Anyway</source>
-        <translation>Trotzdem öffnen</translation>
-    </message>
-    <message>
-        <source>Save Project</source>
-        <translation>Projekt speichern</translation>
     </message>
     <message>
         <source>Save</source>
         <translation>Speichern</translation>
     </message>
     <message>
-        <source>Unsaved Changes</source>
-        <translation>Nicht gespeicherte Änderungen</translation>
+        <source>&amp;Overwrite</source>
+        <translation>Ü&amp;berschreiben</translation>
     </message>
     <message>
-        <source>Save the changes to “%1” before it is closed?</source>
-        <translation>Die Änderungen an „%1“ vor dem Schließen speichern?</translation>
+        <source>Open project</source>
+        <translation>Projekt öffnen</translation>
     </message>
     <message>
-        <source>None yet</source>
-        <translation>Noch keine</translation>
+        <source>Project in use</source>
+        <translation>Projekt in Benutzung</translation>
     </message>
     <message>
-        <source>%1 is a picture: open the project first that is to wear it</source>
-        <translation>%1 ist ein Bild: Öffnen Sie zuerst das Projekt, das es tragen soll</translation>
+        <source>“%1” is already open on %2 (process %3).</source>
+        <translation>„%1“ ist bereits auf %2 geöffnet (Prozess %3).</translation>
     </message>
     <message>
-        <source>%1 is neither a project, a model nor a picture</source>
-        <translation>%1 ist weder ein Projekt noch ein Modell noch ein Bild</translation>
+        <source>Open anyway</source>
+        <translation>Trotzdem öffnen</translation>
     </message>
     <message>
-        <source>If both of you save, the second is asked whose work is to stay.</source>
-        <translation>Speichern beide, so wird der zweite gefragt, wessen Arbeit bleiben soll.</translation>
+        <source>Project changed by another program</source>
+        <translation>Projekt von einem anderen Programm geändert</translation>
     </message>
     <message>
-        <source>Project Changed Elsewhere</source>
-        <translation>Projekt anderswo geändert</translation>
+        <source>Another program has saved “%1” since you opened it.</source>
+        <translation>Ein anderes Programm hat „%1“ gespeichert, seit Sie es geöffnet haben.</translation>
     </message>
     <message>
-        <source>Another program has written “%1” since it was opened here.</source>
-        <translation>Ein anderes Programm hat „%1“ geschrieben, seit es hier geöffnet wurde.</translation>
+        <source>Save under another name to keep both versions. If you overwrite the file, the changes of the other program are lost.</source>
+        <translation>Speichern Sie unter einem anderen Namen, um beide Fassungen zu behalten. Beim Überschreiben gehen die Änderungen des anderen Programms verloren.</translation>
     </message>
     <message>
-        <source>Save under another name to keep both. Overwriting loses what the other has done.</source>
-        <translation>Speichern Sie unter einem anderen Namen, um beides zu behalten. Überschreiben verliert, was der andere getan hat.</translation>
-    </message>
-    <message>
-        <source>Save &amp;As…</source>
+        <source>Save &amp;as…</source>
         <translation>Speichern &amp;unter …</translation>
     </message>
     <message>
-        <source>&amp;Overwrite</source>
-        <translation>Ü&amp;berschreiben</translation>
+        <source>Save project</source>
+        <translation>Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1” before closing it?</source>
+        <translation>Die Änderungen an „%1“ vor dem Schließen speichern?</translation>
+    </message>
+    <message>
+        <source>No recent projects</source>
+        <translation>Keine zuletzt geöffneten Projekte</translation>
+    </message>
+    <message>
+        <source>%1 is a picture. Open a project first, then drop the picture to use it as the texture.</source>
+        <translation>%1 ist ein Bild. Öffnen Sie zuerst ein Projekt und ziehen Sie das Bild dann hinein, um es als Textur zu verwenden.</translation>
+    </message>
+    <message>
+        <source>%1 is not a project, model or picture</source>
+        <translation>%1 ist weder Projekt noch Modell noch Bild</translation>
+    </message>
+    <message>
+        <source>If both of you save, whoever saves second is asked which version to keep.</source>
+        <translation>Wenn Sie beide speichern, muss entscheiden, wer als Zweiter speichert, welche Fassung bleibt.</translation>
     </message>
 </context>
 <context>
@@ -4715,24 +4599,12 @@
         <translation>Projekt wird geöffnet</translation>
     </message>
     <message>
-        <source>Open Project</source>
-        <translation>Projekt öffnen</translation>
-    </message>
-    <message>
         <source>Opened %1</source>
         <translation>%1 geöffnet</translation>
     </message>
     <message>
-        <source>New Project</source>
-        <translation>Neues Projekt</translation>
-    </message>
-    <message>
         <source>Restoring the project</source>
         <translation>Projekt wird wiederhergestellt</translation>
-    </message>
-    <message>
-        <source>Restore Project</source>
-        <translation>Projekt wiederherstellen</translation>
     </message>
     <message>
         <source>Restored unsaved changes of %1</source>
@@ -4743,8 +4615,20 @@
         <translation>%1 gespeichert</translation>
     </message>
     <message>
-        <source>Unsaved changes are not kept in case of a crash; save them often. %1</source>
-        <translation>Ungespeicherte Änderungen werden für den Fall eines Absturzes nicht aufgehoben; speichern Sie oft. %1</translation>
+        <source>Unsaved changes would be lost in a crash, because no copy can be written. Save often. %1</source>
+        <translation>Ungespeicherte Änderungen gingen bei einem Absturz verloren, weil keine Kopie geschrieben werden kann. Speichern Sie oft. %1</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Neues Projekt</translation>
+    </message>
+    <message>
+        <source>Restore project</source>
+        <translation>Projekt wiederherstellen</translation>
     </message>
 </context>
 <context>
@@ -4757,24 +4641,16 @@
 <context>
     <name>dipwright::EditController</name>
     <message>
-        <source>Replace Model</source>
+        <source>Replace model</source>
         <translation>Modell ersetzen</translation>
     </message>
     <message>
-        <source>Replace Texture</source>
+        <source>Replace texture</source>
         <translation>Textur ersetzen</translation>
     </message>
 </context>
 <context>
     <name>dipwright::ExportController</name>
-    <message>
-        <source>Export Results to a Folder</source>
-        <translation>Ergebnisse in einen Ordner exportieren</translation>
-    </message>
-    <message>
-        <source>Export Results</source>
-        <translation>Ergebnisse exportieren</translation>
-    </message>
     <message>
         <source>Wrote the results to %1</source>
         <translation>Ergebnisse nach %1 geschrieben</translation>
@@ -4784,143 +4660,71 @@
         <translation>%1 geschrieben</translation>
     </message>
     <message>
-        <source>Save Sheet</source>
-        <translation>Bogen speichern</translation>
-    </message>
-    <message>
-        <source>Export Stretch</source>
-        <translation>Dehnung exportieren</translation>
-    </message>
-    <message>
         <source>stretch</source>
         <translation>dehnung</translation>
-    </message>
-    <message>
-        <source>These sheets were made before the last changes. Run the dip first to print what the project now says.</source>
-        <translation>Diese Bögen entstanden vor den letzten Änderungen. Starten Sie zuerst den Tauchvorgang, um zu drucken, was im Projekt jetzt steht.</translation>
-    </message>
-    <message>
-        <source>Save Maps</source>
-        <translation>Karten speichern</translation>
     </message>
     <message>
         <source>Wrote the maps to %1</source>
         <translation>Karten nach %1 geschrieben</translation>
     </message>
     <message>
-        <source>Export Cradles</source>
+        <source>Wrote the cradles to %1</source>
+        <translation>Halterungen nach %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Export results to a folder</source>
+        <translation>Ergebnisse in einen Ordner exportieren</translation>
+    </message>
+    <message>
+        <source>Export results</source>
+        <translation>Ergebnisse exportieren</translation>
+    </message>
+    <message>
+        <source>Save sheet</source>
+        <translation>Blatt speichern</translation>
+    </message>
+    <message>
+        <source>Export cradles</source>
         <translation>Halterungen exportieren</translation>
     </message>
     <message>
-        <source>Export Cradles to a Folder</source>
+        <source>Export cradles to a folder</source>
         <translation>Halterungen in einen Ordner exportieren</translation>
     </message>
     <message>
-        <source>Wrote the cradles to %1</source>
-        <translation>Halterungen nach %1 geschrieben</translation>
+        <source>Export stretch</source>
+        <translation>Dehnung exportieren</translation>
+    </message>
+    <message>
+        <source>These sheets were made before the last changes to the project. Run the dip again to print the current state.</source>
+        <translation>Diese Blätter entstanden vor den letzten Änderungen am Projekt. Starten Sie den Tauchvorgang neu, um den aktuellen Stand zu drucken.</translation>
+    </message>
+    <message>
+        <source>Save maps</source>
+        <translation>Karten speichern</translation>
     </message>
 </context>
 <context>
     <name>dipwright::FilmFit</name>
     <message>
-        <source>The fit does not come to rest in %1 rounds; look for places that were mistaken for others, or fit fewer quantities</source>
-        <translation>Die Anpassung kommt in %1 Runden nicht zur Ruhe; suchen Sie nach verwechselten Stellen oder passen Sie weniger Größen an</translation>
-    </message>
-    <message>
         <source>Fitted</source>
         <translation>Angepasst</translation>
-    </message>
-    <message>
-        <source>The pairs tell nothing of the film; give more of them, all round the body</source>
-        <translation>Die Paare sagen nichts über den Film; geben Sie mehr davon an, rund um den Körper</translation>
-    </message>
-    <message>
-        <source>None of the printed places lies on the body in the simulation; are they of this job&apos;s sheet?</source>
-        <translation>Keine der gedruckten Stellen liegt in der Simulation auf dem Körper; sind sie vom Bogen dieses Auftrags?</translation>
     </message>
     <message>
         <source>%1, dip %2</source>
         <translation>%1, Tauchvorgang %2</translation>
     </message>
     <message>
-        <source>%1 and %2 are told together rather than each by itself: correlation %3</source>
-        <translation>%1 und %2 sind eher zusammen als jede für sich bestimmt: Korrelation %3</translation>
-    </message>
-    <message>
-        <source>%1 is not told by these pairs and stays as it was</source>
-        <translation>%1 ist durch diese Paare nicht bestimmt und bleibt, wie es war</translation>
-    </message>
-    <message>
-        <source>The print was off by %1 px or %2 mm and is by %3 px or %4 mm with what was found (root mean square)</source>
-        <translation>Der Druck lag %1 px oder %2 mm daneben und liegt mit dem Gefundenen %3 px oder %4 mm daneben (quadratisches Mittel)</translation>
-    </message>
-    <message>
-        <source>give pairs of places all round the body</source>
-        <translation>geben Sie Paare rund um den Körper an</translation>
-    </message>
-    <message>
-        <source>photograph places near the body&apos;s lowest point and others high on its sides, from more than one direction</source>
-        <translation>fotografieren Sie Stellen nahe dem tiefsten Punkt des Körpers und andere weit oben an seinen Seiten, aus mehr als einer Richtung</translation>
-    </message>
-    <message>
-        <source>measure growth by photos of the floating film, “inspect film”</source>
-        <translation>messen Sie das Wachstum durch Fotos des schwimmenden Films, „inspect film“</translation>
-    </message>
-    <message>
         <source>measure it at the tank and leave it out of the fit</source>
         <translation>messen Sie es am Becken und lassen Sie es aus der Anpassung</translation>
     </message>
     <message>
-        <source>The project&apos;s film does not grow, and so its growth cannot be fitted; measure it by photos of the floating film, “inspect film”</source>
-        <translation>Der Film des Projekts wächst nicht, also lässt sich sein Wachstum nicht anpassen; messen Sie es durch Fotos des schwimmenden Films, „inspect film“</translation>
-    </message>
-    <message>
-        <source>%1 changes nothing of this film and cannot be fitted</source>
-        <translation>%1 ändert an diesem Film nichts und lässt sich nicht anpassen</translation>
-    </message>
-    <message>
-        <source>%1 moves none of the places, so that the pairs do not tell it; %2</source>
-        <translation>%1 bewegt keine der Stellen, so dass die Paare es nicht bestimmen; %2</translation>
-    </message>
-    <message>
-        <source>The pairs cannot tell %1 from the camera&apos;s place (correlation %2); %3</source>
-        <translation>Die Paare können %1 nicht vom Platz der Kamera unterscheiden (Korrelation %2); %3</translation>
-    </message>
-    <message>
-        <source>give more pairs of the body itself, farther apart</source>
-        <translation>geben Sie mehr Paare des Körpers selbst an, weiter auseinander</translation>
-    </message>
-    <message>
-        <source>give pairs of the body itself, its edges, corners or holes, with --pairs</source>
-        <translation>geben Sie mit --pairs Paare des Körpers selbst an, seine Kanten, Ecken oder Löcher</translation>
-    </message>
-    <message>
-        <source>The pairs cannot tell %1 from %2 (correlation %3); fit one of the two alone, or %4</source>
-        <translation>Die Paare können %1 nicht von %2 unterscheiden (Korrelation %3); passen Sie nur eines von beiden an, oder %4</translation>
-    </message>
-    <message>
-        <source>The pairs do not tell %1 well enough; give more of them, or %2</source>
-        <translation>Die Paare bestimmen %1 nicht gut genug; geben Sie mehr davon an, oder %2</translation>
-    </message>
-    <message>
-        <source>Body along X</source>
-        <translation>Körper entlang X</translation>
-    </message>
-    <message>
-        <source>Body along Z</source>
-        <translation>Körper entlang Z</translation>
-    </message>
-    <message>
-        <source>Body about Y</source>
-        <translation>Körper um Y</translation>
-    </message>
-    <message>
         <source>Swell along X</source>
-        <translation>Quellung entlang X</translation>
+        <translation>Quellung längs X</translation>
     </message>
     <message>
         <source>Swell along Y</source>
-        <translation>Quellung entlang Y</translation>
+        <translation>Quellung längs Y</translation>
     </message>
     <message>
         <source>Relaxation</source>
@@ -4939,32 +4743,112 @@
         <translation>Tiefe</translation>
     </message>
     <message>
-        <source>“%1” is nothing that can be fitted; choose of %2</source>
-        <translation>„%1“ lässt sich nicht anpassen; wählen Sie aus %2</translation>
-    </message>
-    <message>
-        <source>There are fewer pairs on the body than tell %1 numbers of film and camera; give more, or fit fewer quantities</source>
-        <translation>Es sind weniger Paare auf dem Körper, als %1 Zahlen von Film und Kamera bestimmen; geben Sie mehr an oder passen Sie weniger Größen an</translation>
-    </message>
-    <message>
-        <source>No film and camera are found that fit the pairs; look for places that were mistaken for others</source>
-        <translation>Es finden sich kein Film und keine Kamera, die zu den Paaren passen; suchen Sie nach verwechselten Stellen</translation>
-    </message>
-    <message>
-        <source>A place is said to be of dip %1, and the project has %2</source>
-        <translation>Eine Stelle soll von Tauchvorgang %1 sein, und das Projekt hat %2</translation>
-    </message>
-    <message>
-        <source>%1: %2, was taken for %3; 95 %: %4</source>
-        <translation>%1: %2, angenommen war %3; 95 %: %4</translation>
-    </message>
-    <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
     </message>
     <message>
-        <source>%1 is known to about %2 % only: a tenth of it moves none of the places seen by more than %3 mm; give more of them, or %4</source>
-        <translation>%1 ist nur auf etwa %2 % bekannt: ein Zehntel davon bewegt keine der gesehenen Stellen um mehr als %3 mm; geben Sie mehr davon, oder %4</translation>
+        <source>The fit did not converge in %1 rounds; check for places that were mistaken for others, or fit fewer quantities</source>
+        <translation>Die Anpassung ist in %1 Runden nicht konvergiert; prüfen Sie auf verwechselte Stellen, oder passen Sie weniger Größen an</translation>
+    </message>
+    <message>
+        <source>The pairs do not determine any quantity of the film; give more pairs, all round the part</source>
+        <translation>Die Paare bestimmen keine Größe des Films; geben Sie mehr Paare an, rund um das Teil</translation>
+    </message>
+    <message>
+        <source>None of the printed places lies on the part in the simulation; check that they belong to this job&apos;s sheet</source>
+        <translation>Keine der gedruckten Stellen liegt in der Simulation auf dem Teil; prüfen Sie, ob sie zum Blatt dieses Auftrags gehören</translation>
+    </message>
+    <message>
+        <source>%1: %2 (before: %3; 95 % interval: %4)</source>
+        <translation>%1: %2 (vorher: %3; 95-%-Intervall: %4)</translation>
+    </message>
+    <message>
+        <source>%1 and %2 cannot be determined independently: correlation %3</source>
+        <translation>%1 und %2 lassen sich nicht unabhängig voneinander bestimmen: Korrelation %3</translation>
+    </message>
+    <message>
+        <source>%1 is not determined by these pairs and keeps its value</source>
+        <translation>%1 ist durch diese Paare nicht bestimmt und behält den bisherigen Wert</translation>
+    </message>
+    <message>
+        <source>Root mean square distance of the print: %1 px (%2 mm) before the fit, %3 px (%4 mm) after it</source>
+        <translation>Quadratisches Mittel des Abstands des Drucks: %1 px (%2 mm) vor der Anpassung, %3 px (%4 mm) danach</translation>
+    </message>
+    <message>
+        <source>give pairs of places all round the part</source>
+        <translation>geben Sie Paare rund um das Teil an</translation>
+    </message>
+    <message>
+        <source>photograph places near the part&apos;s lowest point and others high on its sides, from more than one direction</source>
+        <translation>fotografieren Sie Stellen nahe dem tiefsten Punkt des Teils und andere weit oben an seinen Seiten, aus mehr als einer Richtung</translation>
+    </message>
+    <message>
+        <source>measure growth from photos of the floating film with “inspect film”</source>
+        <translation>messen Sie das Wachstum aus Fotos des schwimmenden Films mit „inspect film“</translation>
+    </message>
+    <message>
+        <source>The project&apos;s film does not grow, so its growth cannot be fitted; measure it from photos of the floating film with “inspect film”</source>
+        <translation>Der Film des Projekts wächst nicht, also lässt sich sein Wachstum nicht anpassen; messen Sie es aus Fotos des schwimmenden Films mit „inspect film“</translation>
+    </message>
+    <message>
+        <source>%1 has no effect on this film and cannot be fitted</source>
+        <translation>%1 hat auf diesen Film keine Wirkung und lässt sich nicht anpassen</translation>
+    </message>
+    <message>
+        <source>%1 moves none of the places, so the pairs do not determine it; %2</source>
+        <translation>%1 bewegt keine der Stellen, also bestimmen die Paare es nicht; %2</translation>
+    </message>
+    <message>
+        <source>The pairs cannot separate %1 from the camera&apos;s position (correlation %2); %3</source>
+        <translation>Die Paare können %1 nicht von der Position der Kamera trennen (Korrelation %2); %3</translation>
+    </message>
+    <message>
+        <source>give more pairs on the part itself, farther apart</source>
+        <translation>geben Sie mehr Paare am Teil selbst an, weiter auseinander</translation>
+    </message>
+    <message>
+        <source>give pairs on the part itself (edges, corners or holes) with --pairs</source>
+        <translation>geben Sie mit --pairs Paare am Teil selbst an (Kanten, Ecken oder Löcher)</translation>
+    </message>
+    <message>
+        <source>The pairs cannot separate %1 from %2 (correlation %3); fit only one of the two, or %4</source>
+        <translation>Die Paare können %1 nicht von %2 trennen (Korrelation %3); passen Sie nur eines von beiden an, oder %4</translation>
+    </message>
+    <message>
+        <source>The pairs do not determine %1 well enough; give more pairs, or %2</source>
+        <translation>Die Paare bestimmen %1 nicht gut genug; geben Sie mehr Paare an, oder %2</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be fitted; choose from %2</source>
+        <translation>„%1“ lässt sich nicht anpassen; wählen Sie aus %2</translation>
+    </message>
+    <message>
+        <source>There are too few pairs on the part to determine %1 numbers of film and camera; give more pairs, or fit fewer quantities</source>
+        <translation>Es sind zu wenige Paare auf dem Teil, um %1 Zahlen von Film und Kamera zu bestimmen; geben Sie mehr Paare an, oder passen Sie weniger Größen an</translation>
+    </message>
+    <message>
+        <source>No film and camera fit the pairs; check for places that were mistaken for others</source>
+        <translation>Kein Film und keine Kamera passen zu den Paaren; prüfen Sie auf verwechselte Stellen</translation>
+    </message>
+    <message>
+        <source>A place belongs to dip %1, but the number of dips in the project is %2</source>
+        <translation>Eine Stelle gehört zu Tauchvorgang %1, das Projekt hat aber nur so viele Tauchvorgänge: %2</translation>
+    </message>
+    <message>
+        <source>%1 is known only to about %2 %: a change by 10 % moves none of the places by more than %3 mm; give more pairs, or %4</source>
+        <translation>%1 ist nur auf etwa %2 % bekannt: Eine Änderung um 10 % bewegt keine der Stellen um mehr als %3 mm; geben Sie mehr Paare an, oder %4</translation>
+    </message>
+    <message>
+        <source>Position of the part along X</source>
+        <translation>Lage des Teils entlang X</translation>
+    </message>
+    <message>
+        <source>Position of the part along Z</source>
+        <translation>Lage des Teils entlang Z</translation>
+    </message>
+    <message>
+        <source>Rotation of the part about Y</source>
+        <translation>Drehung des Teils um Y</translation>
     </message>
 </context>
 <context>
@@ -4974,20 +4858,12 @@
         <translation>Ungleichmäßigkeit des Films</translation>
     </message>
     <message>
-        <source>Where the film has grown more and less is shown here.</source>
-        <translation>Hier wird gezeigt, wo der Film mehr und wo er weniger gewachsen ist.</translation>
-    </message>
-    <message>
         <source>Photos of the film</source>
         <translation>Fotos des Films</translation>
     </message>
     <message>
         <source>Photo</source>
         <translation>Foto</translation>
-    </message>
-    <message>
-        <source>Seconds since it was laid</source>
-        <translation>Sekunden seit dem Auflegen</translation>
     </message>
     <message>
         <source> s</source>
@@ -5002,24 +4878,12 @@
         <translation> °C</translation>
     </message>
     <message>
-        <source>Add photos of the film&apos;s chessboard floating on the water with the card beside it, or drop them here. The guide says how they are made.</source>
-        <translation>Fügen Sie Fotos vom Schachbrett des Films hinzu, das auf dem Wasser schwimmt, mit der Karte daneben, oder legen Sie sie hier ab. Das Handbuch sagt, wie sie gemacht werden.</translation>
-    </message>
-    <message>
         <source>Dip begins after</source>
-        <translation>Tauchen beginnt nach</translation>
+        <translation>Tauchvorgang beginnt nach</translation>
     </message>
     <message>
         <source>Lot</source>
         <translation>Charge</translation>
-    </message>
-    <message>
-        <source>Water</source>
-        <translation>Wasser</translation>
-    </message>
-    <message>
-        <source>Add &amp;Photos…</source>
-        <translation>&amp;Fotos hinzufügen …</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
@@ -5030,16 +4894,8 @@
         <translation>&amp;Messen</translation>
     </message>
     <message>
-        <source>&amp;Save to Profile…</source>
-        <translation>Im Profil &amp;speichern …</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
-        <translation>&amp;Exportieren …</translation>
-    </message>
-    <message>
-        <source>Photos of the Film</source>
-        <translation>Fotos des Films</translation>
+        <translation>E&amp;xportieren …</translation>
     </message>
     <message>
         <source>Photos (%1)</source>
@@ -5050,16 +4906,8 @@
         <translation>Sekunden, seit der Film auf das Wasser gelegt wurde</translation>
     </message>
     <message>
-        <source>when the dip begins</source>
-        <translation>bei Beginn des Tauchens</translation>
-    </message>
-    <message>
         <source>Photo of the film</source>
         <translation>Foto des Films</translation>
-    </message>
-    <message>
-        <source>The corners that were found in the photo are shown here.</source>
-        <translation>Hier werden die im Foto gefundenen Ecken gezeigt.</translation>
     </message>
     <message>
         <source>Corners</source>
@@ -5070,44 +4918,8 @@
         <translation>Ungleichmäßigkeit</translation>
     </message>
     <message>
-        <source>Seconds since the film was laid on the water; the swell is told of then</source>
-        <translation>Sekunden seit dem Auflegen des Films auf das Wasser; für diesen Zeitpunkt gilt die Quellung</translation>
-    </message>
-    <message>
         <source> mm</source>
         <translation> mm</translation>
-    </message>
-    <message>
-        <source>Across</source>
-        <translation>Quer</translation>
-    </message>
-    <message>
-        <source>Down</source>
-        <translation>Längs</translation>
-    </message>
-    <message>
-        <source>How exactly each ruler was read; the swell&apos;s interval holds it</source>
-        <translation>Wie genau jedes Lineal abgelesen wurde; im Intervall der Quellung enthalten</translation>
-    </message>
-    <message>
-        <source>as the photos say</source>
-        <translation>wie in den Fotos</translation>
-    </message>
-    <message>
-        <source>Of a camera of 35 mm; only needed where the card lies above the film</source>
-        <translation>Bezogen auf Kleinbild (35 mm); nur nötig, wo die Karte über dem Film liegt</translation>
-    </message>
-    <message>
-        <source>Card&apos;s rulers</source>
-        <translation>Lineale der Karte</translation>
-    </message>
-    <message>
-        <source>Dry film&apos;s rulers</source>
-        <translation>Lineale, Film trocken</translation>
-    </message>
-    <message>
-        <source>Read to ±</source>
-        <translation>Abgelesen auf ±</translation>
     </message>
     <message>
         <source>Card above the film</source>
@@ -5122,18 +4934,6 @@
         <translation>Verzeichnung</translation>
     </message>
     <message>
-        <source>Rulers and Camera</source>
-        <translation>Lineale und Kamera</translation>
-    </message>
-    <message>
-        <source>What the printed rulers measure, how high the card lies, and what is known of the camera</source>
-        <translation>Was die gedruckten Lineale messen, wie hoch die Karte liegt und was über die Kamera bekannt ist</translation>
-    </message>
-    <message>
-        <source>%1: %2 corners of the film, %3 of the card, %4 px off</source>
-        <translation>%1: %2 Ecken des Films, %3 der Karte, Abweichung %4 px</translation>
-    </message>
-    <message>
         <source>k1 ?</source>
         <translation>k1 ?</translation>
     </message>
@@ -5142,78 +4942,118 @@
         <translation>k2 ?</translation>
     </message>
     <message>
-        <source>Of a camera measured before; “?”: as each photo has it</source>
-        <translation>Einer früher gemessenen Kamera; „?“: wie in jedem Foto</translation>
+        <source>Add photos of the film&apos;s chessboard on the water with the card beside it, or drop them here. The guide explains how to take them.</source>
+        <translation>Fügen Sie Fotos vom Schachbrett des Films auf dem Wasser mit der Karte daneben hinzu, oder legen Sie sie hier ab. Das Handbuch erklärt, wie man sie aufnimmt.</translation>
+    </message>
+    <message>
+        <source>Corners found in the photo are shown here.</source>
+        <translation>Hier werden die im Foto gefundenen Ecken gezeigt.</translation>
+    </message>
+    <message>
+        <source>A map of where the film has grown more or less is shown here.</source>
+        <translation>Hier zeigt eine Karte, wo der Film mehr oder weniger gewachsen ist.</translation>
+    </message>
+    <message>
+        <source>Seconds on the water</source>
+        <translation>Sekunden auf dem Wasser</translation>
+    </message>
+    <message>
+        <source>Seconds from laying the film on the water to the start of the dip. The swell is computed for this time.</source>
+        <translation>Sekunden vom Auflegen des Films auf das Wasser bis zum Beginn des Tauchvorgangs. Die Quellung wird für diesen Zeitpunkt berechnet.</translation>
+    </message>
+    <message>
+        <source>from the photos</source>
+        <translation>aus den Fotos</translation>
+    </message>
+    <message>
+        <source>Rulers on the card</source>
+        <translation>Lineale der Karte</translation>
+    </message>
+    <message>
+        <source>Rulers on the dry film</source>
+        <translation>Lineale, Film trocken</translation>
+    </message>
+    <message>
+        <source>Reading error ±</source>
+        <translation>Ablesefehler ±</translation>
+    </message>
+    <message>
+        <source>Rulers and camera</source>
+        <translation>Lineale und Kamera</translation>
+    </message>
+    <message>
+        <source>Readings of the printed rulers, height of the card, and camera data</source>
+        <translation>Ablesungen der gedruckten Lineale, Höhe der Karte und Daten der Kamera</translation>
+    </message>
+    <message>
+        <source>Add &amp;photos…</source>
+        <translation>&amp;Fotos hinzufügen …</translation>
+    </message>
+    <message>
+        <source>&amp;Save to profile…</source>
+        <translation>Im Profil &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>at the start of the dip</source>
+        <translation>zu Beginn des Tauchvorgangs</translation>
+    </message>
+    <message>
+        <source>%1: %2 corners on the film, %3 on the card, residual %4 px</source>
+        <translation>%1: %2 Ecken auf dem Film, %3 auf der Karte, Restfehler %4 px</translation>
+    </message>
+    <message>
+        <source>Water temperature</source>
+        <translation>Wassertemperatur</translation>
+    </message>
+    <message>
+        <source>Measured length of the horizontal ruler</source>
+        <translation>Gemessene Länge des waagerechten Lineals</translation>
+    </message>
+    <message>
+        <source>Measured length of the vertical ruler</source>
+        <translation>Gemessene Länge des senkrechten Lineals</translation>
+    </message>
+    <message>
+        <source>Reading error of each ruler. A larger reading error gives a wider 95 % interval of the swell.</source>
+        <translation>Ablesefehler jedes Lineals. Ein größerer Ablesefehler ergibt ein breiteres 95-%-Intervall der Quellung.</translation>
+    </message>
+    <message>
+        <source>Focal length of the lens as 35 mm equivalent. Needed only if the card lies above the film.</source>
+        <translation>Brennweite des Objektivs als Kleinbildäquivalent. Nur nötig, wenn die Karte höher als der Film liegt.</translation>
+    </message>
+    <message>
+        <source>Coefficients of the lens distortion of a calibrated camera. “?”: the coefficient is found from each photo.</source>
+        <translation>Koeffizienten der Objektivverzeichnung einer kalibrierten Kamera. „?“: Der Koeffizient wird aus jedem Foto bestimmt.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::FilmProbe</name>
-    <message>
-        <source>Body at %1, %2, %3</source>
-        <translation>Körper bei %1, %2, %3</translation>
-    </message>
-    <message>
-        <source>on the body</source>
-        <translation>auf dem Körper</translation>
-    </message>
     <message>
         <source>on the water</source>
         <translation>auf dem Wasser</translation>
     </message>
     <message>
         <source>Sheet %1, %2 · %3 · stretch %4 by %5, area %6</source>
-        <translation>Bogen %1, %2 · %3 · Dehnung %4 mal %5, Fläche %6</translation>
+        <translation>Blatt %1, %2 · %3 · Dehnung %4 mal %5, Fläche %6</translation>
+    </message>
+    <message>
+        <source>Part at %1, %2, %3</source>
+        <translation>Teil bei %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>on the part</source>
+        <translation>auf dem Teil</translation>
     </message>
 </context>
 <context>
     <name>dipwright::FilmWatch</name>
     <message>
-        <source>The film&apos;s chessboard is mirrored: lay the film with its ink side up, or turn the picture back that was flipped</source>
-        <translation>Das Schachbrett des Films ist gespiegelt: legen Sie den Film mit der Farbe nach oben, oder drehen Sie das gespiegelte Bild zurück</translation>
-    </message>
-    <message>
-        <source>The card is mirrored: turn the picture back that was flipped</source>
-        <translation>Die Karte ist gespiegelt: drehen Sie das gespiegelte Bild zurück</translation>
-    </message>
-    <message>
         <source>%1 ± %2</source>
         <translation>%1 ± %2</translation>
     </message>
     <message>
-        <source>Growth is not measured: that takes photos at three moments or more, from before the dip begins to after it ends</source>
-        <translation>Das Wachstum ist nicht gemessen: dazu braucht es Fotos zu drei Zeitpunkten oder mehr, von vor dem Beginn des Tauchens bis nach seinem Ende</translation>
-    </message>
-    <message>
-        <source>The film did not grow between the photos by more than they can tell</source>
-        <translation>Der Film wuchs zwischen den Fotos nicht um mehr, als sie erkennen lassen</translation>
-    </message>
-    <message>
-        <source>Growth: %1 ± %2 % a second</source>
-        <translation>Wachstum: %1 ± %2 % in der Sekunde</translation>
-    </message>
-    <message>
-        <source>It still grew as fast at the last photo, so that its limit is not known and the profile keeps its own growth; go on until it grows no more</source>
-        <translation>Er wuchs beim letzten Foto noch so schnell, dass die Grenze nicht bekannt ist und das Profil sein eigenes Wachstum behält; fotografieren Sie weiter, bis er nicht mehr wächst</translation>
-    </message>
-    <message>
-        <source>Growth: %1 ± %2 % a second when the dip begins, by %3 ± %4 % in the end</source>
-        <translation>Wachstum: %1 ± %2 % in der Sekunde zu Beginn des Tauchens, am Ende um %3 ± %4 %</translation>
-    </message>
-    <message>
-        <source>Of the film&apos;s chessboard too little is seen; photograph all of it, sharp and without glare</source>
-        <translation>Vom Schachbrett des Films ist zu wenig zu sehen; fotografieren Sie es ganz, scharf und ohne Spiegelung</translation>
-    </message>
-    <message>
-        <source>No chessboard of the film watch is seen; print it with “calibrate film” and photograph it whole, sharp and without glare</source>
-        <translation>Kein Schachbrett der Filmmessung ist zu sehen; drucken Sie es mit „calibrate film“ und fotografieren Sie es ganz, scharf und ohne Spiegelung</translation>
-    </message>
-    <message>
-        <source>The card of the film watch is not seen, without which no lengths are known; print it with “calibrate card” and lay it beside the film</source>
-        <translation>Die Karte der Filmmessung ist nicht zu sehen, ohne die keine Längen bekannt sind; drucken Sie sie mit „calibrate card“ und legen Sie sie neben den Film</translation>
-    </message>
-    <message>
         <source>Swell when the dip begins: along X %1, along Y %2</source>
-        <translation>Quellung zu Beginn des Tauchens: entlang X %1, entlang Y %2</translation>
+        <translation>Quellung zu Beginn des Tauchvorgangs: längs X %1, längs Y %2</translation>
     </message>
     <message>
         <source>Unevenness: 95 % of the film lies within %1 mm of where an evenly swollen film would lie</source>
@@ -5224,40 +5064,80 @@
         <translation>Ungleichmäßigkeit des Films</translation>
     </message>
     <message>
-        <source>Colour: grown more or less than the mean, %1 · arrows: moved, %2 times</source>
-        <translation>Farbe: mehr oder weniger gewachsen als das Mittel, %1 · Pfeile: verschoben, %2-fach</translation>
-    </message>
-    <message>
         <source>95 % of the corners lie within %1 mm of an evenly swollen film</source>
         <translation>95 % der Ecken liegen höchstens %1 mm neben einem gleichmäßig gequollenen Film</translation>
     </message>
     <message>
-        <source>The corners seen do not tell how the film lies; photograph film and card from above, both whole</source>
-        <translation>Die sichtbaren Ecken sagen nicht, wie der Film liegt; fotografieren Sie Film und Karte von oben, beide ganz</translation>
+        <source>The film&apos;s chessboard is mirrored; lay the film with its ink side up, and use the photo without flipping it</source>
+        <translation>Das Schachbrett des Films ist gespiegelt; legen Sie den Film mit der Farbseite nach oben, und spiegeln Sie das Foto nicht</translation>
     </message>
     <message>
-        <source>Only %1 corners of the film&apos;s chessboard are seen and it takes %2; photograph all of it, without glare</source>
-        <translation>Nur %1 Ecken vom Schachbrett des Films sind zu sehen, und es braucht %2; fotografieren Sie es ganz und ohne Spiegelung</translation>
+        <source>The card is mirrored; use the photo without flipping it</source>
+        <translation>Die Karte ist gespiegelt; spiegeln Sie das Foto nicht</translation>
     </message>
     <message>
-        <source>Only %1 corners of the card are seen and it takes %2; photograph all of it, without glare</source>
-        <translation>Nur %1 Ecken der Karte sind zu sehen, und es braucht %2; fotografieren Sie sie ganz und ohne Spiegelung</translation>
+        <source>The photos show the film from %1 to %2 s after it was laid on the water, but the dip begins after %3 s; correct the times, or photograph the film from before the dip begins</source>
+        <translation>Die Fotos zeigen den Film von %1 bis %2 s nach dem Auflegen, der Tauchvorgang beginnt aber nach %3 s; berichtigen Sie die Zeiten, oder fotografieren Sie den Film schon vor Beginn des Tauchvorgangs</translation>
     </message>
     <message>
-        <source>The photo does not say how long the camera&apos;s lens was, which is needed where the card lies above the film; give its focal length as of a 35 mm camera</source>
-        <translation>Das Foto nennt die Brennweite der Kamera nicht, die nötig ist, wo die Karte über dem Film liegt; geben Sie sie bezogen auf Kleinbild (35 mm) an</translation>
+        <source>The photos show no measurable growth of the film</source>
+        <translation>Die Fotos zeigen kein messbares Wachstum des Films</translation>
     </message>
     <message>
-        <source>The photos show the film from %1 to %2 s after it was laid on the water, and the dip begins after %3 s, of which they tell nothing; correct the times, or photograph the film from before the dip begins</source>
-        <translation>Die Fotos zeigen den Film von %1 bis %2 s nach dem Auflegen, und das Tauchen beginnt nach %3 s, worüber sie nichts sagen; berichtigen Sie die Zeiten, oder fotografieren Sie den Film von vor dem Tauchen an</translation>
+        <source>Growth: %1 ± %2 % per second</source>
+        <translation>Wachstum: %1 ± %2 % pro Sekunde</translation>
     </message>
     <message>
-        <source>The swell is that after %1 s, and the dip begins after %2 s: what the film grows between is not in it</source>
-        <translation>Die Quellung ist die nach %1 s, und das Tauchen beginnt nach %2 s: was der Film dazwischen wächst, ist nicht darin</translation>
+        <source>The film still grew at the same rate in the last photo. Its limit is therefore unknown, and the profile keeps its own growth. Take photos until the film grows no more</source>
+        <translation>Auf dem letzten Foto wuchs der Film noch gleich schnell. Seine Grenze ist daher unbekannt, und das Profil behält sein eigenes Wachstum. Fotografieren Sie, bis der Film nicht mehr wächst</translation>
     </message>
     <message>
-        <source>The card&apos;s corners lie %1 px from where those of a flat card would; lay it flat, and correct what is told of the lens&apos;s distortion, the focal length and the card&apos;s height, or leave them out</source>
-        <translation>Die Ecken der Karte liegen %1 px neben denen einer ebenen Karte; legen Sie sie eben hin, und berichtigen Sie die Angaben zur Verzeichnung, zur Brennweite und zur Höhe der Karte, oder lassen Sie sie weg</translation>
+        <source>Growth: %1 ± %2 % per second when the dip begins; %3 ± %4 % in total after a long time</source>
+        <translation>Wachstum: %1 ± %2 % pro Sekunde zu Beginn des Tauchvorgangs; insgesamt %3 ± %4 % nach langer Zeit</translation>
+    </message>
+    <message>
+        <source>The photo does not contain the camera&apos;s focal length, which is needed because the card lies above the film; give the 35 mm equivalent focal length</source>
+        <translation>Das Foto enthält die Brennweite der Kamera nicht, die nötig ist, weil die Karte über dem Film liegt; geben Sie die Brennweite bezogen auf Kleinbild (35 mm) an</translation>
+    </message>
+    <message>
+        <source>Too little of the film&apos;s chessboard is visible; photograph all of it, sharp and without glare</source>
+        <translation>Vom Schachbrett des Films ist zu wenig zu sehen; fotografieren Sie es ganz, scharf und ohne Spiegelung</translation>
+    </message>
+    <message>
+        <source>No chessboard of the film watch is visible; print it with “calibrate film” and photograph all of it, sharp and without glare</source>
+        <translation>Kein Schachbrett der Filmmessung ist zu sehen; drucken Sie es mit „calibrate film“ und fotografieren Sie es ganz, scharf und ohne Spiegelung</translation>
+    </message>
+    <message>
+        <source>The card of the film watch is not visible, but it is needed as a scale; print it with “calibrate card” and lay it beside the film</source>
+        <translation>Die Karte der Filmmessung ist nicht zu sehen, wird aber als Maßstab gebraucht; drucken Sie sie mit „calibrate card“ und legen Sie sie neben den Film</translation>
+    </message>
+    <message>
+        <source>Colour: growth relative to the mean swell %1 · arrows: displacement, enlarged %2 times</source>
+        <translation>Farbe: Wachstum gegenüber der mittleren Quellung %1 · Pfeile: Verschiebung, %2-fach vergrößert</translation>
+    </message>
+    <message>
+        <source>The visible corners do not determine how the film lies; photograph film and card from above, both whole</source>
+        <translation>Die sichtbaren Ecken bestimmen nicht, wie der Film liegt; fotografieren Sie Film und Karte von oben, beide ganz</translation>
+    </message>
+    <message>
+        <source>The card&apos;s corners lie %1 px from their places on a flat card; lay the card flat, and correct the given lens distortion, focal length and card height, or leave them out</source>
+        <translation>Die Ecken der Karte liegen %1 px neben ihren Plätzen auf einer ebenen Karte; legen Sie die Karte eben hin, und berichtigen Sie Verzeichnung, Brennweite und Höhe der Karte, oder lassen Sie sie weg</translation>
+    </message>
+    <message>
+        <source>Only %1 corners of the film&apos;s chessboard are visible, but %2 are needed; photograph all of it, without glare</source>
+        <translation>Nur %1 Ecken vom Schachbrett des Films sind zu sehen, aber %2 werden gebraucht; fotografieren Sie es ganz und ohne Spiegelung</translation>
+    </message>
+    <message>
+        <source>Only %1 corners of the card are visible, but %2 are needed; photograph all of it, without glare</source>
+        <translation>Nur %1 Ecken der Karte sind zu sehen, aber %2 werden gebraucht; fotografieren Sie sie ganz und ohne Spiegelung</translation>
+    </message>
+    <message>
+        <source>Growth is not measured; this measurement needs photos at three or more times, from before the dip begins until after it ends</source>
+        <translation>Das Wachstum ist nicht gemessen; diese Messung braucht Fotos zu drei oder mehr Zeiten, von vor dem Beginn des Tauchvorgangs bis nach seinem Ende</translation>
+    </message>
+    <message>
+        <source>The swell was measured after %1 s, but the dip begins after %2 s; this swell does not include the growth in between</source>
+        <translation>Die Quellung wurde nach %1 s gemessen, aber der Tauchvorgang beginnt nach %2 s; diese Quellung enthält das Wachstum dazwischen nicht</translation>
     </message>
 </context>
 <context>
@@ -5271,32 +5151,39 @@
         <translation>Fotos</translation>
     </message>
     <message>
-        <source>The project names photos outside itself:</source>
-        <translation>Das Projekt nennt Fotos außerhalb seiner selbst:</translation>
-    </message>
-    <message>
         <source>Measuring the film</source>
         <translation>Film wird gemessen</translation>
     </message>
     <message>
-        <source>Film on the Water</source>
-        <translation>Film im Becken</translation>
+        <source>The project refers to these photos:</source>
+        <translation>Das Projekt verweist auf diese Fotos:</translation>
     </message>
     <message>
-        <source>The photo %1 is another one than was added.</source>
-        <translation>Das Foto %1 ist ein anderes als das hinzugefügte.</translation>
+        <source>Film on the water</source>
+        <translation>Film auf dem Wasser</translation>
     </message>
     <message>
-        <source>Export Film Watch to a Folder</source>
-        <translation>Filmbeobachtung in einen Ordner exportieren</translation>
+        <source>The photo %1 has changed since it was added.</source>
+        <translation>Das Foto %1 hat sich geändert, seit es hinzugefügt wurde.</translation>
     </message>
     <message>
-        <source>Export Film Watch</source>
-        <translation>Filmbeobachtung exportieren</translation>
+        <source>Export film measurement to a folder</source>
+        <translation>Filmmessung in einen Ordner exportieren</translation>
     </message>
     <message>
-        <source>Wrote the film watch to %1</source>
-        <translation>Filmbeobachtung nach %1 geschrieben</translation>
+        <source>Export film measurement</source>
+        <translation>Filmmessung exportieren</translation>
+    </message>
+    <message>
+        <source>Wrote the film measurement to %1</source>
+        <translation>Filmmessung nach %1 geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::FinishedPartPreview</name>
+    <message>
+        <source>Computing the finished part</source>
+        <translation>Fertiges Teil wird berechnet</translation>
     </message>
 </context>
 <context>
@@ -5306,91 +5193,91 @@
         <translation>Film und Tauchvorgang werden angepasst</translation>
     </message>
     <message>
-        <source>Use in Project</source>
+        <source>Wrote the fit to %1</source>
+        <translation>Anpassung nach %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Use in project</source>
         <translation>Im Projekt verwenden</translation>
     </message>
     <message>
-        <source>Export Fit to a Folder</source>
+        <source>Export fit to a folder</source>
         <translation>Anpassung in einen Ordner exportieren</translation>
     </message>
     <message>
-        <source>Export Fit</source>
+        <source>Export fit</source>
         <translation>Anpassung exportieren</translation>
-    </message>
-    <message>
-        <source>Wrote the fit to %1</source>
-        <translation>Anpassung nach %1 geschrieben</translation>
     </message>
 </context>
 <context>
     <name>dipwright::FitPage</name>
     <message>
-        <source>What was fitted</source>
-        <translation>Was angepasst wurde</translation>
-    </message>
-    <message>
-        <source>Correlations of what was fitted</source>
-        <translation>Korrelationen des Angepassten</translation>
-    </message>
-    <message>
-        <source>Near 1 or −1: the two are told together rather than each by itself</source>
-        <translation>Nahe 1 oder −1: Beide sind eher zusammen bekannt als jedes für sich</translation>
-    </message>
-    <message>
-        <source>&amp;Fit Film and Dip</source>
-        <translation>Film und Tauchvorgang an&amp;passen</translation>
-    </message>
-    <message>
-        <source>Finds what film and dip really were: simulates the dip again and again until the print lies where the photos show it</source>
-        <translation>Findet, wie Film und Tauchvorgang wirklich waren: simuliert immer wieder, bis der Druck liegt, wo die Fotos ihn zeigen</translation>
-    </message>
-    <message>
-        <source>&amp;Use in Project</source>
-        <translation>Im Projekt &amp;verwenden</translation>
-    </message>
-    <message>
-        <source>The project takes film, placement and depth as they were found; the film counts as measured</source>
-        <translation>Das Projekt übernimmt Film, Lage und Tiefe wie gefunden; der Film gilt als gemessen</translation>
-    </message>
-    <message>
-        <source>&amp;Save to Profile…</source>
-        <translation>Im Profil &amp;speichern …</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
-        <translation>&amp;Exportieren …</translation>
-    </message>
-    <message>
-        <source>Before</source>
-        <translation>Vorher</translation>
-    </message>
-    <message>
-        <source>Found</source>
-        <translation>Gefunden</translation>
-    </message>
-    <message>
-        <source>95 %</source>
-        <translation>95 %</translation>
+        <translation>E&amp;xportieren …</translation>
     </message>
     <message>
         <source>Correlation</source>
         <translation>Korrelation</translation>
     </message>
     <message>
-        <source>Find the corners of the print on the page “Dipped Part” first: film and dip are fitted to them.</source>
-        <translation>Suchen Sie zuerst die Ecken des Drucks auf der Seite „Getauchtes Teil“: Film und Tauchvorgang werden an sie angepasst.</translation>
+        <source>Fitted quantities</source>
+        <translation>Angepasste Größen</translation>
     </message>
     <message>
-        <source>The pairs are not of the body itself: a shift or turn of the whole print cannot be told from one of the camera.</source>
-        <translation>Die Paare sind nicht vom Körper selbst: Eine Verschiebung oder Drehung des ganzen Drucks ist nicht von einer der Kamera zu unterscheiden.</translation>
+        <source>Correlations of the fitted quantities</source>
+        <translation>Korrelationen der angepassten Größen</translation>
     </message>
     <message>
-        <source>Fits placement, swell and relaxation, as far as the photos tell them.</source>
-        <translation>Passt Lage, Quellung und Relaxation an, soweit die Fotos sie verraten.</translation>
+        <source>&amp;Fit film and dip</source>
+        <translation>Film und Tauchvorgang an&amp;passen</translation>
     </message>
     <message>
-        <source>The project has film, placement and depth as they were found here. To fit again, find the corners anew.</source>
-        <translation>Das Projekt hat Film, Lage und Tiefe, wie sie hier gefunden wurden. Um erneut anzupassen, suchen Sie die Ecken neu.</translation>
+        <source>&amp;Use in project</source>
+        <translation>Im Projekt &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>Puts the fitted film, placement and depth into the project. The film then counts as measured.</source>
+        <translation>Übernimmt Film, Lage und Tiefe aus der Anpassung in das Projekt. Der Film gilt dann als gemessen.</translation>
+    </message>
+    <message>
+        <source>&amp;Save to profile…</source>
+        <translation>Im Profil &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>The project uses the film, placement and depth of this fit. To fit again, find the corners again.</source>
+        <translation>Das Projekt verwendet Film, Lage und Tiefe dieser Anpassung. Um erneut anzupassen, suchen Sie die Ecken noch einmal.</translation>
+    </message>
+    <message>
+        <source>First find the corners on the page “Dipped part”. Film and dip are fitted to them.</source>
+        <translation>Suchen Sie zuerst die Ecken auf der Seite „Getauchtes Teil“. Film und Tauchvorgang werden an sie angepasst.</translation>
+    </message>
+    <message>
+        <source>The pairs are not places on the part itself. A shift or rotation of the whole image then looks like a shift or rotation of the camera.</source>
+        <translation>Die Paare sind keine Stellen auf dem Teil selbst. Eine Verschiebung oder Drehung des ganzen Bilds sieht dann aus wie eine der Kamera.</translation>
+    </message>
+    <message>
+        <source>Fits placement, swell and relaxation, as far as the photos determine them.</source>
+        <translation>Passt Lage, Quellung und Relaxation an, soweit die Fotos sie bestimmen.</translation>
+    </message>
+    <message>
+        <source>Near 1 or −1: the photos determine only a combination of the two quantities, not each quantity</source>
+        <translation>Nahe 1 oder −1: Die Fotos bestimmen nur eine Kombination der beiden Größen, nicht jede einzelne</translation>
+    </message>
+    <message>
+        <source>Changes film and dip and repeats the simulation until the simulated image lies where the photos show it</source>
+        <translation>Ändert Film und Tauchvorgang und wiederholt die Simulation, bis das simulierte Bild dort liegt, wo die Fotos es zeigen</translation>
+    </message>
+    <message>
+        <source>Before the fit</source>
+        <translation>Vor der Anpassung</translation>
+    </message>
+    <message>
+        <source>Fitted</source>
+        <translation>Angepasst</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>95-%-Intervall</translation>
     </message>
 </context>
 <context>
@@ -5408,24 +5295,8 @@ printed on stiff, waterproof card</source>
 auf steife, wasserfeste Karte gedruckt</translation>
     </message>
     <message>
-        <source>The rulers of both must measure 100 mm</source>
-        <translation>Die Lineale beider müssen 100 mm messen</translation>
-    </message>
-    <message>
-        <source>The film, its ink side up, as for a dip</source>
-        <translation>Der Film, Farbe nach oben, wie zum Tauchen</translation>
-    </message>
-    <message>
         <source>The card beside it, flat</source>
         <translation>Die Karte daneben, flach</translation>
-    </message>
-    <message>
-        <source>Both prints at one height: that is how millimetres are known</source>
-        <translation>Beide Drucke auf einer Höhe: daher sind Millimeter bekannt</translation>
-    </message>
-    <message>
-        <source>Note the time when the film is laid</source>
-        <translation>Notieren, wann der Film aufgelegt wird</translation>
     </message>
     <message>
         <source>From above, both whole, no glare</source>
@@ -5436,20 +5307,32 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>One photo tells the swell, three or more the growth</source>
-        <translation>Ein Foto zeigt die Quellung, drei oder mehr das Wachstum</translation>
+        <source>The rulers on both must measure 100 mm</source>
+        <translation>Die Lineale auf beiden müssen 100 mm messen</translation>
     </message>
     <message>
-        <source>from before the dip begins until the film grows no more</source>
-        <translation>von der Zeit vor dem Tauchen, bis der Film nicht mehr wächst</translation>
+        <source>The film, ink side up, as for a dip</source>
+        <translation>Der Film, Farbe nach oben, wie zum Tauchen</translation>
+    </message>
+    <message>
+        <source>Both at the same height: the card gives the scale</source>
+        <translation>Beide auf einer Höhe: Die Karte gibt den Maßstab</translation>
+    </message>
+    <message>
+        <source>Note the time when you lay the film</source>
+        <translation>Notieren Sie, wann Sie den Film auflegen</translation>
+    </message>
+    <message>
+        <source>One photo gives the swell, three or more give the growth</source>
+        <translation>Ein Foto ergibt die Quellung, drei oder mehr das Wachstum</translation>
+    </message>
+    <message>
+        <source>from before the dip until the film stops growing</source>
+        <translation>von vor dem Tauchen, bis der Film nicht mehr wächst</translation>
     </message>
 </context>
 <context>
     <name>dipwright::GuideWindow</name>
-    <message>
-        <source>User Guide</source>
-        <translation>Handbuch</translation>
-    </message>
     <message>
         <source>Contents</source>
         <translation>Inhalt</translation>
@@ -5459,16 +5342,20 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Im Handbuch suchen</translation>
     </message>
     <message>
-        <source>Enter goes to the next place</source>
-        <translation>Die Eingabetaste geht zur nächsten Stelle</translation>
+        <source>User guide</source>
+        <translation>Handbuch</translation>
     </message>
     <message>
-        <source>Nothing found</source>
-        <translation>Nichts gefunden</translation>
+        <source>Press Enter to go to the next match</source>
+        <translation>Die Eingabetaste geht zum nächsten Treffer</translation>
     </message>
     <message>
-        <source>Places: %1</source>
-        <translation>Stellen: %1</translation>
+        <source>No matches</source>
+        <translation>Keine Treffer</translation>
+    </message>
+    <message>
+        <source>Matches: %1</source>
+        <translation>Treffer: %1</translation>
     </message>
 </context>
 <context>
@@ -5478,48 +5365,24 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Willkommen</translation>
     </message>
     <message>
-        <source>Dipwright computes the picture to print on a film so that, when the body is dipped through it, every colour lands where it belongs.</source>
-        <translation>Dipwright berechnet das Bild, das auf einen Film zu drucken ist, damit beim Tauchen des Körpers jede Farbe dort landet, wohin sie gehört.</translation>
-    </message>
-    <message>
         <source>The project</source>
         <translation>Das Projekt</translation>
-    </message>
-    <message>
-        <source>Model, film, one or two immersions, sheet and ink. Choose a part in the tree and change its values below. Begin by dropping a model on the window.</source>
-        <translation>Modell, Film, ein oder zwei Tauchvorgänge, Bogen und Farbe. Wählen Sie einen Teil im Baum und ändern Sie darunter seine Werte. Beginnen Sie, indem Sie ein Modell auf das Fenster ziehen.</translation>
     </message>
     <message>
         <source>The view</source>
         <translation>Die Ansicht</translation>
     </message>
     <message>
-        <source>The body above the film. Drag to look round it, turn it by its rings, then press Run.</source>
-        <translation>Der Körper über dem Film. Ziehen Sie, um ihn von allen Seiten zu sehen, drehen Sie ihn an seinen Ringen und starten Sie dann.</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Starten</translation>
-    </message>
-    <message>
-        <source>Simulates the dip while you watch and can be cancelled at any time. With Run Live, each change runs what depends on it again.</source>
-        <translation>Simuliert den Tauchvorgang vor Ihren Augen und kann jederzeit abgebrochen werden. Mit „Mitlaufen“ rechnet jede Änderung neu, was von ihr abhängt.</translation>
     </message>
     <message>
         <source>The timeline</source>
         <translation>Die Zeitleiste</translation>
     </message>
     <message>
-        <source>Plays the dip again, or shows any moment of it.</source>
-        <translation>Spielt den Tauchvorgang noch einmal ab oder zeigt einen beliebigen Augenblick.</translation>
-    </message>
-    <message>
         <source>The results</source>
         <translation>Die Ergebnisse</translation>
-    </message>
-    <message>
-        <source>How the film stretches, the picture that goes on it, the body as it will come out, and the sheet to print. Move the cursor over one and see the same place in all the others.</source>
-        <translation>Wie sich der Film dehnt, das Bild, das auf ihn kommt, der Körper, wie er herauskommt, und der Bogen zum Drucken. Fahren Sie mit dem Zeiger über eines und sehen Sie dieselbe Stelle in allen anderen.</translation>
     </message>
     <message>
         <source>About Dipwright</source>
@@ -5530,8 +5393,32 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Berechneter Wassertransferdruck.</translation>
     </message>
     <message>
-        <source>The report is on the clipboard</source>
-        <translation>Der Bericht liegt in der Zwischenablage</translation>
+        <source>Dipwright computes the image to print on a film. When the part is dipped through the film, every colour lands in its intended place.</source>
+        <translation>Dipwright berechnet das Bild, das auf einen Film gedruckt wird. Wird das Teil durch den Film getaucht, landet jede Farbe an ihrem vorgesehenen Ort.</translation>
+    </message>
+    <message>
+        <source>Model, film, one or two dips, sheet and ink. Select an entry in the tree and change its values below. To begin, drop a model on the window.</source>
+        <translation>Modell, Film, ein oder zwei Tauchvorgänge, Blatt und Farbe. Wählen Sie einen Eintrag im Baum und ändern Sie darunter seine Werte. Ziehen Sie zu Beginn ein Modell auf das Fenster.</translation>
+    </message>
+    <message>
+        <source>The part above the film. Drag to look at it from all sides, turn it with the rings, then press Run.</source>
+        <translation>Das Teil über dem Film. Ziehen Sie, um es von allen Seiten zu sehen, drehen Sie es mit den Ringen und klicken Sie dann auf „Starten“.</translation>
+    </message>
+    <message>
+        <source>Simulates the dip while you watch. You can cancel at any time. With “Run live”, each change recomputes the results that depend on it.</source>
+        <translation>Simuliert den Tauchvorgang vor Ihren Augen. Sie können jederzeit abbrechen. Mit „Mitlaufen“ berechnet jede Änderung die Ergebnisse neu, die von ihr abhängen.</translation>
+    </message>
+    <message>
+        <source>Replays the dip or shows any moment of it.</source>
+        <translation>Spielt den Tauchvorgang noch einmal ab oder zeigt einen beliebigen Augenblick.</translation>
+    </message>
+    <message>
+        <source>The stretch of the film, the image on it, the finished part and the sheet to print. Move the cursor over one picture to see the same place in the others.</source>
+        <translation>Die Dehnung des Films, das Bild darauf, das fertige Teil und das Blatt zum Drucken. Fahren Sie mit dem Zeiger über ein Bild, um dieselbe Stelle in den anderen zu sehen.</translation>
+    </message>
+    <message>
+        <source>The report was copied to the clipboard</source>
+        <translation>Der Bericht wurde in die Zwischenablage kopiert</translation>
     </message>
 </context>
 <context>
@@ -5543,18 +5430,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
 </context>
 <context>
     <name>dipwright::ImportModel</name>
-    <message>
-        <source>there is no number where one should be, in line %1</source>
-        <translation>wo eine Zahl stehen sollte, steht keine, in Zeile %1</translation>
-    </message>
-    <message>
-        <source>it counts more values than it can hold, in line %1</source>
-        <translation>er zählt mehr Werte, als er enthalten kann, in Zeile %1</translation>
-    </message>
-    <message>
-        <source>its array %1 has fewer values than are read</source>
-        <translation>sein Array %1 hat weniger Werte, als gelesen werden</translation>
-    </message>
     <message>
         <source>Reading the model</source>
         <translation>Modell wird gelesen</translation>
@@ -5596,28 +5471,8 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Keines der Dreiecke des Modells hat eine Fläche; wählen Sie ein anderes Modell</translation>
     </message>
     <message>
-        <source>The model has no extent; choose another model</source>
-        <translation>Das Modell hat keine Ausdehnung; wählen Sie ein anderes</translation>
-    </message>
-    <message>
-        <source>The model&apos;s longest edge would be %1 mm; give the size it is to have</source>
-        <translation>Die längste Kante des Modells wäre %1 mm; geben Sie die Größe an, die es haben soll</translation>
-    </message>
-    <message>
         <source>The model lies too far from its origin; move it there and save it anew</source>
         <translation>Das Modell liegt zu weit von seinem Ursprung; schieben Sie es dorthin und speichern Sie es neu</translation>
-    </message>
-    <message>
-        <source>The mesh is not closed: what is inside is judged by most of the directions from which it is seen</source>
-        <translation>Das Netz ist nicht geschlossen: Was innen ist, wird nach der Mehrheit der Blickrichtungen beurteilt</translation>
-    </message>
-    <message>
-        <source>The model&apos;s longest edge is only %1 mm; if its file is not in millimetres, give the size it is to have</source>
-        <translation>Die längste Kante des Modells ist nur %1 mm; wenn seine Datei nicht in Millimetern ist, geben Sie die Größe an, die es haben soll</translation>
-    </message>
-    <message>
-        <source>The model has no texture coordinates, so its texture cannot be placed and is not used; its materials&apos; colours are</source>
-        <translation>Das Modell hat keine Texturkoordinaten, daher kann seine Textur nicht aufgelegt werden; verwendet werden die Farben seiner Materialien</translation>
     </message>
     <message>
         <source>The file %1, which the model names, was not found</source>
@@ -5637,11 +5492,7 @@ auf steife, wasserfeste Karte gedruckt</translation>
     </message>
     <message>
         <source>Finding the texture&apos;s charts</source>
-        <translation>Teile der Textur werden gesucht</translation>
-    </message>
-    <message>
-        <source>The model needs more memory than there is; reduce it</source>
-        <translation>Das Modell braucht mehr Speicher, als da ist; verkleinern Sie es</translation>
+        <translation>Inseln der Textur werden gesucht</translation>
     </message>
     <message>
         <source>The texture %1 was not found beside the model; its material&apos;s colour is used instead</source>
@@ -5676,24 +5527,12 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>seine Flächen haben keine Ecken</translation>
     </message>
     <message>
-        <source>a face names a point that is not there</source>
-        <translation>eine Fläche nennt einen Punkt, den es nicht gibt</translation>
-    </message>
-    <message>
-        <source>The colours of the model&apos;s points are not used; bake them into a texture to print them</source>
-        <translation>Die Farben der Punkte des Modells werden nicht verwendet; backen Sie sie in eine Textur, um sie zu drucken</translation>
-    </message>
-    <message>
         <source>texture %1 in %2</source>
         <translation>Textur %1 in %2</translation>
     </message>
     <message>
         <source>Reading triangles</source>
         <translation>Dreiecke werden gelesen</translation>
-    </message>
-    <message>
-        <source>a triangle names a point that is not there</source>
-        <translation>ein Dreieck nennt einen Punkt, den es nicht gibt</translation>
     </message>
     <message>
         <source>it is not a 3MF package</source>
@@ -5716,14 +5555,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>wo eine Zahl stehen sollte, steht keine</translation>
     </message>
     <message>
-        <source>%1 is not in it</source>
-        <translation>%1 ist nicht darin</translation>
-    </message>
-    <message>
-        <source>it places an object that is not there</source>
-        <translation>es setzt ein Objekt, das es nicht gibt</translation>
-    </message>
-    <message>
         <source>The texture %1 is not in the model&apos;s package; its material&apos;s colour is used instead</source>
         <translation>Die Textur %1 ist nicht im Paket des Modells; stattdessen wird die Farbe ihres Materials verwendet</translation>
     </message>
@@ -5736,151 +5567,187 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Das Modell kann nicht gelesen werden: %1; speichern Sie es neu oder als %2</translation>
     </message>
     <message>
-        <source>its format is none of those that are read</source>
-        <translation>sein Format ist keines von denen, die gelesen werden</translation>
-    </message>
-    <message>
         <source>the file cannot be opened</source>
         <translation>die Datei kann nicht geöffnet werden</translation>
-    </message>
-    <message>
-        <source>%1 describes a material before it names any</source>
-        <translation>%1 beschreibt ein Material, bevor es eines nennt</translation>
     </message>
     <message>
         <source>%1 in it is encrypted</source>
         <translation>%1 darin ist verschlüsselt</translation>
     </message>
     <message>
-        <source>The model names files that do not belong to its folder, such as %1, and is not read; put them beside it, or allow it to read them (--allow-outside)</source>
-        <translation>Das Modell nennt Dateien, die nicht zu seinem Ordner gehören, etwa %1, und wird nicht gelesen; legen Sie sie daneben, oder erlauben Sie, sie zu lesen (--allow-outside)</translation>
-    </message>
-    <message>
         <source>Triangles without area that were removed: %1</source>
         <translation>Dreiecke ohne Fläche, die entfernt wurden: %1</translation>
-    </message>
-    <message>
-        <source>Triangles turned that faced the other way than their neighbours: %1</source>
-        <translation>Gewendete Dreiecke, die anders herum lagen als ihre Nachbarn: %1</translation>
-    </message>
-    <message>
-        <source>Parts of the surface turned that were inside out: %1</source>
-        <translation>Gewendete Teile der Oberfläche, die von innen nach außen gekehrt waren: %1</translation>
-    </message>
-    <message>
-        <source>it needs the glTF extension %1, which is not read (export it without that)</source>
-        <translation>es braucht die glTF-Erweiterung %1, die nicht gelesen wird (exportieren Sie es ohne sie)</translation>
-    </message>
-    <message>
-        <source>its points or texture coordinates are whole numbers, which are not read (export it with float coordinates, without quantization)</source>
-        <translation>seine Punkte oder Texturkoordinaten sind ganze Zahlen, die nicht gelesen werden (exportieren Sie es mit Gleitkomma-Koordinaten, ohne Quantisierung)</translation>
-    </message>
-    <message>
-        <source>The model scales or turns a texture (KHR_texture_transform), which is not followed rightly; apply that to the texture coordinates in a modelling program</source>
-        <translation>Das Modell skaliert oder dreht eine Textur (KHR_texture_transform), was nicht richtig befolgt wird; wenden Sie das in einem Modellierprogramm auf die Texturkoordinaten an</translation>
-    </message>
-    <message>
-        <source>A texture of the model is without a picture or in a format that is not read, and its material&apos;s colour is used instead; export it with PNG or JPEG</source>
-        <translation>Eine Textur des Modells ist ohne Bild oder in einem Format, das nicht gelesen wird; stattdessen wird die Farbe ihres Materials verwendet; exportieren Sie es mit PNG oder JPEG</translation>
-    </message>
-    <message>
-        <source>it holds more than its header counts</source>
-        <translation>es enthält mehr, als sein Kopf zählt</translation>
     </message>
     <message>
         <source>its unit %1 is unknown</source>
         <translation>seine Einheit %1 ist unbekannt</translation>
     </message>
     <message>
-        <source>it needs the 3MF extension %1, which is not read</source>
-        <translation>es braucht die 3MF-Erweiterung %1, die nicht gelesen wird</translation>
+        <source>its format is not supported</source>
+        <translation>sein Format wird nicht unterstützt</translation>
     </message>
     <message>
-        <source>two things in it have the number %1</source>
-        <translation>zwei Dinge darin haben die Nummer %1</translation>
+        <source>line %1 declares more values than the file can hold</source>
+        <translation>Zeile %1 gibt mehr Werte an, als die Datei enthalten kann</translation>
     </message>
     <message>
-        <source>it names a material or texture that is not there</source>
-        <translation>es nennt ein Material oder eine Textur, die es nicht gibt</translation>
+        <source>line %1 has no number where one is expected</source>
+        <translation>in Zeile %1 fehlt eine Zahl</translation>
     </message>
     <message>
-        <source>a transform in it is not twelve numbers</source>
-        <translation>eine Transformation darin besteht nicht aus zwölf Zahlen</translation>
+        <source>its array %1 has fewer values than an accessor reads</source>
+        <translation>sein Array %1 hat weniger Werte, als ein Accessor liest</translation>
     </message>
     <message>
-        <source>Options that %1 gives a texture are not followed: %2; apply them to the picture in a modelling program</source>
-        <translation>Optionen, die %1 einer Textur gibt, werden nicht befolgt: %2; wenden Sie sie in einem Modellierprogramm auf das Bild an</translation>
+        <source>it needs the glTF extension %1, which is not supported (export it without that extension)</source>
+        <translation>es braucht die glTF-Erweiterung %1, die nicht unterstützt wird (exportieren Sie es ohne diese Erweiterung)</translation>
     </message>
     <message>
-        <source>The model has a skin without bind matrices: its points are taken as they are stored, not as the joints place them; where they lie wrong, apply the armature in a modelling program</source>
-        <translation>Das Modell hat eine Haut ohne Bindematrizen: Seine Punkte werden genommen, wie sie gespeichert sind, nicht wie die Gelenke sie stellen; wo sie falsch liegen, wenden Sie das Skelett in einem Modellierprogramm an</translation>
+        <source>its points or texture coordinates are stored as integers, which is not supported (export it with float coordinates, without quantization)</source>
+        <translation>seine Punkte oder Texturkoordinaten sind als ganze Zahlen gespeichert, was nicht unterstützt wird (exportieren Sie es mit Gleitkomma-Koordinaten, ohne Quantisierung)</translation>
     </message>
     <message>
-        <source>Points joined along seams that rounding had opened: %1</source>
-        <translation>Verbundene Punkte an Nähten, die durch Rundung offen waren: %1</translation>
+        <source>The model scales or rotates a texture (KHR_texture_transform), which is not shown correctly; apply the transform to the texture coordinates in a modelling program</source>
+        <translation>Das Modell skaliert oder dreht eine Textur (KHR_texture_transform), was nicht richtig dargestellt wird; wenden Sie die Transformation in einem Modellierprogramm auf die Texturkoordinaten an</translation>
     </message>
     <message>
-        <source>Triangles removed that the file gives twice: %1</source>
-        <translation>Entfernte Dreiecke, die die Datei doppelt enthält: %1</translation>
+        <source>A texture of the model has no picture or is in an unsupported format, so its material&apos;s colour is used instead; export the texture as PNG or JPEG</source>
+        <translation>Eine Textur des Modells hat kein Bild oder ein Format, das nicht unterstützt wird; stattdessen wird die Farbe ihres Materials verwendet; exportieren Sie die Textur als PNG oder JPEG</translation>
+    </message>
+    <message>
+        <source>The model has a skin without bind matrices, so its points stay as stored and the joints do not move them; if the shape is wrong, apply the armature in a modelling program</source>
+        <translation>Das Modell hat eine Haut ohne Bindematrizen; seine Punkte bleiben daher, wie sie gespeichert sind, und die Gelenke bewegen sie nicht; wenn die Form falsch ist, wenden Sie das Skelett in einem Modellierprogramm an</translation>
+    </message>
+    <message>
+        <source>%1 sets material properties before its first material</source>
+        <translation>%1 gibt Materialeigenschaften vor dem ersten Material an</translation>
+    </message>
+    <message>
+        <source>Some texture options in %1 are ignored: %2; apply them to the picture in a modelling program</source>
+        <translation>Einige Texturoptionen in %1 werden nicht berücksichtigt: %2; wenden Sie sie in einem Modellierprogramm auf das Bild an</translation>
+    </message>
+    <message>
+        <source>it holds more data than its header declares</source>
+        <translation>es enthält mehr Daten, als sein Kopf angibt</translation>
+    </message>
+    <message>
+        <source>a face refers to a point that does not exist</source>
+        <translation>eine Fläche verweist auf einen Punkt, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>The model&apos;s vertex colours are not used; bake them into a texture to print them</source>
+        <translation>Die Vertexfarben des Modells werden nicht verwendet; backen Sie sie in eine Textur, um sie zu drucken</translation>
+    </message>
+    <message>
+        <source>a triangle refers to a point that does not exist</source>
+        <translation>ein Dreieck verweist auf einen Punkt, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>it needs the 3MF extension %1, which is not supported</source>
+        <translation>es braucht die 3MF-Erweiterung %1, die nicht unterstützt wird</translation>
+    </message>
+    <message>
+        <source>two of its resources have the ID %1</source>
+        <translation>zwei seiner Ressourcen haben die ID %1</translation>
+    </message>
+    <message>
+        <source>it refers to a material or texture that does not exist</source>
+        <translation>es verweist auf ein Material oder eine Textur, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>one of its transforms does not have twelve numbers</source>
+        <translation>eine seiner Transformationen besteht nicht aus zwölf Zahlen</translation>
+    </message>
+    <message>
+        <source>the file %1 is missing from the package</source>
+        <translation>die Datei %1 fehlt im Paket</translation>
+    </message>
+    <message>
+        <source>it places an object that does not exist</source>
+        <translation>es platziert ein Objekt, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>All points of the model coincide; choose another model</source>
+        <translation>Alle Punkte des Modells fallen zusammen; wählen Sie ein anderes Modell</translation>
+    </message>
+    <message>
+        <source>The model&apos;s longest edge would be %1 mm; set the size that it should have</source>
+        <translation>Die längste Kante des Modells wäre %1 mm; geben Sie die Größe an, die es haben soll</translation>
+    </message>
+    <message>
+        <source>The mesh is not closed: whether a point is inside is decided by the majority of several rays</source>
+        <translation>Das Netz ist nicht geschlossen: Ob ein Punkt innen liegt, entscheidet die Mehrheit mehrerer Strahlen</translation>
+    </message>
+    <message>
+        <source>The model&apos;s longest edge is only %1 mm; if its file is not in millimetres, set the size that it should have</source>
+        <translation>Die längste Kante des Modells ist nur %1 mm; wenn seine Datei nicht in Millimetern ist, geben Sie die Größe an, die es haben soll</translation>
+    </message>
+    <message>
+        <source>The model has no texture coordinates, so its texture cannot be placed; the colours of its materials are used instead</source>
+        <translation>Das Modell hat keine Texturkoordinaten, daher kann seine Textur nicht aufgelegt werden; stattdessen werden die Farben seiner Materialien verwendet</translation>
+    </message>
+    <message>
+        <source>The model was not read, because it names files that are hidden or outside its folder, such as %1; put them beside the model, or allow it to read them (--allow-outside)</source>
+        <translation>Das Modell wurde nicht gelesen, weil es Dateien nennt, die versteckt sind oder außerhalb seines Ordners liegen, etwa %1; legen Sie sie neben das Modell, oder erlauben Sie, sie zu lesen (--allow-outside)</translation>
+    </message>
+    <message>
+        <source>The model needs more memory than this computer has; simplify the model</source>
+        <translation>Das Modell braucht mehr Speicher, als dieser Rechner hat; vereinfachen Sie das Modell</translation>
+    </message>
+    <message>
+        <source>Points merged along seams that rounding had opened: %1</source>
+        <translation>Vereinigte Punkte an Nähten, die durch Rundung offen waren: %1</translation>
+    </message>
+    <message>
+        <source>Duplicate triangles that were removed: %1</source>
+        <translation>Entfernte doppelte Dreiecke: %1</translation>
+    </message>
+    <message>
+        <source>Parts of the surface flipped because they were inside out: %1</source>
+        <translation>Gewendete Teile der Oberfläche, die von innen nach außen gekehrt waren: %1</translation>
+    </message>
+    <message>
+        <source>Triangles flipped to face the same way as their neighbours: %1</source>
+        <translation>Gewendete Dreiecke, die anders herum lagen als ihre Nachbarn: %1</translation>
     </message>
 </context>
 <context>
     <name>dipwright::InkLaw</name>
     <message>
-        <source>A density is from %1 to %2; zero the densitometer on a place without ink, and leave that patch out</source>
-        <translation>Eine Dichte liegt zwischen %1 und %2; stellen Sie das Densitometer an einer Stelle ohne Tinte auf null und lassen Sie dieses Feld weg</translation>
+        <source>“%1” is not an ink tone; write ink, density, exponent, bend and greatest stretch, such as cyan 0.3 0.48 0.1 2.9</source>
+        <translation>„%1“ ist kein Ton einer Tinte; schreiben Sie Tinte, Dichte, Exponent, Krümmung und größte Dehnung, wie cyan 0.3 0.48 0.1 2.9</translation>
     </message>
     <message>
-        <source>The film&apos;s area must have grown by %1 to %2 times to be a reading</source>
-        <translation>Für eine Messung muss die Fläche des Films auf das %1- bis %2-fache gewachsen sein</translation>
+        <source>Sort the tones by ink: cyan, magenta, yellow, black, white</source>
+        <translation>Ordnen Sie die Töne nach Tinten: Cyan, Magenta, Gelb, Schwarz, Weiß</translation>
     </message>
     <message>
-        <source>The patch of density %1 thins as no ink does; see that its densities and stretches stand in the right rows</source>
-        <translation>Das Feld der Dichte %1 wird dünner als jede Tinte; prüfen Sie, ob Dichten und Dehnungen in den richtigen Zeilen stehen</translation>
+        <source>Sort the tones of an ink by increasing density</source>
+        <translation>Ordnen Sie die Töne einer Tinte nach steigender Dichte</translation>
     </message>
     <message>
-        <source>The tones of an ink must stand from light to dense</source>
-        <translation>Die Töne einer Tinte müssen von hell nach dicht stehen</translation>
+        <source>On film with an area stretch of %3, the patch of density %2 would look lighter than the patch of density %1; measure both again</source>
+        <translation>Auf Film mit der Flächendehnung %3 würde das Feld der Dichte %2 heller aussehen als das Feld der Dichte %1; messen Sie beide noch einmal</translation>
     </message>
     <message>
-        <source>Of the patches of density %1 and %2 the denser one would show less where film is stretched to %3; read both again</source>
-        <translation>Von den Feldern der Dichten %1 und %2 würde das dichtere weniger zeigen, wo der Film auf %3 gedehnt ist; messen Sie beide noch einmal</translation>
+        <source>A density must be from %1 to %2; zero the densitometer on film without ink, or leave the patch out</source>
+        <translation>Eine Dichte muss zwischen %1 und %2 liegen; stellen Sie das Densitometer auf Film ohne Farbe auf null, oder lassen Sie das Feld weg</translation>
     </message>
     <message>
-        <source>A wedge has from 1 to %1 patches that were read on stretched film</source>
-        <translation>Ein Keil hat 1 bis %1 Felder, die auf gedehntem Film gemessen wurden</translation>
+        <source>The stretched area must be %1 to %2 times the unstretched area; leave this reading out</source>
+        <translation>Die gedehnte Fläche muss das %1- bis %2-fache der ungedehnten Fläche sein; lassen Sie diese Messung weg</translation>
     </message>
     <message>
-        <source>The tones must stand by ink: cyan, magenta, yellow, black, white</source>
-        <translation>Die Töne müssen nach Tinten stehen: Cyan, Magenta, Gelb, Schwarz, Weiß</translation>
+        <source>A wedge needs 1 to %1 patches with readings on stretched film</source>
+        <translation>Ein Keil braucht 1 bis %1 Felder mit Messungen auf gedehntem Film</translation>
     </message>
     <message>
-        <source>“%1” is no tone of an ink, which is its name, density, exponent, bend and greatest stretch, such as cyan 0.3 0.48 0.1 2.9</source>
-        <translation>„%1“ ist kein Ton einer Tinte, also ihr Name, Dichte, Exponent, Krümmung und größte Dehnung, wie cyan 0.3 0.48 0.1 2.9</translation>
+        <source>The readings of the patch of density %1 are impossible for ink; check that its densities and stretches are in the right rows</source>
+        <translation>Die Messwerte des Felds der Dichte %1 sind für Farbe unmöglich; prüfen Sie, ob seine Dichten und Dehnungen in den richtigen Zeilen stehen</translation>
     </message>
 </context>
 <context>
     <name>dipwright::InspectionController</name>
-    <message>
-        <source>The model&apos;s texture has no chess squares to look for; dip the chessboard, or measure the pairs alone</source>
-        <translation>Die Textur des Modells hat keine Schachfelder, die sich suchen ließen; tauchen Sie das Schachbrett oder messen Sie nur die Paare</translation>
-    </message>
-    <message>
-        <source>Dipped Part</source>
-        <translation>Getauchtes Teil</translation>
-    </message>
-    <message>
-        <source>Film on the Water</source>
-        <translation>Film im Becken</translation>
-    </message>
-    <message>
-        <source>Choose What Was Dipped</source>
-        <translation>Wählen, was getaucht wurde</translation>
-    </message>
-    <message>
-        <source>Choose What Pairs Are Of</source>
-        <translation>Wählen, wovon die Paare sind</translation>
-    </message>
     <message>
         <source>Reading photos</source>
         <translation>Fotos werden gelesen</translation>
@@ -5898,28 +5765,12 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>%1 wird gelesen</translation>
     </message>
     <message>
-        <source>The project names a photo outside itself:</source>
-        <translation>Das Projekt nennt ein Foto außerhalb seiner selbst:</translation>
-    </message>
-    <message>
-        <source>The photo %1 is another one than its places were clicked in.</source>
-        <translation>Das Foto %1 ist ein anderes als das, in dem seine Stellen angeklickt wurden.</translation>
-    </message>
-    <message>
         <source>Finding corners</source>
         <translation>Ecken werden gesucht</translation>
     </message>
     <message>
         <source>Measuring pairs</source>
         <translation>Paare werden gemessen</translation>
-    </message>
-    <message>
-        <source>Export Residuals to a Folder</source>
-        <translation>Abweichungen in einen Ordner exportieren</translation>
-    </message>
-    <message>
-        <source>Export Residuals</source>
-        <translation>Abweichungen exportieren</translation>
     </message>
     <message>
         <source>Wrote the residuals to %1</source>
@@ -5930,34 +5781,62 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Anpassung</translation>
     </message>
     <message>
-        <source>As Built</source>
+        <source>The model&apos;s texture has no chess squares to look for; dip the chessboard film, or measure only the pairs</source>
+        <translation>Die Textur des Modells hat keine Schachfelder, die sich suchen ließen; tauchen Sie mit dem Schachbrettfilm oder messen Sie nur die Paare</translation>
+    </message>
+    <message>
+        <source>Dipped part</source>
+        <translation>Getauchtes Teil</translation>
+    </message>
+    <message>
+        <source>As built</source>
         <translation>Wie gebaut</translation>
+    </message>
+    <message>
+        <source>Film on the water</source>
+        <translation>Film auf dem Wasser</translation>
+    </message>
+    <message>
+        <source>Choose dipped image</source>
+        <translation>Getauchtes Bild wählen</translation>
+    </message>
+    <message>
+        <source>Choose kind of pairs</source>
+        <translation>Art der Paare wählen</translation>
+    </message>
+    <message>
+        <source>The project refers to this photo:</source>
+        <translation>Das Projekt verweist auf dieses Foto:</translation>
+    </message>
+    <message>
+        <source>The photo %1 has changed since its places were clicked.</source>
+        <translation>Das Foto %1 hat sich geändert, seit seine Stellen angeklickt wurden.</translation>
+    </message>
+    <message>
+        <source>Export residuals to a folder</source>
+        <translation>Abweichungen in einen Ordner exportieren</translation>
+    </message>
+    <message>
+        <source>Export residuals</source>
+        <translation>Abweichungen exportieren</translation>
     </message>
 </context>
 <context>
     <name>dipwright::JigModel</name>
     <message>
-        <source>Its box and that of %1 overlap; move them apart on the jig</source>
-        <translation>Sein umgebender Quader und der von %1 überschneiden sich; rücken Sie beide auf dem Gestell auseinander</translation>
+        <source>The bounding boxes of this part and of %1 overlap; move the parts apart on the jig</source>
+        <translation>Die umgebenden Quader dieses Teils und von %1 überschneiden sich; rücken Sie die Teile auf dem Gestell auseinander</translation>
     </message>
     <message>
-        <source>A jig holds one part or more, with %1 materials at most</source>
-        <translation>Ein Gestell hält ein Teil oder mehr, mit höchstens %1 Materialien</translation>
+        <source>A jig needs at least one part, and its parts may have at most %1 materials in all</source>
+        <translation>Ein Gestell braucht mindestens ein Teil, und seine Teile dürfen zusammen höchstens %1 Materialien haben</translation>
     </message>
 </context>
 <context>
     <name>dipwright::JobQueue</name>
     <message>
-        <source>%1 % of the body painted</source>
-        <translation>%1 % des Körpers bemalt</translation>
-    </message>
-    <message>
         <source>Cancelling …</source>
         <translation>Wird abgebrochen …</translation>
-    </message>
-    <message>
-        <source>The queue has ended. Projects done: %1</source>
-        <translation>Die Warteschlange ist zu Ende. Fertige Projekte: %1</translation>
     </message>
     <message>
         <source>, failed: %1</source>
@@ -5967,32 +5846,13 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <source>, cancelled: %1</source>
         <translation>, abgebrochen: %1</translation>
     </message>
-</context>
-<context>
-    <name>dipwright::SeamFields</name>
     <message>
-        <source>The whole face</source>
-        <translation>Die ganze Fläche</translation>
+        <source>Coverage %1 %</source>
+        <translation>Abdeckung %1 %</translation>
     </message>
     <message>
-        <source>Keeps the join away</source>
-        <translation>Hält die Fuge fern</translation>
-    </message>
-    <message>
-        <source>Lets the join run there</source>
-        <translation>Lässt die Fuge dort laufen</translation>
-    </message>
-    <message>
-        <source>What a click or a drag on the body in the view marks there. Give places to the other dip to move the join. With Run Live the join follows at once.</source>
-        <translation>Was ein Klick oder ein Zug auf dem Körper in der Ansicht dort markiert. Geben Sie Stellen dem anderen Tauchvorgang, um die Fuge zu verschieben. Mit „Mitlaufen“ folgt die Fuge sofort.</translation>
-    </message>
-    <message>
-        <source>Marks the flat face that is clicked, up to its edges.</source>
-        <translation>Markiert die ebene Fläche, die angeklickt wird, bis zu ihren Kanten.</translation>
-    </message>
-    <message>
-        <source>Gives the place to %1</source>
-        <translation>Gibt die Stelle %1</translation>
+        <source>The queue has finished. Projects done: %1</source>
+        <translation>Die Warteschlange ist fertig. Fertige Projekte: %1</translation>
     </message>
 </context>
 <context>
@@ -6006,14 +5866,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Noch ist nichts geschehen.</translation>
     </message>
     <message>
-        <source>Copy Report</source>
-        <translation>Bericht kopieren</translation>
-    </message>
-    <message>
-        <source>Copies the log with facts about program and machine to the clipboard.</source>
-        <translation>Kopiert das Protokoll mit Angaben zu Programm und Rechner in die Zwischenablage.</translation>
-    </message>
-    <message>
         <source>Clear</source>
         <translation>Leeren</translation>
     </message>
@@ -6021,44 +5873,52 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <source>Empties the log.</source>
         <translation>Leert das Protokoll.</translation>
     </message>
+    <message>
+        <source>Copy report</source>
+        <translation>Bericht kopieren</translation>
+    </message>
+    <message>
+        <source>Copies the log, with details of the program and the computer, to the clipboard.</source>
+        <translation>Kopiert das Protokoll mit Angaben zu Programm und Rechner in die Zwischenablage.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::LookInsideBar</name>
     <message>
-        <source>Where body and film are cut open; the frame in the view can be dragged, too</source>
-        <translation>Wo Körper und Film aufgeschnitten werden; auch der Rahmen in der Ansicht lässt sich ziehen</translation>
-    </message>
-    <message>
-        <source>How much the film covers of what lies behind it</source>
-        <translation>Wie viel der Film von dem verdeckt, was hinter ihm liegt</translation>
-    </message>
-    <message>
-        <source>Direction of the section</source>
-        <translation>Richtung des Schnitts</translation>
-    </message>
-    <message>
         <source>Show the other side</source>
         <translation>Andere Seite zeigen</translation>
-    </message>
-    <message>
-        <source>Film covers</source>
-        <translation>Film deckt</translation>
     </message>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Across X</source>
-        <translation>Quer zu X</translation>
+        <source>Position of the section through part and film. You can also drag its frame in the view.</source>
+        <translation>Lage des Schnitts durch Teil und Film. Sie können auch seinen Rahmen in der Ansicht ziehen.</translation>
     </message>
     <message>
-        <source>Level, across Y</source>
+        <source>How opaque the film is. At 100 % it hides everything behind it.</source>
+        <translation>Wie deckend der Film ist. Bei 100 % verdeckt er alles dahinter.</translation>
+    </message>
+    <message>
+        <source>Film opacity</source>
+        <translation>Deckkraft des Films</translation>
+    </message>
+    <message>
+        <source>Cut across X</source>
+        <translation>Schnitt quer zu X</translation>
+    </message>
+    <message>
+        <source>Horizontal cut, across Y</source>
         <translation>Waagerecht, quer zu Y</translation>
     </message>
     <message>
-        <source>Across Z</source>
-        <translation>Quer zu Z</translation>
+        <source>Cut across Z</source>
+        <translation>Schnitt quer zu Z</translation>
+    </message>
+    <message>
+        <source>Axis that the section plane is perpendicular to</source>
+        <translation>Achse, zu der die Schnittebene senkrecht steht</translation>
     </message>
 </context>
 <context>
@@ -6072,28 +5932,16 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Anordnung „%1“</translation>
     </message>
     <message>
-        <source>The body is %1 long. If its file is in another unit, change its size under Model.</source>
-        <translation>Der Körper ist %1 lang. Wenn seine Datei eine andere Einheit hat, ändern Sie seine Größe unter „Modell“.</translation>
-    </message>
-    <message>
         <source>Inspection</source>
         <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>The part is %1 long. If the file uses another unit, change the size under Model.</source>
+        <translation>Das Teil ist %1 lang. Wenn die Datei eine andere Einheit verwendet, ändern Sie die Größe unter „Modell“.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::MarkFields</name>
-    <message>
-        <source>Remove Last</source>
-        <translation>Letzte entfernen</translation>
-    </message>
-    <message>
-        <source>Remove All</source>
-        <translation>Alle entfernen</translation>
-    </message>
-    <message>
-        <source>A click on the body</source>
-        <translation>Ein Klick auf den Körper</translation>
-    </message>
     <message>
         <source>Marks nothing</source>
         <translation>Markiert nichts</translation>
@@ -6103,32 +5951,32 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Radius</translation>
     </message>
     <message>
-        <source>How far round the click the mark reaches, along the surface.</source>
-        <translation>Wie weit um den Klick herum die Marke reicht, entlang der Oberfläche.</translation>
+        <source>Remove last</source>
+        <translation>Letzte entfernen</translation>
     </message>
     <message>
-        <source>A click</source>
-        <translation>Ein Klick</translation>
+        <source>Remove all</source>
+        <translation>Alle entfernen</translation>
     </message>
     <message>
-        <source>Marks on the body: %1</source>
-        <translation>Marken auf dem Körper: %1</translation>
+        <source>A click on the part</source>
+        <translation>Ein Klick auf das Teil</translation>
+    </message>
+    <message>
+        <source>Radius of the mark around the click, along the surface.</source>
+        <translation>Radius der Markierung um den Klick, entlang der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Marks on the part: %1</source>
+        <translation>Marken auf dem Teil: %1</translation>
+    </message>
+    <message>
+        <source>Click on part</source>
+        <translation>Klick auf das Teil</translation>
     </message>
 </context>
 <context>
     <name>dipwright::MeasurePlot</name>
-    <message>
-        <source>Measure to the right</source>
-        <translation>Maß nach rechts</translation>
-    </message>
-    <message>
-        <source>Measure upwards</source>
-        <translation>Maß nach oben</translation>
-    </message>
-    <message>
-        <source>Better is to the right and up. The line joins the poses that no other beats in both measures.</source>
-        <translation>Besser ist rechts und oben. Die Linie verbindet die Lagen, die keine andere in beiden Maßen übertrifft.</translation>
-    </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
@@ -6137,16 +5985,28 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <source>Rank %1</source>
         <translation>Rang %1</translation>
     </message>
+    <message>
+        <source>Horizontal axis</source>
+        <translation>Waagerechte Achse</translation>
+    </message>
+    <message>
+        <source>Vertical axis</source>
+        <translation>Senkrechte Achse</translation>
+    </message>
+    <message>
+        <source>Right and up is better. The line joins the poses that no other pose beats in both measures.</source>
+        <translation>Rechts und oben ist besser. Die Linie verbindet die Lagen, die keine andere in beiden Maßen übertrifft.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::MeasureTool</name>
     <message>
-        <source>Click the second place on the body</source>
-        <translation>Klicken Sie die zweite Stelle auf dem Körper an</translation>
-    </message>
-    <message>
         <source>Distance %1</source>
         <translation>Abstand %1</translation>
+    </message>
+    <message>
+        <source>Click the second place on the part</source>
+        <translation>Klicken Sie die zweite Stelle auf dem Teil an</translation>
     </message>
 </context>
 <context>
@@ -6160,8 +6020,8 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Das gespeicherte Modell ist beschädigt; importieren Sie das Modell neu</translation>
     </message>
     <message>
-        <source>The stored model has format version %1 and this program reads version %2; use a newer program</source>
-        <translation>Das gespeicherte Modell hat die Formatversion %1, dieses Programm liest Version %2; verwenden Sie ein neueres Programm</translation>
+        <source>The stored model has format version %1, but this program reads version %2; use a newer version of this program</source>
+        <translation>Das gespeicherte Modell hat die Formatversion %1, dieses Programm liest aber Version %2; verwenden Sie eine neuere Version dieses Programms</translation>
     </message>
 </context>
 <context>
@@ -6195,18 +6055,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Die längste Kante ist</translation>
     </message>
     <message>
-        <source>New Project</source>
-        <translation>Neues Projekt</translation>
-    </message>
-    <message>
-        <source>The model&apos;s own</source>
-        <translation>Die eigene des Modells</translation>
-    </message>
-    <message>
-        <source>The size in which the film comes and is printed.</source>
-        <translation>Die Größe, in der der Film geliefert und bedruckt wird.</translation>
-    </message>
-    <message>
         <source>One dip</source>
         <translation>Ein Tauchvorgang</translation>
     </message>
@@ -6219,28 +6067,12 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Zwei Tauchvorgänge: links und rechts</translation>
     </message>
     <message>
-        <source>One dip with the film model of 2020, to compare</source>
-        <translation>Ein Tauchvorgang mit dem Filmmodell von 2020, zum Vergleich</translation>
-    </message>
-    <message>
-        <source>How often and from where the body is dipped. All of it can be changed later.</source>
-        <translation>Wie oft und von wo der Körper getaucht wird. Alles lässt sich später ändern.</translation>
-    </message>
-    <message>
         <source>&amp;Model</source>
         <translation>&amp;Modell</translation>
     </message>
     <message>
-        <source>Choose a Model</source>
-        <translation>Modell wählen</translation>
-    </message>
-    <message>
         <source>Te&amp;xture</source>
         <translation>Te&amp;xtur</translation>
-    </message>
-    <message>
-        <source>Choose a Texture</source>
-        <translation>Textur wählen</translation>
     </message>
     <message>
         <source>Size</source>
@@ -6249,10 +6081,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
     <message>
         <source>&amp;Film</source>
         <translation>&amp;Film</translation>
-    </message>
-    <message>
-        <source>&amp;Begin with</source>
-        <translation>&amp;Beginnen mit</translation>
     </message>
     <message>
         <source>Create</source>
@@ -6299,22 +6127,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Rechts</translation>
     </message>
     <message>
-        <source>The file of the body that is to be dipped.</source>
-        <translation>Die Datei des Körpers, der getaucht werden soll.</translation>
-    </message>
-    <message>
-        <source>A picture to wear in place of the model&apos;s own texture, or nothing.</source>
-        <translation>Ein Bild an Stelle der eigenen Textur des Modells, oder nichts.</translation>
-    </message>
-    <message>
-        <source>The model is made larger or smaller until its longest edge measures this.</source>
-        <translation>Das Modell wird vergrößert oder verkleinert, bis seine längste Kante so viel misst.</translation>
-    </message>
-    <message>
-        <source>In which unit the model&apos;s file gives its coordinates. The file does not say.</source>
-        <translation>In welcher Einheit die Datei des Modells ihre Koordinaten angibt. Die Datei selbst sagt es nicht.</translation>
-    </message>
-    <message>
         <source>Model</source>
         <translation>Modell</translation>
     </message>
@@ -6328,27 +6140,75 @@ auf steife, wasserfeste Karte gedruckt</translation>
     </message>
     <message>
         <source>Reading the model …</source>
-        <translation>Lese das Modell …</translation>
+        <translation>Modell wird gelesen …</translation>
     </message>
     <message>
         <source>Reading the model</source>
-        <translation>Lese das Modell</translation>
-    </message>
-    <message>
-        <source>The body is %1 × %2 × %3</source>
-        <translation>Der Körper misst %1 × %2 × %3</translation>
-    </message>
-    <message>
-        <source>the unit is a guess by its size.</source>
-        <translation>die Einheit ist nach seiner Größe geraten.</translation>
-    </message>
-    <message>
-        <source>What is known of the film: how it swells, grows and tears.</source>
-        <translation>Was vom Film bekannt ist: wie er quillt, wächst und reißt.</translation>
+        <translation>Modell wird gelesen</translation>
     </message>
     <message>
         <source>Film &amp;profile</source>
         <translation>Film&amp;profil</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Neues Projekt</translation>
+    </message>
+    <message>
+        <source>The model file of the part to dip.</source>
+        <translation>Die Modelldatei des Teils, das getaucht wird.</translation>
+    </message>
+    <message>
+        <source>The model&apos;s own texture</source>
+        <translation>Die eigene Textur des Modells</translation>
+    </message>
+    <message>
+        <source>A picture that replaces the model&apos;s own texture. Leave it empty to keep the model&apos;s texture.</source>
+        <translation>Ein Bild, das die eigene Textur des Modells ersetzt. Leer: Die Textur des Modells bleibt.</translation>
+    </message>
+    <message>
+        <source>The size of the film as it is delivered and printed.</source>
+        <translation>Die Größe, in der der Film geliefert und bedruckt wird.</translation>
+    </message>
+    <message>
+        <source>The measured properties of the film: how it swells, grows and tears.</source>
+        <translation>Die gemessenen Eigenschaften des Films: wie er quillt, wächst und reißt.</translation>
+    </message>
+    <message>
+        <source>One dip with the film model of 2020, for comparison</source>
+        <translation>Ein Tauchvorgang mit dem Filmmodell von 2020, zum Vergleich</translation>
+    </message>
+    <message>
+        <source>How many times the part is dipped, and from which sides. You can change this later.</source>
+        <translation>Wie oft und von welchen Seiten das Teil getaucht wird. Sie können das später ändern.</translation>
+    </message>
+    <message>
+        <source>Choose a model</source>
+        <translation>Modell wählen</translation>
+    </message>
+    <message>
+        <source>Choose a texture</source>
+        <translation>Textur wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Dips</source>
+        <translation>&amp;Tauchvorgänge</translation>
+    </message>
+    <message>
+        <source>Scales the model so that its longest edge has this length.</source>
+        <translation>Skaliert das Modell so, dass seine längste Kante diese Länge hat.</translation>
+    </message>
+    <message>
+        <source>The unit of the coordinates in the model file. The file itself does not state it.</source>
+        <translation>Die Einheit der Koordinaten in der Modelldatei. Die Datei selbst gibt sie nicht an.</translation>
+    </message>
+    <message>
+        <source>The part measures %1 × %2 × %3</source>
+        <translation>Das Teil misst %1 × %2 × %3</translation>
+    </message>
+    <message>
+        <source>the unit was guessed from the size.</source>
+        <translation>die Einheit wurde nach der Größe geschätzt.</translation>
     </message>
 </context>
 <context>
@@ -6365,40 +6225,126 @@ auf steife, wasserfeste Karte gedruckt</translation>
 <context>
     <name>dipwright::NumberBox</name>
     <message>
-        <source>“%1” has a unit, and this field has none; type the number alone</source>
-        <translation>„%1“ hat eine Einheit, und dieses Feld hat keine; geben Sie nur die Zahl ein</translation>
-    </message>
-    <message>
-        <source>“%1” is in no unit of this field; type a number in %2</source>
-        <translation>„%1“ steht in keiner Einheit dieses Feldes; geben Sie eine Zahl in %2 ein</translation>
-    </message>
-    <message>
-        <source>There is no number</source>
-        <translation>Es steht keine Zahl da</translation>
-    </message>
-    <message>
-        <source>“%1” is no number</source>
-        <translation>„%1“ ist keine Zahl</translation>
-    </message>
-    <message>
-        <source>“%1” is not within %2 to %3%4</source>
-        <translation>„%1“ liegt nicht zwischen %2 und %3%4</translation>
-    </message>
-    <message>
         <source>“%1” can be %2 or %3; type one of them</source>
         <translation>„%1“ kann %2 oder %3 heißen; geben Sie eines davon ein</translation>
     </message>
     <message>
-        <source>“%1” is no whole number</source>
+        <source>“%1” has a unit, but this field has none; type only the number</source>
+        <translation>„%1“ hat eine Einheit, aber dieses Feld hat keine; geben Sie nur die Zahl ein</translation>
+    </message>
+    <message>
+        <source>“%1” has a unit that does not fit this field; type a number in %2</source>
+        <translation>„%1“ hat eine Einheit, die nicht zu diesem Feld passt; geben Sie eine Zahl in %2 ein</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>“%1” is outside the range %2 to %3%4</source>
+        <translation>„%1“ liegt außerhalb des Bereichs %2 bis %3%4</translation>
+    </message>
+    <message>
+        <source>“%1” is not a whole number</source>
         <translation>„%1“ ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>The field is empty; type a number</source>
+        <translation>Das Feld ist leer; geben Sie eine Zahl ein</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::NumericalErrorCheck</name>
+    <message>
+        <source>Checking the numerical error</source>
+        <translation>Numerischer Fehler wird geprüft</translation>
+    </message>
+    <message>
+        <source>Check numerical error</source>
+        <translation>Numerischen Fehler prüfen</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::NumericalErrorDialog</name>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Painted in both</source>
+        <translation>In beiden bemalt</translation>
+    </message>
+    <message>
+        <source>Painted in one</source>
+        <translation>In einer bemalt</translation>
+    </message>
+    <message>
+        <source>Share of the part&apos;s surface that is painted in both computations</source>
+        <translation>Anteil der Oberfläche des Teils, der in beiden Rechnungen bemalt wird</translation>
+    </message>
+    <message>
+        <source>Share of the part&apos;s surface that is painted in only one of the two computations</source>
+        <translation>Anteil der Oberfläche des Teils, der nur in einer der beiden Rechnungen bemalt wird</translation>
+    </message>
+    <message>
+        <source>With half the step</source>
+        <translation>Mit halbem Schritt</translation>
+    </message>
+    <message>
+        <source>With half the cell width</source>
+        <translation>Mit halber Zellbreite</translation>
+    </message>
+    <message>
+        <source>Numerical error of the sheet</source>
+        <translation>Numerischer Fehler des Blatts</translation>
+    </message>
+    <message>
+        <source>%1: the dip paints nothing, so there is nothing to compare.</source>
+        <translation>%1: Der Tauchvorgang bemalt nichts, daher gibt es nichts zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>%1: this sheet is accurate enough. 95 % of it is within %2 (numerical error).</source>
+        <translation>%1: Dieses Blatt ist genau genug. 95 % davon liegen innerhalb von %2 (numerischer Fehler).</translation>
+    </message>
+    <message>
+        <source>%1: this sheet is not accurate enough. 95 % of it is only within %2 (numerical error). Use smaller film cells or more points, turn the part, or dip it twice.</source>
+        <translation>%1: Dieses Blatt ist nicht genau genug. 95 % davon liegen nur innerhalb von %2 (numerischer Fehler). Nehmen Sie kleinere Filmzellen oder mehr Punkte, drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
+    </message>
+    <message>
+        <source>Numerical error of the sheets</source>
+        <translation>Numerischer Fehler der Blätter</translation>
+    </message>
+    <message>
+        <source>&amp;Save maps…</source>
+        <translation>Karten &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>The project has changed since these figures were computed.</source>
+        <translation>Das Projekt hat sich geändert, seit diese Zahlen berechnet wurden.</translation>
+    </message>
+    <message>
+        <source>Save maps to a folder</source>
+        <translation>Karten in einem Ordner speichern</translation>
+    </message>
+    <message>
+        <source>How far the image on the sheet moves</source>
+        <translation>Wie weit sich das Bild auf dem Blatt verschiebt</translation>
     </message>
 </context>
 <context>
     <name>dipwright::OrientationMap</name>
-    <message>
-        <source>How good each side is to go down first</source>
-        <translation>Wie gut jede Seite zuerst eintaucht</translation>
-    </message>
     <message>
         <source>Which side
 goes down first</source>
@@ -6406,8 +6352,12 @@ goes down first</source>
 zuerst eintaucht</translation>
     </message>
     <message>
-        <source>Objective %1, click to try this side</source>
-        <translation>Zielwert %1, Klick probiert diese Seite</translation>
+        <source>Rating of each side when it goes down first</source>
+        <translation>Bewertung jeder Seite, wenn sie zuerst eintaucht</translation>
+    </message>
+    <message>
+        <source>Objective %1; click to turn this side down</source>
+        <translation>Zielwert %1; Klick dreht diese Seite nach unten</translation>
     </message>
 </context>
 <context>
@@ -6417,20 +6367,12 @@ zuerst eintaucht</translation>
         <translation> mm</translation>
     </message>
     <message>
-        <source>&amp;Turn pieces where that saves film</source>
-        <translation>Stücke d&amp;rehen, wo das Film spart</translation>
-    </message>
-    <message>
         <source>Film</source>
         <translation>Film</translation>
     </message>
     <message>
         <source>Add projects and lay them out.</source>
         <translation>Fügen Sie Projekte hinzu und ordnen Sie sie an.</translation>
-    </message>
-    <message>
-        <source>Several Jobs on One Film</source>
-        <translation>Mehrere Aufträge auf einem Film</translation>
     </message>
     <message>
         <source>Projects on the film</source>
@@ -6443,14 +6385,6 @@ zuerst eintaucht</translation>
     <message>
         <source>Copies</source>
         <translation>Exemplare</translation>
-    </message>
-    <message>
-        <source>Project files may be dropped here. They are taken as they are saved.</source>
-        <translation>Projektdateien lassen sich hierher ziehen. Sie werden genommen, wie sie gespeichert sind.</translation>
-    </message>
-    <message>
-        <source>&amp;Add Projects…</source>
-        <translation>Projekte &amp;hinzufügen…</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
@@ -6471,18 +6405,6 @@ zuerst eintaucht</translation>
     <message>
         <source>Long edge first</source>
         <translation>Lange Kante zuerst</translation>
-    </message>
-    <message>
-        <source>Film swells more along its web. Pieces of films that swell differently both ways lie along it as they were computed.</source>
-        <translation>Film quillt längs seiner Bahn stärker. Stücke von Filmen, die in beiden Richtungen verschieden quellen, liegen zu ihr, wie sie berechnet sind.</translation>
-    </message>
-    <message>
-        <source>Bare film round what is inked. A job is computed for its whole film: cut out near its ink it behaves otherwise towards the edge.</source>
-        <translation>Freier Film um die Farbe. Ein Auftrag ist für seinen ganzen Film berechnet: nahe an der Farbe ausgeschnitten verhält er sich zum Rand hin anders.</translation>
-    </message>
-    <message>
-        <source>By a quarter, and only pieces of films that swell alike both ways.</source>
-        <translation>Um ein Viertel, und nur Stücke von Filmen, die in beiden Richtungen gleich quellen.</translation>
     </message>
     <message>
         <source>&amp;Film</source>
@@ -6509,56 +6431,28 @@ zuerst eintaucht</translation>
         <translation>Freier Fil&amp;m</translation>
     </message>
     <message>
-        <source>Film that is shown</source>
-        <translation>Film, der gezeigt wird</translation>
-    </message>
-    <message>
-        <source>La&amp;y Out</source>
-        <translation>A&amp;nordnen</translation>
-    </message>
-    <message>
-        <source>Dips what has not been dipped yet, and lays it out.</source>
-        <translation>Taucht, was noch nicht getaucht ist, und ordnet es an.</translation>
-    </message>
-    <message>
         <source>E&amp;xport…</source>
-        <translation>E&amp;xportieren…</translation>
-    </message>
-    <message>
-        <source>Each film as PDF, PNG and TIFF at true size, and what lies where.</source>
-        <translation>Jeder Film als PDF, PNG und TIFF in wahrer Größe, und was wo liegt.</translation>
+        <translation>E&amp;xportieren …</translation>
     </message>
     <message>
         <source>&amp;Print…</source>
-        <translation>&amp;Drucken…</translation>
+        <translation>&amp;Drucken …</translation>
     </message>
     <message>
         <source>Copies of %1</source>
         <translation>Exemplare von %1</translation>
     </message>
     <message>
-        <source>Add Projects</source>
-        <translation>Projekte hinzufügen</translation>
-    </message>
-    <message>
-        <source>At most; it is cut off behind the last piece.</source>
-        <translation>Höchstens; sie wird hinter dem letzten Stück abgeschnitten.</translation>
-    </message>
-    <message>
         <source>Laying out</source>
-        <translation>Ordne an</translation>
+        <translation>Wird angeordnet</translation>
     </message>
     <message>
         <source>Films: %1. They are printed at true size.</source>
         <translation>Filme: %1. Sie werden in wahrer Größe gedruckt.</translation>
     </message>
     <message>
-        <source>Export Films to a Folder</source>
-        <translation>Filme in einen Ordner exportieren</translation>
-    </message>
-    <message>
         <source>Writing the films</source>
-        <translation>Schreibe die Filme</translation>
+        <translation>Filme werden geschrieben</translation>
     </message>
     <message>
         <source>Wrote the films to %1</source>
@@ -6573,98 +6467,154 @@ zuerst eintaucht</translation>
         <translation>Film %1</translation>
     </message>
     <message>
-        <source>Press Lay Out: projects that have not been dipped here are dipped first.</source>
-        <translation>Drücken Sie Anordnen: Projekte, die hier noch nicht getaucht sind, werden zuerst getaucht.</translation>
-    </message>
-    <message>
-        <source>Add projects, or drop their files here.</source>
-        <translation>Fügen Sie Projekte hinzu oder ziehen Sie ihre Dateien hierher.</translation>
-    </message>
-    <message>
         <source>Cancelled.</source>
         <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>&amp;Turn pieces to save film</source>
+        <translation>Stücke d&amp;rehen, um Film zu sparen</translation>
+    </message>
+    <message>
+        <source>Several jobs on one film</source>
+        <translation>Mehrere Aufträge auf einem Film</translation>
+    </message>
+    <message>
+        <source>You can drop project files here. The last saved version of each file is used.</source>
+        <translation>Sie können Projektdateien hierher ziehen. Verwendet wird die zuletzt gespeicherte Fassung jeder Datei.</translation>
+    </message>
+    <message>
+        <source>&amp;Add projects…</source>
+        <translation>Projekte &amp;hinzufügen …</translation>
+    </message>
+    <message>
+        <source>The edge that enters the printer first. Film swells more along its web. A piece that swells unequally keeps its direction along the web.</source>
+        <translation>Die Kante, die zuerst in den Drucker geht. Film quillt längs seiner Bahn stärker. Ein Stück, das ungleich quillt, behält seine Richtung zur Bahn.</translation>
+    </message>
+    <message>
+        <source>Width of the bare film around the ink. Each job is computed for its whole film. A piece that is cut close to the ink behaves differently near its edge.</source>
+        <translation>Breite des freien Films um die Farbe. Jeder Auftrag ist für seinen ganzen Film berechnet. Ein nahe an der Farbe ausgeschnittenes Stück verhält sich am Rand anders.</translation>
+    </message>
+    <message>
+        <source>Turns pieces by 90°, but only if their film swells equally in both directions.</source>
+        <translation>Dreht Stücke um 90°, aber nur, wenn ihr Film in beiden Richtungen gleich quillt.</translation>
+    </message>
+    <message>
+        <source>Shown film</source>
+        <translation>Gezeigter Film</translation>
+    </message>
+    <message>
+        <source>La&amp;y out</source>
+        <translation>A&amp;nordnen</translation>
+    </message>
+    <message>
+        <source>Simulates the projects that have no result yet, then lays out all pieces.</source>
+        <translation>Simuliert die Projekte, die noch kein Ergebnis haben, und ordnet dann alle Stücke an.</translation>
+    </message>
+    <message>
+        <source>Writes each film as PDF, PNG and TIFF at true size, and a list of the pieces with their places.</source>
+        <translation>Schreibt jeden Film als PDF, PNG und TIFF in wahrer Größe und eine Liste der Stücke mit ihren Orten.</translation>
+    </message>
+    <message>
+        <source>Add projects</source>
+        <translation>Projekte hinzufügen</translation>
+    </message>
+    <message>
+        <source>The largest length. The roll is cut off after the last piece.</source>
+        <translation>Die größte Länge. Die Rolle wird hinter dem letzten Stück abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Export films to a folder</source>
+        <translation>Filme in einen Ordner exportieren</translation>
+    </message>
+    <message>
+        <source>Press “Lay out”. Projects that have no result yet are simulated first.</source>
+        <translation>Drücken Sie „Anordnen“. Projekte, die noch kein Ergebnis haben, werden zuerst simuliert.</translation>
+    </message>
+    <message>
+        <source>Add projects or drop their files here.</source>
+        <translation>Fügen Sie Projekte hinzu oder ziehen Sie ihre Dateien hierher.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::PaintArtwork</name>
     <message>
         <source>The artwork does not fit into this computer&apos;s memory; choose a lower resolution of the sheet</source>
-        <translation>Die Bilder passen nicht in den Speicher dieses Computers; wählen Sie eine geringere Auflösung des Bogens</translation>
+        <translation>Die Gestaltung passt nicht in den Speicher dieses Rechners; wählen Sie eine geringere Auflösung des Blatts</translation>
     </message>
     <message>
         <source>Painting the artwork</source>
-        <translation>Bilder werden aufgetragen</translation>
+        <translation>Gestaltung wird aufgetragen</translation>
     </message>
 </context>
 <context>
     <name>dipwright::PartCamera</name>
     <message>
-        <source>Photo %1 has %2 pairs of places and takes %3 to tell its camera; give more</source>
-        <translation>Foto %1 hat %2 Paare von Stellen und braucht %3, damit seine Kamera bekannt ist; geben Sie mehr an</translation>
-    </message>
-    <message>
-        <source>All places of photo %1 lie in one plane, which does not tell how far the camera was; give some on other faces</source>
-        <translation>Alle Stellen von Foto %1 liegen in einer Ebene, und das sagt nicht, wie weit die Kamera weg war; geben Sie einige auf anderen Flächen an</translation>
-    </message>
-    <message>
-        <source>The pairs do not tell the camera; give more, farther apart</source>
-        <translation>Die Paare bestimmen die Kamera nicht; geben Sie mehr an, weiter auseinander</translation>
-    </message>
-    <message>
-        <source>The pairs do not tell how far the camera was; give places that lie nearer and farther, and photograph from less far away</source>
-        <translation>Die Paare sagen nicht, wie weit die Kamera weg war; geben Sie nähere und fernere Stellen an, und fotografieren Sie aus der Nähe</translation>
-    </message>
-    <message>
-        <source>The first line of the pairs is not %1</source>
-        <translation>Die erste Zeile der Paare ist nicht %1</translation>
-    </message>
-    <message>
-        <source>There are more than %1 pairs</source>
-        <translation>Es sind mehr als %1 Paare</translation>
-    </message>
-    <message>
-        <source>Rings: expected · lines: to where it is seen, %1 times as long</source>
-        <translation>Ringe: erwartet · Linien: dorthin, wo es zu sehen ist, %1-fach</translation>
-    </message>
-    <message>
-        <source>Photo %1 shows its places as in a mirror; give the photo as the camera made it, and the places with the model&apos;s own signs</source>
-        <translation>Foto %1 zeigt seine Stellen wie in einem Spiegel; geben Sie das Foto so, wie die Kamera es gemacht hat, und die Stellen mit den Vorzeichen des Modells</translation>
-    </message>
-    <message>
-        <source>By its places, photo %1 shows none of the print; give them again, or photograph the side that was dipped</source>
-        <translation>Nach seinen Stellen zeigt Foto %1 nichts vom Druck; geben Sie sie noch einmal an oder fotografieren Sie die getauchte Seite</translation>
-    </message>
-    <message>
-        <source>In photo %1 black and white are swapped: the film was laid with its ink down, or turned by a square</source>
-        <translation>In Foto %1 sind Schwarz und Weiß vertauscht: Der Film lag mit der Farbe nach unten oder um ein Feld verschoben</translation>
-    </message>
-    <message>
-        <source>Of %1 corners that photo %2 should show, %3 were found: is this the job&apos;s part and print, sharp and whole, and were its places given rightly?</source>
-        <translation>Von %1 Ecken, die Foto %2 zeigen müsste, wurden %3 gefunden: Sind es Teil und Druck dieses Auftrags, scharf und ganz, und stimmen die angegebenen Stellen?</translation>
-    </message>
-    <message>
         <source>Finding corners in photo %1</source>
         <translation>Ecken in Foto %1 werden gesucht</translation>
     </message>
     <message>
-        <source>Line %1 of the pairs is not %2</source>
-        <translation>Zeile %1 der Paare ist nicht: %2</translation>
+        <source>According to its places, photo %1 shows none of the print; give the places again, or photograph the dipped side</source>
+        <translation>Nach seinen Stellen zeigt Foto %1 nichts vom Druck; geben Sie die Stellen noch einmal an, oder fotografieren Sie die getauchte Seite</translation>
     </message>
     <message>
-        <source>the number of a photo, two numbers of pixels and three of millimetres, joined by commas</source>
-        <translation>die Nummer eines Fotos, zwei Zahlen in Pixeln und drei in Millimetern, durch Kommas verbunden</translation>
+        <source>In photo %1, black and white are swapped; the film was laid with its ink side down, or shifted by one square</source>
+        <translation>In Foto %1 sind Schwarz und Weiß vertauscht; der Film lag mit der Farbseite nach unten oder um ein Feld verschoben</translation>
     </message>
     <message>
-        <source>the number of a photo, two numbers of pixels, the number of a dip, and two and three of millimetres, joined by commas</source>
-        <translation>die Nummer eines Fotos, zwei Zahlen in Pixeln, die Nummer eines Tauchvorgangs und zwei und drei in Millimetern, durch Kommas verbunden</translation>
+        <source>Photo %2 should show %1 corners, but only %3 were found; check that it shows this job&apos;s part and print, whole and sharp, and that its places are correct</source>
+        <translation>Foto %2 müsste %1 Ecken zeigen, aber nur %3 wurden gefunden; prüfen Sie, ob es Teil und Druck dieses Auftrags ganz und scharf zeigt und ob seine Stellen stimmen</translation>
     </message>
     <message>
-        <source>The photos are of different sizes; take those of one camera, held the same way</source>
-        <translation>Die Fotos sind verschieden groß; nehmen Sie solche einer Kamera, gleich gehalten</translation>
+        <source>Photo %1 has %2 pairs of places, but its camera needs %3; give more pairs</source>
+        <translation>Foto %1 hat %2 Paare von Stellen, seine Kamera braucht aber %3; geben Sie mehr Paare an</translation>
     </message>
     <message>
-        <source>With this photo those of the part have %1 million pixels together, and %2 may be held at once; give fewer, or smaller ones</source>
-        <translation>Mit diesem Foto haben die des Teils zusammen %1 Millionen Pixel, und %2 dürfen zugleich gehalten werden; nehmen Sie weniger oder kleinere</translation>
+        <source>All places of photo %1 lie in one plane, which does not determine the camera&apos;s distance; give some places on other faces</source>
+        <translation>Alle Stellen von Foto %1 liegen in einer Ebene, und das bestimmt die Entfernung der Kamera nicht; geben Sie einige Stellen auf anderen Flächen an</translation>
+    </message>
+    <message>
+        <source>Photo %1 shows its places mirrored; use the photo without flipping it, and give the places in the model&apos;s own coordinates</source>
+        <translation>Foto %1 zeigt seine Stellen gespiegelt; spiegeln Sie das Foto nicht, und geben Sie die Stellen in den Koordinaten des Modells an</translation>
+    </message>
+    <message>
+        <source>The pairs do not determine the camera; give more pairs, farther apart</source>
+        <translation>Die Paare bestimmen die Kamera nicht; geben Sie mehr Paare an, weiter auseinander</translation>
+    </message>
+    <message>
+        <source>The pairs do not determine the camera&apos;s distance; give places at different distances, and photograph from nearer</source>
+        <translation>Die Paare bestimmen die Entfernung der Kamera nicht; geben Sie Stellen in verschiedenen Entfernungen an, und fotografieren Sie aus der Nähe</translation>
+    </message>
+    <message>
+        <source>The first line of the pairs must be %1</source>
+        <translation>Die erste Zeile der Paare muss %1 sein</translation>
+    </message>
+    <message>
+        <source>Line %1 of the pairs must contain %2</source>
+        <translation>Zeile %1 der Paare muss enthalten: %2</translation>
+    </message>
+    <message>
+        <source>There are more than %1 pairs; give fewer</source>
+        <translation>Es sind mehr als %1 Paare; geben Sie weniger an</translation>
+    </message>
+    <message>
+        <source>a photo number, two coordinates in pixels and three in millimetres, separated by commas</source>
+        <translation>eine Fotonummer, zwei Koordinaten in Pixeln und drei in Millimetern, durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>a photo number, two coordinates in pixels, a dip number, two sheet coordinates and three model coordinates in millimetres, separated by commas</source>
+        <translation>eine Fotonummer, zwei Koordinaten in Pixeln, eine Tauchvorgangnummer, zwei Koordinaten auf dem Blatt und drei am Modell in Millimetern, durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>The photos have different sizes; use photos of one camera, held the same way</source>
+        <translation>Die Fotos sind verschieden groß; verwenden Sie Fotos einer Kamera, gleich gehalten</translation>
+    </message>
+    <message>
+        <source>With this photo, the part&apos;s photos have %1 million pixels in total, but the limit is %2 million; use fewer or smaller photos</source>
+        <translation>Mit diesem Foto haben die Fotos des Teils zusammen %1 Millionen Pixel, die Grenze ist aber %2 Millionen; verwenden Sie weniger oder kleinere Fotos</translation>
+    </message>
+    <message>
+        <source>Rings: expected places · lines: towards the seen places, enlarged %1 times</source>
+        <translation>Ringe: erwartete Stellen · Linien: zu den gesehenen Stellen, %1-fach vergrößert</translation>
     </message>
 </context>
 <context>
@@ -6674,36 +6624,8 @@ zuerst eintaucht</translation>
         <translation>Foto des getauchten Teils</translation>
     </message>
     <message>
-        <source>How far the print lies off</source>
-        <translation>Wie weit der Druck daneben liegt</translation>
-    </message>
-    <message>
         <source>N</source>
         <translation>N</translation>
-    </message>
-    <message>
-        <source>Places</source>
-        <translation>Stellen</translation>
-    </message>
-    <message>
-        <source>Mean distance in the photo and its deviation</source>
-        <translation>Mittlerer Abstand im Foto und seine Streuung</translation>
-    </message>
-    <message>
-        <source>The mean over the photo&apos;s diagonal, as in the paper&apos;s Table II</source>
-        <translation>Das Mittel geteilt durch die Diagonale des Fotos, wie in Tabelle II der Arbeit</translation>
-    </message>
-    <message>
-        <source>On the body, across the line of sight: 95 % are nearer</source>
-        <translation>Auf dem Körper, quer zur Blickrichtung: 95 % liegen näher</translation>
-    </message>
-    <message>
-        <source>On the body, the farthest</source>
-        <translation>Auf dem Körper, die weiteste</translation>
-    </message>
-    <message>
-        <source>Add &amp;Photos…</source>
-        <translation>&amp;Fotos hinzufügen …</translation>
     </message>
     <message>
         <source>Photo</source>
@@ -6712,10 +6634,6 @@ zuerst eintaucht</translation>
     <message>
         <source>Remove this photo and its pairs</source>
         <translation>Dieses Foto und seine Paare entfernen</translation>
-    </message>
-    <message>
-        <source>Remove Photo</source>
-        <translation>Foto entfernen</translation>
     </message>
     <message>
         <source>Whole picture</source>
@@ -6730,56 +6648,12 @@ zuerst eintaucht</translation>
         <translation>Verkleinern</translation>
     </message>
     <message>
-        <source>Photos of the Dipped Part</source>
-        <translation>Fotos des getauchten Teils</translation>
-    </message>
-    <message>
         <source>Photos (%1)</source>
         <translation>Fotos (%1)</translation>
     </message>
     <message>
-        <source>Dipped into the c&amp;hessboard of 17 mm</source>
-        <translation>In das Sc&amp;hachbrett von 17 mm getaucht</translation>
-    </message>
-    <message>
-        <source>Look for the corners of the built-in chessboard; else for those of chess squares in the model&apos;s texture</source>
-        <translation>Sucht die Ecken des eingebauten Schachbretts, sonst die von Schachfeldern in der Textur des Modells</translation>
-    </message>
-    <message>
-        <source>The pairs are places of the body &amp;itself</source>
-        <translation>Die Paare s&amp;ind Stellen des Körpers selbst</translation>
-    </message>
-    <message>
-        <source>Tips and edges, not places of the print: the camera stays as these pairs have it, so that a print that is shifted as a whole shows</source>
-        <translation>Spitzen und Kanten, nicht Stellen des Drucks: Die Kamera bleibt, wie diese Paare sie haben, sodass ein im Ganzen verschobener Druck sichtbar wird</translation>
-    </message>
-    <message>
-        <source>Measure &amp;Pairs</source>
-        <translation>&amp;Paare messen</translation>
-    </message>
-    <message>
-        <source>Fit the camera to the pairs and say how far they are off</source>
-        <translation>Die Kamera an die Paare anpassen und sagen, wie weit sie daneben liegen</translation>
-    </message>
-    <message>
-        <source>&amp;Find Corners</source>
-        <translation>Ecken &amp;suchen</translation>
-    </message>
-    <message>
-        <source>Find the corners of the print in all photos and hold them against the simulated film</source>
-        <translation>Die Ecken des Drucks in allen Fotos suchen und mit dem simulierten Film vergleichen</translation>
-    </message>
-    <message>
-        <source>&amp;Remove Pair</source>
-        <translation>Paar &amp;entfernen</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
-        <translation>&amp;Exportieren …</translation>
-    </message>
-    <message>
-        <source>Write table, places and photos with residuals to a folder</source>
-        <translation>Tabelle, Stellen und Fotos mit Abweichungen in einen Ordner schreiben</translation>
+        <translation>E&amp;xportieren …</translation>
     </message>
     <message>
         <source>Photo %1</source>
@@ -6790,32 +6664,8 @@ zuerst eintaucht</translation>
         <translation>Alle</translation>
     </message>
     <message>
-        <source>Add photos of the dipped part, or drop them here: sharp, whole, of one camera, from near enough that the part fills the picture.</source>
-        <translation>Fügen Sie Fotos des getauchten Teils hinzu oder legen Sie sie hier ab: scharf, ganz, von einer Kamera, so nah, dass das Teil das Bild füllt.</translation>
-    </message>
-    <message>
-        <source>Now click the same place on the body in the 3D view.</source>
-        <translation>Klicken Sie nun dieselbe Stelle auf dem Körper in der 3D-Ansicht an.</translation>
-    </message>
-    <message>
         <source>%1 of %2 corners found.</source>
         <translation>%1 von %2 Ecken gefunden.</translation>
-    </message>
-    <message>
-        <source>The camera follows the print: a shift or turn of all of it does not show.</source>
-        <translation>Die Kamera folgt dem Druck: Eine Verschiebung oder Drehung im Ganzen zeigt sich nicht.</translation>
-    </message>
-    <message>
-        <source>The camera is that of the pairs.</source>
-        <translation>Die Kamera ist die der Paare.</translation>
-    </message>
-    <message>
-        <source>Click a place in the photo, then the same place on the body: %1 of %2 pairs, spread over several faces.</source>
-        <translation>Klicken Sie eine Stelle im Foto an, dann dieselbe auf dem Körper: %1 von %2 Paaren, über mehrere Flächen verteilt.</translation>
-    </message>
-    <message>
-        <source>%1 pairs. Drag a place to correct it; Delete removes it. Then find the corners, or measure the pairs alone.</source>
-        <translation>%1 Paare. Ziehen Sie eine Stelle, um sie zu berichtigen; Entf löscht sie. Dann suchen Sie die Ecken oder messen nur die Paare.</translation>
     </message>
     <message>
         <source>%1 ± %2</source>
@@ -6837,12 +6687,112 @@ zuerst eintaucht</translation>
         <source>Worst, mm</source>
         <translation>Größte, mm</translation>
     </message>
+    <message>
+        <source>Error of the image on the part</source>
+        <translation>Fehler des Bilds auf dem Teil</translation>
+    </message>
+    <message>
+        <source>Add &amp;photos…</source>
+        <translation>&amp;Fotos hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Remove photo</source>
+        <translation>Foto entfernen</translation>
+    </message>
+    <message>
+        <source>Photos of the dipped part</source>
+        <translation>Fotos des getauchten Teils</translation>
+    </message>
+    <message>
+        <source>Dipped with the c&amp;hessboard film (17 mm)</source>
+        <translation>Mit dem Sc&amp;hachbrettfilm (17 mm) getaucht</translation>
+    </message>
+    <message>
+        <source>The pairs are places on the part &amp;itself</source>
+        <translation>Die Paare s&amp;ind Stellen auf dem Teil selbst</translation>
+    </message>
+    <message>
+        <source>&amp;Measure pairs</source>
+        <translation>Paare &amp;messen</translation>
+    </message>
+    <message>
+        <source>Fits the camera to the pairs and shows their residuals</source>
+        <translation>Passt die Kamera an die Paare an und zeigt ihre Abweichungen</translation>
+    </message>
+    <message>
+        <source>&amp;Find corners</source>
+        <translation>Ecken &amp;suchen</translation>
+    </message>
+    <message>
+        <source>Finds the corners of the image in all photos and compares them with the simulated film</source>
+        <translation>Sucht die Ecken des Bilds in allen Fotos und vergleicht sie mit dem simulierten Film</translation>
+    </message>
+    <message>
+        <source>&amp;Remove pair</source>
+        <translation>Paar &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Writes the table, the places and the photos with residuals to a folder</source>
+        <translation>Schreibt Tabelle, Stellen und Fotos mit Abweichungen in einen Ordner</translation>
+    </message>
+    <message>
+        <source>Add photos of the dipped part, or drop them here. Use one camera; the part must be sharp, complete and fill the picture.</source>
+        <translation>Fügen Sie Fotos des getauchten Teils hinzu oder legen Sie sie hier ab. Verwenden Sie eine Kamera; das Teil muss scharf und ganz zu sehen sein und das Bild füllen.</translation>
+    </message>
+    <message>
+        <source>Now click the same place on the part in the 3D view.</source>
+        <translation>Klicken Sie nun dieselbe Stelle auf dem Teil in der 3D-Ansicht an.</translation>
+    </message>
+    <message>
+        <source>The camera follows the image: a shift or rotation of the whole image does not show.</source>
+        <translation>Die Kamera folgt dem Bild: Eine Verschiebung oder Drehung des ganzen Bilds zeigt sich nicht.</translation>
+    </message>
+    <message>
+        <source>The camera was fitted to the pairs.</source>
+        <translation>Die Kamera wurde an die Paare angepasst.</translation>
+    </message>
+    <message>
+        <source>Click a place in the photo, then the same place on the part. %1 of %2 pairs so far; spread them over several faces.</source>
+        <translation>Klicken Sie eine Stelle im Foto an, dann dieselbe auf dem Teil. Bisher %1 von %2 Paaren; verteilen Sie sie über mehrere Flächen.</translation>
+    </message>
+    <message>
+        <source>%1 pairs. Drag a place to correct it, press Delete to remove it. Then find the corners, or measure only the pairs.</source>
+        <translation>%1 Paare. Ziehen Sie eine Stelle, um sie zu berichtigen; Entf löscht sie. Suchen Sie dann die Ecken oder messen Sie nur die Paare.</translation>
+    </message>
+    <message>
+        <source>N: number of measured places</source>
+        <translation>N: Anzahl der gemessenen Stellen</translation>
+    </message>
+    <message>
+        <source>R: mean distance in the photo between a place and its expected place, ± standard deviation σ, in pixels</source>
+        <translation>R: mittlerer Abstand im Foto zwischen einer Stelle und ihrer erwarteten Stelle, ± Standardabweichung σ, in Pixeln</translation>
+    </message>
+    <message>
+        <source>R as a share of the photo&apos;s diagonal, as in Table II of the paper of 2020</source>
+        <translation>R als Anteil der Diagonale des Fotos, wie in Tabelle II der Arbeit von 2020</translation>
+    </message>
+    <message>
+        <source>95 % of the places on the part are within this distance of their expected places, measured across the line of sight</source>
+        <translation>95 % der Stellen auf dem Teil liegen innerhalb dieses Abstands von ihren erwarteten Stellen, quer zur Blickrichtung gemessen</translation>
+    </message>
+    <message>
+        <source>Largest distance of a place on the part from its expected place, measured across the line of sight</source>
+        <translation>Größter Abstand einer Stelle auf dem Teil von ihrer erwarteten Stelle, quer zur Blickrichtung gemessen</translation>
+    </message>
+    <message>
+        <source>If ticked, the program looks for the corners of the built-in chessboard. Otherwise it looks for chess squares in the model&apos;s texture.</source>
+        <translation>Mit Häkchen sucht das Programm die Ecken des eingebauten Schachbretts. Sonst sucht es Schachfelder in der Textur des Modells.</translation>
+    </message>
+    <message>
+        <source>Tick this if the pairs are tips and edges of the part, not places in the image. Then only the pairs set the camera, so that a shift of the whole image becomes visible.</source>
+        <translation>Setzen Sie das Häkchen, wenn die Paare Spitzen und Kanten des Teils sind, nicht Stellen im Bild. Dann legen nur die Paare die Kamera fest, sodass eine Verschiebung des ganzen Bilds sichtbar wird.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PhotoView</name>
     <message>
-        <source>Lines: residuals, %1 times as long</source>
-        <translation>Linien: Abweichungen, %1-fach</translation>
+        <source>Lines: residuals, enlarged %1 times</source>
+        <translation>Linien: Abweichungen, %1-fach vergrößert</translation>
     </message>
 </context>
 <context>
@@ -6879,26 +6829,12 @@ zuerst eintaucht</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Poses found, the best first</source>
-        <translation>Gefundene Lagen, die beste zuerst</translation>
-    </message>
-    <message>
         <source>Pose</source>
         <translation>Lage</translation>
     </message>
     <message>
         <source>Objective</source>
         <translation>Zielwert</translation>
-    </message>
-    <message>
-        <source>Painted,
-stretch</source>
-        <translation>Gefärbt,
-Dehnung</translation>
-    </message>
-    <message>
-        <source>Against the best</source>
-        <translation>Gegen die beste</translation>
     </message>
     <message>
         <source>≈ %1</source>
@@ -6912,6 +6848,20 @@ Dehnung</translation>
     <message>
         <source>Compared with your pose: %1</source>
         <translation>Verglichen mit Ihrer Lage: %1</translation>
+    </message>
+    <message>
+        <source>Found poses, best first</source>
+        <translation>Gefundene Lagen, beste zuerst</translation>
+    </message>
+    <message>
+        <source>Coverage,
+stretch</source>
+        <translation>Abdeckung,
+Dehnung</translation>
+    </message>
+    <message>
+        <source>Compared with the best</source>
+        <translation>Verglichen mit der besten</translation>
     </message>
 </context>
 <context>
@@ -6969,24 +6919,8 @@ Dehnung</translation>
         <translation> s</translation>
     </message>
     <message>
-        <source>How long after a change, at most, a copy is kept from which work is restored after a crash.</source>
-        <translation>Wie lange nach einer Änderung höchstens eine Kopie angelegt wird, aus der nach einem Absturz die Arbeit wiederhergestellt wird.</translation>
-    </message>
-    <message>
-        <source>Once there is a result, a change starts a new run of what depends on it.</source>
-        <translation>Sobald es ein Ergebnis gibt, rechnet eine Änderung neu, was von ihr abhängt.</translation>
-    </message>
-    <message>
         <source>&amp;Language</source>
         <translation>&amp;Sprache</translation>
-    </message>
-    <message>
-        <source>A new language shows when the program is started again.</source>
-        <translation>Eine neue Sprache zeigt sich beim nächsten Start des Programms.</translation>
-    </message>
-    <message>
-        <source>L&amp;engths in</source>
-        <translation>&amp;Längen in</translation>
     </message>
     <message>
         <source>T&amp;heme</source>
@@ -7013,20 +6947,8 @@ Dehnung</translation>
         <translation>Tasten</translation>
     </message>
     <message>
-        <source>All Back to Standard</source>
-        <translation>Alle zurücksetzen</translation>
-    </message>
-    <message>
-        <source>The film that is proposed when a project is made.</source>
-        <translation>Der Film, der für ein neues Projekt vorgeschlagen wird.</translation>
-    </message>
-    <message>
         <source>None</source>
         <translation>Keiner</translation>
-    </message>
-    <message>
-        <source>The printer profile that new projects begin with. It can be changed under Sheet.</source>
-        <translation>Das Druckerprofil, mit dem neue Projekte beginnen. Unter Bogen lässt es sich ändern.</translation>
     </message>
     <message>
         <source>The language of menus, panels and messages.</source>
@@ -7041,23 +6963,11 @@ Dehnung</translation>
         <translation>Helle oder dunkle Farben.</translation>
     </message>
     <message>
-        <source>How dragging in the view turns it.</source>
-        <translation>Wie das Ziehen in der Ansicht sie dreht.</translation>
-    </message>
-    <message>
         <source>&amp;Printer of new projects</source>
         <translation>&amp;Drucker neuer Projekte</translation>
     </message>
     <message>
-        <source>%1 stands for both “%2” and “%3”. Change one of them.</source>
-        <translation>%1 steht für „%2“ und für „%3“. Ändern Sie eines davon.</translation>
-    </message>
-    <message>
-        <source>The film profile that is proposed when a project is made.</source>
-        <translation>Das Filmprofil, das für ein neues Projekt vorgeschlagen wird.</translation>
-    </message>
-    <message>
-        <source>Film p&amp;rofile of new projects</source>
+        <source>Film pr&amp;ofile of new projects</source>
         <translation>Filmp&amp;rofil neuer Projekte</translation>
     </message>
     <message>
@@ -7065,16 +6975,52 @@ Dehnung</translation>
         <translation>Ergebnisse neben dem Projekt aufbewahren</translation>
     </message>
     <message>
-        <source>The dips of a saved project are kept in a file NAME.dips beside it, up to 64 MB, and its results are there when it is opened again.</source>
-        <translation>Die Tauchvorgänge eines gespeicherten Projekts werden in einer Datei NAME.dips daneben aufbewahrt, bis zu 64 MB, und seine Ergebnisse sind da, wenn es wieder geöffnet wird.</translation>
+        <source>The film size proposed for new projects.</source>
+        <translation>Die Filmgröße, die für neue Projekte vorgeschlagen wird.</translation>
+    </message>
+    <message>
+        <source>The film profile proposed for new projects.</source>
+        <translation>Das Filmprofil, das für neue Projekte vorgeschlagen wird.</translation>
+    </message>
+    <message>
+        <source>The printer profile of new projects. You can change it under Sheet.</source>
+        <translation>Das Druckerprofil neuer Projekte. Unter „Blatt“ können Sie es ändern.</translation>
+    </message>
+    <message>
+        <source>How dragging turns the view.</source>
+        <translation>Wie Ziehen die Ansicht dreht.</translation>
+    </message>
+    <message>
+        <source>Longest time between a change and the recovery copy. After a crash, your work is restored from this copy.</source>
+        <translation>Längste Zeit zwischen einer Änderung und der Sicherungskopie. Nach einem Absturz wird Ihre Arbeit aus dieser Kopie wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>After the first run, each change recomputes the results that depend on it.</source>
+        <translation>Nach dem ersten Lauf berechnet jede Änderung die Ergebnisse neu, die von ihr abhängen.</translation>
+    </message>
+    <message>
+        <source>Saves the dips of a project in a file NAME.dips beside it, up to 64 MB. The results are there when you open the project again.</source>
+        <translation>Speichert die Tauchvorgänge eines Projekts in einer Datei NAME.dips daneben, bis zu 64 MB. Die Ergebnisse sind da, wenn Sie das Projekt wieder öffnen.</translation>
+    </message>
+    <message>
+        <source>A new language takes effect when you restart the program.</source>
+        <translation>Eine neue Sprache wirkt nach einem Neustart des Programms.</translation>
+    </message>
+    <message>
+        <source>L&amp;ength unit</source>
+        <translation>&amp;Längeneinheit</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>%1 is assigned to both “%2” and “%3”. Change one of them.</source>
+        <translation>%1 ist „%2“ und „%3“ zugewiesen. Ändern Sie eines davon.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::PrintDialog</name>
-    <message>
-        <source>Print Sheets</source>
-        <translation>Bögen drucken</translation>
-    </message>
     <message>
         <source>Page</source>
         <translation>Seite</translation>
@@ -7092,10 +7038,6 @@ Dehnung</translation>
         <translation>&amp;Drucker</translation>
     </message>
     <message>
-        <source>None: true size and sRGB (choose one under Sheet)</source>
-        <translation>Keines: wahre Größe und sRGB (wählen Sie eines unter Bogen)</translation>
-    </message>
-    <message>
         <source>Profile</source>
         <translation>Profil</translation>
     </message>
@@ -7105,7 +7047,7 @@ Dehnung</translation>
     </message>
     <message>
         <source>Sheets</source>
-        <translation>Bögen</translation>
+        <translation>Blätter</translation>
     </message>
     <message>
         <source>Looking for printers …</source>
@@ -7117,19 +7059,19 @@ Dehnung</translation>
     </message>
     <message>
         <source>No printer is set up on this machine. Save the sheet as PDF and print it elsewhere, at 100 %.</source>
-        <translation>Auf diesem Rechner ist kein Drucker eingerichtet. Speichern Sie den Bogen als PDF und drucken Sie ihn anderswo mit 100 %.</translation>
+        <translation>Auf diesem Rechner ist kein Drucker eingerichtet. Speichern Sie das Blatt als PDF und drucken Sie es anderswo mit 100 %.</translation>
     </message>
     <message>
         <source>Choose at least one sheet.</source>
-        <translation>Wählen Sie mindestens einen Bogen.</translation>
+        <translation>Wählen Sie mindestens ein Blatt.</translation>
     </message>
     <message>
         <source>Asking the printer …</source>
-        <translation>Der Drucker wird gefragt …</translation>
+        <translation>Der Drucker wird abgefragt …</translation>
     </message>
     <message>
         <source>Asking the printer</source>
-        <translation>Der Drucker wird gefragt</translation>
+        <translation>Der Drucker wird abgefragt</translation>
     </message>
     <message>
         <source>Printing …</source>
@@ -7148,32 +7090,8 @@ Dehnung</translation>
         <translation>An die Warteschlange von %1 übergeben</translation>
     </message>
     <message>
-        <source>Whether this immersion&apos;s sheet is printed.</source>
-        <translation>Ob der Bogen dieses Tauchvorgangs gedruckt wird.</translation>
-    </message>
-    <message>
         <source>The printers that are set up on this machine.</source>
         <translation>Die Drucker, die auf diesem Rechner eingerichtet sind.</translation>
-    </message>
-    <message>
-        <source>How often each sheet is printed.</source>
-        <translation>Wie oft jeder Bogen gedruckt wird.</translation>
-    </message>
-    <message>
-        <source>Without this tick such a print is refused, with the reason.</source>
-        <translation>Ohne dieses Häkchen wird ein solcher Druck mit Begründung abgelehnt.</translation>
-    </message>
-    <message>
-        <source>Save as File…</source>
-        <translation>Als Datei speichern …</translation>
-    </message>
-    <message>
-        <source>The sheet shown, as PDF or TIFF in the printer&apos;s scale and colours.</source>
-        <translation>Der gezeigte Bogen, als PDF oder TIFF im Maßstab und in den Farben des Druckers.</translation>
-    </message>
-    <message>
-        <source>Cancelled. What the printer has already begun may still come out.</source>
-        <translation>Abgebrochen. Was der Drucker schon begonnen hat, kommt vielleicht noch heraus.</translation>
     </message>
     <message>
         <source>%1 × %2 mm</source>
@@ -7189,7 +7107,7 @@ Dehnung</translation>
     </message>
     <message>
         <source>Custom, as set under Sheet</source>
-        <translation>Eigenes, wie unter Bogen eingestellt</translation>
+        <translation>Eigenes, wie unter „Blatt“ eingestellt</translation>
     </message>
     <message>
         <source>Portrait</source>
@@ -7216,32 +7134,12 @@ Dehnung</translation>
         <translation>Wie gedruckt (Softproof)</translation>
     </message>
     <message>
-        <source>As printed, colours out of reach in magenta</source>
-        <translation>Wie gedruckt, unerreichbare Farben in Magenta</translation>
-    </message>
-    <message>
-        <source>How the page is shown here. What is printed stays the same.</source>
-        <translation>Wie die Seite hier gezeigt wird. Gedruckt wird dasselbe.</translation>
-    </message>
-    <message>
         <source>A soft proof needs a printer profile with an ICC profile.</source>
         <translation>Ein Softproof braucht ein Druckerprofil mit ICC-Profil.</translation>
     </message>
     <message>
         <source>Colours of the page</source>
         <translation>Farben der Seite</translation>
-    </message>
-    <message>
-        <source>Proofing the colours</source>
-        <translation>Farben werden geprüft</translation>
-    </message>
-    <message>
-        <source>%1 % of the paint is out of the printer&apos;s reach.</source>
-        <translation>%1 % der Farbe kann der Drucker nicht wiedergeben.</translation>
-    </message>
-    <message>
-        <source>Save Sheet</source>
-        <translation>Bogen speichern</translation>
     </message>
     <message>
         <source>Wrote %1</source>
@@ -7253,15 +7151,11 @@ Dehnung</translation>
     </message>
     <message>
         <source>The paper that the sheet is printed on.</source>
-        <translation>Das Papier, auf das der Bogen gedruckt wird.</translation>
-    </message>
-    <message>
-        <source>None is set up</source>
-        <translation>Keiner eingerichtet</translation>
+        <translation>Das Papier, auf das das Blatt gedruckt wird.</translation>
     </message>
     <message>
         <source>Tile the sheet if the paper is too small</source>
-        <translation>Bogen in Stücke teilen, wenn das Papier zu klein ist</translation>
+        <translation>Blatt in Kacheln teilen, wenn das Papier zu klein ist</translation>
     </message>
     <message>
         <source>Print in grey on a monochrome printer</source>
@@ -7279,52 +7173,80 @@ Dehnung</translation>
         <source>Print anyway</source>
         <translation>Trotzdem drucken</translation>
     </message>
+    <message>
+        <source>Print sheets</source>
+        <translation>Blätter drucken</translation>
+    </message>
+    <message>
+        <source>Whether the sheet of this dip is printed.</source>
+        <translation>Ob das Blatt dieses Tauchvorgangs gedruckt wird.</translation>
+    </message>
+    <message>
+        <source>Save as file…</source>
+        <translation>Als Datei speichern …</translation>
+    </message>
+    <message>
+        <source>Saves the shown sheet as PDF or TIFF, in the printer&apos;s scale and colours.</source>
+        <translation>Speichert das gezeigte Blatt als PDF oder TIFF, im Maßstab und in den Farben des Druckers.</translation>
+    </message>
+    <message>
+        <source>Number of copies of each sheet.</source>
+        <translation>Anzahl der Exemplare jedes Blatts.</translation>
+    </message>
+    <message>
+        <source>No printer set up</source>
+        <translation>Kein Drucker eingerichtet</translation>
+    </message>
+    <message>
+        <source>As printed, out-of-gamut colours in magenta</source>
+        <translation>Wie gedruckt, Farben außerhalb des Farbumfangs in Magenta</translation>
+    </message>
+    <message>
+        <source>How the page is shown here. The print does not change.</source>
+        <translation>Wie die Seite hier gezeigt wird. Der Druck ändert sich nicht.</translation>
+    </message>
+    <message>
+        <source>Computing the soft proof</source>
+        <translation>Softproof wird berechnet</translation>
+    </message>
+    <message>
+        <source>%1 % of the painted area is out of the printer&apos;s gamut.</source>
+        <translation>%1 % der bemalten Fläche liegen außerhalb des Farbumfangs des Druckers.</translation>
+    </message>
+    <message>
+        <source>Save sheet</source>
+        <translation>Blatt speichern</translation>
+    </message>
+    <message>
+        <source>Cancelled. Pages that the printer has already begun may still come out.</source>
+        <translation>Abgebrochen. Seiten, die der Drucker schon begonnen hat, kommen vielleicht noch heraus.</translation>
+    </message>
+    <message>
+        <source>None: true size and sRGB (choose a profile under Sheet)</source>
+        <translation>Keines: wahre Größe und sRGB (wählen Sie ein Profil unter „Blatt“)</translation>
+    </message>
+    <message>
+        <source>If this is not ticked, the program refuses a print with this problem and shows the reason.</source>
+        <translation>Ohne Häkchen verweigert das Programm einen Druck mit diesem Problem und zeigt den Grund.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PrintFields</name>
     <message>
-        <source>Shown</source>
-        <translation>Gezeigt</translation>
-    </message>
-    <message>
         <source>Shift X</source>
         <translation>Versatz X</translation>
-    </message>
-    <message>
-        <source>How far the second film lies off along X.</source>
-        <translation>Wie weit der zweite Film längs X daneben liegt.</translation>
     </message>
     <message>
         <source>Shift Z</source>
         <translation>Versatz Z</translation>
     </message>
     <message>
-        <source>How far it lies off along Z.</source>
-        <translation>Wie weit er längs Z daneben liegt.</translation>
-    </message>
-    <message>
         <source>Turn</source>
         <translation>Drehung</translation>
     </message>
     <message>
-        <source>How far it is turned, from X to Z.</source>
-        <translation>Wie weit er gedreht ist, von X nach Z.</translation>
-    </message>
-    <message>
         <source>Swell</source>
         <translation>Quellung</translation>
-    </message>
-    <message>
-        <source>How much more it has grown than the sheet reckons with.</source>
-        <translation>Wie viel mehr er gewachsen ist, als der Bogen annimmt.</translation>
-    </message>
-    <message>
-        <source>In its Place</source>
-        <translation>An seinen Platz</translation>
-    </message>
-    <message>
-        <source>The second film where it belongs.</source>
-        <translation>Der zweite Film dort, wo er hingehört.</translation>
     </message>
     <message>
         <source>After %1 and %2</source>
@@ -7335,12 +7257,40 @@ Dehnung</translation>
         <translation>Nach %1</translation>
     </message>
     <message>
-        <source>Deeper</source>
-        <translation>Tiefer</translation>
+        <source>How far the second film is displaced along X.</source>
+        <translation>Wie weit der zweite Film längs X verschoben ist.</translation>
     </message>
     <message>
-        <source>How much deeper the body is dipped, less deep if negative: what stays over the water gets no ink. A body that is dipped whole cannot go deeper.</source>
-        <translation>Um wie viel tiefer der Körper getaucht wird, weniger tief, wenn negativ: Was über dem Wasser bleibt, bekommt keine Farbe. Ein Körper, der ganz getaucht wird, kann nicht tiefer gehen.</translation>
+        <source>How far the second film is displaced along Z.</source>
+        <translation>Wie weit der zweite Film längs Z verschoben ist.</translation>
+    </message>
+    <message>
+        <source>How far the second film is turned, from X towards Z.</source>
+        <translation>Wie weit der zweite Film gedreht ist, von X nach Z.</translation>
+    </message>
+    <message>
+        <source>How much more the second film has swollen than the sheet assumes.</source>
+        <translation>Wie viel mehr der zweite Film gequollen ist, als das Blatt annimmt.</translation>
+    </message>
+    <message>
+        <source>Extra depth</source>
+        <translation>Mehr Tiefe</translation>
+    </message>
+    <message>
+        <source>How much deeper the part is dipped; negative values are less deep. Surface that stays above the water gets no ink. A part that is dipped whole cannot go deeper.</source>
+        <translation>Wie viel tiefer das Teil getaucht wird; negative Werte sind weniger tief. Was über dem Wasser bleibt, bekommt keine Farbe. Ein Teil, das ganz getaucht wird, kann nicht tiefer gehen.</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Puts the second film back in its intended place.</source>
+        <translation>Legt den zweiten Film wieder an seinen vorgesehenen Ort.</translation>
+    </message>
+    <message>
+        <source>Show part</source>
+        <translation>Teil zeigen</translation>
     </message>
 </context>
 <context>
@@ -7358,24 +7308,8 @@ Dehnung</translation>
         <translation>Film: %1</translation>
     </message>
     <message>
-        <source>Printer&apos;s profile: %1</source>
-        <translation>Druckerprofil: %1</translation>
-    </message>
-    <message>
-        <source>Paper, in the printer&apos;s words: %1</source>
-        <translation>Papier, wie der Drucker es nennt: %1</translation>
-    </message>
-    <message>
         <source>The project had not been saved when it was printed.</source>
         <translation>Das Projekt war noch nicht gespeichert, als es gedruckt wurde.</translation>
-    </message>
-    <message>
-        <source>The project&apos;s file is not there any more.</source>
-        <translation>Die Projektdatei ist nicht mehr da.</translation>
-    </message>
-    <message>
-        <source>Print History</source>
-        <translation>Druckverlauf</translation>
     </message>
     <message>
         <source>Search</source>
@@ -7383,15 +7317,7 @@ Dehnung</translation>
     </message>
     <message>
         <source>Job number on the sheet, project, printer …</source>
-        <translation>Auftragsnummer auf dem Bogen, Projekt, Drucker …</translation>
-    </message>
-    <message>
-        <source>What was printed, the newest first</source>
-        <translation>Was gedruckt wurde, das Neueste zuerst</translation>
-    </message>
-    <message>
-        <source>When</source>
-        <translation>Wann</translation>
+        <translation>Auftragsnummer auf dem Blatt, Projekt, Drucker …</translation>
     </message>
     <message>
         <source>Job</source>
@@ -7418,10 +7344,6 @@ Dehnung</translation>
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>&amp;Open Project</source>
-        <translation>Projekt &amp;öffnen</translation>
-    </message>
-    <message>
         <source>Reading the print history</source>
         <translation>Der Druckverlauf wird gelesen</translation>
     </message>
@@ -7434,82 +7356,82 @@ Dehnung</translation>
         <translation>Noch wurde nichts gedruckt.</translation>
     </message>
     <message>
-        <source>Nothing that was printed holds these words.</source>
-        <translation>Nichts Gedrucktes enthält diese Wörter.</translation>
+        <source>Printer profile: %1</source>
+        <translation>Druckerprofil: %1</translation>
     </message>
     <message>
-        <source>Immersion</source>
+        <source>Paper name in the printer: %1</source>
+        <translation>Name des Papiers im Drucker: %1</translation>
+    </message>
+    <message>
+        <source>The project file no longer exists.</source>
+        <translation>Die Projektdatei gibt es nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Print history</source>
+        <translation>Druckverlauf</translation>
+    </message>
+    <message>
+        <source>Shows the prints that contain all words typed here. Parts of words are enough.</source>
+        <translation>Zeigt die Drucke, die alle hier eingegebenen Wörter enthalten. Wortteile genügen.</translation>
+    </message>
+    <message>
+        <source>Prints, newest first</source>
+        <translation>Drucke, neueste zuerst</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Dip</source>
         <translation>Tauchvorgang</translation>
     </message>
     <message>
-        <source>Shows the prints that hold all words typed here, or parts of words</source>
-        <translation>Zeigt die Drucke, die alle hier eingegebenen Wörter oder Wortteile enthalten</translation>
+        <source>&amp;Open project</source>
+        <translation>Projekt &amp;öffnen</translation>
+    </message>
+    <message>
+        <source>No print contains these words.</source>
+        <translation>Kein Druck enthält diese Wörter.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::PrinterColour</name>
     <message>
-        <source>The ICC profile cannot be used for printing, choose the printer&apos;s output profile</source>
-        <translation>Das ICC-Profil taugt nicht zum Drucken; wählen Sie das Ausgabeprofil des Druckers</translation>
+        <source>This ICC profile cannot be used for printing; choose the printer&apos;s output profile</source>
+        <translation>Dieses ICC-Profil taugt nicht zum Drucken; wählen Sie das Ausgabeprofil des Druckers</translation>
     </message>
     <message>
-        <source>This is not an ICC profile, or it is damaged</source>
-        <translation>Das ist kein ICC-Profil, oder es ist beschädigt</translation>
+        <source>This file is not an ICC profile, or it is damaged; choose another file</source>
+        <translation>Diese Datei ist kein ICC-Profil oder ist beschädigt; wählen Sie eine andere Datei</translation>
     </message>
     <message>
-        <source>The ICC profile is not of an RGB or CMYK printer, choose the printer&apos;s output profile</source>
-        <translation>Das ICC-Profil gehört zu keinem RGB- oder CMYK-Drucker; wählen Sie das Ausgabeprofil des Druckers</translation>
+        <source>This ICC profile does not belong to an RGB or CMYK printer; choose the printer&apos;s output profile</source>
+        <translation>Dieses ICC-Profil gehört zu keinem RGB- oder CMYK-Drucker; wählen Sie das Ausgabeprofil des Druckers</translation>
     </message>
 </context>
 <context>
     <name>dipwright::Printing</name>
     <message>
-        <source>The printer does not say what it can do: %1</source>
-        <translation>Der Drucker sagt nicht, was er kann: %1</translation>
-    </message>
-    <message>
-        <source>The printer does not take the job: %1</source>
-        <translation>Der Drucker nimmt den Auftrag nicht an: %1</translation>
-    </message>
-    <message>
         <source>The sheet could not be sent to the printer: %1</source>
-        <translation>Der Bogen konnte nicht an den Drucker gesendet werden: %1</translation>
-    </message>
-    <message>
-        <source>The print system does not tell what became of the job: %1</source>
-        <translation>Das Drucksystem sagt nicht, was aus dem Auftrag geworden ist: %1</translation>
+        <translation>Das Blatt konnte nicht an den Drucker gesendet werden: %1</translation>
     </message>
     <message>
         <source>%1 × %2 mm</source>
         <translation>%1 × %2 mm</translation>
     </message>
     <message>
-        <source>There is no such printer, and no other; set one up in the system first</source>
-        <translation>Diesen Drucker gibt es nicht und auch keinen anderen; richten Sie zuerst einen im System ein</translation>
-    </message>
-    <message>
-        <source>There is no such printer, there are: %1</source>
-        <translation>Diesen Drucker gibt es nicht; es gibt: %1</translation>
-    </message>
-    <message>
         <source>The printer is stopped%1; start it again in the system&apos;s settings</source>
         <translation>Der Drucker ist angehalten%1; starten Sie ihn in den Einstellungen des Systems</translation>
     </message>
     <message>
-        <source>The printer takes no jobs at the moment%1; let it in the system&apos;s settings</source>
-        <translation>Der Drucker nimmt im Augenblick keine Aufträge an%1; erlauben Sie es in den Einstellungen des Systems</translation>
-    </message>
-    <message>
         <source>The printer has no paper of %1; set the sheet&apos;s paper to one that it has: %2</source>
-        <translation>Der Drucker hat kein Papier von %1; stellen Sie das Papier des Bogens auf eines, das er hat: %2</translation>
+        <translation>Der Drucker hat kein Papier von %1; stellen Sie das Papier des Blatts auf eines, das er hat: %2</translation>
     </message>
     <message>
         <source>The sheet of %1 is larger than every paper of the printer (%2); make it smaller or print it in tiles</source>
-        <translation>Der Bogen von %1 ist größer als jedes Papier des Druckers (%2); verkleinern Sie ihn oder drucken Sie ihn in Stücken</translation>
-    </message>
-    <message>
-        <source>The printer names no paper to print pieces on</source>
-        <translation>Der Drucker nennt kein Papier, auf das Stücke gedruckt werden können</translation>
+        <translation>Das Blatt von %1 ist größer als jedes Papier des Druckers (%2); verkleinern Sie es oder drucken Sie es in Kacheln</translation>
     </message>
     <message>
         <source>The printer has no paper named %1</source>
@@ -7517,19 +7439,15 @@ Dehnung</translation>
     </message>
     <message>
         <source>The printer does not reach the outer %1 mm of the paper, and the sheet has colour there</source>
-        <translation>Der Drucker erreicht die äußeren %1 mm des Papiers nicht, und der Bogen hat dort Farbe</translation>
-    </message>
-    <message>
-        <source>%1; choose larger or borderless paper, or accept that it is lost</source>
-        <translation>%1; wählen Sie größeres oder randloses Papier, oder nehmen Sie den Verlust hin</translation>
+        <translation>Der Drucker erreicht die äußeren %1 mm des Papiers nicht, und das Blatt hat dort Farbe</translation>
     </message>
     <message>
         <source>The printer prints in grey only, and the sheet is coloured; choose a colour printer, or accept grey</source>
-        <translation>Der Drucker druckt nur grau, und der Bogen ist farbig; wählen Sie einen Farbdrucker, oder nehmen Sie Grau hin</translation>
+        <translation>Der Drucker druckt nur grau, und das Blatt ist farbig; wählen Sie einen Farbdrucker, oder nehmen Sie Grau hin</translation>
     </message>
     <message>
         <source>The printer prints the coloured sheet in grey</source>
-        <translation>Der Drucker druckt den farbigen Bogen grau</translation>
+        <translation>Der Drucker druckt das farbige Blatt grau</translation>
     </message>
     <message>
         <source>The printer has no paper of %1 loaded</source>
@@ -7552,64 +7470,24 @@ Dehnung</translation>
         <translation>Wartet in der Warteschlange des Druckers</translation>
     </message>
     <message>
-        <source>it does not say why</source>
-        <translation>er sagt nicht, warum</translation>
-    </message>
-    <message>
         <source>The job was cancelled at the printer</source>
         <translation>Der Auftrag wurde am Drucker abgebrochen</translation>
     </message>
     <message>
-        <source>The printer gave the job up: %1</source>
-        <translation>Der Drucker hat den Auftrag aufgegeben: %1</translation>
-    </message>
-    <message>
-        <source>The printer stopped in the middle of the job: %1; the rest is cancelled, print the sheet anew</source>
-        <translation>Der Drucker hielt mitten im Auftrag an: %1; der Rest ist abgebrochen, drucken Sie den Bogen neu</translation>
-    </message>
-    <message>
-        <source>The printer has stopped: %1; the job is cancelled, start the printer and print the sheet anew</source>
-        <translation>Der Drucker hat angehalten: %1; der Auftrag ist abgebrochen, starten Sie den Drucker und drucken Sie den Bogen neu</translation>
-    </message>
-    <message>
         <source>This program was built without printing; print the sheet&apos;s PDF at 100 % instead</source>
-        <translation>Dieses Programm wurde ohne Drucken gebaut; drucken Sie stattdessen das PDF des Bogens mit 100 %</translation>
-    </message>
-    <message>
-        <source>The printer does not take the job</source>
-        <translation>Der Drucker nimmt den Auftrag nicht an</translation>
+        <translation>Dieses Programm wurde ohne Drucken gebaut; drucken Sie stattdessen das PDF des Blatts mit 100 %</translation>
     </message>
     <message>
         <source>The sheet could not be sent to the printer</source>
-        <translation>Der Bogen konnte nicht an den Drucker gesendet werden</translation>
-    </message>
-    <message>
-        <source>The printer takes this paper only with its other edge first; turn the page</source>
-        <translation>Der Drucker nimmt dieses Papier nur mit der anderen Kante voran; drehen Sie die Seite</translation>
-    </message>
-    <message>
-        <source>The printer does not reach the outer %1 mm of the paper; put its margins into its profile first</source>
-        <translation>Der Drucker erreicht die äußeren %1 mm des Papiers nicht; tragen Sie zuerst seine Ränder in sein Profil ein</translation>
+        <translation>Das Blatt konnte nicht an den Drucker gesendet werden</translation>
     </message>
     <message>
         <source>Calibration of %1</source>
         <translation>Kalibrierung von %1</translation>
     </message>
     <message>
-        <source>Pieces of a sheet are written as PDF, one page each; name the file .pdf</source>
-        <translation>Die Teile eines Bogens werden als PDF geschrieben, je eine Seite; nennen Sie die Datei .pdf</translation>
-    </message>
-    <message>
-        <source>The printer scales pages by itself (&quot;%1&quot;), and the print system does not pass on to it that it must not; set its scaling to &quot;none&quot; in its own menu</source>
-        <translation>Der Drucker skaliert Seiten von selbst („%1“), und das Drucksystem gibt nicht an ihn weiter, dass er es nicht soll; stellen Sie in seinem eigenen Menü die Skalierung auf „none“</translation>
-    </message>
-    <message>
         <source>%1, lot %2</source>
         <translation>%1, Charge %2</translation>
-    </message>
-    <message>
-        <source>Sent, nothing more is known</source>
-        <translation>Gesendet, mehr ist nicht bekannt</translation>
     </message>
     <message>
         <source>Printed</source>
@@ -7632,75 +7510,147 @@ Dehnung</translation>
         <translation>Gescheitert: %1</translation>
     </message>
     <message>
-        <source>The print history does not have it: %1</source>
-        <translation>Im Druckverlauf fehlt es: %1</translation>
-    </message>
-    <message>
-        <source>the folder %1 cannot be made</source>
-        <translation>der Ordner %1 kann nicht angelegt werden</translation>
-    </message>
-    <message>
-        <source>it does not leave the page&apos;s size alone</source>
-        <translation>er lässt die Größe der Seite nicht, wie sie ist</translation>
-    </message>
-    <message>
-        <source>The printer scales pages where it is not told otherwise, which its queue does not pass on; the job goes past the queue, to the printer itself</source>
-        <translation>Der Drucker skaliert Seiten, wenn ihm nichts anderes gesagt wird, und seine Warteschlange gibt das nicht weiter; der Auftrag geht an der Warteschlange vorbei direkt an den Drucker</translation>
-    </message>
-    <message>
         <source>The white layer is left out: it needs a printer profile with an ICC profile in CMYK</source>
         <translation>Die weiße Schicht fehlt: Sie braucht ein Druckerprofil mit einem ICC-Profil in CMYK</translation>
-    </message>
-    <message>
-        <source>The cut line is left out: it needs a PDF and a printer profile with an ICC profile in CMYK</source>
-        <translation>Die Schnittlinie fehlt: Sie braucht ein PDF und ein Druckerprofil mit einem ICC-Profil in CMYK</translation>
-    </message>
-    <message>
-        <source>The spot inks are left out: they need a printer profile with an ICC profile in CMYK</source>
-        <translation>Die Sonderfarben fehlen: Sie brauchen ein Druckerprofil mit einem ICC-Profil in CMYK</translation>
-    </message>
-    <message>
-        <source>On %1 mm² of the part the inks fall visibly short: full ink, the ink limit or the total of ink does not make up for the stretch</source>
-        <translation>Auf %1 mm² des Teils reichen die Tinten sichtbar nicht: volle Tinte, Farbgrenze oder Gesamtfarbauftrag gleichen die Dehnung nicht aus</translation>
     </message>
     <message>
         <source>Stopped: %1</source>
         <translation>Angehalten: %1</translation>
     </message>
     <message>
-        <source>Not known: %1</source>
-        <translation>Nicht bekannt: %1</translation>
+        <source>The printer does not report its capabilities: %1</source>
+        <translation>Der Drucker meldet seine Fähigkeiten nicht: %1</translation>
     </message>
     <message>
-        <source>the job is cancelled</source>
-        <translation>der Auftrag ist abgebrochen</translation>
+        <source>The printer refuses the job: %1</source>
+        <translation>Der Drucker lehnt den Auftrag ab: %1</translation>
     </message>
     <message>
-        <source>the job could not be cancelled, remove it from the printer&apos;s queue</source>
-        <translation>der Auftrag ließ sich nicht abbrechen, bitte aus der Warteschlange des Druckers entfernen</translation>
+        <source>The print system does not report the state of the job: %1</source>
+        <translation>Das Drucksystem meldet den Zustand des Auftrags nicht: %1</translation>
     </message>
     <message>
-        <source>The print system has done with the job, but the printer does not answer; look whether the sheet has come out, and print it anew if not</source>
-        <translation>Das Drucksystem hat den Auftrag abgeschlossen, aber der Drucker antwortet nicht; bitte nachsehen, ob das Blatt gedruckt ist, und es sonst neu drucken</translation>
+        <source>The spot colours are left out: they need a printer profile with an ICC profile in CMYK</source>
+        <translation>Die Sonderfarben fehlen: Sie brauchen ein Druckerprofil mit einem ICC-Profil in CMYK</translation>
     </message>
     <message>
-        <source>The printer does not answer (%1); %2; check its power, its cable and its address in the system, and print the sheet anew</source>
-        <translation>Der Drucker antwortet nicht (%1); %2; bitte Strom, Kabel und seine Adresse im System prüfen und das Blatt neu drucken</translation>
+        <source>The cut contour is left out: it needs a PDF and a printer profile with an ICC profile in CMYK</source>
+        <translation>Die Schneidkontur fehlt: Sie braucht ein PDF und ein Druckerprofil mit einem ICC-Profil in CMYK</translation>
     </message>
     <message>
-        <source>Nothing new was heard of job %1 for a long time (%2), and this printer cannot be asked; look at the printer, and remove the job from its queue if it does not print</source>
-        <translation>Von Auftrag %1 ist lange nichts Neues bekannt (%2), und dieser Drucker lässt sich nicht fragen; bitte am Drucker nachsehen und den Auftrag aus der Warteschlange entfernen, falls er nicht druckt</translation>
+        <source>A sheet in tiles can only be written as PDF, one page for each tile; end the file name in .pdf</source>
+        <translation>Ein Blatt in Kacheln lässt sich nur als PDF schreiben, eine Seite je Kachel; geben Sie der Datei die Endung .pdf</translation>
+    </message>
+    <message>
+        <source>Sent, outcome unknown</source>
+        <translation>Gesendet, Ergebnis unbekannt</translation>
+    </message>
+    <message>
+        <source>Unknown: %1</source>
+        <translation>Unbekannt: %1</translation>
+    </message>
+    <message>
+        <source>This print is missing in the print history: %1</source>
+        <translation>Dieser Druck fehlt im Druckverlauf: %1</translation>
+    </message>
+    <message>
+        <source>the folder %1 cannot be created</source>
+        <translation>der Ordner %1 kann nicht angelegt werden</translation>
+    </message>
+    <message>
+        <source>%1; choose larger or borderless paper, or accept that this colour is lost</source>
+        <translation>%1; wählen Sie größeres oder randloses Papier, oder nehmen Sie den Verlust dieser Farbe hin</translation>
+    </message>
+    <message>
+        <source>The printer scales pages by itself (&quot;%1&quot;), and the print system cannot turn this off; set the scaling to &quot;none&quot; in the printer&apos;s own menu</source>
+        <translation>Der Drucker skaliert Seiten von selbst („%1“), und das Drucksystem kann das nicht abschalten; stellen Sie im eigenen Menü des Druckers die Skalierung auf „none“</translation>
+    </message>
+    <message>
+        <source>There is no such printer, and no other printer is set up; set one up in the system first</source>
+        <translation>Diesen Drucker gibt es nicht, und es ist kein anderer eingerichtet; richten Sie zuerst einen im System ein</translation>
+    </message>
+    <message>
+        <source>There is no such printer; choose one of: %1</source>
+        <translation>Diesen Drucker gibt es nicht; wählen Sie einen von: %1</translation>
+    </message>
+    <message>
+        <source>The printer does not accept jobs at the moment%1; allow it in the system&apos;s settings</source>
+        <translation>Der Drucker nimmt im Augenblick keine Aufträge an%1; erlauben Sie es in den Einstellungen des Systems</translation>
+    </message>
+    <message>
+        <source>The printer reports no paper to print tiles on</source>
+        <translation>Der Drucker meldet kein Papier, auf das Kacheln gedruckt werden können</translation>
+    </message>
+    <message>
+        <source>The printer scales pages by default, and its queue cannot turn this off; the job bypasses the queue and goes directly to the printer</source>
+        <translation>Der Drucker skaliert Seiten standardmäßig, und seine Warteschlange kann das nicht abschalten; der Auftrag umgeht die Warteschlange und geht direkt an den Drucker</translation>
+    </message>
+    <message>
+        <source>the job was cancelled</source>
+        <translation>der Auftrag wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the job could not be cancelled, so remove it from the printer&apos;s queue</source>
+        <translation>der Auftrag ließ sich nicht abbrechen, entfernen Sie ihn daher aus der Warteschlange des Druckers</translation>
+    </message>
+    <message>
+        <source>The print system has finished the job, but the printer does not answer; check whether the sheet was printed, and print it again if not</source>
+        <translation>Das Drucksystem hat den Auftrag abgeschlossen, aber der Drucker antwortet nicht; prüfen Sie, ob das Blatt gedruckt ist, und drucken Sie es sonst noch einmal</translation>
+    </message>
+    <message>
+        <source>The printer aborted the job: %1</source>
+        <translation>Der Drucker hat den Auftrag abgebrochen: %1</translation>
+    </message>
+    <message>
+        <source>The printer stopped in the middle of the job: %1; the rest was cancelled, so print the sheet again</source>
+        <translation>Der Drucker hielt mitten im Auftrag an: %1; der Rest wurde abgebrochen, drucken Sie das Blatt daher noch einmal</translation>
+    </message>
+    <message>
+        <source>The printer has stopped: %1; the job was cancelled, so start the printer and print the sheet again</source>
+        <translation>Der Drucker hat angehalten: %1; der Auftrag wurde abgebrochen, starten Sie den Drucker daher und drucken Sie das Blatt noch einmal</translation>
+    </message>
+    <message>
+        <source>The printer does not answer (%1); %2; check its power, its cable and its address in the system, and print the sheet again</source>
+        <translation>Der Drucker antwortet nicht (%1); %2; prüfen Sie Strom, Kabel und seine Adresse im System und drucken Sie das Blatt noch einmal</translation>
+    </message>
+    <message>
+        <source>The state of job %1 has not changed for a long time (%2), and this printer cannot be queried; check the printer, and remove the job from its queue if it does not print</source>
+        <translation>Der Zustand von Auftrag %1 hat sich lange nicht geändert (%2), und dieser Drucker lässt sich nicht abfragen; sehen Sie am Drucker nach und entfernen Sie den Auftrag aus der Warteschlange, falls er nicht druckt</translation>
+    </message>
+    <message>
+        <source>The printer does not reach the outer %1 mm of the paper; enter its margins in its profile first</source>
+        <translation>Der Drucker erreicht die äußeren %1 mm des Papiers nicht; tragen Sie zuerst seine Ränder in sein Profil ein</translation>
+    </message>
+    <message>
+        <source>The printer refuses the job</source>
+        <translation>Der Drucker lehnt den Auftrag ab</translation>
+    </message>
+    <message>
+        <source>the printer would change the page size</source>
+        <translation>der Drucker würde die Größe der Seite ändern</translation>
+    </message>
+    <message>
+        <source>%1 mm² of the part will be visibly too pale: the stretch needs more ink than full ink, the ink limit or the total area coverage allows</source>
+        <translation>%1 mm² des Teils werden sichtbar zu blass: Die Dehnung erfordert mehr Farbe, als Vollton, Farbgrenze oder Gesamtfarbauftrag zulassen</translation>
+    </message>
+    <message>
+        <source>no reason was given</source>
+        <translation>kein Grund angegeben</translation>
+    </message>
+    <message>
+        <source>The printer feeds this paper only with its other edge first; rotate the page by 90°</source>
+        <translation>Der Drucker nimmt dieses Papier nur mit der anderen Kante voran; drehen Sie die Seite um 90°</translation>
     </message>
 </context>
 <context>
     <name>dipwright::ProfileController</name>
     <message>
-        <source>Use Profile %1</source>
-        <translation>Profil %1 verwenden</translation>
-    </message>
-    <message>
         <source>Calibrated %1</source>
         <translation>%1 kalibriert</translation>
+    </message>
+    <message>
+        <source>Use profile %1</source>
+        <translation>Profil %1 verwenden</translation>
     </message>
 </context>
 <context>
@@ -7708,10 +7658,6 @@ Dehnung</translation>
     <message>
         <source>Profiles (%1)</source>
         <translation>Profile (%1)</translation>
-    </message>
-    <message>
-        <source>None: the printer is sent sRGB</source>
-        <translation>Keines: Der Drucker bekommt sRGB</translation>
     </message>
     <message>
         <source>%1 (RGB)</source>
@@ -7730,24 +7676,12 @@ Dehnung</translation>
         <translation>Exportieren …</translation>
     </message>
     <message>
-        <source>&amp;Use in Project</source>
-        <translation>Im Projekt &amp;verwenden</translation>
-    </message>
-    <message>
         <source>Profiles</source>
         <translation>Profile</translation>
     </message>
     <message>
-        <source>The project takes its values over and keeps a copy, so that it prints the same when the profile has since changed.</source>
-        <translation>Das Projekt übernimmt seine Werte und behält eine Kopie, damit es gleich druckt, auch wenn sich das Profil seither geändert hat.</translation>
-    </message>
-    <message>
         <source>Import…</source>
         <translation>Importieren …</translation>
-    </message>
-    <message>
-        <source>Makes a profile of your own from this one.</source>
-        <translation>Macht aus diesem ein eigenes Profil.</translation>
     </message>
     <message>
         <source>Printers</source>
@@ -7787,63 +7721,79 @@ Dehnung</translation>
     </message>
     <message>
         <source>The printer&apos;s output profile, made for its ink and film. Sheets are then sent in the printer&apos;s own colours.</source>
-        <translation>Das Ausgabeprofil des Druckers für seine Farben und den Film. Bögen werden dann in den Farben des Druckers gesendet.</translation>
+        <translation>Das Ausgabeprofil des Druckers für seine Farben und den Film. Blätter werden dann in den Farben des Druckers gesendet.</translation>
     </message>
     <message>
         <source>A profile needs a name</source>
         <translation>Ein Profil braucht einen Namen</translation>
     </message>
     <message>
-        <source>There is a profile of this name already, choose another</source>
-        <translation>Ein Profil dieses Namens gibt es schon, wählen Sie einen anderen</translation>
-    </message>
-    <message>
-        <source>Changes are kept at once. Profiles in italics come with the program; a changed one is yours, and Remove brings the first back.</source>
-        <translation>Änderungen werden sofort behalten. Kursive Profile kommen mit dem Programm; ein geändertes ist Ihres, und „Entfernen“ bringt das erste zurück.</translation>
-    </message>
-    <message>
-        <source>Import Profile</source>
-        <translation>Profil importieren</translation>
-    </message>
-    <message>
-        <source>Export Profile</source>
-        <translation>Profil exportieren</translation>
-    </message>
-    <message>
-        <source>Copy Profile</source>
-        <translation>Profil kopieren</translation>
-    </message>
-    <message>
         <source>Name of the copy:</source>
         <translation>Name der Kopie:</translation>
-    </message>
-    <message>
-        <source>%1, own</source>
-        <translation>%1, eigenes</translation>
     </message>
     <message>
         <source>ICC profiles (%1)</source>
         <translation>ICC-Profile (%1)</translation>
     </message>
     <message>
-        <source>Profile Changed Elsewhere</source>
-        <translation>Profil anderswo geändert</translation>
+        <source>%1 (CMYK)</source>
+        <translation>%1 (CMYK)</translation>
     </message>
     <message>
-        <source>Another program has changed the profile “%1” meanwhile.</source>
+        <source>None (the printer receives sRGB)</source>
+        <translation>Keines (der Drucker erhält sRGB)</translation>
+    </message>
+    <message>
+        <source>&amp;Use in project</source>
+        <translation>Im Projekt &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>Copies the profile and its values into the project. Later changes to the profile do not affect the project.</source>
+        <translation>Kopiert das Profil und seine Werte in das Projekt. Spätere Änderungen am Profil wirken sich nicht auf das Projekt aus.</translation>
+    </message>
+    <message>
+        <source>Makes your own copy of this profile.</source>
+        <translation>Erstellt Ihre eigene Kopie dieses Profils.</translation>
+    </message>
+    <message>
+        <source>A profile with this name already exists; choose another name</source>
+        <translation>Ein Profil mit diesem Namen gibt es schon; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>Profile changed by another program</source>
+        <translation>Profil von einem anderen Programm geändert</translation>
+    </message>
+    <message>
+        <source>Another program has changed the profile “%1” in the meantime.</source>
         <translation>Ein anderes Programm hat das Profil „%1“ inzwischen geändert.</translation>
     </message>
     <message>
-        <source>Show the Other’s</source>
-        <translation>Das andere zeigen</translation>
+        <source>Load the other version</source>
+        <translation>Die andere Fassung laden</translation>
     </message>
     <message>
-        <source>Keep &amp;Mine</source>
+        <source>Keep &amp;mine</source>
         <translation>&amp;Meines behalten</translation>
     </message>
     <message>
-        <source>%1 (CMYK)</source>
-        <translation>%1 (CMYK)</translation>
+        <source>Changes are saved at once. Profiles in italics come with the program. If you change one, your copy is used; “Remove” restores the original.</source>
+        <translation>Änderungen werden sofort gespeichert. Kursive Profile kommen mit dem Programm. Ändern Sie eines, wird Ihre Kopie verwendet; „Entfernen“ stellt das Original wieder her.</translation>
+    </message>
+    <message>
+        <source>Import profile</source>
+        <translation>Profil importieren</translation>
+    </message>
+    <message>
+        <source>Export profile</source>
+        <translation>Profil exportieren</translation>
+    </message>
+    <message>
+        <source>Copy profile</source>
+        <translation>Profil kopieren</translation>
+    </message>
+    <message>
+        <source>%1, copy</source>
+        <translation>%1, Kopie</translation>
     </message>
 </context>
 <context>
@@ -7865,11 +7815,11 @@ Dehnung</translation>
         <translation>Noch nicht simuliert.</translation>
     </message>
     <message>
-        <source>Add a second immersion</source>
+        <source>Add second dip</source>
         <translation>Zweiten Tauchvorgang hinzufügen</translation>
     </message>
     <message>
-        <source>Remove this immersion</source>
+        <source>Remove this dip</source>
         <translation>Diesen Tauchvorgang entfernen</translation>
     </message>
 </context>
@@ -7907,24 +7857,12 @@ Dehnung</translation>
         <translation>Filmprofil</translation>
     </message>
     <message>
-        <source>A film that was measured once: size, swell, relaxation and sides.</source>
-        <translation>Ein Film, der einmal vermessen wurde: Größe, Quellung, Relaxation und Seiten.</translation>
-    </message>
-    <message>
         <source>Tank profile</source>
         <translation>Beckenprofil</translation>
     </message>
     <message>
-        <source>A tank: its barriers hold the film&apos;s sides.</source>
-        <translation>Ein Becken: Seine Barrieren halten die Seiten des Films.</translation>
-    </message>
-    <message>
         <source>Printer profile</source>
         <translation>Druckerprofil</translation>
-    </message>
-    <message>
-        <source>A printer that was measured once: its scale, margins, colours, ink limit and resolution.</source>
-        <translation>Ein Drucker, der einmal vermessen wurde: Maßstab, Ränder, Farben, Farbgrenze und Auflösung.</translation>
     </message>
     <message>
         <source>Change %1</source>
@@ -7933,14 +7871,6 @@ Dehnung</translation>
     <message>
         <source>Embedded in the project</source>
         <translation>Im Projekt enthalten</translation>
-    </message>
-    <message>
-        <source>From %1</source>
-        <translation>Aus %1</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3</source>
-        <translation>%1 × %2 × %3</translation>
     </message>
     <message>
         <source>Triangles: %1</source>
@@ -7963,32 +7893,8 @@ Dehnung</translation>
         <translation>Textur von %1 × %2 Bildpunkten</translation>
     </message>
     <message>
-        <source>No texture: drop a picture on the window to put one on</source>
-        <translation>Keine Textur: Ziehen Sie ein Bild auf das Fenster, um eine aufzulegen</translation>
-    </message>
-    <message>
-        <source>Reload from Disk</source>
-        <translation>Neu laden</translation>
-    </message>
-    <message>
         <source>Reads the model&apos;s file again and keeps all settings.</source>
         <translation>Liest die Datei des Modells neu und behält alle Einstellungen.</translation>
-    </message>
-    <message>
-        <source>Replace Model…</source>
-        <translation>Modell ersetzen …</translation>
-    </message>
-    <message>
-        <source>Takes another model. Rotations and offsets start anew.</source>
-        <translation>Nimmt ein anderes Modell. Drehungen und Versatz beginnen von vorn.</translation>
-    </message>
-    <message>
-        <source>Replace Texture…</source>
-        <translation>Textur ersetzen …</translation>
-    </message>
-    <message>
-        <source>Puts another picture on the model.</source>
-        <translation>Legt ein anderes Bild auf das Modell.</translation>
     </message>
     <message>
         <source>Production</source>
@@ -8004,15 +7910,11 @@ Dehnung</translation>
     </message>
     <message>
         <source>Production is the accurate film model and the default. Paper of 2020 is the published model, for comparison.</source>
-        <translation>Produktion ist das genaue Filmmodell und die Vorgabe. Arbeit von 2020 ist das veröffentlichte Modell, zum Vergleich.</translation>
+        <translation>Produktion ist das genaue Filmmodell und der Standard. Arbeit von 2020 ist das veröffentlichte Modell, zum Vergleich.</translation>
     </message>
     <message>
         <source>Preset</source>
         <translation>Vorgabe</translation>
-    </message>
-    <message>
-        <source>Apply Preset</source>
-        <translation>Vorgabe anwenden</translation>
     </message>
     <message>
         <source>Choose %1</source>
@@ -8031,52 +7933,100 @@ Dehnung</translation>
         <translation>%1 (nicht verfügbar)</translation>
     </message>
     <message>
-        <source>What computes the dip. “Best available” takes a GPU where there is one.</source>
-        <translation>Was den Tauchvorgang berechnet. „Bester verfügbarer“ nimmt eine GPU, wo es eine gibt.</translation>
-    </message>
-    <message>
         <source>Solver</source>
         <translation>Löser</translation>
-    </message>
-    <message>
-        <source>Choose Solver</source>
-        <translation>Löser wählen</translation>
     </message>
     <message>
         <source>%1 (not installed)</source>
         <translation>%1 (nicht installiert)</translation>
     </message>
     <message>
-        <source>Where the join runs</source>
-        <translation>Wo die Fuge läuft</translation>
-    </message>
-    <message>
-        <source>Shown with “Print on the Body”; changes no sheet.</source>
-        <translation>Zu sehen mit „Druck auf dem Körper“; ändert keinen Bogen.</translation>
-    </message>
-    <message>
-        <source>The print, and if the second film lies off</source>
-        <translation>Der Druck, und wenn der zweite Film daneben liegt</translation>
-    </message>
-    <message>
-        <source>Zones on the body</source>
-        <translation>Zonen auf dem Körper</translation>
-    </message>
-    <message>
-        <source>Tell Tolerances…</source>
-        <translation>Toleranzen berechnen …</translation>
-    </message>
-    <message>
-        <source>Dips with everything off, one by one and all at once, and says how far the colours land off their places.</source>
-        <translation>Taucht mit allen Abweichungen, einzeln und zugleich, und sagt, wie weit die Farben neben ihrem Ort landen.</translation>
-    </message>
-    <message>
         <source>Longest edge</source>
         <translation>Längste Kante</translation>
     </message>
     <message>
-        <source>Makes the body larger or smaller, with what is marked on it.</source>
-        <translation>Macht den Körper größer oder kleiner, mit dem, was auf ihm markiert ist.</translation>
+        <source>The measured values of one film: size, swell, relaxation and sides.</source>
+        <translation>Die gemessenen Werte eines Films: Größe, Quellung, Relaxation und Seiten.</translation>
+    </message>
+    <message>
+        <source>The values of one tank. Its barriers hold the sides of the film.</source>
+        <translation>Die Werte eines Beckens. Seine Barrieren halten die Seiten des Films.</translation>
+    </message>
+    <message>
+        <source>The measured values of one printer: scale, margins, colours, ink limit and resolution.</source>
+        <translation>Die gemessenen Werte eines Druckers: Maßstab, Ränder, Farben, Tintenlimit und Auflösung.</translation>
+    </message>
+    <message>
+        <source>No texture (drop a picture on the window to add one)</source>
+        <translation>Keine Textur (ziehen Sie ein Bild auf das Fenster, um eine hinzuzufügen)</translation>
+    </message>
+    <message>
+        <source>Reload from disk</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Replace model…</source>
+        <translation>Modell ersetzen …</translation>
+    </message>
+    <message>
+        <source>Loads another model. Rotations and offsets are reset.</source>
+        <translation>Lädt ein anderes Modell. Drehungen und Versatz werden zurückgesetzt.</translation>
+    </message>
+    <message>
+        <source>Replace texture…</source>
+        <translation>Textur ersetzen …</translation>
+    </message>
+    <message>
+        <source>Replaces the texture of the model with another picture.</source>
+        <translation>Ersetzt die Textur des Modells durch ein anderes Bild.</translation>
+    </message>
+    <message>
+        <source>Scales the part and the marks on it.</source>
+        <translation>Skaliert das Teil und die Marken darauf.</translation>
+    </message>
+    <message>
+        <source>Marks for the seam</source>
+        <translation>Marken für die Naht</translation>
+    </message>
+    <message>
+        <source>Zones on the part</source>
+        <translation>Zonen auf dem Teil</translation>
+    </message>
+    <message>
+        <source>Compute tolerances…</source>
+        <translation>Toleranzen berechnen …</translation>
+    </message>
+    <message>
+        <source>Simulates dips with the expected deviations, each alone and all at once. Shows how far the colours land from their intended places.</source>
+        <translation>Simuliert Tauchvorgänge mit den erwarteten Abweichungen, einzeln und alle zugleich. Zeigt, wie weit die Farben von ihrem vorgesehenen Ort entfernt landen.</translation>
+    </message>
+    <message>
+        <source>Print with a misplaced second film</source>
+        <translation>Druck mit verschobenem zweitem Film</translation>
+    </message>
+    <message>
+        <source>Visible with “Finished part”. The sheets do not change.</source>
+        <translation>Sichtbar mit „Fertiges Teil“. Die Blätter ändern sich nicht.</translation>
+    </message>
+    <message>
+        <source>Apply preset</source>
+        <translation>Vorgabe anwenden</translation>
+    </message>
+    <message>
+        <source>The program that simulates the dip. “Best available” uses a GPU if there is one.</source>
+        <translation>Das Programm, das den Tauchvorgang simuliert. „Bester verfügbarer“ verwendet eine GPU, wenn es eine gibt.</translation>
+    </message>
+    <message>
+        <source>Choose solver</source>
+        <translation>Löser wählen</translation>
+    </message>
+    <message>
+        <source>Read from %1</source>
+        <translation>Gelesen aus %1</translation>
+    </message>
+    <message>
+        <source>Size: %1 × %2 × %3</source>
+        <translation>Größe: %1 × %2 × %3</translation>
     </message>
 </context>
 <context>
@@ -8110,10 +8060,6 @@ Dehnung</translation>
         <translation>%1 min</translation>
     </message>
     <message>
-        <source>Job Queue</source>
-        <translation>Warteschlange</translation>
-    </message>
-    <message>
         <source>Projects in the queue</source>
         <translation>Projekte in der Warteschlange</translation>
     </message>
@@ -8130,44 +8076,8 @@ Dehnung</translation>
         <translation>Ordner für die Ergebnisse</translation>
     </message>
     <message>
-        <source>Each project that is added has a folder with its name in this one.</source>
-        <translation>Jedes Projekt, das hinzugefügt wird, hat in diesem einen Ordner mit seinem Namen.</translation>
-    </message>
-    <message>
         <source>C&amp;hoose…</source>
         <translation>&amp;Wählen …</translation>
-    </message>
-    <message>
-        <source>Results &amp;into</source>
-        <translation>Ergebnisse &amp;in</translation>
-    </message>
-    <message>
-        <source>&amp;Add Projects…</source>
-        <translation>Projekte &amp;hinzufügen …</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel Chosen</source>
-        <translation>&amp;Gewählte abbrechen</translation>
-    </message>
-    <message>
-        <source>Cancel A&amp;ll</source>
-        <translation>&amp;Alle abbrechen</translation>
-    </message>
-    <message>
-        <source>&amp;Remove Ended</source>
-        <translation>&amp;Beendete entfernen</translation>
-    </message>
-    <message>
-        <source>&amp;Open Project</source>
-        <translation>Projekt &amp;öffnen</translation>
-    </message>
-    <message>
-        <source>Add Projects</source>
-        <translation>Projekte hinzufügen</translation>
-    </message>
-    <message>
-        <source>Folder for the Results</source>
-        <translation>Ordner für die Ergebnisse</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -8180,28 +8090,8 @@ Results: %2</source>
 Ergebnisse: %2</translation>
     </message>
     <message>
-        <source>Add projects: they are run one after the other as they are saved, and their results written.</source>
-        <translation>Fügen Sie Projekte hinzu: Sie werden nacheinander gerechnet, wie sie gespeichert sind, und ihre Ergebnisse geschrieben.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 ended</source>
-        <translation>%1 von %2 beendet</translation>
-    </message>
-    <message>
         <source>, about %1 left</source>
         <translation>, noch etwa %1</translation>
-    </message>
-    <message>
-        <source>Projects are still being run. Stop them?</source>
-        <translation>Es werden noch Projekte gerechnet. Beenden?</translation>
-    </message>
-    <message>
-        <source>What is done is kept.</source>
-        <translation>Was fertig ist, bleibt.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop Them</source>
-        <translation>&amp;Beenden</translation>
     </message>
     <message>
         <source>Result</source>
@@ -8210,6 +8100,62 @@ Ergebnisse: %2</translation>
     <message>
         <source>Duration</source>
         <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Job queue</source>
+        <translation>Warteschlange</translation>
+    </message>
+    <message>
+        <source>&amp;Add projects…</source>
+        <translation>Projekte &amp;hinzufügen …</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel selected</source>
+        <translation>&amp;Gewählte abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel a&amp;ll</source>
+        <translation>&amp;Alle abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove finished</source>
+        <translation>&amp;Beendete entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Open project</source>
+        <translation>Projekt &amp;öffnen</translation>
+    </message>
+    <message>
+        <source>Each added project gets a subfolder with its name here.</source>
+        <translation>Jedes hinzugefügte Projekt erhält hier einen Unterordner mit seinem Namen.</translation>
+    </message>
+    <message>
+        <source>Resul&amp;ts folder</source>
+        <translation>&amp;Ordner für die Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Add projects</source>
+        <translation>Projekte hinzufügen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 finished</source>
+        <translation>%1 von %2 beendet</translation>
+    </message>
+    <message>
+        <source>Projects are still running. Stop them?</source>
+        <translation>Es werden noch Projekte gerechnet. Beenden?</translation>
+    </message>
+    <message>
+        <source>Finished results are kept.</source>
+        <translation>Fertige Ergebnisse bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Add projects. They run one after the other, each in its last saved version. The results are written to the results folder.</source>
+        <translation>Fügen Sie Projekte hinzu. Sie laufen nacheinander, jedes in der zuletzt gespeicherten Fassung. Die Ergebnisse werden in den Ergebnisordner geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -8222,8 +8168,8 @@ Ergebnisse: %2</translation>
 <context>
     <name>dipwright::Reader</name>
     <message>
-        <source>The program that reads models and pictures cannot be kept from doing anything else on this system, and does not read; use another system, or set DIPWRIGHT_READ_UNCONFINED=1 for files that you trust</source>
-        <translation>Das Programm, das Modelle und Bilder liest, lässt sich auf diesem System nicht davon abhalten, anderes zu tun, und liest nicht; nehmen Sie ein anderes System, oder setzen Sie DIPWRIGHT_READ_UNCONFINED=1 für Dateien, denen Sie trauen</translation>
+        <source>This system cannot confine the program that reads models and pictures, so nothing was read. Use another system, or set DIPWRIGHT_READ_UNCONFINED=1 for files that you trust</source>
+        <translation>Dieses System kann das Programm, das Modelle und Bilder liest, nicht einschränken; deshalb wurde nichts gelesen. Nehmen Sie ein anderes System, oder setzen Sie DIPWRIGHT_READ_UNCONFINED=1 für Dateien, denen Sie vertrauen</translation>
     </message>
 </context>
 <context>
@@ -8237,17 +8183,17 @@ Ergebnisse: %2</translation>
         <translation>Das Programm, das Modelle und Bilder liest, kann nicht gestartet werden: %1</translation>
     </message>
     <message>
-        <source>The file makes its reader hand back what cannot be, and is not read; save it anew</source>
-        <translation>Die Datei bringt das Leseprogramm dazu, Unmögliches zurückzugeben, und wird nicht gelesen; speichern Sie sie neu</translation>
-    </message>
-    <message>
-        <source>The file makes its reader crash and is not read; save it anew, a model as %1, a picture as PNG</source>
-        <translation>Die Datei lässt das Leseprogramm abstürzen und wird nicht gelesen; speichern Sie sie neu, ein Modell als %1, ein Bild als PNG</translation>
-    </message>
-    <message>
         <source>en</source>
         <extracomment>The code of the language of this translation: de, pt_BR …</extracomment>
         <translation>de</translation>
+    </message>
+    <message>
+        <source>The file was not read, because the file reader returned invalid data for it; save it anew</source>
+        <translation>Die Datei wurde nicht gelesen, weil das Leseprogramm für sie ungültige Daten zurückgab; speichern Sie sie neu</translation>
+    </message>
+    <message>
+        <source>The file was not read, because it made the file reader crash; save it anew (a model as %1, a picture as PNG)</source>
+        <translation>Die Datei wurde nicht gelesen, weil sie das Leseprogramm zum Absturz brachte; speichern Sie sie neu (ein Modell als %1, ein Bild als PNG)</translation>
     </message>
 </context>
 <context>
@@ -8259,10 +8205,6 @@ Ergebnisse: %2</translation>
     <message>
         <source>Run the dip to see its figures.</source>
         <translation>Starten Sie den Tauchvorgang, um seine Zahlen zu sehen.</translation>
-    </message>
-    <message>
-        <source>Body painted altogether</source>
-        <translation>Körper insgesamt bemalt</translation>
     </message>
     <message>
         <source>Solver</source>
@@ -8280,12 +8222,16 @@ Ergebnisse: %2</translation>
         <source>Film used</source>
         <translation>Film genutzt</translation>
     </message>
+    <message>
+        <source>Total coverage</source>
+        <translation>Gesamte Abdeckung</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::Results</name>
     <message>
         <source>There is no colour map of this name; choose one of %1</source>
-        <translation>Eine Farbtafel dieses Namens gibt es nicht; wählen Sie eine von %1</translation>
+        <translation>Eine Farbskala dieses Namens gibt es nicht; wählen Sie eine von %1</translation>
     </message>
     <message>
         <source>Preparing the proof</source>
@@ -8316,10 +8262,6 @@ Ergebnisse: %2</translation>
         <translation>Dehnung des Films</translation>
     </message>
     <message>
-        <source>Mean of each point&apos;s constraints, final over rest length; ink side up</source>
-        <translation>Mittel der Fäden jedes Punkts, End- über Ruhelänge; Farbseite oben</translation>
-    </message>
-    <message>
         <source>mm</source>
         <translation>mm</translation>
     </message>
@@ -8334,28 +8276,12 @@ mm je mm</translation>
         <translation>%1 und mehr</translation>
     </message>
     <message>
-        <source>On the body: min %1 · mean %2 · 95 % %3 · max %4</source>
-        <translation>Auf dem Körper: min %1 · Mittel %2 · 95 % %3 · max %4</translation>
-    </message>
-    <message>
-        <source>Outlined: film on the body · pale: film left over</source>
-        <translation>Umrandet: Film auf dem Körper · blass: übriger Film</translation>
-    </message>
-    <message>
         <source>Wrinkling of the film</source>
         <translation>Faltenbildung des Films</translation>
     </message>
     <message>
         <source>Smaller principal stretch; below 1 the film is compressed and may fold</source>
         <translation>Kleinere Hauptdehnung; unter 1 ist der Film gestaucht und kann Falten werfen</translation>
-    </message>
-    <message>
-        <source>On the body: compressed by over 1 % on %1 % of the film · smallest stretch %2</source>
-        <translation>Auf dem Körper: um über 1 % gestaucht auf %1 % des Films · kleinste Dehnung %2</translation>
-    </message>
-    <message>
-        <source>Certainty of the sheet</source>
-        <translation>Verlässlichkeit des Bogens</translation>
     </message>
     <message>
         <source>more</source>
@@ -8366,18 +8292,6 @@ mm je mm</translation>
         <translation>%1: %2 mm², %3 %</translation>
     </message>
     <message>
-        <source>Both, along the join</source>
-        <translation>Beide, längs der Fuge</translation>
-    </message>
-    <message>
-        <source>Not reached</source>
-        <translation>Nicht erreicht</translation>
-    </message>
-    <message>
-        <source>The join: %1 mm</source>
-        <translation>Die Fuge: %1 mm</translation>
-    </message>
-    <message>
         <source>From above</source>
         <translation>Von oben</translation>
     </message>
@@ -8386,20 +8300,12 @@ mm je mm</translation>
         <translation>Von unten</translation>
     </message>
     <message>
-        <source>Tracing the shares</source>
-        <translation>Zeichne die Anteile</translation>
-    </message>
-    <message>
         <source>Film of %1</source>
         <translation>Film von %1</translation>
     </message>
     <message>
         <source>Tolerance of the sheet</source>
-        <translation>Toleranz des Bogens</translation>
-    </message>
-    <message>
-        <source>How far the ink may land off its place on the body; ink side up</source>
-        <translation>Wie weit die Farbe neben ihrem Ort auf dem Körper landen kann; Farbseite oben</translation>
+        <translation>Toleranz des Blatts</translation>
     </message>
     <message>
         <source>in</source>
@@ -8411,28 +8317,68 @@ mm je mm</translation>
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>change
+        <source>Both, in the overlap</source>
+        <translation>Beide, in der Überlappung</translation>
+    </message>
+    <message>
+        <source>Not painted</source>
+        <translation>Nicht bemalt</translation>
+    </message>
+    <message>
+        <source>Seam: %1 mm</source>
+        <translation>Naht: %1 mm</translation>
+    </message>
+    <message>
+        <source>Drawing the coverage picture</source>
+        <translation>Abdeckungsbild wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Mean stretch at each point, final over rest length; ink side up</source>
+        <translation>Mittlere Dehnung an jedem Punkt, End- über Ruhelänge; Farbseite oben</translation>
+    </message>
+    <message>
+        <source>On the part: min. %1 · mean %2 · 95 % below %3 · max. %4</source>
+        <translation>Auf dem Teil: min. %1 · Mittel %2 · 95 % unter %3 · max. %4</translation>
+    </message>
+    <message>
+        <source>On the part: %1 % of the film is compressed by over 1 % · smallest stretch %2</source>
+        <translation>Auf dem Teil: %1 % des Films sind um über 1 % gestaucht · kleinste Dehnung %2</translation>
+    </message>
+    <message>
+        <source>Numerical error of the sheet</source>
+        <translation>Numerischer Fehler des Blatts</translation>
+    </message>
+    <message>
+        <source>error
 %1</source>
-        <translation>Änderung
+        <translation>Fehler
 %1</translation>
     </message>
     <message>
-        <source>off by
+        <source>Limit: %1 · magenta: painted by only one of the compared dips</source>
+        <translation>Grenze: %1 · Magenta: nur von einem der verglichenen Tauchvorgänge bemalt</translation>
+    </message>
+    <message>
+        <source>How far handling may move the image on the part; ink side up</source>
+        <translation>Wie weit die Handhabung das Bild auf dem Teil verschieben kann; Farbseite oben</translation>
+    </message>
+    <message>
+        <source>shift
 ± %1</source>
-        <translation>daneben um
+        <translation>Verschiebung
 ± %1</translation>
     </message>
     <message>
-        <source>On the body: 95 % within ±%1</source>
-        <translation>Auf dem Körper: 95 % innerhalb ±%1</translation>
+        <source>On the part: 95 % is within ±%1</source>
+        <translation>Auf dem Teil: 95 % liegen innerhalb von ±%1</translation>
     </message>
     <message>
-        <source>Numerical error of the ink&apos;s position; ink side up</source>
-        <translation>Numerischer Fehler der Lage der Farbe; Farbseite oben</translation>
+        <source>Dark outline: film on the part · pale: unused film</source>
+        <translation>Dunkler Umriss: Film auf dem Teil · blass: ungenutzter Film</translation>
     </message>
     <message>
-        <source>Limit: %1 · magenta: painted in only one of the dips</source>
-        <translation>Grenze: %1 · Magenta: nur in einem der Tauchvorgänge bemalt</translation>
+        <source>How far the image may be off because of the film&apos;s cells and the solver&apos;s steps; ink side up</source>
+        <translation>Wie weit das Bild wegen der Zellen des Films und der Schritte des Solvers abweichen kann; Farbseite oben</translation>
     </message>
 </context>
 <context>
@@ -8442,24 +8388,12 @@ mm je mm</translation>
         <translation>Umgekehrte Textur</translation>
     </message>
     <message>
-        <source>Run the dip to see the image that goes on the film.</source>
-        <translation>Starten Sie den Tauchvorgang, um das Bild zu sehen, das auf den Film kommt.</translation>
-    </message>
-    <message>
         <source>Proof</source>
         <translation>Vorschau</translation>
     </message>
     <message>
-        <source>Run the dip to see the body as it will come out.</source>
-        <translation>Starten Sie den Tauchvorgang, um den Körper zu sehen, wie er herauskommt.</translation>
-    </message>
-    <message>
         <source>Sheet</source>
-        <translation>Bogen</translation>
-    </message>
-    <message>
-        <source>Run the dip to see the page as it prints.</source>
-        <translation>Starten Sie den Tauchvorgang, um die Seite zu sehen, wie sie gedruckt wird.</translation>
+        <translation>Blatt</translation>
     </message>
     <message>
         <source>Stretch</source>
@@ -8478,18 +8412,6 @@ mm je mm</translation>
         <translation>Wie viel sich der Film gedehnt hat und wo</translation>
     </message>
     <message>
-        <source>The reverse texture: the image that goes on the film</source>
-        <translation>Die umgekehrte Textur: das Bild, das auf den Film kommt</translation>
-    </message>
-    <message>
-        <source>The body as it will come out</source>
-        <translation>Der Körper, wie er herauskommt</translation>
-    </message>
-    <message>
-        <source>The page as it prints</source>
-        <translation>Die Seite, wie sie gedruckt wird</translation>
-    </message>
-    <message>
         <source>The figures of the last run</source>
         <translation>Die Zahlen des letzten Laufs</translation>
     </message>
@@ -8498,28 +8420,52 @@ mm je mm</translation>
         <translation>Urteil</translation>
     </message>
     <message>
-        <source>Whether to print the sheet, and where to look first</source>
-        <translation>Ob der Bogen gedruckt werden soll und wo zuerst hinzusehen ist</translation>
+        <source>Run the dip to see the image for the film.</source>
+        <translation>Starten Sie den Tauchvorgang, um das Bild für den Film zu sehen.</translation>
     </message>
     <message>
-        <source>Who Paints What</source>
-        <translation>Wer was färbt</translation>
+        <source>Run the dip to see the finished part.</source>
+        <translation>Starten Sie den Tauchvorgang, um das fertige Teil zu sehen.</translation>
     </message>
     <message>
-        <source>The shares of the two dips, from six sides and on both films</source>
-        <translation>Die Anteile der beiden Tauchvorgänge, von sechs Seiten und auf beiden Filmen</translation>
+        <source>Run the dip to see the page as it will be printed.</source>
+        <translation>Starten Sie den Tauchvorgang, um die Seite zu sehen, wie sie gedruckt wird.</translation>
     </message>
     <message>
-        <source>The shares of the two dips, over the sheet of this one</source>
-        <translation>Die Anteile der beiden Tauchvorgänge, über dem Bogen von diesem</translation>
+        <source>Shares of the dips</source>
+        <translation>Anteile der Tauchvorgänge</translation>
     </message>
     <message>
-        <source>Without White</source>
+        <source>Shows which areas each dip paints, from six sides and on both films</source>
+        <translation>Zeigt, welche Flächen jeder Tauchvorgang bemalt, von sechs Seiten und auf beiden Filmen</translation>
+    </message>
+    <message>
+        <source>Shows which areas each dip paints, over the sheet of this dip</source>
+        <translation>Zeigt, welche Flächen jeder Tauchvorgang bemalt, über dem Blatt dieses Tauchvorgangs</translation>
+    </message>
+    <message>
+        <source>Without white</source>
         <translation>Ohne Weiß</translation>
     </message>
     <message>
-        <source>The ink on the part&apos;s own colour, as it were without the white</source>
-        <translation>Die Druckfarbe auf der Farbe des Teils, wie sie ohne das Weiß wäre</translation>
+        <source>Shows the ink on the part&apos;s own colour, without the white</source>
+        <translation>Zeigt die Druckfarbe auf der Farbe des Teils, ohne das Weiß</translation>
+    </message>
+    <message>
+        <source>Whether to print the sheet, and which places to check first</source>
+        <translation>Ob das Blatt gedruckt werden soll und welche Stellen zuerst zu prüfen sind</translation>
+    </message>
+    <message>
+        <source>The reverse texture: the image for the film</source>
+        <translation>Die umgekehrte Textur: das Bild für den Film</translation>
+    </message>
+    <message>
+        <source>The finished part</source>
+        <translation>Das fertige Teil</translation>
+    </message>
+    <message>
+        <source>The page as it will be printed</source>
+        <translation>Die Seite, wie sie gedruckt wird</translation>
     </message>
 </context>
 <context>
@@ -8529,12 +8475,39 @@ mm je mm</translation>
         <translation>Textur wird umgekehrt</translation>
     </message>
     <message>
-        <source>The film&apos;s image is too large for this computer&apos;s memory; choose a lower resolution</source>
-        <translation>Das Bild des Films ist zu groß für den Speicher dieses Rechners; wählen Sie eine kleinere Auflösung</translation>
-    </message>
-    <message>
         <source>Continuing the colour past the edge</source>
         <translation>Farbe wird über den Rand hinaus fortgesetzt</translation>
+    </message>
+    <message>
+        <source>The film image is too large for this computer&apos;s memory; choose a lower resolution</source>
+        <translation>Das Filmbild ist zu groß für den Speicher dieses Rechners; wählen Sie eine kleinere Auflösung</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::SeamFields</name>
+    <message>
+        <source>Whole face</source>
+        <translation>Ganze Fläche</translation>
+    </message>
+    <message>
+        <source>Keeps the seam away</source>
+        <translation>Hält die Naht fern</translation>
+    </message>
+    <message>
+        <source>Allows the seam</source>
+        <translation>Erlaubt die Naht</translation>
+    </message>
+    <message>
+        <source>What a click or a drag on the part in the view marks. Assign areas to the other dip to move the seam. With “Run live” the seam is updated at once.</source>
+        <translation>Was ein Klick oder ein Zug auf dem Teil in der Ansicht markiert. Weisen Sie dem anderen Tauchvorgang Stellen zu, um die Naht zu verschieben. Mit „Mitlaufen“ folgt die Naht sofort.</translation>
+    </message>
+    <message>
+        <source>Marks the whole flat face that you click, up to its edges.</source>
+        <translation>Markiert die ganze ebene Fläche, die Sie anklicken, bis zu ihren Kanten.</translation>
+    </message>
+    <message>
+        <source>Assigns the place to %1</source>
+        <translation>Weist die Stelle %1 zu</translation>
     </message>
 </context>
 <context>
@@ -8544,20 +8517,20 @@ mm je mm</translation>
         <translation>Lagen werden gesucht</translation>
     </message>
     <message>
-        <source>The poses are searched; the best is on top.</source>
-        <translation>Die Lagen sind durchsucht; die beste steht oben.</translation>
+        <source>The search has finished. The best pose is at the top.</source>
+        <translation>Die Suche ist fertig. Die beste Lage steht oben.</translation>
     </message>
     <message>
-        <source>The search was stopped; the best so far is on top.</source>
-        <translation>Die Suche wurde beendet; die bisher beste steht oben.</translation>
+        <source>The search was stopped. The best pose so far is at the top.</source>
+        <translation>Die Suche wurde beendet. Die bisher beste Lage steht oben.</translation>
     </message>
     <message>
-        <source>Pose Search</source>
+        <source>Pose search</source>
         <translation>Lagensuche</translation>
     </message>
     <message>
-        <source>Change What Poses Are Searched For</source>
-        <translation>Ändern, wonach Lagen gesucht werden</translation>
+        <source>Change search settings</source>
+        <translation>Sucheinstellungen ändern</translation>
     </message>
 </context>
 <context>
@@ -8575,10 +8548,6 @@ mm je mm</translation>
         <translation>Beenden</translation>
     </message>
     <message>
-        <source>&amp;Take This Pose</source>
-        <translation>Diese Lage &amp;übernehmen</translation>
-    </message>
-    <message>
         <source>One dip</source>
         <translation>Ein Tauchvorgang</translation>
     </message>
@@ -8591,52 +8560,12 @@ mm je mm</translation>
         <translation> Lagen</translation>
     </message>
     <message>
-        <source>How many poses are dipped with a coarse film, out of %1 that are judged by the body&apos;s shape. The best are refined.</source>
-        <translation>Wie viele Lagen mit einem groben Film getaucht werden, von %1, die nach der Form des Körpers beurteilt werden. Die besten werden verfeinert.</translation>
-    </message>
-    <message>
-        <source>The same number gives the same table; another one tries other directions.</source>
-        <translation>Dieselbe Zahl gibt dieselbe Tabelle; eine andere probiert andere Richtungen.</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>Planen</translation>
-    </message>
-    <message>
-        <source>Try</source>
-        <translation>Probieren</translation>
-    </message>
-    <message>
         <source>Seed</source>
         <translation>Startwert</translation>
     </message>
     <message>
-        <source>What counts, and what must be kept</source>
-        <translation>Was zählt und was eingehalten werden muss</translation>
-    </message>
-    <message>
-        <source>Let others have the processor; the search goes on where it was</source>
-        <translation>Überlässt den Prozessor anderen; die Suche geht weiter, wo sie war</translation>
-    </message>
-    <message>
-        <source>End the search and keep the best that was found</source>
-        <translation>Beendet die Suche und behält das Beste, das gefunden wurde</translation>
-    </message>
-    <message>
         <source>Progress of the search</source>
         <translation>Fortschritt der Suche</translation>
-    </message>
-    <message>
-        <source>The project has been changed since these poses were searched.</source>
-        <translation>Das Projekt wurde geändert, seit diese Lagen gesucht wurden.</translation>
-    </message>
-    <message>
-        <source>Dip the body as chosen in the table; one step to undo</source>
-        <translation>Taucht den Körper wie in der Tabelle gewählt; ein Schritt zum Rückgängigmachen</translation>
-    </message>
-    <message>
-        <source>Go On</source>
-        <translation>Weiter</translation>
     </message>
     <message>
         <source>%1 of %2 dips</source>
@@ -8647,39 +8576,79 @@ mm je mm</translation>
         <translation>%1, noch etwa %2 s</translation>
     </message>
     <message>
-        <source>Rank %1 against rank %2: %3</source>
-        <translation>Rang %1 gegen Rang %2: %3</translation>
-    </message>
-    <message>
-        <source>Side &amp;by Side …</source>
-        <translation>&amp;Nebeneinander …</translation>
-    </message>
-    <message>
-        <source>Two chosen poses, or one and the project&apos;s own, in the view, by cameras that turn together</source>
-        <translation>Zwei gewählte Lagen, oder eine und die des Projekts, in der Ansicht, mit Kameras, die sich gemeinsam drehen</translation>
-    </message>
-    <message>
         <source>Rank %1</source>
         <translation>Rang %1</translation>
     </message>
     <message>
-        <source>The project&apos;s own</source>
-        <translation>Die des Projekts</translation>
+        <source>&amp;Use this pose</source>
+        <translation>Diese Lage &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>Side &amp;by side …</source>
+        <translation>&amp;Nebeneinander …</translation>
+    </message>
+    <message>
+        <source>Dips</source>
+        <translation>Tauchvorgänge</translation>
+    </message>
+    <message>
+        <source>Simulate</source>
+        <translation>Simulieren</translation>
+    </message>
+    <message>
+        <source>Weights and limits</source>
+        <translation>Gewichte und Grenzen</translation>
+    </message>
+    <message>
+        <source>Leaves the processor to other programs. The search continues where it stopped.</source>
+        <translation>Überlässt den Prozessor anderen Programmen. Die Suche geht weiter, wo sie angehalten wurde.</translation>
+    </message>
+    <message>
+        <source>Ends the search and keeps the best poses found</source>
+        <translation>Beendet die Suche und behält die besten gefundenen Lagen</translation>
+    </message>
+    <message>
+        <source>The project has changed since this search.</source>
+        <translation>Das Projekt wurde seit dieser Suche geändert.</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Rank %1 compared with rank %2: %3</source>
+        <translation>Rang %1 verglichen mit Rang %2: %3</translation>
+    </message>
+    <message>
+        <source>The project&apos;s own pose</source>
+        <translation>Die Lage des Projekts</translation>
+    </message>
+    <message>
+        <source>Number of poses that are simulated with a coarse film. They are chosen from %1 poses that are judged by the part&apos;s shape alone. The best simulated poses are refined.</source>
+        <translation>Anzahl der Lagen, die mit einem groben Film simuliert werden. Sie werden aus %1 Lagen ausgewählt, die nur nach der Form des Teils beurteilt werden. Die besten simulierten Lagen werden verfeinert.</translation>
+    </message>
+    <message>
+        <source>The same seed gives the same table. Another seed tries other directions.</source>
+        <translation>Derselbe Startwert ergibt dieselbe Tabelle. Ein anderer Startwert probiert andere Richtungen.</translation>
+    </message>
+    <message>
+        <source>Gives the dips the pose that is selected in the table. This is one undo step.</source>
+        <translation>Gibt den Tauchvorgängen die Lage, die in der Tabelle ausgewählt ist. Das ist ein Rückgängig-Schritt.</translation>
+    </message>
+    <message>
+        <source>Shows two selected poses side by side with linked cameras. If only one pose is selected, shows it beside the project&apos;s own pose.</source>
+        <translation>Zeigt zwei ausgewählte Lagen nebeneinander mit gekoppelten Kameras. Ist nur eine Lage ausgewählt, zeigt es sie neben der Lage des Projekts.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::Sheet</name>
     <message>
-        <source>A film of %1 × %2 mm at %3 dpi does not make an image of 1 to %4 pixels a side; choose another resolution or film size</source>
-        <translation>Ein Film von %1 × %2 mm bei %3 dpi ergibt kein Bild von 1 bis %4 Bildpunkten je Seite; wählen Sie eine andere Auflösung oder Filmgröße</translation>
-    </message>
-    <message>
         <source>The sheet&apos;s PDF cannot be written: %1</source>
-        <translation>Das PDF des Bogens kann nicht geschrieben werden: %1</translation>
+        <translation>Das PDF des Blatts kann nicht geschrieben werden: %1</translation>
     </message>
     <message>
         <source>The sheet&apos;s TIFF cannot be written: %1</source>
-        <translation>Das TIFF des Bogens kann nicht geschrieben werden: %1</translation>
+        <translation>Das TIFF des Blatts kann nicht geschrieben werden: %1</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -8702,44 +8671,12 @@ mm je mm</translation>
         <translation>Das Papier von %1 × %2 mm ist kleiner als der Film von %3 × %4 mm; wählen Sie größeres Papier, drehen Sie es oder verkleinern Sie den Film</translation>
     </message>
     <message>
-        <source>Paper of %1 × %2 mm leaves no room for pieces of the sheet; take larger paper</source>
-        <translation>Papier von %1 × %2 mm lässt keinen Platz für Stücke des Bogens; nehmen Sie größeres</translation>
-    </message>
-    <message>
-        <source>The sheet would be cut into more than %1 pieces; take larger paper</source>
-        <translation>Der Bogen würde in mehr als %1 Stücke geschnitten; nehmen Sie größeres Papier</translation>
-    </message>
-    <message>
-        <source>%1 · row %2 of %3, column %4 of %5 · cut along the dashes</source>
-        <translation>%1 · Zeile %2 von %3, Spalte %4 von %5 · an den Strichen schneiden</translation>
-    </message>
-    <message>
-        <source>Its sheet has %1 dpi and that of %2 has %3; give them one resolution</source>
-        <translation>Sein Bogen hat %1 dpi und der von %2 hat %3; geben Sie beiden eine Auflösung</translation>
-    </message>
-    <message>
-        <source>%1 pieces are to be packed; choose 1 to %2</source>
-        <translation>%1 Stücke sollen zusammengelegt werden; 1 bis %2 sind möglich</translation>
-    </message>
-    <message>
-        <source>With its marks it takes %1 × %2 mm, and the film leaves %3 × %4 mm within its edges; take a larger film</source>
-        <translation>Mit seinen Marken braucht es %1 × %2 mm, und der Film lässt innerhalb seiner Ränder %3 × %4 mm; nehmen Sie einen größeren Film</translation>
-    </message>
-    <message>
         <source>Film %1 of %2, pieces: %3</source>
         <translation>Film %1 von %2, Stücke: %3</translation>
     </message>
     <message>
         <source>%1 × %2 mm</source>
         <translation>%1 × %2 mm</translation>
-    </message>
-    <message>
-        <source>There is no ink on its sheet</source>
-        <translation>Auf seinem Bogen ist keine Farbe</translation>
-    </message>
-    <message>
-        <source>This takes %1 films; choose fewer copies, up to %2 films</source>
-        <translation>Das braucht %1 Filme; wählen Sie weniger Exemplare, bis zu %2 Filme</translation>
     </message>
     <message>
         <source>Job %1</source>
@@ -8754,43 +8691,75 @@ mm je mm</translation>
         <translation>%1 · %2 · %3 · Film %4 · Maßstab %5</translation>
     </message>
     <message>
-        <source>Its white is printed otherwise than that of %1; give them one kind of white and one name for it</source>
-        <translation>Sein Weiß wird anders gedruckt als das von %1; geben Sie beiden eine Art Weiß und einen Namen dafür</translation>
+        <source>This job&apos;s spot ink %1 differs in colour or printing order from that of another job; give both the same</source>
+        <translation>Die Sonderfarbe %1 dieses Auftrags hat eine andere Farbe oder Druckreihenfolge als die eines anderen Auftrags; geben Sie beiden dieselbe</translation>
     </message>
     <message>
-        <source>Its spot ink %1 is printed otherwise than that of another job; give them one colour and order</source>
-        <translation>Seine Sonderfarbe %1 wird anders gedruckt als die eines anderen Auftrags; geben Sie ihnen eine Farbe und Reihenfolge</translation>
+        <source>This job&apos;s white layer differs from that of %1; give both the same kind of white and the same ink name</source>
+        <translation>Die Weißschicht dieses Auftrags unterscheidet sich von der von %1; geben Sie beiden dieselbe Art Weiß und denselben Tintennamen</translation>
+    </message>
+    <message>
+        <source>This job&apos;s sheet has %1 dpi, but the sheet of %2 has %3 dpi; give both the same resolution</source>
+        <translation>Das Blatt dieses Auftrags hat %1 dpi, das Blatt von %2 aber %3 dpi; geben Sie beiden dieselbe Auflösung</translation>
+    </message>
+    <message>
+        <source>%1 pieces cannot be packed; choose 1 to %2 pieces</source>
+        <translation>%1 Stücke können nicht zusammengelegt werden; wählen Sie 1 bis %2 Stücke</translation>
+    </message>
+    <message>
+        <source>With its marks, this job&apos;s sheet needs %1 × %2 mm, but the film has only %3 × %4 mm inside its edges; use a larger film</source>
+        <translation>Mit seinen Marken braucht das Blatt dieses Auftrags %1 × %2 mm, der Film hat innerhalb seiner Ränder aber nur %3 × %4 mm; verwenden Sie einen größeren Film</translation>
+    </message>
+    <message>
+        <source>This job&apos;s sheet contains no ink</source>
+        <translation>Das Blatt dieses Auftrags enthält keine Farbe</translation>
+    </message>
+    <message>
+        <source>The copies need %1 films, more than the limit of %2; choose fewer copies</source>
+        <translation>Die Exemplare brauchen %1 Filme, mehr als die höchstens %2; wählen Sie weniger Exemplare</translation>
+    </message>
+    <message>
+        <source>A film of %1 × %2 mm at %3 dpi needs an image outside the range of 1 to %4 pixels per side; choose another resolution or film size</source>
+        <translation>Ein Film von %1 × %2 mm bei %3 dpi braucht ein Bild außerhalb des Bereichs von 1 bis %4 Pixeln je Seite; wählen Sie eine andere Auflösung oder Filmgröße</translation>
+    </message>
+    <message>
+        <source>The sheet&apos;s PNG cannot be written: %1</source>
+        <translation>Das PNG des Blatts kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>Paper of %1 × %2 mm is too small for a part of the sheet; use larger paper</source>
+        <translation>Papier von %1 × %2 mm ist zu klein für einen Teil des Blatts; verwenden Sie größeres Papier</translation>
+    </message>
+    <message>
+        <source>The sheet needs more than %1 pages of this paper; use larger paper</source>
+        <translation>Das Blatt braucht mehr als %1 Seiten dieses Papiers; verwenden Sie größeres Papier</translation>
+    </message>
+    <message>
+        <source>%1 · row %2 of %3, column %4 of %5 · cut along the dashed lines</source>
+        <translation>%1 · Zeile %2 von %3, Spalte %4 von %5 · an den gestrichelten Linien schneiden</translation>
     </message>
 </context>
 <context>
     <name>dipwright::SheetCorrection</name>
     <message>
-        <source>Blue: what the next sheet is corrected by</source>
-        <translation>Blau: worum der nächste Bogen korrigiert wird</translation>
+        <source>Dip %1: %2 places measured on one part, errors up to %3 mm. Measure three parts or more to see which errors repeat.</source>
+        <translation>Tauchvorgang %1: %2 Stellen auf einem Teil gemessen, Fehler bis zu %3 mm. Messen Sie drei Teile oder mehr, um zu sehen, welche Fehler sich wiederholen.</translation>
     </message>
     <message>
-        <source>Dip %1: %2 places on one part, off by up to %3 mm. What of this repeats is told by three parts or more.</source>
-        <translation>Tauchvorgang %1: %2 Stellen auf einem Teil, bis zu %3 mm daneben. Was sich davon wiederholt, sagen drei Teile oder mehr.</translation>
+        <source>Dip %1: %2 places measured on %3 parts. The repeating error is up to %4 mm; it is similar within %5 mm. Scatter: %6 mm for single places, %7 mm for whole parts.</source>
+        <translation>Tauchvorgang %1: %2 Stellen auf %3 Teilen gemessen. Der wiederkehrende Fehler beträgt bis zu %4 mm; er ist innerhalb von %5 mm ähnlich. Streuung: %6 mm bei einzelnen Stellen, %7 mm bei ganzen Teilen.</translation>
     </message>
     <message>
-        <source>Dip %1: %2 places on %3 parts. Up to %4 mm repeat, much the same within %5 mm; a place scatters by %6 mm, a whole part by %7 mm.</source>
-        <translation>Tauchvorgang %1: %2 Stellen auf %3 Teilen. Bis zu %4 mm wiederholen sich, etwa gleich innerhalb von %5 mm; eine Stelle streut um %6 mm, ein ganzes Teil um %7 mm.</translation>
+        <source>Red: mean measured error (parts: %1), enlarged %2 times</source>
+        <translation>Rot: mittlerer gemessener Fehler (Teile: %1), %2-fach vergrößert</translation>
     </message>
     <message>
-        <source>Red: how far off, the mean of parts measured (%1), %2 times as long</source>
-        <translation>Rot: wie weit daneben, Mittel der gemessenen Teile (%1), %2-mal so lang</translation>
+        <source>Blue: correction of the next sheet, to the same scale</source>
+        <translation>Blau: Korrektur des nächsten Blatts, im selben Maßstab</translation>
     </message>
 </context>
 <context>
     <name>dipwright::SnapshotsDialog</name>
-    <message>
-        <source>&amp;Take Snapshot</source>
-        <translation>Schnappschuss &amp;aufnehmen</translation>
-    </message>
-    <message>
-        <source>&amp;Go Back to It</source>
-        <translation>&amp;Dorthin zurückgehen</translation>
-    </message>
     <message>
         <source>&amp;Remove</source>
         <translation>&amp;Entfernen</translation>
@@ -8800,16 +8769,8 @@ mm je mm</translation>
         <translation>Schnappschüsse</translation>
     </message>
     <message>
-        <source>Snapshots, the oldest first</source>
-        <translation>Schnappschüsse, die ältesten zuerst</translation>
-    </message>
-    <message>
         <source>Name of the snapshot</source>
         <translation>Name des Schnappschusses</translation>
-    </message>
-    <message>
-        <source>Under which the project&apos;s settings are kept in its file</source>
-        <translation>Unter dem die Einstellungen des Projekts in seiner Datei behalten werden</translation>
     </message>
     <message>
         <source>Compared with</source>
@@ -8820,28 +8781,12 @@ mm je mm</translation>
         <translation>Was sich unterscheidet</translation>
     </message>
     <message>
-        <source>The settings become those of the snapshot: a step that can be undone. Model, photos and parts stay.</source>
-        <translation>Die Einstellungen werden die des Schnappschusses: ein Schritt, der sich rückgängig machen lässt. Modell, Fotos und Teile bleiben.</translation>
-    </message>
-    <message>
-        <source>Compared with the project as it is now</source>
-        <translation>Verglichen mit dem Projekt, wie es jetzt ist</translation>
-    </message>
-    <message>
         <source>Compared with %1</source>
         <translation>Verglichen mit %1</translation>
     </message>
     <message>
-        <source>A snapshot keeps the project&apos;s settings under a name, in its file.</source>
-        <translation>Ein Schnappschuss behält die Einstellungen des Projekts unter einem Namen in seiner Datei.</translation>
-    </message>
-    <message>
         <source>Setting</source>
         <translation>Einstellung</translation>
-    </message>
-    <message>
-        <source>Now</source>
-        <translation>Jetzt</translation>
     </message>
     <message>
         <source>All settings are the same.</source>
@@ -8852,12 +8797,44 @@ mm je mm</translation>
         <translation>Einstellungen, die sich unterscheiden: %1</translation>
     </message>
     <message>
-        <source>&amp;Side by Side …</source>
+        <source>&amp;Take snapshot</source>
+        <translation>Schnappschuss &amp;aufnehmen</translation>
+    </message>
+    <message>
+        <source>R&amp;estore</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Side by side…</source>
         <translation>&amp;Nebeneinander …</translation>
     </message>
     <message>
-        <source>Both in the view, by cameras that turn together; what is not dipped yet is dipped</source>
-        <translation>Beide in der Ansicht, mit Kameras, die sich gemeinsam drehen; was noch nicht getaucht ist, wird getaucht</translation>
+        <source>Snapshots, oldest first</source>
+        <translation>Schnappschüsse, die ältesten zuerst</translation>
+    </message>
+    <message>
+        <source>The name under which the settings are saved in the project file</source>
+        <translation>Der Name, unter dem die Einstellungen in der Projektdatei gespeichert werden</translation>
+    </message>
+    <message>
+        <source>Shows both states with linked cameras, and first runs the dips that have no result yet</source>
+        <translation>Zeigt beide Zustände mit gekoppelten Kameras und rechnet zuerst die Tauchvorgänge ohne Ergebnis</translation>
+    </message>
+    <message>
+        <source>Restores the settings of the snapshot. Model, photos and measured parts stay. This can be undone.</source>
+        <translation>Stellt die Einstellungen des Schnappschusses wieder her. Modell, Fotos und gemessene Teile bleiben. Das lässt sich rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Compared with the current project</source>
+        <translation>Verglichen mit dem aktuellen Projekt</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>Aktuell</translation>
+    </message>
+    <message>
+        <source>A snapshot saves the project&apos;s settings under a name in the project file.</source>
+        <translation>Ein Schnappschuss speichert die Einstellungen des Projekts unter einem Namen in der Projektdatei.</translation>
     </message>
 </context>
 <context>
@@ -8885,20 +8862,20 @@ mm je mm</translation>
 %3</translation>
     </message>
     <message>
-        <source>None found</source>
-        <translation>Keiner gefunden</translation>
-    </message>
-    <message>
         <source>Put solver plugins into %1</source>
         <translation>Legen Sie Löser-Plugins in %1</translation>
     </message>
     <message>
-        <source>Each project chooses its solver under Dipping. “Best available” takes the best that can run here.</source>
-        <translation>Jedes Projekt wählt seinen Löser unter Tauchen. „Bester verfügbarer“ nimmt den besten, der hier laufen kann.</translation>
+        <source>Choose the solver of a project under Dipping. “Best available” uses the best solver that can run on this computer.</source>
+        <translation>Den Löser eines Projekts wählen Sie unter „Tauchen“. „Bester verfügbarer“ verwendet den besten, der auf diesem Rechner laufen kann.</translation>
     </message>
     <message>
-        <source>Looking whether it can run here …</source>
-        <translation>Es wird nachgesehen, ob er hier laufen kann …</translation>
+        <source>Checking whether it can run here …</source>
+        <translation>Es wird geprüft, ob er hier laufen kann …</translation>
+    </message>
+    <message>
+        <source>No solver found</source>
+        <translation>Kein Löser gefunden</translation>
     </message>
 </context>
 <context>
@@ -8920,36 +8897,36 @@ mm je mm</translation>
         <translation>Aus dieser Liste entfernen</translation>
     </message>
     <message>
-        <source>From a textured model to a film that can be printed.</source>
-        <translation>Vom texturierten Modell zum druckbaren Film.</translation>
-    </message>
-    <message>
-        <source>New Project…</source>
-        <translation>Neues Projekt …</translation>
-    </message>
-    <message>
-        <source>Open Project…</source>
-        <translation>Projekt öffnen …</translation>
-    </message>
-    <message>
-        <source>Continue with a project that was saved.</source>
-        <translation>Setzen Sie ein gespeichertes Projekt fort.</translation>
-    </message>
-    <message>
-        <source>Quick Tour</source>
-        <translation>Rundgang</translation>
-    </message>
-    <message>
-        <source>What is where, in six steps.</source>
-        <translation>Was wo ist, in sechs Schritten.</translation>
-    </message>
-    <message>
         <source>Models and projects can also be dropped on the window.</source>
         <translation>Modelle und Projekte können auch auf das Fenster gezogen werden.</translation>
     </message>
     <message>
         <source>Start from a textured model: %1.</source>
         <translation>Beginnen Sie mit einem texturierten Modell: %1.</translation>
+    </message>
+    <message>
+        <source>From a textured model to a printable film.</source>
+        <translation>Vom texturierten Modell zum druckbaren Film.</translation>
+    </message>
+    <message>
+        <source>New project…</source>
+        <translation>Neues Projekt …</translation>
+    </message>
+    <message>
+        <source>Open project…</source>
+        <translation>Projekt öffnen …</translation>
+    </message>
+    <message>
+        <source>Continue with a saved project.</source>
+        <translation>Setzen Sie ein gespeichertes Projekt fort.</translation>
+    </message>
+    <message>
+        <source>Quick tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Shows the window in six steps.</source>
+        <translation>Zeigt das Fenster in sechs Schritten.</translation>
     </message>
 </context>
 <context>
@@ -8963,12 +8940,12 @@ mm je mm</translation>
         <translation>Fortschritt</translation>
     </message>
     <message>
-        <source>It does not stop. Save your work; closing the window ends it.</source>
-        <translation>Es hält nicht an. Speichern Sie Ihre Arbeit; wird das Fenster geschlossen, endet es.</translation>
-    </message>
-    <message>
         <source>Warning</source>
         <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>The job does not respond. Save your work, then close the window to end the job.</source>
+        <translation>Der Auftrag reagiert nicht. Speichern Sie Ihre Arbeit und schließen Sie dann das Fenster, um ihn zu beenden.</translation>
     </message>
 </context>
 <context>
@@ -9014,32 +8991,16 @@ mm je mm</translation>
         <translation>Kleinste Dehnung</translation>
     </message>
     <message>
-        <source>Length of the film&apos;s threads after the dip over before: the mean round each point.</source>
-        <translation>Länge der Fäden des Films nach dem Tauchen über der davor: das Mittel um jeden Punkt.</translation>
-    </message>
-    <message>
-        <source>Area after over before. Ink thins by as much.</source>
-        <translation>Fläche danach über davor. Um so viel wird die Farbe dünner.</translation>
-    </message>
-    <message>
-        <source>The stretch in the direction in which it is largest.</source>
-        <translation>Die Dehnung in der Richtung, in der sie am größten ist.</translation>
-    </message>
-    <message>
-        <source>The stretch in the direction in which it is smallest. Below 1 the film wrinkles.</source>
-        <translation>Die Dehnung in der Richtung, in der sie am kleinsten ist. Unter 1 wirft der Film Falten.</translation>
-    </message>
-    <message>
         <source>Quantity</source>
         <translation>Größe</translation>
     </message>
     <message>
         <source>Colour map</source>
-        <translation>Farbtafel</translation>
+        <translation>Farbskala</translation>
     </message>
     <message>
         <source>Colour map; all are safe for colour-blind readers.</source>
-        <translation>Farbtafel; alle sind für Farbenblinde lesbar.</translation>
+        <translation>Farbskala; alle sind auch für Farbenblinde lesbar.</translation>
     </message>
     <message>
         <source>Stretch map</source>
@@ -9070,16 +9031,8 @@ mm je mm</translation>
         <translation>Starten Sie den Tauchvorgang, um zu sehen, wie sich der Film dehnt.</translation>
     </message>
     <message>
-        <source>On the body: mean %1 · 95 % below %2 · largest %3</source>
-        <translation>Auf dem Körper: Mittel %1 · 95 % unter %2 · größte %3</translation>
-    </message>
-    <message>
         <source>What the map shows.</source>
         <translation>Was die Karte zeigt.</translation>
-    </message>
-    <message>
-        <source>The colours span what occurs on the body. Without it they span the two numbers on the right, so that maps can be compared.</source>
-        <translation>Die Farben umfassen, was auf dem Körper vorkommt. Sonst umfassen sie die beiden Zahlen rechts, sodass sich Karten vergleichen lassen.</translation>
     </message>
     <message>
         <source>Shows all film over the limit in one warning colour.</source>
@@ -9088,6 +9041,30 @@ mm je mm</translation>
     <message>
         <source>Lines of equal value on the map.</source>
         <translation>Linien gleichen Wertes auf der Karte.</translation>
+    </message>
+    <message>
+        <source>Length of the film&apos;s threads after the dip over their length before it, averaged around each point.</source>
+        <translation>Länge der Fäden des Films nach dem Tauchvorgang durch ihre Länge davor, gemittelt um jeden Punkt.</translation>
+    </message>
+    <message>
+        <source>Area after the dip over area before it. The ink thins by this factor.</source>
+        <translation>Fläche nach dem Tauchvorgang durch Fläche davor. Um diesen Faktor wird die Farbe dünner.</translation>
+    </message>
+    <message>
+        <source>The stretch in the direction of the largest stretch.</source>
+        <translation>Die Dehnung in der Richtung der größten Dehnung.</translation>
+    </message>
+    <message>
+        <source>The stretch in the direction of the smallest stretch. Below 1, the film wrinkles.</source>
+        <translation>Die Dehnung in der Richtung der kleinsten Dehnung. Unter 1 wirft der Film Falten.</translation>
+    </message>
+    <message>
+        <source>Fits the colours to the values on the part. If off, the colours span the two numbers on the right, so that you can compare maps.</source>
+        <translation>Passt die Farben an die Werte auf dem Teil an. Sonst umfassen die Farben die beiden Zahlen rechts, damit Sie Karten vergleichen können.</translation>
+    </message>
+    <message>
+        <source>On the part: mean %1 · 95 % below %2 · largest %3</source>
+        <translation>Auf dem Teil: Mittel %1 · 95 % unter %2 · größte %3</translation>
     </message>
 </context>
 <context>
@@ -9116,36 +9093,36 @@ mm je mm</translation>
         <translation>%1, mit %2 × %3 Pixeln</translation>
     </message>
     <message>
-        <source>The picture&apos;s ICC profile is damaged or not for its pixels; save it anew, as sRGB</source>
-        <translation>Das ICC-Profil des Bildes ist beschädigt oder nicht für seine Pixel; speichern Sie es neu, als sRGB</translation>
-    </message>
-    <message>
-        <source>The picture in CMYK is damaged, or kept in a way that is not read; save it anew as JPEG, or as TIFF without tiles and planes</source>
-        <translation>Das Bild in CMYK ist beschädigt oder auf eine Art abgelegt, die nicht gelesen wird; speichern Sie es neu als JPEG, oder als TIFF ohne Kacheln und Ebenen</translation>
-    </message>
-    <message>
         <source>The picture is damaged: its ICC profile is cut off; save it anew</source>
         <translation>Das Bild ist beschädigt: Sein ICC-Profil ist abgeschnitten; speichern Sie es neu</translation>
     </message>
     <message>
-        <source>Pictures in HEIF are not read here; save it as JPEG, or let the camera write JPEG</source>
-        <translation>Bilder in HEIF werden hier nicht gelesen; speichern Sie es als JPEG, oder lassen Sie die Kamera JPEG schreiben</translation>
+        <source>The picture&apos;s ICC profile is damaged or does not match its pixels; save the picture anew as sRGB</source>
+        <translation>Das ICC-Profil des Bildes ist beschädigt oder passt nicht zu seinen Pixeln; speichern Sie das Bild neu als sRGB</translation>
     </message>
     <message>
-        <source>The picture&apos;s ICC profile is larger than %1 MB; save it anew, as sRGB</source>
-        <translation>Das ICC-Profil des Bildes ist größer als %1 MB; speichern Sie es neu, als sRGB</translation>
+        <source>The picture&apos;s ICC profile is larger than %1 MB; save the picture anew as sRGB</source>
+        <translation>Das ICC-Profil des Bildes ist größer als %1 MB; speichern Sie das Bild neu als sRGB</translation>
     </message>
     <message>
-        <source>The picture is cut off before its end; save it anew, or copy it again from where it came</source>
-        <translation>Das Bild ist vor seinem Ende abgeschnitten; speichern Sie es neu oder kopieren Sie es noch einmal von dort, woher es kam</translation>
+        <source>The photo is incomplete; copy it from the camera again</source>
+        <translation>Das Foto ist unvollständig; kopieren Sie es noch einmal von der Kamera</translation>
     </message>
     <message>
-        <source>The photo is cut off in the middle; copy it from the camera again</source>
-        <translation>Das Foto ist mittendrin abgeschnitten; kopieren Sie es noch einmal von der Kamera</translation>
+        <source>The picture file is incomplete; save it anew, or copy it again from its source</source>
+        <translation>Die Bilddatei ist unvollständig; speichern Sie sie neu, oder kopieren Sie sie noch einmal von ihrer Quelle</translation>
     </message>
     <message>
-        <source>The picture in Lab is damaged, or kept in a way that is not read; save it anew as RGB, or as TIFF in 8 or 16 bits without tiles and planes</source>
-        <translation>Das Bild in Lab ist beschädigt oder so gespeichert, wie es nicht gelesen wird; speichern Sie es neu als RGB oder als TIFF in 8 oder 16 Bit ohne Kacheln und Ebenen</translation>
+        <source>HEIF pictures cannot be read on this computer; save the picture as JPEG, or set the camera to JPEG</source>
+        <translation>HEIF-Bilder können auf diesem Rechner nicht gelesen werden; speichern Sie das Bild als JPEG, oder stellen Sie die Kamera auf JPEG</translation>
+    </message>
+    <message>
+        <source>The CMYK picture is damaged or stored in an unsupported way; save it anew as JPEG, or as TIFF without tiles or planes</source>
+        <translation>Das CMYK-Bild ist beschädigt oder auf eine nicht unterstützte Art gespeichert; speichern Sie es neu als JPEG, oder als TIFF ohne Kacheln und Ebenen</translation>
+    </message>
+    <message>
+        <source>The Lab picture is damaged or stored in an unsupported way; save it anew as RGB, or as TIFF in 8 or 16 bits without tiles or planes</source>
+        <translation>Das Lab-Bild ist beschädigt oder auf eine nicht unterstützte Art gespeichert; speichern Sie es neu als RGB, oder als TIFF in 8 oder 16 Bit ohne Kacheln und Ebenen</translation>
     </message>
 </context>
 <context>
@@ -9178,23 +9155,23 @@ mm je mm</translation>
         <translation>Zeit des Tauchvorgangs</translation>
     </message>
     <message>
-        <source>How far the lowest point of the body is under the waterline</source>
-        <translation>Wie weit der tiefste Punkt des Körpers unter der Wasserlinie ist</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Depth of the part&apos;s lowest point below the waterline</source>
+        <translation>Tiefe des tiefsten Punkts des Teils unter der Wasserlinie</translation>
     </message>
 </context>
 <context>
     <name>dipwright::ToleranceCheck</name>
     <message>
-        <source>Telling the tolerances</source>
-        <translation>Toleranzen werden berechnet</translation>
-    </message>
-    <message>
         <source>Tolerances</source>
         <translation>Toleranzen</translation>
+    </message>
+    <message>
+        <source>Computing the tolerances</source>
+        <translation>Toleranzen werden berechnet</translation>
     </message>
 </context>
 <context>
@@ -9202,18 +9179,6 @@ mm je mm</translation>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>Off by</source>
-        <translation>Abweichung</translation>
-    </message>
-    <message>
-        <source>Part</source>
-        <translation>Anteil</translation>
-    </message>
-    <message>
-        <source>Half</source>
-        <translation>Hälfte</translation>
     </message>
     <message>
         <source>95 %</source>
@@ -9224,44 +9189,8 @@ mm je mm</translation>
         <translation>Maximum</translation>
     </message>
     <message>
-        <source>Border</source>
-        <translation>Rand</translation>
-    </message>
-    <message>
-        <source>What each contributor does</source>
-        <translation>Was jede Abweichung bewirkt</translation>
-    </message>
-    <message>
-        <source>The tolerance, to either side</source>
-        <translation>Die Toleranz, nach beiden Seiten</translation>
-    </message>
-    <message>
-        <source>Its part in how far colours land off their places</source>
-        <translation>Ihr Anteil daran, wie weit Farben neben ihrem Ort landen</translation>
-    </message>
-    <message>
-        <source>How far off, by itself, half of what is painted is at most</source>
-        <translation>Wie weit die Hälfte des Bemalten davon allein höchstens daneben liegt</translation>
-    </message>
-    <message>
-        <source>How far off, by itself, 95 % of what is painted is at most</source>
-        <translation>Wie weit 95 % des Bemalten davon allein höchstens daneben liegen</translation>
-    </message>
-    <message>
-        <source>How far off, by itself, the worst place is</source>
-        <translation>Wie weit der schlechteste Ort davon allein daneben liegt</translation>
-    </message>
-    <message>
-        <source>How much less, or more, of the body is painted at the border</source>
-        <translation>Wie viel weniger oder mehr vom Körper am Rand bemalt wird</translation>
-    </message>
-    <message>
-        <source>All together: 95 % of what is painted lands within %1 of its place, half of it within %2.</source>
-        <translation>Alles zusammen: 95 % des Bemalten landen innerhalb von %1 um ihren Ort, die Hälfte innerhalb von %2.</translation>
-    </message>
-    <message>
         <source>Tolerance of the sheet</source>
-        <translation>Toleranz des Bogens</translation>
+        <translation>Toleranz des Blatts</translation>
     </message>
     <message>
         <source>Figures</source>
@@ -9276,19 +9205,67 @@ mm je mm</translation>
         <translation>Toleranzen</translation>
     </message>
     <message>
-        <source>These are the figures of the project as it was before the last changes.</source>
-        <translation>Dies sind die Zahlen des Projekts, wie es vor den letzten Änderungen war.</translation>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
     </message>
     <message>
-        <source>%1 at %2 of the model, most by: %3</source>
-        <translation>%1 bei %2 des Modells, am meisten durch: %3</translation>
+        <source>Contribution</source>
+        <translation>Beitrag</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Effect of each contributor</source>
+        <translation>Wirkung jeder Abweichung</translation>
+    </message>
+    <message>
+        <source>How much this contributor adds to the total displacement of the image</source>
+        <translation>Wie viel diese Abweichung zur gesamten Verschiebung des Bilds beiträgt</translation>
+    </message>
+    <message>
+        <source>The project has changed since these figures were computed.</source>
+        <translation>Das Projekt hat sich geändert, seit diese Zahlen berechnet wurden.</translation>
+    </message>
+    <message>
+        <source>How far this quantity may deviate, up or down</source>
+        <translation>Wie weit diese Größe abweichen darf, nach oben oder unten</translation>
+    </message>
+    <message>
+        <source>With this contributor alone, half of the painted area lands within this distance of its intended place</source>
+        <translation>Mit dieser Abweichung allein liegt die Hälfte der bemalten Fläche innerhalb dieses Abstands von ihrem Sollort</translation>
+    </message>
+    <message>
+        <source>With this contributor alone, 95 % of the painted area lands within this distance of its intended place</source>
+        <translation>Mit dieser Abweichung allein liegen 95 % der bemalten Fläche innerhalb dieses Abstands von ihrem Sollort</translation>
+    </message>
+    <message>
+        <source>With this contributor alone, the largest displacement on the part</source>
+        <translation>Mit dieser Abweichung allein die größte Verschiebung auf dem Teil</translation>
+    </message>
+    <message>
+        <source>With this contributor alone, the area at the edge of the paint that is no longer painted (−) or painted in addition (+)</source>
+        <translation>Mit dieser Abweichung allein die Fläche am Rand der Bemalung, die nicht mehr (−) oder zusätzlich (+) bemalt wird</translation>
+    </message>
+    <message>
+        <source>All contributors together: 95 % of the painted area is within %1 of its intended place, and half of the area within %2.</source>
+        <translation>Alle Abweichungen zusammen: 95 % der bemalten Fläche liegen innerhalb von %1 um ihren Sollort, die Hälfte der Fläche innerhalb von %2.</translation>
+    </message>
+    <message>
+        <source>Displacement %1 at the model&apos;s place %2; largest contributor: %3</source>
+        <translation>Verschiebung %1 an der Stelle %2 des Modells; größter Beitrag: %3</translation>
     </message>
 </context>
 <context>
     <name>dipwright::Tour</name>
     <message>
         <source>Back</source>
-        <translation>Hinten</translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>Close</source>
@@ -9308,137 +9285,140 @@ mm je mm</translation>
     </message>
 </context>
 <context>
-    <name>dipwright::ViewController</name>
+    <name>dipwright::VerdictPanel</name>
     <message>
-        <source>Picture on the Film</source>
-        <translation>Bild auf dem Film</translation>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
     </message>
+    <message>
+        <source>Numerical error of the sheet</source>
+        <translation>Numerischer Fehler des Blatts</translation>
+    </message>
+    <message>
+        <source>Run the dip to see the numerical error of the sheet.</source>
+        <translation>Starten Sie den Tauchvorgang, um den numerischen Fehler des Blatts zu sehen.</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ViewController</name>
     <message>
         <source>Reading the picture</source>
         <translation>Bild wird gelesen</translation>
+    </message>
+    <message>
+        <source>Picture on the film</source>
+        <translation>Bild auf dem Film</translation>
     </message>
 </context>
 <context>
     <name>dipwright::WatchPage</name>
     <message>
-        <source>Film watch: print this on the film</source>
-        <translation>Filmmessung: dies auf den Film drucken</translation>
-    </message>
-    <message>
-        <source>Card of the film watch: print this on stiff, waterproof card</source>
-        <translation>Karte der Filmmessung: dies auf steifen, wasserfesten Karton drucken</translation>
-    </message>
-    <message>
-        <source>Ink side: this side up on the water, the words to be read from above.</source>
-        <translation>Farbseite: diese Seite nach oben aufs Wasser, die Wörter von oben zu lesen.</translation>
-    </message>
-    <message>
-        <source>Lay it flat on the water beside the film, this side up, in every photo.</source>
-        <translation>Auf jedem Foto flach neben dem Film auf dem Wasser, diese Seite nach oben.</translation>
-    </message>
-    <message>
-        <source>Both rulers must measure %1 mm; if not, say what they do measure when the photos are looked at.</source>
-        <translation>Beide Lineale müssen %1 mm messen; wenn nicht, geben Sie an, was sie messen, wenn die Fotos ausgewertet werden.</translation>
-    </message>
-    <message>
         <source>Date %1   Lot %2   Water %3 °C</source>
         <translation>Datum %1   Charge %2   Wasser %3 °C</translation>
     </message>
     <message>
-        <source>Paper of %1 × %2 mm has no room for a chessboard with %3 corners; take a larger one</source>
-        <translation>Papier von %1 × %2 mm hat keinen Platz für ein Schachbrett mit %3 Ecken; nehmen Sie ein größeres</translation>
+        <source>Film watch: print this page on the film</source>
+        <translation>Filmmessung: diese Seite auf den Film drucken</translation>
+    </message>
+    <message>
+        <source>Film watch, card: print this page on stiff, waterproof card</source>
+        <translation>Filmmessung, Karte: diese Seite auf steifen, wasserfesten Karton drucken</translation>
+    </message>
+    <message>
+        <source>Ink side: lay the film on the water with this side up, so that you can read this text from above.</source>
+        <translation>Farbseite: den Film mit dieser Seite nach oben aufs Wasser legen, so dass dieser Text von oben lesbar ist.</translation>
+    </message>
+    <message>
+        <source>For every photo, lay the card flat on the water beside the film, with this side up.</source>
+        <translation>Für jedes Foto die Karte flach neben dem Film aufs Wasser legen, mit dieser Seite nach oben.</translation>
+    </message>
+    <message>
+        <source>Both rulers must measure %1 mm. If they do not, enter their measured lengths when you evaluate the photos.</source>
+        <translation>Beide Lineale müssen %1 mm messen. Wenn nicht, geben Sie die gemessenen Längen bei der Auswertung der Fotos an.</translation>
+    </message>
+    <message>
+        <source>Paper of %1 × %2 mm is too small for a chessboard with %3 corners; use larger paper</source>
+        <translation>Papier von %1 × %2 mm ist zu klein für ein Schachbrett mit %3 Ecken; verwenden Sie größeres Papier</translation>
     </message>
 </context>
 <context>
     <name>dipwright::WedgePage</name>
     <message>
-        <source>Paper of %1 × %2 mm has no room for the wedge; take a larger one</source>
-        <translation>Auf Papier von %1 × %2 mm hat der Keil keinen Platz; nehmen Sie ein größeres</translation>
-    </message>
-    <message>
-        <source>Ink wedge: print this on the film as a sheet is printed</source>
-        <translation>Tintenkeil: wie einen Bogen auf den Film drucken</translation>
-    </message>
-    <message>
         <source>1. Zero the densitometer on unprinted film. Read every patch before the dip.</source>
-        <translation>1. Densitometer auf unbedrucktem Film auf null stellen. Jedes Feld vor dem Tauchen messen.</translation>
-    </message>
-    <message>
-        <source>2. Stretch the film: on a body, or floating, by hand. Measure both rulers; %1 mm is no stretch.</source>
-        <translation>2. Film dehnen: auf einem Körper oder schwimmend von Hand. Beide Lineale messen; %1 mm heißt ungedehnt.</translation>
-    </message>
-    <message>
-        <source>3. Read every patch again. Best at three or four stretches up to the job&apos;s.</source>
-        <translation>3. Jedes Feld noch einmal messen. Am besten bei drei oder vier Dehnungen bis zu der des Auftrags.</translation>
+        <translation>1. Densitometer auf unbedrucktem Film auf null stellen. Jedes Feld vor dem Tauchvorgang messen.</translation>
     </message>
     <message>
         <source>Date %1   Lot %2</source>
         <translation>Datum %1   Charge %2</translation>
     </message>
+    <message>
+        <source>Paper of %1 × %2 mm is too small for the wedge; use larger paper</source>
+        <translation>Papier von %1 × %2 mm ist zu klein für den Keil; verwenden Sie größeres Papier</translation>
+    </message>
+    <message>
+        <source>Ink wedge: print this page on the film like a sheet</source>
+        <translation>Tintenkeil: diese Seite wie ein Blatt auf den Film drucken</translation>
+    </message>
+    <message>
+        <source>2. Stretch the floating film by a dip or by hand. Measure both rulers (%1 mm if not stretched).</source>
+        <translation>2. Schwimmenden Film durch Tauchen oder von Hand dehnen. Beide Lineale messen (ungedehnt %1 mm).</translation>
+    </message>
+    <message>
+        <source>3. Read every patch again. Repeat at three or four stretches, up to the largest of the job.</source>
+        <translation>3. Jedes Feld neu messen. Bei drei oder vier Dehnungen wiederholen, bis zur größten des Auftrags.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::WedgeTable</name>
     <message>
-        <source>The table of a wedge begins with the line %1 and has at most %2 lines</source>
-        <translation>Die Tabelle eines Keils beginnt mit der Zeile %1 und hat höchstens %2 Zeilen</translation>
+        <source>The table of a wedge must begin with the line %1 and have at most %2 lines</source>
+        <translation>Die Tabelle eines Keils muss mit der Zeile %1 beginnen und darf höchstens %2 Zeilen haben</translation>
     </message>
     <message>
-        <source>Line %1 of the wedge is not an ink (cyan, magenta, yellow, black, white or grey) and five numbers, joined by commas</source>
-        <translation>Zeile %1 des Keils ist nicht eine Tinte (cyan, magenta, yellow, black, white oder grey) und fünf Zahlen, durch Kommas verbunden</translation>
+        <source>Line %1 of the wedge must contain an ink (cyan, magenta, yellow, black, white or grey) and five numbers, separated by commas</source>
+        <translation>Zeile %1 des Keils muss eine Tinte (cyan, magenta, yellow, black, white oder grey) und fünf Zahlen enthalten, durch Kommas getrennt</translation>
     </message>
 </context>
 <context>
     <name>dipwright::WeightFields</name>
     <message>
-        <source>Counts</source>
-        <translation>Zählt</translation>
-    </message>
-    <message>
-        <source>Must be kept</source>
-        <translation>Einzuhalten</translation>
-    </message>
-    <message>
         <source>Quality in zone %1</source>
-        <translation>Güte in Zone %1</translation>
-    </message>
-    <message>
-        <source>How much more the quality counts where the body is marked as this zone, under Tolerances.</source>
-        <translation>Wie viel mehr die Güte zählt, wo der Körper unter Toleranzen als diese Zone markiert ist.</translation>
+        <translation>Qualität in Zone %1</translation>
     </message>
     <message>
         <source>Weight of %1</source>
         <translation>Gewicht von %1</translation>
     </message>
     <message>
-        <source>How much it counts against the others; 0: not at all.</source>
-        <translation>Wie viel es gegen die anderen zählt; 0: gar nicht.</translation>
-    </message>
-    <message>
         <source>Limit of %1</source>
         <translation>Grenze von %1</translation>
     </message>
     <message>
-        <source>Poses that miss it come after all that keep it.</source>
-        <translation>Lagen, die sie verfehlen, kommen nach allen, die sie einhalten.</translation>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>How much more the quality counts in this zone of the part. Zones are marked under Tolerances.</source>
+        <translation>Wie viel mehr die Qualität in dieser Zone des Teils zählt. Zonen werden unter „Toleranzen“ markiert.</translation>
+    </message>
+    <message>
+        <source>How much this measure counts, compared with the others. 0: not at all.</source>
+        <translation>Wie viel dieses Maß im Vergleich zu den anderen zählt. 0: gar nicht.</translation>
+    </message>
+    <message>
+        <source>Poses that violate this limit rank below all poses that keep it.</source>
+        <translation>Lagen, die diese Grenze verletzen, kommen nach allen, die sie einhalten.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::WindowActions</name>
     <message>
-        <source>New &amp;Window</source>
-        <translation>Neues &amp;Fenster</translation>
-    </message>
-    <message>
         <source>Open another window</source>
         <translation>Ein weiteres Fenster öffnen</translation>
-    </message>
-    <message>
-        <source>&amp;New Project…</source>
-        <translation>&amp;Neues Projekt …</translation>
-    </message>
-    <message>
-        <source>Make a project of a textured model</source>
-        <translation>Ein Projekt aus einem texturierten Modell anlegen</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -9457,64 +9437,20 @@ mm je mm</translation>
         <translation>Das Projekt speichern</translation>
     </message>
     <message>
-        <source>Save &amp;As…</source>
-        <translation>Speichern &amp;unter …</translation>
-    </message>
-    <message>
         <source>Save the project as another file</source>
         <translation>Das Projekt als andere Datei speichern</translation>
     </message>
     <message>
-        <source>&amp;Export Results…</source>
-        <translation>&amp;Ergebnisse exportieren …</translation>
-    </message>
-    <message>
         <source>Write sheets, stretch maps, proof, films and report to a folder</source>
-        <translation>Bögen, Dehnungskarten, Vorschau, Filme und Bericht in einen Ordner schreiben</translation>
-    </message>
-    <message>
-        <source>Sheet as P&amp;DF…</source>
-        <translation>Bogen als P&amp;DF …</translation>
-    </message>
-    <message>
-        <source>Save this immersion&apos;s sheet as PDF at true size</source>
-        <translation>Den Bogen dieses Tauchvorgangs als PDF in wahrer Größe speichern</translation>
-    </message>
-    <message>
-        <source>Sheet as P&amp;NG…</source>
-        <translation>Bogen als P&amp;NG …</translation>
-    </message>
-    <message>
-        <source>Save this immersion&apos;s film image as PNG</source>
-        <translation>Das Filmbild dieses Tauchvorgangs als PNG speichern</translation>
+        <translation>Blätter, Dehnungskarten, Vorschau, Filme und Bericht in einen Ordner schreiben</translation>
     </message>
     <message>
         <source>&amp;Print…</source>
         <translation>&amp;Drucken …</translation>
     </message>
     <message>
-        <source>Print sheets at true size</source>
-        <translation>Bögen in wahrer Größe drucken</translation>
-    </message>
-    <message>
-        <source>Calibrate P&amp;rinter…</source>
-        <translation>D&amp;rucker kalibrieren …</translation>
-    </message>
-    <message>
-        <source>Print a page of rulers and put the printer&apos;s scale into its profile</source>
-        <translation>Eine Seite mit Linealen drucken und den Maßstab des Druckers in sein Profil übernehmen</translation>
-    </message>
-    <message>
         <source>Pro&amp;files…</source>
         <translation>Pro&amp;file …</translation>
-    </message>
-    <message>
-        <source>What is known of printers, films and tanks</source>
-        <translation>Was über Drucker, Filme und Becken bekannt ist</translation>
-    </message>
-    <message>
-        <source>&amp;Close Window</source>
-        <translation>Fenster s&amp;chließen</translation>
     </message>
     <message>
         <source>Close this window</source>
@@ -9533,100 +9469,20 @@ mm je mm</translation>
         <translation>&amp;Rückgängig</translation>
     </message>
     <message>
-        <source>Take back the last change</source>
-        <translation>Die letzte Änderung zurücknehmen</translation>
-    </message>
-    <message>
         <source>&amp;Redo</source>
         <translation>&amp;Wiederholen</translation>
-    </message>
-    <message>
-        <source>Make the change again</source>
-        <translation>Die Änderung noch einmal machen</translation>
-    </message>
-    <message>
-        <source>Add &amp;Second Immersion</source>
-        <translation>&amp;Zweiten Tauchvorgang hinzufügen</translation>
-    </message>
-    <message>
-        <source>Dip the body a second time, from another side</source>
-        <translation>Den Körper ein zweites Mal tauchen, von einer anderen Seite</translation>
-    </message>
-    <message>
-        <source>Remove &amp;Immersion</source>
-        <translation>&amp;Tauchvorgang entfernen</translation>
-    </message>
-    <message>
-        <source>Remove the immersion shown</source>
-        <translation>Den gezeigten Tauchvorgang entfernen</translation>
-    </message>
-    <message>
-        <source>Re&amp;load Model</source>
-        <translation>Modell neu &amp;laden</translation>
-    </message>
-    <message>
-        <source>Read the model&apos;s file again and keep all settings</source>
-        <translation>Die Datei des Modells neu lesen und alle Einstellungen behalten</translation>
-    </message>
-    <message>
-        <source>Replace &amp;Model…</source>
-        <translation>&amp;Modell ersetzen …</translation>
-    </message>
-    <message>
-        <source>Take another model</source>
-        <translation>Ein anderes Modell nehmen</translation>
-    </message>
-    <message>
-        <source>Replace &amp;Texture…</source>
-        <translation>Te&amp;xtur ersetzen …</translation>
-    </message>
-    <message>
-        <source>Put another picture on the model</source>
-        <translation>Ein anderes Bild auf das Modell legen</translation>
     </message>
     <message>
         <source>&amp;Preferences…</source>
         <translation>&amp;Einstellungen …</translation>
     </message>
     <message>
-        <source>Units, language, look, shortcuts and solvers</source>
-        <translation>Einheiten, Sprache, Aussehen, Tastenkürzel und Löser</translation>
-    </message>
-    <message>
         <source>&amp;Run</source>
         <translation>&amp;Starten</translation>
     </message>
     <message>
-        <source>Simulate the dip and make the sheets</source>
-        <translation>Den Tauchvorgang simulieren und die Bögen machen</translation>
-    </message>
-    <message>
         <source>&amp;Cancel</source>
         <translation>&amp;Abbrechen</translation>
-    </message>
-    <message>
-        <source>Stop what is running</source>
-        <translation>Anhalten, was läuft</translation>
-    </message>
-    <message>
-        <source>Run &amp;Live</source>
-        <translation>&amp;Mitlaufen</translation>
-    </message>
-    <message>
-        <source>Once there is a result, run again after each change</source>
-        <translation>Sobald es ein Ergebnis gibt, nach jeder Änderung neu rechnen</translation>
-    </message>
-    <message>
-        <source>C&amp;heck Certainty…</source>
-        <translation>&amp;Verlässlichkeit prüfen …</translation>
-    </message>
-    <message>
-        <source>Compute the sheets more finely and see how far they move, and where</source>
-        <translation>Die Bögen feiner rechnen und sehen, wie weit sie sich verschieben und wo</translation>
-    </message>
-    <message>
-        <source>&amp;Play or Pause</source>
-        <translation>Abs&amp;pielen oder anhalten</translation>
     </message>
     <message>
         <source>Play the dip</source>
@@ -9635,10 +9491,6 @@ mm je mm</translation>
     <message>
         <source>&amp;Fit</source>
         <translation>&amp;Einpassen</translation>
-    </message>
-    <message>
-        <source>Show body and film whole</source>
-        <translation>Körper und Film ganz zeigen</translation>
     </message>
     <message>
         <source>&amp;Oblique</source>
@@ -9697,52 +9549,8 @@ mm je mm</translation>
         <translation>Von unten sehen</translation>
     </message>
     <message>
-        <source>&amp;Standard Layout</source>
-        <translation>&amp;Standardanordnung</translation>
-    </message>
-    <message>
-        <source>Put all panels back where they were at first</source>
-        <translation>Alle Felder an ihren ersten Platz zurückstellen</translation>
-    </message>
-    <message>
-        <source>&amp;Save Layout…</source>
-        <translation>Anordnung &amp;speichern …</translation>
-    </message>
-    <message>
-        <source>Keep where the panels are under a name</source>
-        <translation>Die Anordnung der Bereiche unter einem Namen behalten</translation>
-    </message>
-    <message>
-        <source>&amp;Parallel Projection</source>
-        <translation>&amp;Parallelprojektion</translation>
-    </message>
-    <message>
-        <source>Show equal lengths equally long, near or far</source>
-        <translation>Gleiche Längen gleich lang zeigen, nah oder fern</translation>
-    </message>
-    <message>
-        <source>&amp;Water and Tank</source>
-        <translation>&amp;Wasser und Becken</translation>
-    </message>
-    <message>
         <source>Show the water and the edges of the tank</source>
         <translation>Das Wasser und die Kanten des Beckens zeigen</translation>
-    </message>
-    <message>
-        <source>Bo&amp;dy</source>
-        <translation>&amp;Körper</translation>
-    </message>
-    <message>
-        <source>Show the body</source>
-        <translation>Den Körper zeigen</translation>
-    </message>
-    <message>
-        <source>&amp;Coverage on the Body</source>
-        <translation>&amp;Abdeckung auf dem Körper</translation>
-    </message>
-    <message>
-        <source>Film on the Body &amp;Only</source>
-        <translation>&amp;Nur Film auf dem Körper</translation>
     </message>
     <message>
         <source>At the end of the dip, hide the film that paints nothing</source>
@@ -9753,52 +9561,12 @@ mm je mm</translation>
         <translation>&amp;Messen</translation>
     </message>
     <message>
-        <source>Click two places on the body to measure the distance between them</source>
-        <translation>Klicken Sie zwei Stellen auf dem Körper an, um ihren Abstand zu messen</translation>
-    </message>
-    <message>
-        <source>What the film wears in the view</source>
-        <translation>Was der Film in der Ansicht trägt</translation>
-    </message>
-    <message>
         <source>&amp;Lines every 10 mm</source>
         <translation>&amp;Linien alle 10 mm</translation>
     </message>
     <message>
-        <source>The &amp;Sheet&apos;s Image</source>
-        <translation>Das Bild des &amp;Bogens</translation>
-    </message>
-    <message>
         <source>S&amp;tretch</source>
         <translation>&amp;Dehnung</translation>
-    </message>
-    <message>
-        <source>&amp;Chessboard of 17 mm</source>
-        <translation>&amp;Schachbrett von 17 mm</translation>
-    </message>
-    <message>
-        <source>A &amp;Picture…</source>
-        <translation>Ein B&amp;ild …</translation>
-    </message>
-    <message>
-        <source>Quick &amp;Tour</source>
-        <translation>&amp;Rundgang</translation>
-    </message>
-    <message>
-        <source>What is where, in six steps</source>
-        <translation>Was wo ist, in sechs Schritten</translation>
-    </message>
-    <message>
-        <source>User &amp;Guide</source>
-        <translation>&amp;Handbuch</translation>
-    </message>
-    <message>
-        <source>&amp;What Is This?</source>
-        <translation>&amp;Was ist das?</translation>
-    </message>
-    <message>
-        <source>Click something afterwards to be told what it is for</source>
-        <translation>Klicken Sie danach auf etwas, um zu erfahren, wozu es dient</translation>
     </message>
     <message>
         <source>&amp;About Dipwright</source>
@@ -9817,108 +9585,16 @@ mm je mm</translation>
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Crad&amp;les…</source>
-        <translation>&amp;Halterungen …</translation>
-    </message>
-    <message>
-        <source>Make what holds the body in each dip, as STL and 3MF to print in plastic</source>
-        <translation>Machen, was den Körper in jedem Tauchvorgang hält, als STL und 3MF zum Drucken in Kunststoff</translation>
-    </message>
-    <message>
-        <source>Show what the dips paint of the body</source>
-        <translation>Zeigt, was die Tauchvorgänge vom Körper färben</translation>
-    </message>
-    <message>
-        <source>&amp;Print on the Body</source>
-        <translation>&amp;Druck auf dem Körper</translation>
-    </message>
-    <message>
-        <source>Show the body as it comes out of all dips, from every side</source>
-        <translation>Zeigt den Körper, wie er aus allen Tauchvorgängen kommt, von allen Seiten</translation>
-    </message>
-    <message>
-        <source>S&amp;wap Immersions</source>
-        <translation>Tauchvorgänge &amp;tauschen</translation>
-    </message>
-    <message>
-        <source>Make the second dip the first one</source>
-        <translation>Macht den zweiten Tauchvorgang zum ersten</translation>
-    </message>
-    <message>
-        <source>&amp;Who Paints What</source>
-        <translation>&amp;Wer was färbt</translation>
-    </message>
-    <message>
         <source>&amp;Tolerances…</source>
         <translation>&amp;Toleranzen …</translation>
-    </message>
-    <message>
-        <source>See how far colours land off their places for what is off, and which zones keep their limits</source>
-        <translation>Zeigt, wie weit Farben durch Abweichungen neben ihrem Ort landen und welche Zonen ihre Grenzen einhalten</translation>
-    </message>
-    <message>
-        <source>&amp;Zones on the Body</source>
-        <translation>&amp;Zonen auf dem Körper</translation>
-    </message>
-    <message>
-        <source>Show the zones of the body and, once tolerances are told, where they keep their limits</source>
-        <translation>Zeigt die Zonen des Körpers und, sobald die Toleranzen berechnet sind, wo sie ihre Grenzen einhalten</translation>
-    </message>
-    <message>
-        <source>&amp;Find Poses…</source>
-        <translation>Lagen &amp;suchen …</translation>
-    </message>
-    <message>
-        <source>Search how the body is best turned and moved, for one dip or two</source>
-        <translation>Sucht, wie der Körper am besten gedreht und verschoben wird, für einen Tauchvorgang oder zwei</translation>
-    </message>
-    <message>
-        <source>Print &amp;History…</source>
-        <translation>Druck&amp;verlauf …</translation>
-    </message>
-    <message>
-        <source>See what was printed when, on what, and from which project</source>
-        <translation>Sehen, was wann worauf und aus welchem Projekt gedruckt wurde</translation>
     </message>
     <message>
         <source>&amp;Section</source>
         <translation>Schni&amp;tt</translation>
     </message>
     <message>
-        <source>Cut body and film open by a plane that a slider or its frame moves</source>
-        <translation>Körper und Film an einer Ebene aufschneiden, die ein Regler oder ihr Rahmen verschiebt</translation>
-    </message>
-    <message>
-        <source>S&amp;ee-Through Film</source>
-        <translation>&amp;Durchsichtiger Film</translation>
-    </message>
-    <message>
-        <source>See the body through the film</source>
-        <translation>Den Körper durch den Film hindurch sehen</translation>
-    </message>
-    <message>
         <source>Snapsho&amp;ts…</source>
-        <translation>Schnappschüsse …</translation>
-    </message>
-    <message>
-        <source>Keep the project&apos;s settings under a name, compare them, and go back</source>
-        <translation>Die Einstellungen des Projekts unter einem Namen behalten, vergleichen und zurückgehen</translation>
-    </message>
-    <message>
-        <source>&amp;Job Queue…</source>
-        <translation>&amp;Warteschlange …</translation>
-    </message>
-    <message>
-        <source>Run several projects one after the other, and go on working</source>
-        <translation>Mehrere Projekte nacheinander rechnen und weiterarbeiten</translation>
-    </message>
-    <message>
-        <source>Turn the body by 15°</source>
-        <translation>Den Körper um 15° drehen</translation>
-    </message>
-    <message>
-        <source>Move the body over the film</source>
-        <translation>Den Körper über dem Film verschieben</translation>
+        <translation>Schn&amp;appschüsse …</translation>
     </message>
     <message>
         <source>Turn about &amp;X by 15°</source>
@@ -9945,52 +9621,368 @@ mm je mm</translation>
         <translation>Um Z um −15° drehen</translation>
     </message>
     <message>
-        <source>Move to the &amp;Right by 5 mm</source>
-        <translation>5 mm nach &amp;rechts schieben</translation>
-    </message>
-    <message>
-        <source>Move to the &amp;Left by 5 mm</source>
-        <translation>5 mm nach &amp;links schieben</translation>
-    </message>
-    <message>
-        <source>Move &amp;Up the Sheet by 5 mm</source>
-        <translation>5 mm den Bogen hin&amp;auf schieben</translation>
-    </message>
-    <message>
-        <source>Move &amp;Down the Sheet by 5 mm</source>
-        <translation>5 mm den Bogen hin&amp;unter schieben</translation>
-    </message>
-    <message>
-        <source>Move to the Film&apos;s &amp;Middle</source>
-        <translation>In die &amp;Mitte des Films schieben</translation>
-    </message>
-    <message>
-        <source>How everything works, beginning with what has the focus</source>
-        <translation>Wie alles geht, beginnend mit dem, was den Fokus hat</translation>
-    </message>
-    <message>
-        <source>Several Jobs on One &amp;Film…</source>
-        <translation>Mehrere Aufträge auf einem &amp;Film…</translation>
-    </message>
-    <message>
-        <source>Lay the sheets of several projects, and copies, side by side on a film or roll</source>
-        <translation>Die Bögen mehrerer Projekte, und mehrere Exemplare, nebeneinander auf einen Film oder eine Rolle legen</translation>
-    </message>
-    <message>
         <source>&amp;Artwork</source>
         <translation>&amp;Gestaltung</translation>
     </message>
     <message>
-        <source>Lay pictures, text and patterns on the body</source>
-        <translation>Bilder, Text und Muster auf den Körper legen</translation>
+        <source>New &amp;window</source>
+        <translation>Neues Fens&amp;ter</translation>
     </message>
     <message>
-        <source>Rings and Arr&amp;ows</source>
-        <translation>Ringe un&amp;d Pfeile</translation>
+        <source>&amp;New project…</source>
+        <translation>&amp;Neues Projekt …</translation>
     </message>
     <message>
-        <source>Show the rings that turn the body and the arrows that move it</source>
-        <translation>Die Ringe zeigen, die den Körper drehen, und die Pfeile, die ihn verschieben</translation>
+        <source>Create a project from a model</source>
+        <translation>Ein Projekt aus einem Modell anlegen</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Save the settings under a name, compare them and restore them</source>
+        <translation>Die Einstellungen unter einem Namen speichern, vergleichen und wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Export results…</source>
+        <translation>&amp;Ergebnisse exportieren …</translation>
+    </message>
+    <message>
+        <source>Export sheet as P&amp;DF…</source>
+        <translation>Blatt als &amp;PDF exportieren …</translation>
+    </message>
+    <message>
+        <source>Save the sheet of this dip as PDF at true size</source>
+        <translation>Das Blatt dieses Tauchvorgangs in wahrer Größe als PDF speichern</translation>
+    </message>
+    <message>
+        <source>Export film image as PN&amp;G…</source>
+        <translation>Filmbild als PN&amp;G exportieren …</translation>
+    </message>
+    <message>
+        <source>Save the film image of this dip as PNG</source>
+        <translation>Das Filmbild dieses Tauchvorgangs als PNG speichern</translation>
+    </message>
+    <message>
+        <source>Export crad&amp;les…</source>
+        <translation>&amp;Halterungen exportieren …</translation>
+    </message>
+    <message>
+        <source>Save a cradle that holds the part in each dip, as STL and 3MF for 3D printing</source>
+        <translation>Für jeden Tauchvorgang eine Halterung des Teils als STL und 3MF für den 3D-Druck speichern</translation>
+    </message>
+    <message>
+        <source>Print the sheets at true size</source>
+        <translation>Die Blätter in wahrer Größe drucken</translation>
+    </message>
+    <message>
+        <source>Print &amp;history…</source>
+        <translation>Druck&amp;verlauf …</translation>
+    </message>
+    <message>
+        <source>Show what was printed, when, on which printer and from which project</source>
+        <translation>Zeigen, was wann auf welchem Drucker und aus welchem Projekt gedruckt wurde</translation>
+    </message>
+    <message>
+        <source>&amp;Job queue…</source>
+        <translation>&amp;Warteschlange …</translation>
+    </message>
+    <message>
+        <source>Run several projects one after the other while you keep working</source>
+        <translation>Mehrere Projekte nacheinander rechnen, während Sie weiterarbeiten</translation>
+    </message>
+    <message>
+        <source>Several jobs on one &amp;film…</source>
+        <translation>&amp;Mehrere Aufträge auf einem Film …</translation>
+    </message>
+    <message>
+        <source>Place the sheets of several projects, and copies of them, side by side on a film or roll</source>
+        <translation>Die Blätter mehrerer Projekte, und Exemplare davon, nebeneinander auf einen Film oder eine Rolle legen</translation>
+    </message>
+    <message>
+        <source>Calibrate pr&amp;inter…</source>
+        <translation>D&amp;rucker kalibrieren …</translation>
+    </message>
+    <message>
+        <source>Print a page with rulers and store the printer&apos;s scale in its profile</source>
+        <translation>Eine Seite mit Linealen drucken und den Maßstab des Druckers in seinem Profil speichern</translation>
+    </message>
+    <message>
+        <source>Show and edit the profiles of printers, films and tanks</source>
+        <translation>Die Profile von Druckern, Filmen und Becken zeigen und bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Close window</source>
+        <translation>Fenster s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Undo the last change</source>
+        <translation>Die letzte Änderung rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Redo the change that was undone</source>
+        <translation>Die rückgängig gemachte Änderung wiederholen</translation>
+    </message>
+    <message>
+        <source>Add &amp;second dip</source>
+        <translation>&amp;Zweiten Tauchvorgang hinzufügen</translation>
+    </message>
+    <message>
+        <source>Dip the part a second time, from another side</source>
+        <translation>Das Teil ein zweites Mal tauchen, von einer anderen Seite</translation>
+    </message>
+    <message>
+        <source>Remove &amp;dip</source>
+        <translation>&amp;Tauchvorgang entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the dip that is shown</source>
+        <translation>Den gezeigten Tauchvorgang entfernen</translation>
+    </message>
+    <message>
+        <source>S&amp;wap dips</source>
+        <translation>Tauchvorgänge ta&amp;uschen</translation>
+    </message>
+    <message>
+        <source>Make the second dip the first</source>
+        <translation>Den zweiten Tauchvorgang zum ersten machen</translation>
+    </message>
+    <message>
+        <source>Re&amp;load model</source>
+        <translation>Modell neu &amp;laden</translation>
+    </message>
+    <message>
+        <source>Read the model file again and keep all settings</source>
+        <translation>Die Modelldatei neu lesen und alle Einstellungen behalten</translation>
+    </message>
+    <message>
+        <source>Replace &amp;model…</source>
+        <translation>&amp;Modell ersetzen …</translation>
+    </message>
+    <message>
+        <source>Use another model</source>
+        <translation>Ein anderes Modell verwenden</translation>
+    </message>
+    <message>
+        <source>Replace &amp;texture…</source>
+        <translation>Te&amp;xtur ersetzen …</translation>
+    </message>
+    <message>
+        <source>Use another image as the texture</source>
+        <translation>Ein anderes Bild als Textur verwenden</translation>
+    </message>
+    <message>
+        <source>Place pictures, text and patterns on the part</source>
+        <translation>Bilder, Text und Muster auf das Teil legen</translation>
+    </message>
+    <message>
+        <source>Set units, language, theme, shortcuts and solvers</source>
+        <translation>Einheiten, Sprache, Aussehen, Tastenkürzel und Löser einstellen</translation>
+    </message>
+    <message>
+        <source>Simulate the dip and compute the sheets</source>
+        <translation>Den Tauchvorgang simulieren und die Blätter berechnen</translation>
+    </message>
+    <message>
+        <source>Cancel everything that is running</source>
+        <translation>Alles abbrechen, was gerade läuft</translation>
+    </message>
+    <message>
+        <source>Run &amp;live</source>
+        <translation>&amp;Mitlaufen</translation>
+    </message>
+    <message>
+        <source>Run again after each change, once there is a result</source>
+        <translation>Nach jeder Änderung neu rechnen, sobald es ein Ergebnis gibt</translation>
+    </message>
+    <message>
+        <source>&amp;Find poses…</source>
+        <translation>&amp;Lagen suchen …</translation>
+    </message>
+    <message>
+        <source>Search for the best rotation and position of the part, for one dip or two</source>
+        <translation>Die beste Drehung und Position des Teils suchen, für einen Tauchvorgang oder zwei</translation>
+    </message>
+    <message>
+        <source>Check numerical &amp;error…</source>
+        <translation>Numerischen &amp;Fehler prüfen …</translation>
+    </message>
+    <message>
+        <source>Compute how far handling may move the image, and which zones keep their limits</source>
+        <translation>Berechnen, wie weit die Handhabung das Bild verschieben kann und welche Zonen ihre Grenzen einhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>Abs&amp;pielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Show all of the part and the film</source>
+        <translation>Das ganze Teil und den ganzen Film zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>Anordnung &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Put all panels back into their original places</source>
+        <translation>Alle Bereiche an ihren ursprünglichen Platz zurückstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Save layout…</source>
+        <translation>Anordnung &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>Save the arrangement of the panels under a name</source>
+        <translation>Die Anordnung der Bereiche unter einem Namen speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Parallel projection</source>
+        <translation>&amp;Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>Show equal lengths at equal size, near or far</source>
+        <translation>Gleiche Längen gleich groß zeigen, nah oder fern</translation>
+    </message>
+    <message>
+        <source>Rings an&amp;d arrows</source>
+        <translation>Rin&amp;ge und Pfeile</translation>
+    </message>
+    <message>
+        <source>Show the rings that turn the part and the arrows that move it</source>
+        <translation>Die Ringe zeigen, die das Teil drehen, und die Pfeile, die es verschieben</translation>
+    </message>
+    <message>
+        <source>&amp;Water and tank</source>
+        <translation>&amp;Wasser und Becken</translation>
+    </message>
+    <message>
+        <source>P&amp;art</source>
+        <translation>Te&amp;il</translation>
+    </message>
+    <message>
+        <source>Show the part</source>
+        <translation>Das Teil zeigen</translation>
+    </message>
+    <message>
+        <source>Co&amp;verage on the part</source>
+        <translation>Abde&amp;ckung auf dem Teil</translation>
+    </message>
+    <message>
+        <source>Show the painted area of the part</source>
+        <translation>Die bemalte Fläche des Teils zeigen</translation>
+    </message>
+    <message>
+        <source>F&amp;inished part</source>
+        <translation>&amp;Fertiges Teil</translation>
+    </message>
+    <message>
+        <source>Show the part as it comes out of all dips, from every side</source>
+        <translation>Das Teil zeigen, wie es aus allen Tauchvorgängen kommt, von allen Seiten</translation>
+    </message>
+    <message>
+        <source>&amp;Zones on the part</source>
+        <translation>&amp;Zonen auf dem Teil</translation>
+    </message>
+    <message>
+        <source>Show the zones of the part and, after Dip ▸ Tolerances, where they keep their limits</source>
+        <translation>Die Zonen des Teils zeigen und, nach Tauchen ▸ Toleranzen, wo sie ihre Grenzen einhalten</translation>
+    </message>
+    <message>
+        <source>Film on the part o&amp;nly</source>
+        <translation>&amp;Nur Film auf dem Teil</translation>
+    </message>
+    <message>
+        <source>Cut part and film open along a plane; move it by its slider or its frame</source>
+        <translation>Teil und Film an einer Ebene aufschneiden; der Regler oder ihr Rahmen verschiebt sie</translation>
+    </message>
+    <message>
+        <source>S&amp;ee-through film</source>
+        <translation>&amp;Durchsichtiger Film</translation>
+    </message>
+    <message>
+        <source>Show the part through the film</source>
+        <translation>Das Teil durch den Film hindurch zeigen</translation>
+    </message>
+    <message>
+        <source>Click two places on the part to measure the distance between them</source>
+        <translation>Klicken Sie zwei Stellen auf dem Teil an, um ihren Abstand zu messen</translation>
+    </message>
+    <message>
+        <source>What the film shows in the 3D view</source>
+        <translation>Was der Film in der 3D-Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>Film &amp;image</source>
+        <translation>Film&amp;bild</translation>
+    </message>
+    <message>
+        <source>&amp;Shares of the dips</source>
+        <translation>&amp;Anteile der Tauchvorgänge</translation>
+    </message>
+    <message>
+        <source>&amp;Chessboard, 17 mm squares</source>
+        <translation>&amp;Schachbrett, Felder von 17 mm</translation>
+    </message>
+    <message>
+        <source>&amp;Picture from file…</source>
+        <translation>B&amp;ild aus Datei …</translation>
+    </message>
+    <message>
+        <source>Turn the part by 15°</source>
+        <translation>Das Teil um 15° drehen</translation>
+    </message>
+    <message>
+        <source>Move the part over the film</source>
+        <translation>Das Teil über dem Film verschieben</translation>
+    </message>
+    <message>
+        <source>Move &amp;right by 5 mm</source>
+        <translation>5 mm nach &amp;rechts schieben</translation>
+    </message>
+    <message>
+        <source>Move &amp;left by 5 mm</source>
+        <translation>5 mm nach &amp;links schieben</translation>
+    </message>
+    <message>
+        <source>Move &amp;up the sheet by 5 mm</source>
+        <translation>5 mm das Blatt hin&amp;auf schieben</translation>
+    </message>
+    <message>
+        <source>Move &amp;down the sheet by 5 mm</source>
+        <translation>5 mm das Blatt hin&amp;unter schieben</translation>
+    </message>
+    <message>
+        <source>Move to the &amp;middle of the film</source>
+        <translation>In die &amp;Mitte des Films schieben</translation>
+    </message>
+    <message>
+        <source>Quick &amp;tour</source>
+        <translation>&amp;Rundgang</translation>
+    </message>
+    <message>
+        <source>See the parts of the window in six steps</source>
+        <translation>Die Teile des Fensters in sechs Schritten</translation>
+    </message>
+    <message>
+        <source>User &amp;guide</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>Open the user guide at the page about the focused field</source>
+        <translation>Das Handbuch an der Stelle zum gewählten Feld öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;What is this?</source>
+        <translation>&amp;Was ist das?</translation>
+    </message>
+    <message>
+        <source>Click an element of the window to see what it does</source>
+        <translation>Klicken Sie ein Element des Fensters an, um zu sehen, was es tut</translation>
+    </message>
+    <message>
+        <source>Compute the sheets with finer steps and cells, and show how far and where the image moves</source>
+        <translation>Berechnet die Blätter mit feineren Schritten und Zellen und zeigt, wie weit und wo sich das Bild verschiebt</translation>
     </message>
 </context>
 <context>
@@ -9998,10 +9990,6 @@ mm je mm</translation>
     <message>
         <source>3D view of the dip</source>
         <translation>3D-Ansicht des Tauchvorgangs</translation>
-    </message>
-    <message>
-        <source>The body above the film. Drag to turn the view, drag with the right button to shift it, turn the wheel to zoom. Drag a ring to turn the body.</source>
-        <translation>Der Körper über dem Film. Ziehen dreht die Ansicht, Ziehen mit der rechten Taste verschiebt sie, das Rad zoomt. Ein Zug am Ring dreht den Körper.</translation>
     </message>
     <message>
         <source>Project</source>
@@ -10016,20 +10004,24 @@ mm je mm</translation>
         <translation>Protokoll</translation>
     </message>
     <message>
-        <source>Save Layout</source>
-        <translation>Anordnung speichern</translation>
-    </message>
-    <message>
         <source>Name of the layout</source>
         <translation>Name der Anordnung</translation>
     </message>
     <message>
-        <source>None saved yet</source>
-        <translation>Noch keine gespeichert</translation>
-    </message>
-    <message>
         <source>&amp;Remove</source>
         <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>The part above the film. Drag to turn the view, drag with the right button to move it, use the wheel to zoom. Drag a ring to turn the part.</source>
+        <translation>Das Teil über dem Film. Ziehen dreht die Ansicht, Ziehen mit der rechten Taste verschiebt sie, das Rad zoomt. Ein Zug am Ring dreht das Teil.</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>Anordnung speichern</translation>
+    </message>
+    <message>
+        <source>No saved layouts</source>
+        <translation>Keine gespeicherten Anordnungen</translation>
     </message>
 </context>
 <context>
@@ -10059,14 +10051,6 @@ mm je mm</translation>
         <translation>&amp;Hilfe</translation>
     </message>
     <message>
-        <source>Open &amp;Recent</source>
-        <translation>&amp;Zuletzt geöffnet</translation>
-    </message>
-    <message>
-        <source>Film &amp;Wears</source>
-        <translation>Film &amp;trägt</translation>
-    </message>
-    <message>
         <source>&amp;Layouts</source>
         <translation>Anord&amp;nungen</translation>
     </message>
@@ -10079,61 +10063,69 @@ mm je mm</translation>
         <translation>Ansicht</translation>
     </message>
     <message>
-        <source>What the film wears in the view</source>
-        <translation>Was der Film in der Ansicht trägt</translation>
-    </message>
-    <message>
-        <source>Turn &amp;Body</source>
-        <translation>&amp;Körper drehen</translation>
-    </message>
-    <message>
-        <source>Mo&amp;ve Body</source>
-        <translation>Körper &amp;verschieben</translation>
-    </message>
-    <message>
         <source>Film appearance</source>
         <translation>Aussehen des Films</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Tur&amp;n part</source>
+        <translation>Teil &amp;drehen</translation>
+    </message>
+    <message>
+        <source>Mo&amp;ve part</source>
+        <translation>Teil &amp;verschieben</translation>
+    </message>
+    <message>
+        <source>Film appearan&amp;ce</source>
+        <translation>&amp;Aussehen des Films</translation>
+    </message>
+    <message>
+        <source>What the film shows in the 3D view</source>
+        <translation>Was der Film in der 3D-Ansicht zeigt</translation>
     </message>
 </context>
 <context>
     <name>dipwright::WindowMessages</name>
     <message>
-        <source>Read Them</source>
-        <translation>Lesen</translation>
+        <source>Read these files only if they belong to the model. A model or project from someone else may name your private files; they would then be saved inside the project.</source>
+        <translation>Lesen Sie diese Dateien nur, wenn sie zum Modell gehören. Ein fremdes Modell oder Projekt kann Ihre privaten Dateien nennen; sie würden dann im Projekt gespeichert.</translation>
     </message>
     <message>
-        <source>Read them only if they belong to the model. A stranger&apos;s model or project may name private files, so that they travel on inside the project.</source>
-        <translation>Lesen Sie sie nur, wenn sie zum Modell gehören. Ein Modell oder Projekt von Fremden kann private Dateien nennen, damit sie im Projekt mit weiterreisen.</translation>
+        <source>Read files</source>
+        <translation>Dateien lesen</translation>
     </message>
 </context>
 <context>
     <name>dipwright::Workbench</name>
     <message>
-        <source>Restore Project</source>
-        <translation>Projekt wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Dipwright was not closed properly. “%1” has changes that were not saved, from %2.</source>
-        <translation>Dipwright wurde nicht ordentlich beendet. „%1“ hat Änderungen, die nicht gespeichert wurden, von %2.</translation>
-    </message>
-    <message>
-        <source>It was never saved as a file.</source>
-        <translation>Es wurde nie als Datei gespeichert.</translation>
-    </message>
-    <message>
-        <source>Its file %1 is as it was last saved.</source>
-        <translation>Seine Datei %1 ist, wie sie zuletzt gespeichert wurde.</translation>
-    </message>
-    <message>
         <source>Restore</source>
         <translation>Wiederherstellen</translation>
     </message>
     <message>
-        <source>Discard Changes</source>
+        <source>Restore project</source>
+        <translation>Projekt wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Dipwright was not closed properly. “%1” has unsaved changes from %2.</source>
+        <translation>Dipwright wurde nicht ordentlich beendet. „%1“ hat nicht gespeicherte Änderungen von %2.</translation>
+    </message>
+    <message>
+        <source>The project was never saved to a file.</source>
+        <translation>Das Projekt wurde nie in einer Datei gespeichert.</translation>
+    </message>
+    <message>
+        <source>The file %1 still holds the last saved version.</source>
+        <translation>Die Datei %1 enthält noch die zuletzt gespeicherte Fassung.</translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
         <translation>Änderungen verwerfen</translation>
     </message>
     <message>
-        <source>Decide Later</source>
+        <source>Decide later</source>
         <translation>Später entscheiden</translation>
     </message>
 </context>
@@ -10144,28 +10136,28 @@ mm je mm</translation>
         <translation>Markiert Zone %1</translation>
     </message>
     <message>
-        <source>What a click or a drag on the body in the view marks. Zone A is to be painted most exactly; what is not marked is zone C.</source>
-        <translation>Was ein Klick oder ein Zug auf dem Körper in der Ansicht markiert. Zone A ist am genauesten zu färben; was nicht markiert ist, ist Zone C.</translation>
+        <source>What a click or drag on the part in the view marks. Zone A must be painted most precisely. The surface without a mark is zone C.</source>
+        <translation>Was ein Klick oder ein Zug auf dem Teil in der Ansicht markiert. Zone A muss am genauesten bemalt werden. Die Fläche ohne Marke ist Zone C.</translation>
     </message>
     <message>
-        <source>How far</source>
-        <translation>Wie weit</translation>
+        <source>Extent</source>
+        <translation>Ausdehnung</translation>
     </message>
     <message>
-        <source>A spot</source>
-        <translation>Ein Fleck</translation>
+        <source>Spot</source>
+        <translation>Fleck</translation>
     </message>
     <message>
-        <source>The whole face</source>
-        <translation>Die ganze Fläche</translation>
+        <source>Whole face</source>
+        <translation>Ganze Fläche</translation>
     </message>
     <message>
-        <source>All of the material</source>
-        <translation>Alles von diesem Material</translation>
+        <source>Whole material</source>
+        <translation>Ganzes Material</translation>
     </message>
     <message>
-        <source>How far round the click the mark reaches: a radius along the surface, the face up to its edges, or all that has the same material in the model.</source>
-        <translation>Wie weit um den Klick die Marke reicht: ein Radius entlang der Oberfläche, die Fläche bis zu ihren Kanten oder alles, was im Modell dasselbe Material hat.</translation>
+        <source>How far the mark extends around the click: a radius along the surface, the face up to its edges, or everything with the same material in the model.</source>
+        <translation>Wie weit die Marke um den Klick reicht: ein Radius entlang der Oberfläche, die Fläche bis zu ihren Kanten oder alles mit demselben Material im Modell.</translation>
     </message>
 </context>
 <context>

@@ -4,10 +4,6 @@
 <context>
     <name>Archive</name>
     <message>
-        <source>There is no such file</source>
-        <translation>Esse arquivo não existe</translation>
-    </message>
-    <message>
         <source>The file is empty</source>
         <translation>O arquivo está vazio</translation>
     </message>
@@ -16,36 +12,40 @@
         <translation>O arquivo não pode ser lido: %1</translation>
     </message>
     <message>
-        <source>This is not a Dipwright project, or the file is cut off or damaged</source>
+        <source>The file cannot be packed</source>
+        <translation>O arquivo não pode ser compactado</translation>
+    </message>
+    <message>
+        <source>The file does not exist</source>
+        <translation>O arquivo não existe</translation>
+    </message>
+    <message>
+        <source>This is not a Dipwright project, or the file is truncated or damaged</source>
         <translation>Isto não é um projeto do Dipwright, ou o arquivo está truncado ou danificado</translation>
     </message>
     <message>
-        <source>The file is cut off or damaged</source>
+        <source>The file is truncated or damaged</source>
         <translation>O arquivo está truncado ou danificado</translation>
     </message>
     <message>
-        <source>The file holds an entry with an unsafe path and is not opened</source>
+        <source>The file contains an entry with an unsafe path and is not opened</source>
         <translation>O arquivo contém uma entrada com caminho inseguro e não foi aberto</translation>
     </message>
     <message>
-        <source>The file holds the entry %1 twice</source>
+        <source>The file contains the entry %1 twice</source>
         <translation>O arquivo contém a entrada %1 duas vezes</translation>
     </message>
     <message>
-        <source>The file is encrypted, save it without a password</source>
+        <source>The file is encrypted; save it without a password</source>
         <translation>O arquivo está criptografado; salve-o sem senha</translation>
     </message>
     <message>
-        <source>The project lacks %1</source>
-        <translation>Falta %1 no projeto</translation>
+        <source>The project does not contain %1</source>
+        <translation>O projeto não contém %1</translation>
     </message>
     <message>
-        <source>%1 in the project is cut off or damaged</source>
+        <source>%1 in the project is truncated or damaged</source>
         <translation>%1 no projeto está truncado ou danificado</translation>
-    </message>
-    <message>
-        <source>The file cannot be packed</source>
-        <translation>O arquivo não pode ser compactado</translation>
     </message>
 </context>
 <context>
@@ -55,28 +55,28 @@
         <translation>é uma pasta</translation>
     </message>
     <message>
-        <source>it may not be written</source>
-        <translation>não há permissão para gravá-lo</translation>
-    </message>
-    <message>
-        <source>another program is writing it at this moment, try again</source>
-        <translation>outro programa está gravando-o neste momento, tente de novo</translation>
-    </message>
-    <message>
-        <source>it does not reach the disk: %1</source>
-        <translation>não chega ao disco: %1</translation>
-    </message>
-    <message>
         <source>The file cannot be written: %1</source>
         <translation>O arquivo não pode ser gravado: %1</translation>
     </message>
     <message>
-        <source>its links lead to one another</source>
-        <translation>seus links levam uns aos outros</translation>
+        <source>its links form a loop</source>
+        <translation>seus links formam um ciclo</translation>
     </message>
     <message>
-        <source>it is no plain file</source>
+        <source>it is not a regular file</source>
         <translation>não é um arquivo comum</translation>
+    </message>
+    <message>
+        <source>it is write-protected</source>
+        <translation>está protegido contra gravação</translation>
+    </message>
+    <message>
+        <source>another program is writing it now; try again</source>
+        <translation>outro programa está gravando-o agora; tente de novo</translation>
+    </message>
+    <message>
+        <source>it cannot be flushed to the disk: %1</source>
+        <translation>não pode ser gravado no disco: %1</translation>
     </message>
 </context>
 <context>
@@ -90,20 +90,12 @@
         <translation>Não pintado</translation>
     </message>
     <message>
-        <source>Painted, by the shape</source>
-        <translation>Pintado, pela forma</translation>
+        <source>Painted (estimated from the shape)</source>
+        <translation>Pintado (estimado pela forma)</translation>
     </message>
 </context>
 <context>
     <name>Certainty</name>
-    <message>
-        <source>the film has too few points to be compared with one of half as many</source>
-        <translation>o filme tem pontos de menos para ser comparado com um de metade deles</translation>
-    </message>
-    <message>
-        <source>a coarser film does not follow the body at all</source>
-        <translation>um filme mais grosso não acompanha o corpo de modo algum</translation>
-    </message>
     <message>
         <source>Overhang (°)</source>
         <translation>Saliência (°)</translation>
@@ -113,27 +105,24 @@
         <translation>Aderência decrescente (°)</translation>
     </message>
     <message>
-        <source>Tearing (times the length or area)</source>
-        <translation>Rasgo (vezes o comprimento ou a área)</translation>
-    </message>
-    <message>
         <source>Gathering (mean stretch)</source>
         <translation>Franzimento (estiramento médio)</translation>
     </message>
     <message>
-        <source>%1, %2 to %3 in place of %4: the sheet moves by up to %5 (95 % of it), %6 % of what is painted by more than %7, and %8 % is not painted any more.</source>
-        <translation>%1, %2 a %3 em vez de %4: a folha se desloca em até %5 (95 % dela), %6 % do que é pintado em mais de %7, e %8 % deixam de ser pintados.</translation>
-    </message>
-</context>
-<context>
-    <name>VerdictPanel</name>
-    <message>
-        <source>Setting</source>
-        <translation>Definição</translation>
+        <source>Tearing (stretch in length or area)</source>
+        <translation>Rasgo (estiramento do comprimento ou da área)</translation>
     </message>
     <message>
-        <source>Places of %1:</source>
-        <translation>Lugares de %1:</translation>
+        <source>%1 varied from %2 to %3 (set: %4): 95 % of the painted area moves by at most %5. %6 % of it moves by more than %7, and %8 % is no longer painted.</source>
+        <translation>%1 variado de %2 a %3 (definido: %4): 95 % da área pintada se deslocam no máximo %5. %6 % dela se deslocam mais de %7, e %8 % deixam de ser pintados.</translation>
+    </message>
+    <message>
+        <source>the film has too few points to be compared with a film of half as many</source>
+        <translation>a película tem poucos pontos para ser comparada com uma de metade dos pontos</translation>
+    </message>
+    <message>
+        <source>the film with coarser cells does not follow the part</source>
+        <translation>a película com células maiores não acompanha a peça</translation>
     </message>
 </context>
 <context>
@@ -143,75 +132,51 @@
         <translation>ele lançou uma exceção desconhecida</translation>
     </message>
     <message>
-        <source>it gave points a state that there is none of</source>
-        <translation>ele deu a pontos um estado que não existe</translation>
+        <source>it gave points an invalid state</source>
+        <translation>ele deu a pontos um estado inválido</translation>
     </message>
     <message>
-        <source>it gave points a mark that there is none of</source>
-        <translation>ele deu a pontos uma marca que não existe</translation>
+        <source>it gave points an invalid mark</source>
+        <translation>ele deu a pontos uma marca inválida</translation>
     </message>
     <message>
-        <source>it gave no film</source>
-        <translation>ele não deu nenhum filme</translation>
+        <source>it reported impossible convergence values</source>
+        <translation>ele informou valores de convergência impossíveis</translation>
     </message>
     <message>
-        <source>it stopped by itself</source>
-        <translation>ele parou por conta própria</translation>
+        <source>it reported an impossible number of steps or descent</source>
+        <translation>ele informou um número de passos ou uma descida impossível</translation>
     </message>
     <message>
-        <source>it left films of a batch empty</source>
-        <translation>ele deixou vazios filmes de um lote</translation>
-    </message>
-    <message>
-        <source>it told steps or a descent that cannot be</source>
-        <translation>ele informou passos ou uma descida que não podem ser</translation>
-    </message>
-    <message>
-        <source>it does not come forward</source>
+        <source>it makes no progress</source>
         <translation>ele não avança</translation>
     </message>
     <message>
-        <source>it told figures of its equilibrium that cannot be</source>
-        <translation>ele informou valores do seu equilíbrio que não podem ser</translation>
+        <source>it stopped without being cancelled</source>
+        <translation>ele parou sem ter sido cancelado</translation>
+    </message>
+    <message>
+        <source>it returned no result for some films of a batch</source>
+        <translation>ele não devolveu resultado para algumas películas de um lote</translation>
+    </message>
+    <message>
+        <source>it created no film</source>
+        <translation>ele não criou nenhuma película</translation>
     </message>
 </context>
 <context>
     <name>ColourNote</name>
     <message>
-        <source>%1 is in CMYK and names no ICC profile: its colours are guessed by a formula and can be far off; save it with its profile, or as sRGB</source>
+        <source>%1 is in CMYK and has no ICC profile: its colours are estimated by a formula and can be far off; save it with its profile, or as sRGB</source>
         <translation>%1: imagem em CMYK sem perfil ICC; as cores são estimadas por uma fórmula e podem estar bem erradas; salve-a com o seu perfil ou como sRGB</translation>
     </message>
     <message>
-        <source>%1 has colours that are not kept as they are: %2 % of its pixels lie beyond BT.2020, in which pictures are kept, and are printed less saturated; save it in a smaller space, such as Adobe RGB, to choose how</source>
-        <translation>%1: há cores que não se mantêm como são; %2 % dos pixels estão fora do BT.2020, em que as imagens são guardadas, e são impressos menos saturados; salve-a em um espaço menor, como Adobe RGB, para decidir como</translation>
+        <source>%1 has colours outside BT.2020, the largest colour space used here: %2 % of its pixels are printed less saturated; to control this, save it in a smaller colour space, such as Adobe RGB</source>
+        <translation>%1: há cores fora do BT.2020, o maior espaço de cor usado aqui; %2 % dos pixels são impressos menos saturados; para controlar isso, salve a imagem em um espaço de cor menor, como Adobe RGB</translation>
     </message>
 </context>
 <context>
     <name>Cradle</name>
-    <message>
-        <source>%1: the body tips out of its cradle where it is not fixed; what stays dry does not lie on all sides of its middle. Fix it through the bore, or turn the pose</source>
-        <translation>%1: o corpo tomba do seu berço onde não está fixado; o que fica seco não está em todos os lados do seu meio. Fixe-o pelo furo ou gire a pose</translation>
-    </message>
-    <message>
-        <source>%1: nothing keeps the body from sliding sideways in its cradle, for what stays dry is flat; mark its place and fix it there</source>
-        <translation>%1: nada impede o corpo de escorregar de lado no seu berço, pois o que fica seco é plano; marque o seu lugar e fixe-o ali</translation>
-    </message>
-    <message>
-        <source>%1: the cradle lies on %2 mm² of paint of an earlier dip; line it there with %3 mm of soft felt or foam</source>
-        <translation>%1: o berço apoia-se em %2 mm² de tinta de um mergulho anterior; forre-o ali com %3 mm de feltro macio ou espuma</translation>
-    </message>
-    <message>
-        <source>%1: the cradle&apos;s plate has no room for arrow and job; write them on it</source>
-        <translation>%1: a placa do berço não tem espaço para a seta e o trabalho; escreva-os nela</translation>
-    </message>
-    <message>
-        <source>%1: there is no cradle, for all that could hold the body is painted by an earlier dip; allow it with cradle.on_paint, through padding, or turn the pose</source>
-        <translation>%1: não há berço, pois tudo que poderia segurar o corpo foi pintado por um mergulho anterior; permita-o com cradle.on_paint, através de um forro, ou gire a pose</translation>
-    </message>
-    <message>
-        <source>%1: there is no cradle, for the film reaches all that could hold the body; dip it less deep or turn the pose</source>
-        <translation>%1: não há berço, pois o filme alcança tudo que poderia segurar o corpo; mergulhe-o menos fundo ou gire a pose</translation>
-    </message>
     <message>
         <source>Forming the cradle</source>
         <translation>Formando o berço</translation>
@@ -221,8 +186,32 @@
         <translation>Verificando o berço</translation>
     </message>
     <message>
-        <source>Looking for what stays dry</source>
-        <translation>Procurando o que fica seco</translation>
+        <source>%1: the part tips out of its cradle unless it is fixed, because its dry surface does not surround its centre of mass. Fix it through the bore, or turn the part</source>
+        <translation>%1: a peça tomba do seu berço se não for fixada, porque sua superfície seca não envolve o centro de massa. Fixe-a pelo furo ou gire a peça</translation>
+    </message>
+    <message>
+        <source>%1: the part can slide sideways in its cradle, because its dry surface is too flat; mark its position and fix it there</source>
+        <translation>%1: a peça pode escorregar de lado no seu berço, porque sua superfície seca é plana demais; marque a sua posição e fixe-a ali</translation>
+    </message>
+    <message>
+        <source>%1: the cradle touches %2 mm² that an earlier dip has painted; line it there with %3 mm of soft felt or foam</source>
+        <translation>%1: o berço toca %2 mm² que uma imersão anterior pintou; forre-o ali com %3 mm de feltro macio ou espuma</translation>
+    </message>
+    <message>
+        <source>%1: the cradle&apos;s plate has no room for the engraving; write the arrow, the dip number and the job on it</source>
+        <translation>%1: a placa do berço não tem espaço para a gravação; escreva nela a seta, o número da imersão e o trabalho</translation>
+    </message>
+    <message>
+        <source>%1: no cradle is possible, because an earlier dip has painted every place that could hold the part; allow padded contact with paint (cradle.on_paint), or turn the part</source>
+        <translation>%1: nenhum berço é possível, porque uma imersão anterior pintou todos os lugares que poderiam segurar a peça; permita contato forrado com a tinta (cradle.on_paint) ou gire a peça</translation>
+    </message>
+    <message>
+        <source>%1: no cradle is possible, because the film reaches every place that could hold the part; dip it less deep, or turn the part</source>
+        <translation>%1: nenhum berço é possível, porque a película alcança todos os lugares que poderiam segurar a peça; mergulhe-a menos fundo ou gire a peça</translation>
+    </message>
+    <message>
+        <source>Finding the surface that stays dry</source>
+        <translation>Procurando a superfície que fica seca</translation>
     </message>
 </context>
 <context>
@@ -244,10 +233,6 @@
         <translation>O solucionador falhou com uma exceção desconhecida</translation>
     </message>
     <message>
-        <source>With these cells the film would have %1 million points, and it may have %2; give it larger cells</source>
-        <translation>Com estas células o filme teria %1 milhões de pontos, e pode ter %2; dê-lhe células maiores</translation>
-    </message>
-    <message>
         <source>%1 mm²</source>
         <translation>%1 mm²</translation>
     </message>
@@ -256,55 +241,59 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>%1, %2 % of what is painted, depend on marked film. %3.</source>
-        <translation>%1, %2 % do que é pintado, dependem de filme marcado. %3.</translation>
-    </message>
-    <message>
-        <source>The body does not meet the film; move it over the film, choose a larger film, or give the film smaller cells or more points</source>
-        <translation>O corpo não encontra o filme; mova-o sobre o filme, escolha um filme maior ou dê ao filme células menores ou mais pontos</translation>
-    </message>
-    <message>
-        <source>The body is not found: parts of it are only %1 mm thick, and the distance field has cells of %2 mm; make them thicker, or dip a smaller part of it</source>
-        <translation>O corpo não é encontrado: partes dele têm só %1 mm de espessura, e o campo de distância tem células de %2 mm; torne-as mais espessas ou mergulhe uma parte menor dele</translation>
-    </message>
-    <message>
         <source>choose a film of at least %1 × %2 mm</source>
-        <translation>escolha um filme de pelo menos %1 × %2 mm</translation>
+        <translation>escolha uma película de pelo menos %1 × %2 mm</translation>
     </message>
     <message>
         <source>no film is larger than %1 mm: check the model&apos;s size and unit</source>
-        <translation>nenhum filme é maior que %1 mm: verifique o tamanho e a unidade do modelo</translation>
-    </message>
-    <message>
-        <source>The body is larger than the film on all sides, %1 × %2 mm on the water, and no film is left to go round it; %3</source>
-        <translation>O corpo é maior que o filme em todos os lados, %1 × %2 mm sobre a água, e não sobra filme para envolvê-lo; %3</translation>
+        <translation>nenhuma película é maior que %1 mm: verifique o tamanho e a unidade do modelo</translation>
     </message>
     <message>
         <source>Torn film</source>
-        <translation>Filme rasgado</translation>
+        <translation>Película rasgada</translation>
     </message>
     <message>
         <source>Film that did not converge</source>
-        <translation>Filme que não convergiu</translation>
+        <translation>Película que não convergiu</translation>
     </message>
     <message>
         <source>Released film</source>
-        <translation>Filme solto</translation>
+        <translation>Película solta</translation>
+    </message>
+    <message>
+        <source>The part does not meet the film; move it over the film, choose a larger film, or give the film smaller cells or more points</source>
+        <translation>A peça não encontra a película; mova-a sobre a película, escolha uma película maior ou dê à película células menores ou mais pontos</translation>
+    </message>
+    <message>
+        <source>The solver did not find the part: it is only %1 mm thick in places, and the distance field has cells of %2 mm; make it thicker there, or dip only a section of it</source>
+        <translation>O solucionador não encontrou a peça: ela tem só %1 mm de espessura em alguns lugares, e o campo de distância tem células de %2 mm; torne-a mais espessa ali ou mergulhe só uma seção dela</translation>
+    </message>
+    <message>
+        <source>The part, %1 × %2 mm on the water, reaches past the film on all sides, so no film is left to wrap round it; %3</source>
+        <translation>A peça, %1 × %2 mm sobre a água, ultrapassa a película em todos os lados, e não sobra película para envolvê-la; %3</translation>
+    </message>
+    <message>
+        <source>%1 of the painted area (%2 %) depend on marked film. %3.</source>
+        <translation>%1 da área pintada (%2 %) dependem de película marcada. %3.</translation>
+    </message>
+    <message>
+        <source>With these cells the film would have %1 million points, but at most %2 million are allowed; choose larger cells</source>
+        <translation>Com estas células a película teria %1 milhões de pontos, mas no máximo %2 milhões são permitidos; escolha células maiores</translation>
     </message>
 </context>
 <context>
     <name>DipCache</name>
     <message>
-        <source>The dips cannot be kept: %1</source>
-        <translation>As imersões não podem ser guardadas: %1</translation>
+        <source>The file of cached dips is damaged and is ignored; the next run replaces it</source>
+        <translation>O arquivo de imersões em cache está danificado e é ignorado; a próxima execução o substitui</translation>
     </message>
     <message>
-        <source>Reading the kept dips</source>
-        <translation>Lendo as imersões guardadas</translation>
+        <source>The dips cannot be cached: %1</source>
+        <translation>As imersões não podem ser guardadas em cache: %1</translation>
     </message>
     <message>
-        <source>The kept dips are damaged and not used; a run makes them again</source>
-        <translation>As imersões guardadas estão danificadas e não são usadas; uma execução as refaz</translation>
+        <source>Reading the cached dips</source>
+        <translation>Lendo as imersões em cache</translation>
     </message>
 </context>
 <context>
@@ -330,15 +319,15 @@
     </message>
     <message>
         <source>Film tears</source>
-        <translation>O filme rasga</translation>
-    </message>
-    <message>
-        <source>Air is trapped under the body</source>
-        <translation>Ar fica preso sob o corpo</translation>
+        <translation>A película rasga</translation>
     </message>
     <message>
         <source>Film is released at an overhang</source>
-        <translation>O filme se solta numa saliência</translation>
+        <translation>A película se solta numa saliência</translation>
+    </message>
+    <message>
+        <source>Air is trapped under the part</source>
+        <translation>Ar fica preso sob a peça</translation>
     </message>
 </context>
 <context>
@@ -380,72 +369,28 @@
         <translation>A</translation>
     </message>
     <message>
-        <source>Whether this side of the film floats freely or is held by a barrier in the tank.</source>
-        <translation>Se este lado do filme flutua livre ou é preso por uma barreira no tanque.</translation>
-    </message>
-    <message>
         <source>Free</source>
         <translation>Livre</translation>
     </message>
     <message>
         <source>Held by a barrier</source>
-        <translation>Presa por uma barreira</translation>
+        <translation>Preso por uma barreira</translation>
     </message>
     <message>
         <source>Swell</source>
         <translation>Inchamento</translation>
     </message>
     <message>
-        <source>How much the wetted film has grown over the printed one, across and down. Measure it: it is the first number to calibrate, and the sheet is printed smaller by it.</source>
-        <translation>Quanto o filme molhado cresceu em relação ao impresso, na largura e na altura. Meça: é o primeiro número a calibrar, e a folha é impressa menor por ele.</translation>
-    </message>
-    <message>
         <source>Relaxation</source>
         <translation>Relaxação</translation>
-    </message>
-    <message>
-        <source>How fast stress in the floating film decays. An elastic film remembers its shape for ever; a viscous one, at 0 s, forgets at once.</source>
-        <translation>Com que rapidez a tensão no filme flutuante diminui. Um filme elástico lembra sua forma para sempre; um viscoso, com 0 s, esquece na hora.</translation>
     </message>
     <message>
         <source>Elastic</source>
         <translation>Elástico</translation>
     </message>
     <message>
-        <source>Growth</source>
-        <translation>Crescimento</translation>
-    </message>
-    <message>
-        <source>How fast the film goes on growing while it floats, in a second of the dip and at its begin. What is on the body grows no more.</source>
-        <translation>Com que rapidez o filme continua a crescer enquanto flutua, por segundo e no início da imersão. O que está sobre o corpo já não cresce.</translation>
-    </message>
-    <message>
-        <source>Grows by at most</source>
-        <translation>Cresce no máximo</translation>
-    </message>
-    <message>
         <source>Contact distance</source>
         <translation>Distância de contato</translation>
-    </message>
-    <message>
-        <source>How near a film point has to come to the surface to touch it.</source>
-        <translation>Quão perto um ponto do filme deve chegar da superfície para tocá-la.</translation>
-    </message>
-    <message>
-        <source>Grip fades over</source>
-        <translation>Aderência diminui ao longo de</translation>
-    </message>
-    <message>
-        <source>So far before the overhang the body begins to lose its grip on the film. A guess: no film was measured.</source>
-        <translation>A essa distância antes do ressalto o corpo começa a perder a aderência ao filme. Uma suposição: nenhum filme foi medido.</translation>
-    </message>
-    <message>
-        <source>Gathers below</source>
-        <translation>Franze abaixo de</translation>
-    </message>
-    <message>
-        <source>Film pushed together to a mean stretch below this gathers, and hardly resists any more. A guess: no film was measured.</source>
-        <translation>O filme comprimido abaixo deste estiramento médio franze e quase já não resiste. Uma suposição: nenhum filme foi medido.</translation>
     </message>
     <message>
         <source>Left</source>
@@ -464,14 +409,6 @@
         <translation>Embaixo</translation>
     </message>
     <message>
-        <source>Ink thins by</source>
-        <translation>A tinta afina por</translation>
-    </message>
-    <message>
-        <source>The exponent n: ink printed with density D shows D·J^−n where film is stretched to J times its area. 1 for dye, 0 for dots that hide what is behind them. A guess, taken for inks without tones.</source>
-        <translation>O expoente n: tinta impressa com densidade D mostra D·J^−n onde o filme está estirado a J vezes a sua área. 1 para corante, 0 para pontos que escondem o que está atrás. Uma estimativa, usada para tintas sem tons medidos.</translation>
-    </message>
-    <message>
         <source>C</source>
         <comment>cyan</comment>
         <translation>C</translation>
@@ -487,14 +424,6 @@
         <translation>Y</translation>
     </message>
     <message>
-        <source>Black and white</source>
-        <translation>Preto e branco</translation>
-    </message>
-    <message>
-        <source>The same of black and white ink, which printers in CMYK have: there each ink is made up for by itself, after separation.</source>
-        <translation>O mesmo da tinta preta e da branca, que impressoras em CMYK têm: ali cada tinta é compensada por si, depois da separação.</translation>
-    </message>
-    <message>
         <source>K</source>
         <comment>black</comment>
         <translation>K</translation>
@@ -505,36 +434,96 @@
         <translation>B</translation>
     </message>
     <message>
-        <source>Ink, measured</source>
-        <translation>Tinta, medida</translation>
-    </message>
-    <message>
-        <source>What a step wedge told, tone by tone: ink, density, exponent, bend, greatest stretch (dipwright-cli profile wedge).</source>
-        <translation>O que uma cunha de tons mostrou, tom a tom: tinta, densidade, expoente, curvatura, maior estiramento (dipwright-cli profile wedge).</translation>
-    </message>
-    <message>
         <source>As in the project</source>
         <translation>Como no projeto</translation>
     </message>
     <message>
-        <source>Tears at</source>
-        <translation>Rasga em</translation>
-    </message>
-    <message>
-        <source>How many times its length or its area film can be stretched before it tears. Torn film is marked and not painted.</source>
-        <translation>Quantas vezes o comprimento ou a área do filme pode ser esticado antes de rasgar. Filme rasgado é marcado e não pinta.</translation>
-    </message>
-    <message>
         <source>Overhang</source>
-        <translation>Ressalto</translation>
-    </message>
-    <message>
-        <source>Film holds on faces that turn upwards by no more than this.</source>
-        <translation>O filme adere a faces que se voltam para cima até este ângulo.</translation>
+        <translation>Saliência</translation>
     </message>
     <message>
         <source>Total growth of the floating film after a long time, relative to its length at the start of the dip. 0: the film does not grow.</source>
-        <translation>Crescimento total do filme flutuante depois de muito tempo, em relação ao comprimento no início da imersão. 0: o filme não cresce.</translation>
+        <translation>Crescimento total da película flutuante depois de muito tempo, em relação ao comprimento no início da imersão. 0: a película não cresce.</translation>
+    </message>
+    <message>
+        <source>Whether this side of the film floats freely or a barrier in the tank holds it.</source>
+        <translation>Se este lado da película flutua livre ou se uma barreira no tanque o prende.</translation>
+    </message>
+    <message>
+        <source>Size of the wetted film relative to the printed film, in width and height. The sheet is printed smaller by this factor, so measure it first.</source>
+        <translation>Tamanho da película molhada em relação à impressa, na largura e na altura. A folha é impressa menor por este fator; por isso meça-o primeiro.</translation>
+    </message>
+    <message>
+        <source>Time in which stress in the floating film decays. Elastic film keeps its stress for ever; viscous film (0 s) loses it at once.</source>
+        <translation>Tempo em que a tensão na película flutuante diminui. Uma película elástica mantém a tensão para sempre; uma viscosa (0 s) a perde na hora.</translation>
+    </message>
+    <message>
+        <source>Growth rate</source>
+        <translation>Taxa de crescimento</translation>
+    </message>
+    <message>
+        <source>How fast the floating film grows at the start of the dip, per second. Adhered film does not grow.</source>
+        <translation>Com que rapidez a película flutuante cresce no início da imersão, por segundo. A película aderida não cresce.</translation>
+    </message>
+    <message>
+        <source>Growth limit</source>
+        <translation>Limite do crescimento</translation>
+    </message>
+    <message>
+        <source>A film point touches the part when it comes this close to its surface.</source>
+        <translation>Um ponto da película toca a peça quando chega a esta distância da superfície dela.</translation>
+    </message>
+    <message>
+        <source>Range of angles before the overhang over which the part loses its grip on the film. This value is a guess; no film was measured.</source>
+        <translation>Faixa de ângulos antes da saliência em que a peça perde a aderência à película. Este valor é uma suposição; nenhuma película foi medida.</translation>
+    </message>
+    <message>
+        <source>Compressed film gathers where its mean stretch falls below this value; there it hardly resists. This value is a guess; no film was measured.</source>
+        <translation>A película comprimida franze onde seu estiramento médio cai abaixo deste valor; ali quase não resiste. Este valor é uma suposição; nenhuma película foi medida.</translation>
+    </message>
+    <message>
+        <source>Ink exponent</source>
+        <translation>Expoente da tinta</translation>
+    </message>
+    <message>
+        <source>How ink thins: where film is stretched to J times its area, ink of density D shows D·J^−n. n is 1 for dye and 0 for opaque dots. Used for inks without measured tones; the preset value is a guess.</source>
+        <translation>Como a tinta afina: onde a película está esticada a J vezes sua área, tinta de densidade D mostra D·J^−n. n é 1 para corante e 0 para pontos opacos. Usado para tintas sem tons medidos; o valor predefinido é uma suposição.</translation>
+    </message>
+    <message>
+        <source>Ink exponent, black and white</source>
+        <translation>Expoente da tinta, preto e branco</translation>
+    </message>
+    <message>
+        <source>The exponent n for black and white ink. CMYK printers use it, because there each ink is compensated by itself, after separation.</source>
+        <translation>O expoente n para tinta preta e branca. Impressoras CMYK o usam, porque ali cada tinta é compensada por si, depois da separação.</translation>
+    </message>
+    <message>
+        <source>Measured ink</source>
+        <translation>Tinta medida</translation>
+    </message>
+    <message>
+        <source>Measurements of a step wedge for each tone: ink, density, exponent, bend, greatest stretch (dipwright-cli profile wedge).</source>
+        <translation>Medidas de uma cunha de tons para cada tom: tinta, densidade, expoente, curvatura, maior estiramento (dipwright-cli profile wedge).</translation>
+    </message>
+    <message>
+        <source>Film tears where its length or its area is stretched by more than this factor. Torn film is marked and does not paint.</source>
+        <translation>A película rasga onde seu comprimento ou sua área é esticado mais do que este fator. Película rasgada é marcada e não pinta.</translation>
+    </message>
+    <message>
+        <source>Film adheres to faces that turn upwards by at most this angle; the part releases it on steeper faces.</source>
+        <translation>A película adere a faces voltadas para cima até este ângulo; em faces mais inclinadas ela se solta.</translation>
+    </message>
+    <message>
+        <source>Grip fade range</source>
+        <translation>Faixa em que a aderência diminui</translation>
+    </message>
+    <message>
+        <source>Gathering stretch</source>
+        <translation>Estiramento de franzimento</translation>
+    </message>
+    <message>
+        <source>Tear stretch</source>
+        <translation>Estiramento de ruptura</translation>
     </message>
 </context>
 <context>
@@ -568,70 +557,62 @@
         <translation>%1: não medido</translation>
     </message>
     <message>
-        <source>None: a film that was not measured</source>
-        <translation>Nenhum: um filme que não foi medido</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>None (film not measured)</source>
+        <translation>Nenhum (película não medida)</translation>
     </message>
 </context>
 <context>
     <name>FolderTransaction</name>
     <message>
-        <source>The results cannot be written, %1 is not a folder</source>
-        <translation>Os resultados não podem ser gravados; %1 não é uma pasta</translation>
-    </message>
-    <message>
         <source>The results cannot be written: %1</source>
         <translation>Os resultados não podem ser gravados: %1</translation>
-    </message>
-    <message>
-        <source>The results cannot be moved into the folder, is a file there in use?</source>
-        <translation>Os resultados não podem ser movidos para a pasta; algum arquivo ali está em uso?</translation>
     </message>
     <message>
         <source>%1 is in the way of the results; move it, or choose another folder</source>
         <translation>%1 está no caminho dos resultados; mova-o ou escolha outra pasta</translation>
     </message>
     <message>
-        <source>Another program is writing results there (%1); wait for it, or choose another folder</source>
-        <translation>Outro programa está gravando resultados ali (%1); espere por ele ou escolha outra pasta</translation>
-    </message>
-    <message>
-        <source>The folder cannot be written, choose another</source>
-        <translation>Não é possível gravar na pasta; escolha outra</translation>
-    </message>
-    <message>
-        <source>The results are only in part moved into the folder; close what has files there open, and start the program again, which moves the rest</source>
-        <translation>Os resultados foram movidos para a pasta só em parte; feche o que tem arquivos abertos ali e inicie o programa de novo, que move o resto</translation>
-    </message>
-    <message>
         <source>The results cannot be read again: %1</source>
         <translation>Os resultados não podem ser lidos de novo: %1</translation>
     </message>
     <message>
-        <source>Earlier results there were not completed and cannot be now; close what has files there open, or move %1 out of it</source>
-        <translation>Resultados anteriores ali não foram concluídos e não podem ser agora; feche o que tem arquivos abertos ali, ou mova %1 para fora</translation>
+        <source>The results cannot be written, because %1 is not a folder</source>
+        <translation>Os resultados não podem ser gravados, porque %1 não é uma pasta</translation>
     </message>
     <message>
-        <source>Somebody has moved or removed files of %1 while the results were written, and they are not complete; leave it alone and try again</source>
-        <translation>Alguém moveu ou removeu arquivos de %1 enquanto os resultados eram gravados, e eles não estão completos; não mexa nessa pasta e tente de novo</translation>
+        <source>Another program is writing results to this folder (%1); wait for it, or choose another folder</source>
+        <translation>Outro programa está gravando resultados nesta pasta (%1); espere por ele ou escolha outra pasta</translation>
+    </message>
+    <message>
+        <source>Earlier results in this folder are incomplete and cannot be completed now; close the programs that have files there open, or move %1 out of the folder</source>
+        <translation>Resultados anteriores nesta pasta estão incompletos e não podem ser concluídos agora; feche os programas que têm arquivos abertos ali, ou mova %1 para fora da pasta</translation>
+    </message>
+    <message>
+        <source>The folder cannot be written; choose another folder</source>
+        <translation>Não é possível gravar na pasta; escolha outra pasta</translation>
+    </message>
+    <message>
+        <source>The results are incomplete, because files in %1 were moved or removed during writing; leave that folder alone and try again</source>
+        <translation>Os resultados estão incompletos, porque arquivos em %1 foram movidos ou removidos durante a gravação; não mexa nessa pasta e tente de novo</translation>
+    </message>
+    <message>
+        <source>The results cannot be moved into the folder, perhaps because a file there is in use; close it and try again</source>
+        <translation>Os resultados não podem ser movidos para a pasta, talvez porque um arquivo ali esteja em uso; feche-o e tente de novo</translation>
+    </message>
+    <message>
+        <source>Only some of the results were moved into the folder; close the programs that have files there open, then start this program again to move the rest</source>
+        <translation>Só uma parte dos resultados foi movida para a pasta; feche os programas que têm arquivos abertos ali e inicie este programa de novo para mover o resto</translation>
     </message>
 </context>
 <context>
     <name>GuidePlaces</name>
     <message>
-        <source>Dip ▸ Check Certainty</source>
-        <translation>Imersão ▸ Verificar confiabilidade</translation>
-    </message>
-    <message>
         <source>Dip ▸ Tolerances</source>
         <translation>Imersão ▸ Tolerâncias</translation>
-    </message>
-    <message>
-        <source>File ▸ New Project</source>
-        <translation>Arquivo ▸ Novo projeto</translation>
     </message>
     <message>
         <source>Left</source>
@@ -646,24 +627,12 @@
         <translation>linha do tempo</translation>
     </message>
     <message>
-        <source>Reload Model</source>
-        <translation>Recarregar modelo</translation>
-    </message>
-    <message>
-        <source>Join</source>
-        <translation>Junção</translation>
-    </message>
-    <message>
         <source>File ▸ Print</source>
         <translation>Arquivo ▸ Imprimir</translation>
     </message>
     <message>
         <source>ICC profile</source>
         <translation>perfil ICC</translation>
-    </message>
-    <message>
-        <source>Dip ▸ Find Poses</source>
-        <translation>Imersão ▸ Procurar poses</translation>
     </message>
     <message>
         <source>Stretch</source>
@@ -686,14 +655,6 @@
         <translation>Relatório</translation>
     </message>
     <message>
-        <source>File ▸ Print History</source>
-        <translation>Arquivo ▸ Histórico de impressão</translation>
-    </message>
-    <message>
-        <source>File ▸ Calibrate Printer</source>
-        <translation>Arquivo ▸ Calibrar impressora</translation>
-    </message>
-    <message>
         <source>Edit ▸ Profiles</source>
         <translation>Editar ▸ Perfis</translation>
     </message>
@@ -706,145 +667,173 @@
         <translation>Ajuste</translation>
     </message>
     <message>
-        <source>As Built</source>
-        <translation>Como saiu</translation>
-    </message>
-    <message>
         <source>Measuring a film</source>
-        <translation>Medir um filme</translation>
+        <translation>Medir uma película</translation>
     </message>
     <message>
         <source>File ▸ Snapshots</source>
         <translation>Arquivo ▸ Instantâneos</translation>
     </message>
     <message>
-        <source>File ▸ Job Queue</source>
-        <translation>Arquivo ▸ Fila de trabalhos</translation>
-    </message>
-    <message>
         <source>log</source>
         <translation>registro</translation>
+    </message>
+    <message>
+        <source>Dip ▸ Check numerical error</source>
+        <translation>Imersão ▸ Verificar erro numérico</translation>
+    </message>
+    <message>
+        <source>File ▸ New project</source>
+        <translation>Arquivo ▸ Novo projeto</translation>
+    </message>
+    <message>
+        <source>Reload model</source>
+        <translation>Recarregar modelo</translation>
+    </message>
+    <message>
+        <source>Seam</source>
+        <translation>Emenda</translation>
+    </message>
+    <message>
+        <source>Dip ▸ Find poses</source>
+        <translation>Imersão ▸ Procurar poses</translation>
+    </message>
+    <message>
+        <source>File ▸ Print history</source>
+        <translation>Arquivo ▸ Histórico de impressão</translation>
+    </message>
+    <message>
+        <source>File ▸ Calibrate printer</source>
+        <translation>Arquivo ▸ Calibrar impressora</translation>
+    </message>
+    <message>
+        <source>As built</source>
+        <translation>Como saiu</translation>
+    </message>
+    <message>
+        <source>File ▸ Job queue</source>
+        <translation>Arquivo ▸ Fila de trabalhos</translation>
     </message>
 </context>
 <context>
     <name>ImmersionEdits</name>
     <message>
-        <source>Add Immersion</source>
+        <source>Add dip</source>
         <translation>Adicionar imersão</translation>
     </message>
     <message>
-        <source>Immersion %1</source>
+        <source>Dip %1</source>
         <translation>Imersão %1</translation>
     </message>
     <message>
-        <source>Remove Immersion</source>
+        <source>Remove dip</source>
         <translation>Remover imersão</translation>
     </message>
     <message>
-        <source>Swap Immersions</source>
-        <translation>Trocar imersões</translation>
+        <source>Use pose</source>
+        <translation>Usar pose</translation>
     </message>
     <message>
-        <source>Take Pose</source>
-        <translation>Assumir pose</translation>
+        <source>Swap dips</source>
+        <translation>Trocar imersões</translation>
     </message>
 </context>
 <context>
     <name>InspectionEdits</name>
     <message>
-        <source>Add Photos</source>
+        <source>Measured %1</source>
+        <translation>Medido em %1</translation>
+    </message>
+    <message>
+        <source>Add photos</source>
         <translation>Adicionar fotos</translation>
     </message>
     <message>
-        <source>Remove Photo</source>
+        <source>Remove photo</source>
         <translation>Remover foto</translation>
     </message>
     <message>
-        <source>Add Pair of Places</source>
+        <source>Add pair of places</source>
         <translation>Adicionar par de pontos</translation>
     </message>
     <message>
-        <source>Move Place in Photo</source>
+        <source>Move place in photo</source>
         <translation>Mover ponto na foto</translation>
     </message>
     <message>
-        <source>Remove Pair of Places</source>
+        <source>Remove pair of places</source>
         <translation>Remover par de pontos</translation>
     </message>
     <message>
-        <source>Change Film on the Water</source>
-        <translation>Alterar filme na água</translation>
+        <source>Change film on the water</source>
+        <translation>Alterar película na água</translation>
     </message>
     <message>
-        <source>Keep Part</source>
+        <source>Keep part</source>
         <translation>Guardar peça</translation>
     </message>
     <message>
-        <source>Correct the Next Sheets</source>
+        <source>Correct the next sheets</source>
         <translation>Corrigir as próximas folhas</translation>
     </message>
     <message>
-        <source>Change Strength of Correction</source>
+        <source>Change strength of correction</source>
         <translation>Alterar intensidade da correção</translation>
     </message>
     <message>
-        <source>Use What Was Fitted</source>
+        <source>Use the fit</source>
         <translation>Usar o ajuste</translation>
-    </message>
-    <message>
-        <source>Measured %1</source>
-        <translation>Medido em %1</translation>
     </message>
 </context>
 <context>
     <name>InspectionProfile</name>
     <message>
-        <source>Save to Profile</source>
+        <source>Save to profile</source>
         <translation>Salvar no perfil</translation>
     </message>
     <message>
-        <source>Name of the film profile, an old or a new one</source>
-        <translation>Nome do perfil de filme, existente ou novo</translation>
+        <source>Name of a new or existing film profile</source>
+        <translation>Nome de um perfil de película novo ou existente</translation>
     </message>
     <message>
-        <source>The film profile %1 has what was measured</source>
-        <translation>O perfil de filme %1 recebeu a medição</translation>
+        <source>Saved the measurement in the film profile %1</source>
+        <translation>Medição salva no perfil de película %1</translation>
     </message>
 </context>
 <context>
     <name>MainWindow</name>
     <message>
-        <source>Pose Search</source>
-        <translation>Busca de poses</translation>
-    </message>
-    <message>
         <source>Artwork</source>
         <translation>Arte</translation>
+    </message>
+    <message>
+        <source>Pose search</source>
+        <translation>Busca de poses</translation>
     </message>
 </context>
 <context>
     <name>MarkEdits</name>
     <message>
-        <source>Mark for the Join</source>
-        <translation>Marca para a junção</translation>
+        <source>Mark for the seam</source>
+        <translation>Marca para a emenda</translation>
     </message>
     <message>
-        <source>Mark a Zone</source>
-        <translation>Marcar uma zona</translation>
+        <source>Mark zone</source>
+        <translation>Marcar zona</translation>
     </message>
     <message>
-        <source>Remove Mark</source>
+        <source>Remove mark</source>
         <translation>Remover marca</translation>
     </message>
     <message>
-        <source>Remove Marks</source>
+        <source>Remove marks</source>
         <translation>Remover marcas</translation>
     </message>
 </context>
 <context>
     <name>ModelEdits</name>
     <message>
-        <source>Change Size</source>
+        <source>Change size</source>
         <translation>Mudar tamanho</translation>
     </message>
 </context>
@@ -855,73 +844,73 @@
         <translation>Lendo o modelo</translation>
     </message>
     <message>
-        <source>Immersion %1</source>
-        <translation>Imersão %1</translation>
-    </message>
-    <message>
-        <source>Reload Model</source>
-        <translation>Recarregar modelo</translation>
-    </message>
-    <message>
-        <source>Replace Model</source>
-        <translation>Trocar modelo</translation>
-    </message>
-    <message>
-        <source>Replace Texture</source>
-        <translation>Trocar textura</translation>
-    </message>
-    <message>
         <source>Reading the texture</source>
         <translation>Lendo a textura</translation>
     </message>
     <message>
-        <source>The model names files outside its own folder:</source>
-        <translation>O modelo cita arquivos fora da sua pasta:</translation>
+        <source>Dip %1</source>
+        <translation>Imersão %1</translation>
     </message>
     <message>
-        <source>The project, as it was opened, names these files:</source>
-        <translation>O projeto, tal como foi aberto, cita estes arquivos:</translation>
+        <source>The model refers to files outside its folder:</source>
+        <translation>O modelo se refere a arquivos fora da sua pasta:</translation>
+    </message>
+    <message>
+        <source>Reload model</source>
+        <translation>Recarregar modelo</translation>
+    </message>
+    <message>
+        <source>The project file refers to these files:</source>
+        <translation>O arquivo do projeto se refere a estes arquivos:</translation>
+    </message>
+    <message>
+        <source>Replace model</source>
+        <translation>Trocar modelo</translation>
+    </message>
+    <message>
+        <source>Replace texture</source>
+        <translation>Trocar textura</translation>
     </message>
 </context>
 <context>
     <name>Motion</name>
     <message>
-        <source>The template of the motion names {%1}, which there is not; use one of %2</source>
-        <translation>O modelo do movimento cita {%1}, que não existe; use um de %2</translation>
+        <source>The motion template contains the unknown name {%1}; use one of %2</source>
+        <translation>O modelo do movimento contém o nome desconhecido {%1}; use um de %2</translation>
     </message>
 </context>
 <context>
     <name>OutOfProcessSolver</name>
     <message>
-        <source>it cannot be given a process of its own: %1</source>
-        <translation>não foi possível dar-lhe um processo próprio: %1</translation>
-    </message>
-    <message>
-        <source>it was at one step for more than %1 s and was stopped</source>
-        <translation>ele ficou mais de %1 s em um passo e foi encerrado</translation>
-    </message>
-    <message>
-        <source>its process was killed, perhaps for want of memory</source>
-        <translation>o processo dele foi morto, talvez por falta de memória</translation>
-    </message>
-    <message>
         <source>it crashed (%1)</source>
-        <translation>ele travou (%1)</translation>
+        <translation>ele parou por uma falha (%1)</translation>
     </message>
     <message>
         <source>it ended its process (%1)</source>
         <translation>ele encerrou o próprio processo (%1)</translation>
     </message>
     <message>
-        <source>it answered with more than there can be and was stopped</source>
-        <translation>respondeu com mais do que pode haver e foi parado</translation>
+        <source>its process cannot be started: %1</source>
+        <translation>o processo dele não pode ser iniciado: %1</translation>
+    </message>
+    <message>
+        <source>it did not respond for %1 s and was stopped</source>
+        <translation>ele não respondeu por %1 s e foi encerrado</translation>
+    </message>
+    <message>
+        <source>its answer was impossibly long, so it was stopped</source>
+        <translation>a resposta dele era longa demais, por isso ele foi encerrado</translation>
+    </message>
+    <message>
+        <source>its process was killed, perhaps for lack of memory</source>
+        <translation>o processo dele foi morto, talvez por falta de memória</translation>
     </message>
 </context>
 <context>
     <name>PhysicsValidation</name>
     <message>
         <source>%1 film, %2 cells in the contact radius</source>
-        <translation>filme %1, %2 células no raio de contato</translation>
+        <translation>película %1, %2 células no raio de contato</translation>
     </message>
     <message>
         <source>arc length from the pole (mm)</source>
@@ -929,7 +918,7 @@
     </message>
     <message>
         <source>film radius (mm)</source>
-        <translation>raio do filme (mm)</translation>
+        <translation>raio da película (mm)</translation>
     </message>
     <message>
         <source>body</source>
@@ -937,7 +926,7 @@
     </message>
     <message>
         <source>film</source>
-        <translation>filme</translation>
+        <translation>película</translation>
     </message>
     <message>
         <source>cells</source>
@@ -984,10 +973,6 @@
         <translation>validação da física</translation>
     </message>
     <message>
-        <source>The film never touched the body; the solver cannot be used</source>
-        <translation>O filme nunca tocou o corpo; o solucionador não pode ser usado</translation>
-    </message>
-    <message>
         <source>Sphere to 80°</source>
         <translation>Esfera até 80°</translation>
     </message>
@@ -1005,11 +990,11 @@
     </message>
     <message>
         <source>viscous</source>
-        <translation>viscoso</translation>
+        <translation>viscosa</translation>
     </message>
     <message>
         <source>elastic</source>
-        <translation>elástico</translation>
+        <translation>elástica</translation>
     </message>
     <message>
         <source>Flat face, 60 × 40 mm</source>
@@ -1045,7 +1030,11 @@
     </message>
     <message>
         <source>Film before it is touched</source>
-        <translation>Filme antes do contato</translation>
+        <translation>Película antes do contato</translation>
+    </message>
+    <message>
+        <source>The film never touched the body; do not use this solver</source>
+        <translation>A película nunca tocou o corpo; não use este solucionador</translation>
     </message>
 </context>
 <context>
@@ -1055,36 +1044,8 @@
         <translation>%1 %2 × %3 mm</translation>
     </message>
     <message>
-        <source>1:1, swell %1 × %2 taken out</source>
-        <translation>1:1, inchamento %1 × %2 descontado</translation>
-    </message>
-    <message>
-        <source>The project has no model, import one first</source>
-        <translation>O projeto não tem modelo; importe um primeiro</translation>
-    </message>
-    <message>
         <source>%1 failed and %2 took over: %3</source>
         <translation>%1 falhou e %2 assumiu: %3</translation>
-    </message>
-    <message>
-        <source>Finding the film on the body</source>
-        <translation>Localizando o filme no corpo</translation>
-    </message>
-    <message>
-        <source>The body does not meet the film; move it over the film or choose a larger film</source>
-        <translation>O corpo não encontra o filme; mova-o sobre o filme ou escolha um filme maior</translation>
-    </message>
-    <message>
-        <source>The CPU takes over from %1: %2</source>
-        <translation>A CPU assume o lugar de %1: %2</translation>
-    </message>
-    <message>
-        <source>The model is not closed, what is inside is guessed</source>
-        <translation>O modelo não é fechado; o interior é estimado</translation>
-    </message>
-    <message>
-        <source>The model has no texture, its plain colours are printed</source>
-        <translation>O modelo não tem textura; suas cores simples serão impressas</translation>
     </message>
     <message>
         <source>Writing the sheet of %1</source>
@@ -1092,19 +1053,11 @@
     </message>
     <message>
         <source>Writing the film of %1</source>
-        <translation>Gravando o filme de %1</translation>
+        <translation>Gravando a película de %1</translation>
     </message>
     <message>
         <source>Writing the stretch of %1</source>
         <translation>Gravando o estiramento de %1</translation>
-    </message>
-    <message>
-        <source>Moving the results in place</source>
-        <translation>Movendo os resultados para o lugar</translation>
-    </message>
-    <message>
-        <source>The film is too fine to be compared with one of %1 × %2 points, set half as many for the comparison</source>
-        <translation>O filme é fino demais para ser comparado com um de %1 × %2 pontos; defina metade deles para a comparação</translation>
     </message>
     <message>
         <source>Comparing the sheets</source>
@@ -1135,30 +1088,6 @@
         <translation>Gravando a ficha de acompanhamento</translation>
     </message>
     <message>
-        <source>Writing the motion</source>
-        <translation>Gravando o movimento</translation>
-    </message>
-    <message>
-        <source>With a law varied the film does not follow the body; give the film smaller cells or more points</source>
-        <translation>Com uma lei variada o filme não acompanha o corpo; dê ao filme células menores ou mais pontos</translation>
-    </message>
-    <message>
-        <source>The body is smaller than the film&apos;s cells; give the film smaller cells or more points, or check the model&apos;s unit</source>
-        <translation>O corpo é menor que as células do filme; dê ao filme células menores ou mais pontos, ou verifique a unidade do modelo</translation>
-    </message>
-    <message>
-        <source>%1: the film&apos;s cells are coarse for this body, give the film smaller cells or more points</source>
-        <translation>%1: as células do filme são grossas para este corpo; dê ao filme células menores ou mais pontos</translation>
-    </message>
-    <message>
-        <source>%1 is better dipped after %2: along the join its film is drawn out %3 times and that of %2 %4 times, and the last film lies off so many times as far on the body as on the water</source>
-        <translation>%1 fica melhor depois de %2: ao longo da junção seu filme é esticado %3 vezes e o de %2, %4 vezes, e o último filme desvia no corpo tantas vezes mais que na água</translation>
-    </message>
-    <message>
-        <source>Writing who paints what</source>
-        <translation>Gravando quem pinta o quê</translation>
-    </message>
-    <message>
         <source>Writing the tolerances of %1</source>
         <translation>Gravando as tolerâncias de %1</translation>
     </message>
@@ -1167,56 +1096,116 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>The body reaches past the edge of the tank “%1”; move or turn it</source>
-        <translation>O corpo ultrapassa a borda do tanque “%1”; mova-o ou gire-o</translation>
-    </message>
-    <message>
-        <source>The body reaches past the film&apos;s edge; move or turn it, or %1</source>
-        <translation>O corpo ultrapassa a borda do filme; mova-o ou gire-o, ou %1</translation>
-    </message>
-    <message>
-        <source>Film %1: %2 × %3 mm, pieces: %4, %5 % of it used</source>
-        <translation>Filme %1: %2 × %3 mm, peças: %4, %5 % usado</translation>
-    </message>
-    <message>
         <source>Writing film %1</source>
-        <translation>Gravando o filme %1</translation>
+        <translation>Gravando a película %1</translation>
     </message>
     <message>
         <source>Dipping deeper</source>
         <translation>Mergulhando mais fundo</translation>
     </message>
     <message>
-        <source>Two plates of the sheet are called %1; give each a name of its own</source>
-        <translation>Duas chapas da folha se chamam %1; dê a cada uma um nome próprio</translation>
-    </message>
-    <message>
-        <source>The artwork has %1 spot inks, and there is room for %2</source>
-        <translation>A arte tem %1 tintas especiais, e há lugar para %2</translation>
-    </message>
-    <message>
-        <source>Of the model&apos;s file: %1</source>
-        <translation>Do arquivo do modelo: %1</translation>
-    </message>
-    <message>
-        <source>Parts of the model are only %1 mm thick, and the distance field, with cells of %2 mm, is at its limit: film may miss them; make them thicker, or dip a smaller part of the model</source>
-        <translation>Partes do modelo têm só %1 mm de espessura, e o campo de distância, com células de %2 mm, está no seu limite: o filme pode não as encontrar; torne-as mais espessas ou mergulhe uma parte menor do modelo</translation>
-    </message>
-    <message>
-        <source>The model is inside out, at least in parts, and film does not lie on what faces inwards; import it anew, which turns it</source>
-        <translation>O modelo está virado do avesso, pelo menos em partes, e o filme não se deposita no que está voltado para dentro; importe-o de novo, o que o desvira</translation>
-    </message>
-    <message>
-        <source>The sheets take about %1 GB of memory while they are made</source>
-        <translation>As folhas ocupam cerca de %1 GB de memória enquanto são feitas</translation>
-    </message>
-    <message>
-        <source>The sheets would take about %1 GB of memory, and this computer has %2 GB: choose a lower resolution or a smaller film</source>
-        <translation>As folhas ocupariam cerca de %1 GB de memória, e este computador tem %2 GB: escolha uma resolução menor ou um filme menor</translation>
-    </message>
-    <message>
         <source>The picture on the film</source>
-        <translation>A imagem no filme</translation>
+        <translation>A imagem na película</translation>
+    </message>
+    <message>
+        <source>Film %1: %2 × %3 mm, pieces: %4, %5 % used</source>
+        <translation>Película %1: %2 × %3 mm, pedaços: %4, %5 % usados</translation>
+    </message>
+    <message>
+        <source>Moving the results into place</source>
+        <translation>Movendo os resultados para o lugar</translation>
+    </message>
+    <message>
+        <source>1:1, reduced for swell %1 × %2</source>
+        <translation>1:1, reduzido pelo inchamento %1 × %2</translation>
+    </message>
+    <message>
+        <source>Two plates of the sheet have the name %1; give each plate its own name</source>
+        <translation>Duas chapas da folha têm o nome %1; dê a cada chapa um nome próprio</translation>
+    </message>
+    <message>
+        <source>The artwork has %1 spot colours; the limit is %2</source>
+        <translation>A arte tem %1 cores especiais; o limite é %2</translation>
+    </message>
+    <message>
+        <source>With this setting varied, the film does not follow the part; give the film smaller cells or more points</source>
+        <translation>Com esta configuração variada, a película não acompanha a peça; dê à película células menores ou mais pontos</translation>
+    </message>
+    <message>
+        <source>Parts of the model are only %1 mm thick. The film may miss them, because the smallest possible cells of the distance field are %2 mm. Make these parts thicker, or dip a smaller piece of the model.</source>
+        <translation>Partes do modelo têm só %1 mm de espessura. A película pode não as encontrar, porque as menores células possíveis do campo de distância têm %2 mm. Torne essas partes mais espessas ou mergulhe um pedaço menor do modelo.</translation>
+    </message>
+    <message>
+        <source>The model is inside out, at least in parts. Film does not adhere to faces that point inwards. Import the model again; the import turns these faces.</source>
+        <translation>O modelo está virado do avesso, pelo menos em partes. A película não adere a faces voltadas para dentro. Importe o modelo de novo; a importação vira essas faces.</translation>
+    </message>
+    <message>
+        <source>Locating the film on the part</source>
+        <translation>Localizando a película na peça</translation>
+    </message>
+    <message>
+        <source>%1 should be dipped after %2. Along the seam, the film&apos;s stretch is %3 for %1 and %4 for %2. A placement error of the second film grows with its stretch.</source>
+        <translation>%1 deveria ser mergulhado depois de %2. Ao longo da emenda, o estiramento da película é %3 em %1 e %4 em %2. Um erro de posição da segunda película cresce com o estiramento dela.</translation>
+    </message>
+    <message>
+        <source>The project has no model; import one first</source>
+        <translation>O projeto não tem modelo; importe um primeiro</translation>
+    </message>
+    <message>
+        <source>The run needs about %1 GB of memory for the sheets</source>
+        <translation>A execução precisa de cerca de %1 GB de memória para as folhas</translation>
+    </message>
+    <message>
+        <source>The sheets need about %1 GB of memory, but this computer has %2 GB; choose a lower resolution or a smaller film</source>
+        <translation>As folhas precisam de cerca de %1 GB de memória, mas este computador tem %2 GB; escolha uma resolução menor ou uma película menor</translation>
+    </message>
+    <message>
+        <source>The comparison would need a film of %1 × %2 points, which is too many; set half as many points for it</source>
+        <translation>A comparação precisaria de uma película de %1 × %2 pontos, o que é demais; ponha metade dos pontos para ela</translation>
+    </message>
+    <message>
+        <source>The CPU takes over from %1, which is not available: %2</source>
+        <translation>A CPU assume o lugar de %1, que não está disponível: %2</translation>
+    </message>
+    <message>
+        <source>The part does not meet the film; move it over the film or choose a larger film</source>
+        <translation>A peça não encontra a película; mova-a sobre a película ou escolha uma película maior</translation>
+    </message>
+    <message>
+        <source>The part is smaller than the film&apos;s cells; give the film smaller cells or more points, or check the model&apos;s unit</source>
+        <translation>A peça é menor que as células da película; dê à película células menores ou mais pontos, ou verifique a unidade do modelo</translation>
+    </message>
+    <message>
+        <source>%1: the film&apos;s cells are too coarse for this part; give the film smaller cells or more points</source>
+        <translation>%1: as células da película são grandes demais para esta peça; dê à película células menores ou mais pontos</translation>
+    </message>
+    <message>
+        <source>Import of the model: %1</source>
+        <translation>Importação do modelo: %1</translation>
+    </message>
+    <message>
+        <source>The model is not closed; Dipwright guesses what is inside</source>
+        <translation>O modelo não é fechado; o Dipwright estima o que é interior</translation>
+    </message>
+    <message>
+        <source>The model has no texture; its plain colours are printed</source>
+        <translation>O modelo não tem textura; suas cores simples serão impressas</translation>
+    </message>
+    <message>
+        <source>The part reaches past the edge of the tank “%1”; move or turn it</source>
+        <translation>A peça ultrapassa a borda do tanque “%1”; mova-a ou gire-a</translation>
+    </message>
+    <message>
+        <source>The part reaches past the film&apos;s edge; move or turn it, or %1</source>
+        <translation>A peça ultrapassa a borda da película; mova-a ou gire-a, ou %1</translation>
+    </message>
+    <message>
+        <source>Writing the motion files</source>
+        <translation>Gravando os arquivos de movimento</translation>
+    </message>
+    <message>
+        <source>Writing the coverage picture</source>
+        <translation>Gravando a imagem de cobertura</translation>
     </message>
 </context>
 <context>
@@ -1226,8 +1215,8 @@
         <translation>é uma pasta</translation>
     </message>
     <message>
-        <source>it is a pipe or a device; save what it sends as a file, and name that</source>
-        <translation>é um pipe ou um dispositivo; salve o que ele envia como arquivo e indique esse arquivo</translation>
+        <source>it is a pipe or a device; save its data to a file and choose that file</source>
+        <translation>é um pipe ou um dispositivo; salve os dados em um arquivo e escolha esse arquivo</translation>
     </message>
 </context>
 <context>
@@ -1237,59 +1226,27 @@
         <translation>A imagem não pode ser guardada como PNG: %1</translation>
     </message>
     <message>
-        <source>The picture cannot be stored as PNG, it is empty or too large for this computer&apos;s memory</source>
-        <translation>A imagem não pode ser guardada como PNG, está vazia ou é grande demais para a memória deste computador</translation>
+        <source>The picture cannot be stored as PNG, because it is empty or too large for this computer&apos;s memory</source>
+        <translation>A imagem não pode ser guardada como PNG, porque está vazia ou é grande demais para a memória deste computador</translation>
     </message>
 </context>
 <context>
     <name>PoseSearch</name>
     <message>
         <source>Trying poses</source>
-        <translation>Testando posições</translation>
-    </message>
-    <message>
-        <source>No pose paints anything; choose a larger film</source>
-        <translation>Nenhuma posição pinta algo; escolha um filme maior</translation>
-    </message>
-    <message>
-        <source>Immersion %1</source>
-        <translation>Imersão %1</translation>
-    </message>
-    <message>
-        <source>The project has no model, import one first</source>
-        <translation>O projeto não tem modelo; importe um primeiro</translation>
-    </message>
-    <message>
-        <source>Judging directions by the body&apos;s shape</source>
-        <translation>Avaliando direções pela forma do corpo</translation>
+        <translation>Testando poses</translation>
     </message>
     <message>
         <source>part %1 of %2</source>
         <translation>parte %1 de %2</translation>
     </message>
     <message>
-        <source>Hand over each of the %1 parts once; there are %2</source>
-        <translation>Entregue cada uma das %1 partes uma vez; há %2</translation>
-    </message>
-    <message>
-        <source>This part does not hold the dips that are its share; make it again</source>
-        <translation>Esta parte não contém as imersões que lhe cabem; faça-a de novo</translation>
-    </message>
-    <message>
-        <source>the same</source>
-        <translation>o mesmo</translation>
-    </message>
-    <message>
         <source>This is not a part of a pose search, or it is damaged; make it again</source>
-        <translation>Isto não é uma parte de uma busca de poses ou está danificado; faça-o de novo</translation>
+        <translation>Isto não é uma parte de uma busca de poses ou está danificado; faça a parte de novo</translation>
     </message>
     <message>
         <source>Choose a number from %1 to %2</source>
         <translation>Escolha um número de %1 a %2</translation>
-    </message>
-    <message>
-        <source>There is no measure of this name; choose one of %1</source>
-        <translation>Não há medida com este nome; escolha uma de %1</translation>
     </message>
     <message>
         <source>Quality</source>
@@ -1304,36 +1261,16 @@
         <translation>Maior estiramento</translation>
     </message>
     <message>
-        <source>Certain</source>
-        <translation>Certo</translation>
-    </message>
-    <message>
-        <source>Wrinkled</source>
-        <translation>Enrugado</translation>
-    </message>
-    <message>
-        <source>Torn</source>
-        <translation>Rasgado</translation>
-    </message>
-    <message>
         <source>Trapped air</source>
         <translation>Ar preso</translation>
     </message>
     <message>
-        <source>Join</source>
-        <translation>Emenda</translation>
-    </message>
-    <message>
         <source>Film used</source>
-        <translation>Filme usado</translation>
+        <translation>Película usada</translation>
     </message>
     <message>
         <source>weight of a zone</source>
         <translation>peso de uma zona</translation>
-    </message>
-    <message>
-        <source>All weights are 0; give one of them more</source>
-        <translation>Todos os pesos são 0; dê mais a um deles</translation>
     </message>
     <message>
         <source>This part belongs to another search; make all parts from the same project with the same options and solver</source>
@@ -1343,16 +1280,64 @@
         <source>Narrow overlap</source>
         <translation>Sobreposição estreita</translation>
     </message>
+    <message>
+        <source>The project has no model; import one first</source>
+        <translation>O projeto não tem modelo; importe um primeiro</translation>
+    </message>
+    <message>
+        <source>Rating directions by the part&apos;s shape</source>
+        <translation>Avaliando direções pela forma da peça</translation>
+    </message>
+    <message>
+        <source>Give each of the %1 parts once; you gave %2</source>
+        <translation>Informe cada uma das %1 partes uma vez; foram informadas %2</translation>
+    </message>
+    <message>
+        <source>This part does not contain the dips that it should; make it again</source>
+        <translation>Esta parte não contém as imersões que deveria; faça-a de novo</translation>
+    </message>
+    <message>
+        <source>No pose paints any of the part; choose a larger film</source>
+        <translation>Nenhuma pose pinta algo da peça; escolha uma película maior</translation>
+    </message>
+    <message>
+        <source>Dip %1</source>
+        <translation>Imersão %1</translation>
+    </message>
+    <message>
+        <source>no difference</source>
+        <translation>nenhuma diferença</translation>
+    </message>
+    <message>
+        <source>There is no measure with this name; choose one of %1</source>
+        <translation>Não há medida com este nome; escolha uma de %1</translation>
+    </message>
+    <message>
+        <source>Film without faults</source>
+        <translation>Película sem falhas</translation>
+    </message>
+    <message>
+        <source>Wrinkled film</source>
+        <translation>Película enrugada</translation>
+    </message>
+    <message>
+        <source>Torn film</source>
+        <translation>Película rasgada</translation>
+    </message>
+    <message>
+        <source>Seam length</source>
+        <translation>Comprimento da emenda</translation>
+    </message>
+    <message>
+        <source>All weights are 0; set at least one weight above 0</source>
+        <translation>Todos os pesos são 0; defina pelo menos um peso acima de 0</translation>
+    </message>
 </context>
 <context>
     <name>ProfileSpecs</name>
     <message>
         <source>Name</source>
         <translation>Nome</translation>
-    </message>
-    <message>
-        <source>What the profile is called in lists and in projects.</source>
-        <translation>Como o perfil se chama em listas e projetos.</translation>
     </message>
     <message>
         <source>Free</source>
@@ -1379,20 +1364,8 @@
         <translation>Embaixo</translation>
     </message>
     <message>
-        <source>System&apos;s name</source>
-        <translation>Nome no sistema</translation>
-    </message>
-    <message>
-        <source>The name under which the system knows the printer. It is then chosen at first when a sheet is printed.</source>
-        <translation>O nome com que o sistema conhece a impressora. Ela já vem escolhida quando se imprime uma folha.</translation>
-    </message>
-    <message>
         <source>Scale</source>
         <translation>Escala</translation>
-    </message>
-    <message>
-        <source>Printed length over true length, across the paper and along its feed. Sheets are drawn smaller by it. “Calibrate Printer” measures it.</source>
-        <translation>Comprimento impresso dividido pelo real, na largura do papel e no sentido do avanço. As folhas são desenhadas menores nessa proporção. “Calibrar impressora” mede isso.</translation>
     </message>
     <message>
         <source>X</source>
@@ -1405,10 +1378,6 @@
     <message>
         <source>Margins</source>
         <translation>Margens</translation>
-    </message>
-    <message>
-        <source>What the printer does not reach at the paper&apos;s left, top, right and bottom edge.</source>
-        <translation>O que a impressora não alcança nas bordas esquerda, superior, direita e inferior do papel.</translation>
     </message>
     <message>
         <source>L</source>
@@ -1435,20 +1404,12 @@
         <translation>Resolução</translation>
     </message>
     <message>
-        <source>Pixels an inch of the sheets for this printer.</source>
-        <translation>Pixels por polegada das folhas para esta impressora.</translation>
-    </message>
-    <message>
         <source>Colour</source>
         <translation>Cor</translation>
     </message>
     <message>
         <source>Rendering intent</source>
         <translation>Intenção de renderização</translation>
-    </message>
-    <message>
-        <source>How colours that the printer cannot make are brought into its reach.</source>
-        <translation>Como as cores que a impressora não consegue fazer são trazidas para o seu alcance.</translation>
     </message>
     <message>
         <source>Perceptual</source>
@@ -1467,28 +1428,12 @@
         <translation>Colorimétrico absoluto</translation>
     </message>
     <message>
-        <source>Fit black point</source>
-        <translation>Ajustar ponto preto</translation>
-    </message>
-    <message>
-        <source>Fits the darkest dark to what the printer can print, so that shadows stay distinct.</source>
-        <translation>Ajusta o tom mais escuro ao que a impressora consegue, para que as sombras continuem distintas.</translation>
-    </message>
-    <message>
         <source>Ink limit</source>
         <translation>Limite de tinta</translation>
     </message>
     <message>
-        <source>The highest optical density a channel that the film holds.</source>
-        <translation>A maior densidade óptica por canal que o filme suporta.</translation>
-    </message>
-    <message>
         <source>Size</source>
         <translation>Tamanho</translation>
-    </message>
-    <message>
-        <source>Width and height of the dry film.</source>
-        <translation>Largura e altura do filme seco.</translation>
     </message>
     <message>
         <source>W</source>
@@ -1505,10 +1450,6 @@
         <translation>Alimentação</translation>
     </message>
     <message>
-        <source>The edge that goes into the printer first: a film swells more along its web.</source>
-        <translation>A borda que entra primeiro na impressora: um filme incha mais ao longo da bobina.</translation>
-    </message>
-    <message>
         <source>Short edge first</source>
         <translation>Borda curta primeiro</translation>
     </message>
@@ -1521,16 +1462,8 @@
         <translation>Lote</translation>
     </message>
     <message>
-        <source>The maker&apos;s number: another lot may swell otherwise.</source>
-        <translation>O número do fabricante: outro lote pode inchar de outro modo.</translation>
-    </message>
-    <message>
         <source>Use before</source>
         <translation>Usar até</translation>
-    </message>
-    <message>
-        <source>A date such as 2027-03-31, or nothing.</source>
-        <translation>Uma data como 2027-03-31, ou nada.</translation>
     </message>
     <message>
         <source>Behaviour on the water</source>
@@ -1541,24 +1474,12 @@
         <translation>Tempo de molho</translation>
     </message>
     <message>
-        <source>From the water to the activator.</source>
-        <translation>Da água até o ativador.</translation>
-    </message>
-    <message>
         <source>Activator time</source>
         <translation>Tempo do ativador</translation>
     </message>
     <message>
-        <source>From the activator to the dip.</source>
-        <translation>Do ativador até a imersão.</translation>
-    </message>
-    <message>
         <source>Sides</source>
         <translation>Lados</translation>
-    </message>
-    <message>
-        <source>Width and length of the water.</source>
-        <translation>Largura e comprimento da água.</translation>
     </message>
     <message>
         <source>L</source>
@@ -1570,36 +1491,16 @@
         <translation>Nível da água</translation>
     </message>
     <message>
-        <source>How far the water stands under the tank&apos;s rim.</source>
-        <translation>A que distância da borda do tanque fica a água.</translation>
-    </message>
-    <message>
-        <source>Marks</source>
-        <translation>Marcas</translation>
-    </message>
-    <message>
-        <source>Between the tank&apos;s marks, across and along, which the sheet&apos;s registration marks are laid to. 0: there are none.</source>
-        <translation>Distância entre as marcas do tanque, na largura e no comprimento, às quais se alinham as marcas de registro da folha. 0: não há.</translation>
-    </message>
-    <message>
         <source>Barriers</source>
         <translation>Barreiras</translation>
     </message>
     <message>
         <source>Whether a barrier in the tank holds this side of the film.</source>
-        <translation>Se uma barreira no tanque prende este lado do filme.</translation>
-    </message>
-    <message>
-        <source>Advanced: laws without measurement</source>
-        <translation>Avançado: leis sem medição</translation>
+        <translation>Se uma barreira no tanque prende este lado da película.</translation>
     </message>
     <message>
         <source>Flash time</source>
         <translation>Tempo de evaporação</translation>
-    </message>
-    <message>
-        <source>From the dip to the rinse.</source>
-        <translation>Do mergulho ao enxágue.</translation>
     </message>
     <message>
         <source>Not given</source>
@@ -1610,96 +1511,184 @@
         <translation>Tempo de secagem</translation>
     </message>
     <message>
-        <source>From the rinse until the body may be touched, or dipped again.</source>
-        <translation>Do enxágue até o corpo poder ser tocado ou mergulhado de novo.</translation>
-    </message>
-    <message>
-        <source>Measured by photos</source>
-        <translation>Medido por fotos</translation>
-    </message>
-    <message>
         <source>Measured on</source>
         <translation>Medido em</translation>
-    </message>
-    <message>
-        <source>The day of the photos. While swell and growth are what they gave, the profile counts as measured, else as guessed.</source>
-        <translation>O dia das fotos. Enquanto inchamento e crescimento forem os que elas deram, o perfil conta como medido; senão, como suposto.</translation>
-    </message>
-    <message>
-        <source>Water, °C</source>
-        <translation>Água, °C</translation>
-    </message>
-    <message>
-        <source>How warm the water was.</source>
-        <translation>Quão quente estava a água.</translation>
-    </message>
-    <message>
-        <source>Swell found</source>
-        <translation>Inchamento encontrado</translation>
-    </message>
-    <message>
-        <source>The swell that the photos gave. 0: none.</source>
-        <translation>O inchamento que as fotos deram. 0: nenhum.</translation>
-    </message>
-    <message>
-        <source>… and off by</source>
-        <translation>… com erro de</translation>
-    </message>
-    <message>
-        <source>How far that swell may be off, at 95 %.</source>
-        <translation>Quanto esse inchamento pode errar, a 95 %.</translation>
-    </message>
-    <message>
-        <source>Growth found</source>
-        <translation>Crescimento encontrado</translation>
-    </message>
-    <message>
-        <source>The growth that the photos gave.</source>
-        <translation>O crescimento que as fotos deram.</translation>
-    </message>
-    <message>
-        <source>… at most</source>
-        <translation>… no máximo</translation>
-    </message>
-    <message>
-        <source>The growth&apos;s limit that the photos gave.</source>
-        <translation>O limite do crescimento que as fotos deram.</translation>
     </message>
     <message>
         <source>Residual</source>
         <translation>Resíduo</translation>
     </message>
     <message>
-        <source>How far the corners in the photos lie from where these figures have them, on the average.</source>
-        <translation>A que distância, em média, os cantos nas fotos ficam de onde estes números os põem.</translation>
-    </message>
-    <message>
         <source>Photos</source>
         <translation>Fotos</translation>
     </message>
     <message>
-        <source>The SHA-256 of the photos&apos; files, by which they can be known again.</source>
-        <translation>O SHA-256 dos arquivos das fotos, pelo qual podem ser reconhecidas.</translation>
+        <source>The name of the profile in lists and projects.</source>
+        <translation>O nome do perfil em listas e projetos.</translation>
     </message>
     <message>
-        <source>Relaxation found</source>
-        <translation>Relaxação encontrada</translation>
+        <source>System name</source>
+        <translation>Nome no sistema</translation>
     </message>
     <message>
-        <source>The relaxation time that photos of a dipped part gave.</source>
-        <translation>O tempo de relaxação que fotos de uma peça imersa deram.</translation>
+        <source>The printer&apos;s name in the operating system. The print dialog selects this printer first.</source>
+        <translation>O nome da impressora no sistema operacional. A caixa de impressão seleciona primeiro esta impressora.</translation>
     </message>
     <message>
-        <source>Total ink</source>
-        <translation>Total de tinta</translation>
+        <source>Pixels per inch of the sheets for this printer.</source>
+        <translation>Pixels por polegada das folhas para esta impressora.</translation>
     </message>
     <message>
-        <source>Most of all four inks together on one place, with an ICC profile in CMYK. Cyan, magenta and yellow give way, black stays.</source>
-        <translation>No máximo isto das quatro tintas juntas em um lugar, com um perfil ICC em CMYK. Ciano, magenta e amarelo cedem, o preto fica.</translation>
+        <source>How out-of-gamut colours are mapped to colours that the printer can print.</source>
+        <translation>Como as cores fora da gama são convertidas em cores que a impressora consegue imprimir.</translation>
     </message>
     <message>
-        <source>As the ICC profile has it</source>
-        <translation>Como no perfil ICC</translation>
+        <source>Black point compensation</source>
+        <translation>Compensação de ponto preto</translation>
+    </message>
+    <message>
+        <source>Maps the darkest colour to the darkest that the printer can print, so that shadows stay distinct.</source>
+        <translation>Converte a cor mais escura na mais escura que a impressora consegue imprimir, para que as sombras continuem distintas.</translation>
+    </message>
+    <message>
+        <source>The highest optical density per channel that the film holds.</source>
+        <translation>A maior densidade óptica por canal que a película suporta.</translation>
+    </message>
+    <message>
+        <source>Total area coverage</source>
+        <translation>Cobertura total de tinta</translation>
+    </message>
+    <message>
+        <source>The largest sum of the four inks at one place (TAC), with an ICC profile in CMYK. Cyan, magenta and yellow are reduced; black stays.</source>
+        <translation>A maior soma das quatro tintas em um lugar (TAC), com um perfil ICC em CMYK. Ciano, magenta e amarelo são reduzidos; o preto fica.</translation>
+    </message>
+    <message>
+        <source>From the ICC profile</source>
+        <translation>Do perfil ICC</translation>
+    </message>
+    <message>
+        <source>Measured from photos</source>
+        <translation>Medido por fotos</translation>
+    </message>
+    <message>
+        <source>The date of the photos. The profile counts as measured as long as swell and growth have the values from the photos.</source>
+        <translation>A data das fotos. O perfil conta como medido enquanto inchamento e crescimento tiverem os valores das fotos.</translation>
+    </message>
+    <message>
+        <source>Water temperature, °C</source>
+        <translation>Temperatura da água, °C</translation>
+    </message>
+    <message>
+        <source>The temperature of the water in the photos.</source>
+        <translation>A temperatura da água nas fotos.</translation>
+    </message>
+    <message>
+        <source>Measured swell</source>
+        <translation>Inchamento medido</translation>
+    </message>
+    <message>
+        <source>Swell error</source>
+        <translation>Erro do inchamento</translation>
+    </message>
+    <message>
+        <source>Measured growth</source>
+        <translation>Crescimento medido</translation>
+    </message>
+    <message>
+        <source>The growth measured from the photos.</source>
+        <translation>O crescimento medido nas fotos.</translation>
+    </message>
+    <message>
+        <source>Growth limit</source>
+        <translation>Limite do crescimento</translation>
+    </message>
+    <message>
+        <source>The limit of the growth, measured from the photos.</source>
+        <translation>O limite do crescimento, medido nas fotos.</translation>
+    </message>
+    <message>
+        <source>Measured relaxation</source>
+        <translation>Relaxação medida</translation>
+    </message>
+    <message>
+        <source>The relaxation time measured from photos of a dipped part.</source>
+        <translation>O tempo de relaxação medido em fotos de uma peça mergulhada.</translation>
+    </message>
+    <message>
+        <source>Average distance between the corners in the photos and the corners computed from these values.</source>
+        <translation>Distância média entre os cantos nas fotos e os cantos calculados a partir destes valores.</translation>
+    </message>
+    <message>
+        <source>The SHA-256 checksums of the photo files, to identify them.</source>
+        <translation>As somas SHA-256 dos arquivos das fotos, para identificá-los.</translation>
+    </message>
+    <message>
+        <source>The edge that enters the printer first. Film swells more along its web.</source>
+        <translation>A borda que entra primeiro na impressora. A película incha mais ao longo da bobina.</translation>
+    </message>
+    <message>
+        <source>The manufacturer&apos;s lot number. Another lot may swell differently.</source>
+        <translation>O número do lote do fabricante. Outro lote pode inchar de outro modo.</translation>
+    </message>
+    <message>
+        <source>A date such as 2027-03-31. May be empty.</source>
+        <translation>Uma data como 2027-03-31. Pode ficar vazia.</translation>
+    </message>
+    <message>
+        <source>Time from laying the film on the water to the activator.</source>
+        <translation>Tempo desde que a película é posta na água até o ativador.</translation>
+    </message>
+    <message>
+        <source>Time from the activator to the dip.</source>
+        <translation>Tempo do ativador até a imersão.</translation>
+    </message>
+    <message>
+        <source>Time from the dip to the rinse.</source>
+        <translation>Tempo da imersão ao enxágue.</translation>
+    </message>
+    <message>
+        <source>Time from the rinse until the part may be touched or dipped again.</source>
+        <translation>Tempo do enxágue até a peça poder ser tocada ou mergulhada de novo.</translation>
+    </message>
+    <message>
+        <source>Distance from the tank&apos;s rim down to the water.</source>
+        <translation>Distância da borda do tanque até a água.</translation>
+    </message>
+    <message>
+        <source>Mark spacing</source>
+        <translation>Distância entre marcas</translation>
+    </message>
+    <message>
+        <source>Printed length divided by true length, across the paper (X) and along its feed (Y). Sheets are scaled down by this factor. “Calibrate printer” measures the factor.</source>
+        <translation>Comprimento impresso dividido pelo comprimento real, na largura do papel (X) e ao longo do avanço (Y). As folhas são reduzidas por este fator. “Calibrar impressora” mede o fator.</translation>
+    </message>
+    <message>
+        <source>The margins that the printer cannot reach at the left (L), top (T), right (R) and bottom (B) edge of the paper.</source>
+        <translation>As margens que a impressora não alcança na borda esquerda (E), superior (S), direita (D) e inferior (I) do papel.</translation>
+    </message>
+    <message>
+        <source>The swell measured from the photos, in width (W) and height (H). 0: not measured.</source>
+        <translation>O inchamento medido nas fotos, na largura (L) e na altura (A). 0: não medido.</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the measured swell (±, 95 % confidence), in width (W) and height (H).</source>
+        <translation>Incerteza do inchamento medido (±, confiança de 95 %), na largura (L) e na altura (A).</translation>
+    </message>
+    <message>
+        <source>Width (W) and height (H) of the dry film.</source>
+        <translation>Largura (L) e altura (A) da película seca.</translation>
+    </message>
+    <message>
+        <source>Advanced: material laws that are not measured</source>
+        <translation>Avançado: leis do material não medidas</translation>
+    </message>
+    <message>
+        <source>Width (W) and length (L) of the water surface.</source>
+        <translation>Largura (L) e comprimento (C) da superfície da água.</translation>
+    </message>
+    <message>
+        <source>Distance between the tank&apos;s marks, across (X) and along (Y) the tank. The sheet&apos;s registration marks are aligned with the tank&apos;s marks. 0: no marks.</source>
+        <translation>Distância entre as marcas do tanque, na largura (X) e no comprimento (Y) do tanque. As marcas de registro da folha são alinhadas com as marcas do tanque. 0: sem marcas.</translation>
     </message>
 </context>
 <context>
@@ -1709,44 +1698,16 @@
         <translation>%1, lote %2,</translation>
     </message>
     <message>
-        <source>The film %1 expired on %2; take a fresh lot, or try this one first</source>
-        <translation>O filme %1 venceu em %2; use um lote novo ou teste este antes</translation>
-    </message>
-    <message>
-        <source>The ICC profile is not stored as base64 text, import it anew</source>
-        <translation>O perfil ICC não está guardado como texto base64; importe-o de novo</translation>
-    </message>
-    <message>
-        <source>%1 is not a date, write it as 2027-03-31</source>
-        <translation>%1 não é uma data; escreva como 2027-03-31</translation>
-    </message>
-    <message>
         <source>This is not a Dipwright profile</source>
         <translation>Isto não é um perfil do Dipwright</translation>
-    </message>
-    <message>
-        <source>The profile has version %1 of the file format and this program reads up to version %2, open it with a newer Dipwright</source>
-        <translation>O perfil tem a versão %1 do formato e este programa lê até a versão %2; abra-o com um Dipwright mais novo</translation>
     </message>
     <message>
         <source>A profile needs a name</source>
         <translation>Um perfil precisa de um nome</translation>
     </message>
     <message>
-        <source>There is no %1 profile of this name, there are: %2</source>
-        <translation>Não há perfil de %1 com este nome; existem: %2</translation>
-    </message>
-    <message>
-        <source>The folder for profiles cannot be made, choose another with DIPWRIGHT_PROFILE_PATH</source>
-        <translation>A pasta de perfis não pode ser criada; escolha outra com DIPWRIGHT_PROFILE_PATH</translation>
-    </message>
-    <message>
         <source>The profile cannot be removed</source>
         <translation>O perfil não pode ser removido</translation>
-    </message>
-    <message>
-        <source>There is no %1 profile of your own of this name</source>
-        <translation>Não há perfil seu de %1 com este nome</translation>
     </message>
     <message>
         <source>This is not a Dipwright profile: %1</source>
@@ -1757,24 +1718,52 @@
         <translation>O perfil não pode ser gravado: %1</translation>
     </message>
     <message>
-        <source>There is no such kind of profile, use printer, film or tank</source>
+        <source>The ICC profile is not valid base64 text; import it again</source>
+        <translation>O perfil ICC não é um texto base64 válido; importe-o de novo</translation>
+    </message>
+    <message>
+        <source>%1 is not a date; write it as 2027-03-31</source>
+        <translation>%1 não é uma data; escreva como 2027-03-31</translation>
+    </message>
+    <message>
+        <source>The profile has version %1 of the file format, but this program reads only up to version %2; open it with a newer Dipwright</source>
+        <translation>O perfil tem a versão %1 do formato, mas este programa lê só até a versão %2; abra-o com um Dipwright mais novo</translation>
+    </message>
+    <message>
+        <source>This profile has no such value; it has %1</source>
+        <translation>Este perfil não tem esse valor; ele tem %1</translation>
+    </message>
+    <message>
+        <source>Another program is writing the profile (%1); try again</source>
+        <translation>Outro programa está gravando o perfil (%1); tente de novo</translation>
+    </message>
+    <message>
+        <source>A file of this name exists and is not a readable profile, so it is not replaced; repair it, move it, or choose another name: %1</source>
+        <translation>Existe um arquivo com este nome que não pode ser lido como perfil, por isso não é substituído; corrija-o, mova-o ou escolha outro nome: %1</translation>
+    </message>
+    <message>
+        <source>There is no %1 profile of this name; there are: %2</source>
+        <translation>Não há perfil de %1 com este nome; existem: %2</translation>
+    </message>
+    <message>
+        <source>Another program has changed the profile since it was read, so it is not saved; read it again and repeat your change</source>
+        <translation>Outro programa mudou o perfil desde que foi lido, por isso não é salvo; leia-o de novo e repita sua mudança</translation>
+    </message>
+    <message>
+        <source>The folder for profiles cannot be created; choose another with DIPWRIGHT_PROFILE_PATH</source>
+        <translation>A pasta de perfis não pode ser criada; escolha outra com DIPWRIGHT_PROFILE_PATH</translation>
+    </message>
+    <message>
+        <source>You have no %1 profile of this name</source>
+        <translation>Você não tem perfil de %1 com este nome</translation>
+    </message>
+    <message>
+        <source>There is no such kind of profile; use printer, film or tank</source>
         <translation>Não há esse tipo de perfil; use printer, film ou tank</translation>
     </message>
     <message>
-        <source>There is no such value in this profile, there are %1</source>
-        <translation>Não há esse valor neste perfil; existem %1</translation>
-    </message>
-    <message>
-        <source>The profile is being written elsewhere (%1), try again</source>
-        <translation>O perfil está sendo gravado em outro lugar (%1); tente de novo</translation>
-    </message>
-    <message>
-        <source>Another program has changed the profile since it was read, nothing is saved; look at what it says now and do it again</source>
-        <translation>Outro programa mudou o perfil desde que foi lido; nada foi salvo. Veja o que ele diz agora e faça de novo</translation>
-    </message>
-    <message>
-        <source>The file that is there cannot be read as a profile and is not replaced; mend it, move it away, or choose another name: %1</source>
-        <translation>O arquivo existente não pode ser lido como perfil e não é substituído; corrija-o, mova-o ou escolha outro nome: %1</translation>
+        <source>The film %1 expired on %2; use a fresh lot, or test this one first</source>
+        <translation>A película %1 venceu em %2; use um lote novo ou teste este antes</translation>
     </message>
 </context>
 <context>
@@ -1808,24 +1797,8 @@
         <translation>um objeto</translation>
     </message>
     <message>
-        <source>%1 does not fit here, give %2</source>
-        <translation>%1 não serve aqui; informe %2</translation>
-    </message>
-    <message>
-        <source>%1 does not fit here, give %2 parts, each %3</source>
-        <translation>%1 não serve aqui; informe %2 partes, cada uma %3</translation>
-    </message>
-    <message>
         <source>“%1” must be an object</source>
         <translation>“%1” deve ser um objeto</translation>
-    </message>
-    <message>
-        <source>There is no film size of this name, use one of %1</source>
-        <translation>Não há tamanho de filme com este nome; use um de %1</translation>
-    </message>
-    <message>
-        <source>immersions must be an array of one or two immersions</source>
-        <translation>immersions deve ser uma lista de uma ou duas imersões</translation>
     </message>
     <message>
         <source>%1 must be an object</source>
@@ -1840,60 +1813,76 @@
         <translation>Isto não é um projeto do Dipwright</translation>
     </message>
     <message>
-        <source>The project has version %1 of the file format and this program reads up to version %2, open it with a newer Dipwright</source>
-        <translation>O projeto tem a versão %1 do formato e este programa lê até a versão %2; abra-o com um Dipwright mais novo</translation>
-    </message>
-    <message>
         <source>there are %1</source>
         <translation>existem %1</translation>
-    </message>
-    <message>
-        <source>There is no such setting, %1</source>
-        <translation>Essa configuração não existe; %1</translation>
-    </message>
-    <message>
-        <source>There is no preset %1, use production or paper-2020</source>
-        <translation>Não há predefinição %1; use production ou paper-2020</translation>
-    </message>
-    <message>
-        <source>%1 × %2 points are more than the %3 million that a film may have, give fewer</source>
-        <translation>%1 × %2 pontos passam dos %3 milhões que um filme pode ter; use menos</translation>
-    </message>
-    <message>
-        <source>A value is missing, give %1</source>
-        <translation>Falta um valor, informe %1</translation>
     </message>
     <message>
         <source>%1 must be an array of at most %2 entries</source>
         <translation>%1 deve ser uma lista de no máximo %2 itens</translation>
     </message>
     <message>
-        <source>inspection.pairs names a photo that inspection.photos has not</source>
-        <translation>inspection.pairs nomeia uma foto que inspection.photos não tem</translation>
-    </message>
-    <message>
-        <source>A spot ink needs a name of its own, and not All, None, or that of one of the four inks</source>
-        <translation>Uma tinta especial precisa de um nome próprio, que não seja All, None nem o de uma das quatro tintas</translation>
-    </message>
-    <message>
-        <source>“%1” is not a colour, write it as #1a2b3c</source>
-        <translation>“%1” não é uma cor, escreva como #1a2b3c</translation>
-    </message>
-    <message>
         <source>a colour such as #1a2b3c</source>
         <translation>uma cor como #1a2b3c</translation>
     </message>
     <message>
-        <source>The artwork&apos;s layers are %1 in number, the lowest is artwork.layers[0]</source>
-        <translation>As camadas da arte são %1, a mais baixa é artwork.layers[0]</translation>
-    </message>
-    <message>
-        <source>The project&apos;s immersions are %1 in number, the first is immersions[0]</source>
-        <translation>As imersões do projeto são %1, a primeira é immersions[0]</translation>
-    </message>
-    <message>
         <source>the sections are artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built and inspection</source>
         <translation>as seções são artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built e inspection</translation>
+    </message>
+    <message>
+        <source>A value is missing; expected %1</source>
+        <translation>Falta um valor; esperado: %1</translation>
+    </message>
+    <message>
+        <source>%1 is not allowed here; expected %2</source>
+        <translation>%1 não é permitido aqui; esperado: %2</translation>
+    </message>
+    <message>
+        <source>%1 is not allowed here; expected %2 parts, each of them %3</source>
+        <translation>%1 não é permitido aqui; esperadas %2 partes, cada uma %3</translation>
+    </message>
+    <message>
+        <source>There is no film size of this name; use one of %1</source>
+        <translation>Não há tamanho de película com este nome; use um de %1</translation>
+    </message>
+    <message>
+        <source>immersions must be an array with one or two entries</source>
+        <translation>immersions deve ser uma lista de uma ou duas entradas</translation>
+    </message>
+    <message>
+        <source>The project has version %1 of the file format, but this program reads only up to version %2; open it with a newer Dipwright</source>
+        <translation>O projeto tem a versão %1 do formato, mas este programa lê só até a versão %2; abra-o com um Dipwright mais novo</translation>
+    </message>
+    <message>
+        <source>There is no such setting; %1</source>
+        <translation>Essa configuração não existe; %1</translation>
+    </message>
+    <message>
+        <source>There is no preset %1; use production or paper-2020</source>
+        <translation>Não há predefinição %1; use production ou paper-2020</translation>
+    </message>
+    <message>
+        <source>There is no such layer; the artwork&apos;s layers: %1, the lowest is artwork.layers[0]</source>
+        <translation>Essa camada não existe; camadas da arte: %1, a mais baixa é artwork.layers[0]</translation>
+    </message>
+    <message>
+        <source>There is no such dip; the project&apos;s dips: %1, the first is immersions[0]</source>
+        <translation>Essa imersão não existe; imersões do projeto: %1, a primeira é immersions[0]</translation>
+    </message>
+    <message>
+        <source>inspection.pairs names a photo that is not in inspection.photos</source>
+        <translation>inspection.pairs nomeia uma foto que não está em inspection.photos</translation>
+    </message>
+    <message>
+        <source>%1 × %2 points are too many; a film may have up to %3 million points</source>
+        <translation>%1 × %2 pontos são demais; uma película pode ter até %3 milhões de pontos</translation>
+    </message>
+    <message>
+        <source>A spot colour needs its own name; All, None and the names of the four process inks are reserved</source>
+        <translation>Uma cor especial precisa de um nome próprio; All, None e os nomes das quatro tintas de processo são reservados</translation>
+    </message>
+    <message>
+        <source>“%1” is not a colour; write it as #1a2b3c</source>
+        <translation>“%1” não é uma cor; escreva como #1a2b3c</translation>
     </message>
 </context>
 <context>
@@ -1907,28 +1896,8 @@
         <translation>Não</translation>
     </message>
     <message>
-        <source>Immersions</source>
-        <translation>Imersões</translation>
-    </message>
-    <message>
-        <source>Marks for the join</source>
-        <translation>Marcas para a junção</translation>
-    </message>
-    <message>
         <source>Marks for zones</source>
         <translation>Marcas para zonas</translation>
-    </message>
-    <message>
-        <source>Printer&apos;s profile</source>
-        <translation>Perfil da impressora</translation>
-    </message>
-    <message>
-        <source>Film&apos;s profile</source>
-        <translation>Perfil do filme</translation>
-    </message>
-    <message>
-        <source>Tank&apos;s profile</source>
-        <translation>Perfil do tanque</translation>
     </message>
     <message>
         <source>Pose search · weight of %1</source>
@@ -1947,10 +1916,6 @@
         <translation>Arte · cor de base</translation>
     </message>
     <message>
-        <source>%1, otherwise</source>
-        <translation>%1, no mais diferente</translation>
-    </message>
-    <message>
         <source>Artwork · layer %1</source>
         <translation>Arte · camada %1</translation>
     </message>
@@ -1958,59 +1923,83 @@
         <source>%1, %2 × %3%7 at (%4; %5; %6)%7, turned by %8°</source>
         <translation>%1, %2 × %3%7 em (%4; %5; %6)%7, girada em %8°</translation>
     </message>
+    <message>
+        <source>%1, with other settings</source>
+        <translation>%1, com outras configurações</translation>
+    </message>
+    <message>
+        <source>Dips</source>
+        <translation>Imersões</translation>
+    </message>
+    <message>
+        <source>Marks for the seam</source>
+        <translation>Marcas para a emenda</translation>
+    </message>
+    <message>
+        <source>Printer profile</source>
+        <translation>Perfil da impressora</translation>
+    </message>
+    <message>
+        <source>Film profile</source>
+        <translation>Perfil da película</translation>
+    </message>
+    <message>
+        <source>Tank profile</source>
+        <translation>Perfil do tanque</translation>
+    </message>
 </context>
 <context>
     <name>ProjectFile</name>
-    <message>
-        <source>Another program has written the project since it was read, nothing is saved; look at what it holds now and do it again</source>
-        <translation>Outro programa gravou o projeto desde que foi lido; nada foi salvo. Veja o que ele contém agora e faça de novo</translation>
-    </message>
     <message>
         <source>The project is open elsewhere (%1); close it there, or work on a copy</source>
         <translation>O projeto está aberto em outro lugar (%1); feche-o lá ou trabalhe em uma cópia</translation>
     </message>
     <message>
-        <source>The file that is there cannot be read, and nothing is saved over it; try again, or save under another name</source>
-        <translation>O arquivo que está ali não pode ser lido, e nada é salvo por cima dele; tente de novo ou salve com outro nome</translation>
+        <source>The existing file cannot be read, so it is not replaced; try again, or save under another name</source>
+        <translation>O arquivo existente não pode ser lido, por isso não é substituído; tente de novo ou salve com outro nome</translation>
+    </message>
+    <message>
+        <source>Another program has changed the project since it was read, so it is not saved; open it again and repeat your change</source>
+        <translation>Outro programa mudou o projeto desde que foi lido, por isso não é salvo; abra-o de novo e repita sua mudança</translation>
     </message>
 </context>
 <context>
     <name>ProjectStore</name>
     <message>
-        <source>This is not a Dipwright project, it holds no project.json</source>
-        <translation>Isto não é um projeto do Dipwright; não contém project.json</translation>
-    </message>
-    <message>
         <source>project.json is damaged at character %1: %2</source>
         <translation>project.json está danificado no caractere %1: %2</translation>
-    </message>
-    <message>
-        <source>The model in the project is not the one that was saved, its sha256 differs</source>
-        <translation>O modelo no projeto não é o que foi salvo; seu sha256 difere</translation>
-    </message>
-    <message>
-        <source>The project lists %1 textures and its model needs %2</source>
-        <translation>O projeto lista %1 texturas e seu modelo precisa de %2</translation>
     </message>
     <message>
         <source>The project cannot be saved: %1</source>
         <translation>O projeto não pode ser salvo: %1</translation>
     </message>
     <message>
-        <source>project.json holds a list where a project should be</source>
-        <translation>project.json contém uma lista onde deveria haver um projeto</translation>
-    </message>
-    <message>
-        <source>The project names no model, model.mesh is missing</source>
-        <translation>O projeto não nomeia nenhum modelo, falta model.mesh</translation>
-    </message>
-    <message>
         <source>%1 in %2</source>
         <translation>%1 em %2</translation>
     </message>
     <message>
-        <source>The project is not saved, as it could not be opened again: %1</source>
-        <translation>O projeto não é salvo, pois não poderia ser aberto de novo: %1</translation>
+        <source>The project is not saved, because it could not be opened again: %1</source>
+        <translation>O projeto não é salvo, porque não poderia ser aberto de novo: %1</translation>
+    </message>
+    <message>
+        <source>This is not a Dipwright project: it has no project.json</source>
+        <translation>Isto não é um projeto do Dipwright: não tem project.json</translation>
+    </message>
+    <message>
+        <source>project.json contains a list instead of a project</source>
+        <translation>project.json contém uma lista em vez de um projeto</translation>
+    </message>
+    <message>
+        <source>The project names no model: model.mesh is missing</source>
+        <translation>O projeto não nomeia nenhum modelo: falta model.mesh</translation>
+    </message>
+    <message>
+        <source>The model in the project was changed after saving: its sha256 differs</source>
+        <translation>O modelo no projeto foi alterado depois de salvo: seu sha256 difere</translation>
+    </message>
+    <message>
+        <source>The project lists %1 textures, but its model needs %2</source>
+        <translation>O projeto lista %1 texturas, mas seu modelo precisa de %2</translation>
     </message>
 </context>
 <context>
@@ -2027,16 +2016,8 @@
         <translation>Nome</translation>
     </message>
     <message>
-        <source>What the project is called. It stands in the job line of every sheet.</source>
-        <translation>Como o projeto se chama. O nome aparece na linha de trabalho de cada folha.</translation>
-    </message>
-    <message>
         <source>Date</source>
         <translation>Data</translation>
-    </message>
-    <message>
-        <source>The date in the job line. It belongs to the project, so that the same project always gives the same sheet.</source>
-        <translation>A data na linha de trabalho. Ela pertence ao projeto, para que o mesmo projeto dê sempre a mesma folha.</translation>
     </message>
     <message>
         <source>Distance field</source>
@@ -2047,20 +2028,12 @@
         <translation>Resolução</translation>
     </message>
     <message>
-        <source>Samples along each edge of the cube round the body in which the distance to its surface is kept. More follows finer detail and takes longer to build.</source>
-        <translation>Amostras em cada aresta do cubo em volta do corpo, no qual fica a distância à superfície. Mais amostras seguem detalhes mais finos e demoram mais.</translation>
-    </message>
-    <message>
         <source>Printed film</source>
-        <translation>Filme impresso</translation>
+        <translation>Película impressa</translation>
     </message>
     <message>
         <source>Format</source>
         <translation>Formato</translation>
-    </message>
-    <message>
-        <source>The size in which the film comes and is printed.</source>
-        <translation>O tamanho em que o filme vem e é impresso.</translation>
     </message>
     <message>
         <source>Custom</source>
@@ -2069,10 +2042,6 @@
     <message>
         <source>Size</source>
         <translation>Tamanho</translation>
-    </message>
-    <message>
-        <source>Width and height of the printed film. The grid keeps its spacing.</source>
-        <translation>Largura e altura do filme impresso. A grade mantém o espaçamento.</translation>
     </message>
     <message>
         <source>W</source>
@@ -2089,10 +2058,6 @@
         <translation>Pontos</translation>
     </message>
     <message>
-        <source>Points of the simulated film across and down. More points show finer detail and take longer.</source>
-        <translation>Pontos do filme simulado na largura e na altura. Mais pontos mostram mais detalhe e demoram mais.</translation>
-    </message>
-    <message>
         <source>Behaviour on the water</source>
         <translation>Comportamento na água</translation>
     </message>
@@ -2106,11 +2071,7 @@
     </message>
     <message>
         <source>Film model</source>
-        <translation>Modelo do filme</translation>
-    </message>
-    <message>
-        <source>Isotropic film resists shear and gives the same result whichever way the grid lies. The structural lattice joins horizontal and vertical neighbours only, as in the paper of 2020.</source>
-        <translation>O filme isotrópico resiste ao cisalhamento e dá o mesmo resultado em qualquer orientação da grade. A rede estrutural une só vizinhos horizontais e verticais, como no artigo de 2020.</translation>
+        <translation>Modelo da película</translation>
     </message>
     <message>
         <source>Isotropic</source>
@@ -2123,10 +2084,6 @@
     <message>
         <source>Support</source>
         <translation>Apoio</translation>
-    </message>
-    <message>
-        <source>Whether the water holds up the free film. Without it nothing does.</source>
-        <translation>Se a água sustenta o filme livre. Sem ela, nada o sustenta.</translation>
     </message>
     <message>
         <source>Water</source>
@@ -2149,28 +2106,12 @@
         <translation>Velocidade</translation>
     </message>
     <message>
-        <source>How fast the body comes down into the water.</source>
-        <translation>Com que velocidade o corpo desce na água.</translation>
-    </message>
-    <message>
         <source>Depth</source>
         <translation>Profundidade</translation>
     </message>
     <message>
-        <source>How far the lowest point of the body goes under the waterline. “Whole body” dips until all of it is under.</source>
-        <translation>Quanto o ponto mais baixo do corpo desce abaixo da linha d&apos;água. “Corpo inteiro” mergulha até tudo ficar submerso.</translation>
-    </message>
-    <message>
-        <source>Whole body</source>
-        <translation>Corpo inteiro</translation>
-    </message>
-    <message>
         <source>Margin</source>
         <translation>Margem</translation>
-    </message>
-    <message>
-        <source>How much farther than fully under the body is dipped.</source>
-        <translation>Quanto além de totalmente submerso o corpo é mergulhado.</translation>
     </message>
     <message>
         <source>Limits</source>
@@ -2185,60 +2126,24 @@
         <translation>Passo</translation>
     </message>
     <message>
-        <source>How far the contact line travels in one step, in cells of the film. Smaller is finer and slower.</source>
-        <translation>Quanto a linha de contato avança em um passo, em células do filme. Menor é mais fino e mais lento.</translation>
-    </message>
-    <message>
         <source>Time step</source>
         <translation>Passo de tempo</translation>
-    </message>
-    <message>
-        <source>Time that one step simulates.</source>
-        <translation>Tempo que um passo simula.</translation>
     </message>
     <message>
         <source>Iterations</source>
         <translation>Iterações</translation>
     </message>
     <message>
-        <source>Sweeps over all constraints in one step.</source>
-        <translation>Passagens por todas as restrições em um passo.</translation>
-    </message>
-    <message>
-        <source>Sweeps</source>
-        <translation>Passagens</translation>
-    </message>
-    <message>
-        <source>Jacobi corrects all points at once and averages; Gauss–Seidel one after the other.</source>
-        <translation>Jacobi corrige todos os pontos de uma vez e tira a média; Gauss–Seidel, um após o outro.</translation>
-    </message>
-    <message>
         <source>Self-contact</source>
         <translation>Autocontato</translation>
-    </message>
-    <message>
-        <source>Keep film from passing through film.</source>
-        <translation>Impede que o filme atravesse o filme.</translation>
-    </message>
-    <message>
-        <source>What this immersion is called. It stands in the job line of its sheet.</source>
-        <translation>Como esta imersão se chama. O nome aparece na linha de trabalho da folha.</translation>
     </message>
     <message>
         <source>Rotation</source>
         <translation>Rotação</translation>
     </message>
     <message>
-        <source>How the body is turned about X, then Y, then Z before it is dipped. Drag the rings in the view to turn it by hand; hold Shift for steps of 15°.</source>
-        <translation>Como o corpo é girado em X, depois Y, depois Z antes de mergulhar. Arraste os anéis na vista para girá-lo à mão; segure Shift para passos de 15°.</translation>
-    </message>
-    <message>
         <source>Offset</source>
         <translation>Deslocamento</translation>
-    </message>
-    <message>
-        <source>Where the body meets the film, from the middle of the film: X to the right, Z down the sheet.</source>
-        <translation>Onde o corpo encontra o filme, a partir do meio do filme: X para a direita, Z para baixo na folha.</translation>
     </message>
     <message>
         <source>Page</source>
@@ -2249,36 +2154,16 @@
         <translation>Papel</translation>
     </message>
     <message>
-        <source>The page that the film image is laid on. “As the film” prints the film itself, edge to edge.</source>
-        <translation>A página em que a imagem do filme é posta. “Como o filme” imprime o próprio filme, de borda a borda.</translation>
-    </message>
-    <message>
         <source>As the film</source>
-        <translation>Como o filme</translation>
-    </message>
-    <message>
-        <source>Width and height of the page.</source>
-        <translation>Largura e altura da página.</translation>
+        <translation>Como a película</translation>
     </message>
     <message>
         <source>Landscape</source>
         <translation>Paisagem</translation>
     </message>
     <message>
-        <source>Turn the page on its side.</source>
-        <translation>Vira a página de lado.</translation>
-    </message>
-    <message>
-        <source>Pixels to the inch of the film image.</source>
-        <translation>Pixels por polegada da imagem do filme.</translation>
-    </message>
-    <message>
         <source>Bleed</source>
         <translation>Sangria</translation>
-    </message>
-    <message>
-        <source>How far the colour is continued past the painted area, so that a small error of position leaves no bare edge.</source>
-        <translation>Quanto a cor continua além da área pintada, para que um pequeno erro de posição não deixe borda nua.</translation>
     </message>
     <message>
         <source>On the page</source>
@@ -2289,56 +2174,24 @@
         <translation>Marcas de registro</translation>
     </message>
     <message>
-        <source>Marks in the corners by which the film is laid into the tank.</source>
-        <translation>Marcas nos cantos para posicionar o filme no tanque.</translation>
-    </message>
-    <message>
         <source>Ruler</source>
         <translation>Régua</translation>
-    </message>
-    <message>
-        <source>A ruler of 100 mm: measure it to see that the page was printed at true size.</source>
-        <translation>Uma régua de 100 mm: meça-a para ver se a página saiu em tamanho real.</translation>
     </message>
     <message>
         <source>Job line</source>
         <translation>Linha de trabalho</translation>
     </message>
     <message>
-        <source>A line with project, immersion, date, film, scale and a check sum.</source>
-        <translation>Uma linha com projeto, imersão, data, filme, escala e soma de verificação.</translation>
-    </message>
-    <message>
         <source>Compensate stretch</source>
         <translation>Compensar estiramento</translation>
-    </message>
-    <message>
-        <source>Ink thins where the film stretches. Print more there, so that the body shows the colour of the texture.</source>
-        <translation>A tinta afina onde o filme estica. Imprime mais ali, para que o corpo mostre a cor da textura.</translation>
     </message>
     <message>
         <source>Ink limit</source>
         <translation>Limite de tinta</translation>
     </message>
     <message>
-        <source>The highest optical density that can be printed. Where more would be needed, the colour falls short and the report says so.</source>
-        <translation>A maior densidade óptica que pode ser impressa. Onde seria preciso mais, a cor fica aquém e o relatório avisa.</translation>
-    </message>
-    <message>
-        <source>Advanced: laws without measurement</source>
-        <translation>Avançado: leis sem medição</translation>
-    </message>
-    <message>
-        <source>How fine the simulated film is. Automatic chooses the size of its cells from the body&apos;s narrow parts and its pose: fine where the body comes down, coarse towards the film&apos;s edges.</source>
-        <translation>Quão fino é o filme simulado. “Automática” escolhe o tamanho das células segundo as partes estreitas do corpo e a sua posição: finas onde o corpo desce, grossas em direção às bordas do filme.</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>Automática</translation>
-    </message>
-    <message>
-        <source>Size of the cells</source>
-        <translation>Tamanho das células</translation>
     </message>
     <message>
         <source>Number of points</source>
@@ -2349,36 +2202,12 @@
         <translation>Células</translation>
     </message>
     <message>
-        <source>The side of the simulated film&apos;s cells where the body comes down. Smaller cells show finer detail and take longer.</source>
-        <translation>O lado das células do filme simulado onde o corpo desce. Células menores mostram detalhes mais finos e demoram mais.</translation>
-    </message>
-    <message>
-        <source>Each dip paints the places that it paints better, and leaves the others blank. If not, both paint all that they reach, and some places are painted twice.</source>
-        <translation>Cada imersão pinta os lugares que pinta melhor e deixa os outros em branco. Senão, ambas pintam tudo o que alcançam, e alguns lugares são pintados duas vezes.</translation>
-    </message>
-    <message>
         <source>Overlap</source>
         <translation>Sobreposição</translation>
     </message>
     <message>
-        <source>The band along the join in which both dips fade into each other, on the body. It is made wider where the registration error would show in it.</source>
-        <translation>A faixa ao longo da junção em que as duas imersões se fundem, no corpo. Ela fica mais larga onde o erro de registro apareceria.</translation>
-    </message>
-    <message>
         <source>Registration error</source>
         <translation>Erro de registro</translation>
-    </message>
-    <message>
-        <source>How far the second dip may lie off the first. The band is made wide enough that no edge shows.</source>
-        <translation>Quanto a segunda imersão pode desviar da primeira. A faixa fica larga o bastante para que nenhuma borda apareça.</translation>
-    </message>
-    <message>
-        <source>Stretched by at most</source>
-        <translation>Esticado no máximo</translation>
-    </message>
-    <message>
-        <source>Where one dip&apos;s film is drawn out to more times its length, the other is to paint, if it can.</source>
-        <translation>Onde o filme de uma imersão é esticado além de tantas vezes o seu comprimento, a outra pinta, se puder.</translation>
     </message>
     <message>
         <source>Cradle</source>
@@ -2389,212 +2218,40 @@
         <translation>Folga</translation>
     </message>
     <message>
-        <source>How far the cradle keeps off the body that lies in it.</source>
-        <translation>Quanto o berço se afasta do corpo que está nele.</translation>
-    </message>
-    <message>
-        <source>Walls</source>
-        <translation>Paredes</translation>
-    </message>
-    <message>
-        <source>How thick what holds the body is, at its thinnest.</source>
-        <translation>Espessura mínima do que segura o corpo.</translation>
-    </message>
-    <message>
-        <source>Reaches down</source>
-        <translation>Desce até</translation>
-    </message>
-    <message>
-        <source>How far below the body&apos;s top the cradle reaches. It goes deeper where the body would tip or slide.</source>
-        <translation>Quanto abaixo do topo do corpo o berço alcança. Ele desce mais onde o corpo tombaria ou escorregaria.</translation>
-    </message>
-    <message>
-        <source>Off the film</source>
-        <translation>Longe do filme</translation>
-    </message>
-    <message>
-        <source>How far the cradle keeps off all that the film reaches, and off what earlier dips have painted.</source>
-        <translation>Quanto o berço se afasta de tudo que o filme alcança e do que mergulhos anteriores pintaram.</translation>
-    </message>
-    <message>
-        <source>On paint</source>
-        <translation>Sobre tinta</translation>
-    </message>
-    <message>
-        <source>Whether the cradle may lie on what earlier dips have painted, through padding.</source>
-        <translation>Se o berço pode apoiar-se, através de um forro, no que mergulhos anteriores pintaram.</translation>
-    </message>
-    <message>
         <source>Padding</source>
         <translation>Forro</translation>
-    </message>
-    <message>
-        <source>Room that is left for felt or foam where the cradle lies on paint.</source>
-        <translation>Espaço deixado para feltro ou espuma onde o berço se apoia em tinta.</translation>
-    </message>
-    <message>
-        <source>Plate</source>
-        <translation>Placa</translation>
-    </message>
-    <message>
-        <source>How thick the plate is that the cradle hangs from.</source>
-        <translation>Espessura da placa em que o berço está pendurado.</translation>
-    </message>
-    <message>
-        <source>Off the water</source>
-        <translation>Acima da água</translation>
-    </message>
-    <message>
-        <source>How far the plate stays above the water at the end of the dip.</source>
-        <translation>Quanto a placa fica acima da água no fim do mergulho.</translation>
-    </message>
-    <message>
-        <source>Pins apart</source>
-        <translation>Distância dos pinos</translation>
-    </message>
-    <message>
-        <source>How far apart two of the datum pins are at most. They stand where the sheet&apos;s marks float, or are drawn in towards the film&apos;s middle.</source>
-        <translation>Distância máxima entre dois dos pinos de referência. Ficam onde as marcas da folha flutuam, ou recuados em direção ao meio do filme.</translation>
-    </message>
-    <message>
-        <source>Pins</source>
-        <translation>Pinos</translation>
-    </message>
-    <message>
-        <source>The diameter of the datum pins of the tank&apos;s frame.</source>
-        <translation>Diâmetro dos pinos de referência da armação do tanque.</translation>
     </message>
     <message>
         <source>Pin clearance</source>
         <translation>Folga dos pinos</translation>
     </message>
     <message>
-        <source>How much wider than the pins their holes are, all round.</source>
-        <translation>Quanto os furos são mais largos que os pinos, em toda a volta.</translation>
-    </message>
-    <message>
         <source>Bore</source>
         <translation>Furo</translation>
-    </message>
-    <message>
-        <source>A hole through plate and seat, to fix the body by a screw, suction or hot glue. At 0 there is none.</source>
-        <translation>Um furo pela placa e pelo assento, para fixar o corpo com parafuso, ventosa ou cola quente. Em 0 não há nenhum.</translation>
     </message>
     <message>
         <source>Engraving</source>
         <translation>Gravação</translation>
     </message>
     <message>
-        <source>How deep arrow, number and job are cut into the plate. At 0 they are not.</source>
-        <translation>Profundidade com que seta, número e trabalho são gravados na placa. Em 0 não são.</translation>
-    </message>
-    <message>
-        <source>Fineness</source>
-        <translation>Finura</translation>
-    </message>
-    <message>
-        <source>The side of the cells that the cradle&apos;s form is computed on. Smaller is smoother, slower and makes larger files.</source>
-        <translation>O lado das células em que a forma do berço é calculada. Menor é mais liso, mais lento e gera arquivos maiores.</translation>
-    </message>
-    <message>
-        <source>Body on the water</source>
-        <translation>Corpo na água</translation>
-    </message>
-    <message>
-        <source>How far the body may lie off its place when it meets the film. 95 of 100 dips keep a tolerance.</source>
-        <translation>Quanto o corpo pode estar fora do lugar ao tocar o filme. 95 de 100 imersões respeitam uma tolerância.</translation>
-    </message>
-    <message>
-        <source>Body turned</source>
-        <translation>Corpo girado</translation>
-    </message>
-    <message>
-        <source>How far the body may be turned off its pose, about axes through its middle.</source>
-        <translation>Quanto o corpo pode estar girado em relação à sua pose, em torno de eixos pelo seu centro.</translation>
-    </message>
-    <message>
-        <source>Film on the water</source>
-        <translation>Filme na água</translation>
-    </message>
-    <message>
-        <source>How far the film may lie off its place when the body meets it.</source>
-        <translation>Quanto o filme pode estar fora do lugar quando o corpo o toca.</translation>
-    </message>
-    <message>
-        <source>Film turned</source>
-        <translation>Filme girado</translation>
-    </message>
-    <message>
-        <source>How far the film may be turned on the water, about its middle.</source>
-        <translation>Quanto o filme pode estar girado na água, em torno do seu centro.</translation>
-    </message>
-    <message>
-        <source>By how much of its length the floating film may be longer or shorter than reckoned.</source>
-        <translation>Em que parte do seu comprimento o filme flutuante pode ser mais longo ou mais curto que o calculado.</translation>
-    </message>
-    <message>
         <source>Water level</source>
         <translation>Nível da água</translation>
-    </message>
-    <message>
-        <source>By how much the body may go under deeper or less deep.</source>
-        <translation>Quanto o corpo pode afundar a mais ou a menos.</translation>
-    </message>
-    <message>
-        <source>By how much of its speed the dip may be faster or slower.</source>
-        <translation>Em que parte da sua velocidade a imersão pode ser mais rápida ou mais lenta.</translation>
-    </message>
-    <message>
-        <source>By how much of it the film&apos;s relaxation time may be longer or shorter.</source>
-        <translation>Em que parte o tempo de relaxamento do filme pode ser mais longo ou mais curto.</translation>
-    </message>
-    <message>
-        <source>Of the zones</source>
-        <translation>Das zonas</translation>
-    </message>
-    <message>
-        <source>How far colours may land off their places, to either side. What is not marked on the body is zone C.</source>
-        <translation>Quanto as cores podem cair fora do lugar, para os dois lados. O que não está marcado no corpo é zona C.</translation>
-    </message>
-    <message>
-        <source>Check</source>
-        <translation>Verificação</translation>
     </message>
     <message>
         <source>Dips</source>
         <translation>Imersões</translation>
     </message>
     <message>
-        <source>Dips with everything off at once, to see whether what each does by itself can be added up. 0: none.</source>
-        <translation>Imersões com tudo desviado ao mesmo tempo, para ver se o efeito de cada desvio pode ser somado. 0: nenhuma.</translation>
-    </message>
-    <message>
         <source>Seed</source>
         <translation>Semente</translation>
-    </message>
-    <message>
-        <source>What is off by how much in them. Another number draws others.</source>
-        <translation>O que desvia quanto nelas. Outro número sorteia outras.</translation>
     </message>
     <message>
         <source>Correction</source>
         <translation>Correção</translation>
     </message>
     <message>
-        <source>By what repeats</source>
-        <translation>Pelo que se repete</translation>
-    </message>
-    <message>
-        <source>Takes off the sheet what the parts that the job keeps are off again and again.</source>
-        <translation>Tira da folha o desvio que se repete nas peças que o trabalho guarda.</translation>
-    </message>
-    <message>
         <source>Strength</source>
         <translation>Intensidade</translation>
-    </message>
-    <message>
-        <source>How much of it is taken off.</source>
-        <translation>Quanto disso é tirado.</translation>
     </message>
     <message>
         <source>Model</source>
@@ -2602,15 +2259,11 @@
     </message>
     <message>
         <source>Film</source>
-        <translation>Filme</translation>
+        <translation>Película</translation>
     </message>
     <message>
         <source>Dipping</source>
         <translation>Imersão</translation>
-    </message>
-    <message>
-        <source>Join</source>
-        <translation>Junção</translation>
     </message>
     <message>
         <source>Sheet</source>
@@ -2625,52 +2278,16 @@
         <translation>Tolerâncias</translation>
     </message>
     <message>
-        <source>Spot inks</source>
-        <translation>Tintas especiais</translation>
-    </message>
-    <message>
-        <source>Cut line</source>
-        <translation>Linha de corte</translation>
-    </message>
-    <message>
-        <source>A line for the cutter, as a spot ink in a PDF in CMYK.</source>
-        <translation>Uma linha para a cortadora, como tinta especial em um PDF em CMYK.</translation>
-    </message>
-    <message>
-        <source>Round the ink</source>
-        <translation>Em volta da tinta</translation>
-    </message>
-    <message>
         <source>Along the film&apos;s edge</source>
-        <translation>Ao longo da borda do filme</translation>
+        <translation>Ao longo da borda da película</translation>
     </message>
     <message>
         <source>Distance</source>
         <translation>Distância</translation>
     </message>
     <message>
-        <source>Of the cut line from the ink.</source>
-        <translation>Da linha de corte até a tinta.</translation>
-    </message>
-    <message>
-        <source>Its ink</source>
-        <translation>Sua tinta</translation>
-    </message>
-    <message>
-        <source>The name by which the cutter knows the line.</source>
-        <translation>O nome pelo qual a cortadora conhece a linha.</translation>
-    </message>
-    <message>
-        <source>Part&apos;s colour</source>
-        <translation>Cor da peça</translation>
-    </message>
-    <message>
         <source>White</source>
         <translation>Branco</translation>
-    </message>
-    <message>
-        <source>A plate of white under all colour. What is printed last touches the part; printed first, it lies on the outside, over the colour. In PDF and TIFF in CMYK.</source>
-        <translation>Uma chapa de branco sob toda a cor. O que é impresso por último toca a peça; impresso primeiro, fica por fora, sobre a cor. Em PDF e TIFF em CMYK.</translation>
     </message>
     <message>
         <source>Printed last, under the colour</source>
@@ -2685,36 +2302,8 @@
         <translation>Densidade</translation>
     </message>
     <message>
-        <source>Share of full tint that the part is to have; more is printed where the film stretches, as far as full tint goes.</source>
-        <translation>Parte do tom cheio que a peça deve ter; imprime-se mais onde o filme estica, até o tom cheio.</translation>
-    </message>
-    <message>
         <source>Choke</source>
         <translation>Recuo</translation>
-    </message>
-    <message>
-        <source>How much smaller than the colour the white is, all round, on the film.</source>
-        <translation>Quanto o branco é menor que a cor, em toda a volta, no filme.</translation>
-    </message>
-    <message>
-        <source>Name of white</source>
-        <translation>Nome do branco</translation>
-    </message>
-    <message>
-        <source>The name by which the printer knows its white ink.</source>
-        <translation>O nome pelo qual a impressora conhece sua tinta branca.</translation>
-    </message>
-    <message>
-        <source>Of the bare part, as #1a2b3c: proof and view show the ink on it. Empty: light grey, and ink as it looks on white.</source>
-        <translation>Da peça nua, como #1a2b3c: a prova e a vista mostram a tinta sobre ela. Vazio: cinza-claro, e a tinta como é vista sobre branco.</translation>
-    </message>
-    <message>
-        <source>Bleed past it</source>
-        <translation>Sangria além dela</translation>
-    </message>
-    <message>
-        <source>How far beyond the cut line the colours of the painted film&apos;s edge go on, so that a cut that slips shows no bare film.</source>
-        <translation>Até onde as cores da borda do filme pintado continuam para além da linha de corte, para que um corte desviado não mostre filme nu.</translation>
     </message>
     <message>
         <source>Print it</source>
@@ -2722,7 +2311,7 @@
     </message>
     <message>
         <source>Check first</source>
-        <translation>Verificar antes</translation>
+        <translation>Verificar primeiro</translation>
     </message>
     <message>
         <source>Do not print</source>
@@ -2730,95 +2319,491 @@
     </message>
     <message>
         <source>Verdict: check first above</source>
-        <translation>Veredito: verificar antes acima de</translation>
+        <translation>Veredito: verificar primeiro acima de</translation>
     </message>
     <message>
         <source>Trapped air</source>
         <translation>Ar preso</translation>
     </message>
     <message>
-        <source>The share of the body&apos;s surface that trapped air may keep dry. The verdict is “do not print” above five times a limit.</source>
-        <translation>A parte da superfície do corpo que o ar preso pode manter seca. Acima de cinco vezes um limite o veredito é “Não imprima”.</translation>
-    </message>
-    <message>
         <source>Too pale</source>
         <translation>Claro demais</translation>
     </message>
     <message>
-        <source>The share of the painted area that may look too pale, because the film stretches more than the ink can make up for.</source>
-        <translation>A parte da área pintada que pode ficar clara demais, porque o filme estica mais do que a tinta consegue compensar.</translation>
-    </message>
-    <message>
         <source>Torn or released film</source>
-        <translation>Filme rasgado ou solto</translation>
-    </message>
-    <message>
-        <source>The share of the painted area on which the film may tear or be pulled off the body.</source>
-        <translation>A parte da área pintada em que o filme pode rasgar ou ser arrancado do corpo.</translation>
+        <translation>Película rasgada ou solta</translation>
     </message>
     <message>
         <source>Reached by neither dip</source>
         <translation>Não alcançado por nenhuma imersão</translation>
     </message>
     <message>
-        <source>The share of the body&apos;s surface that neither of two dips may reach. A job of one dip has no such limit.</source>
-        <translation>A parte da superfície do corpo que nenhuma de duas imersões precisa alcançar. Um trabalho de uma só imersão não tem esse limite.</translation>
-    </message>
-    <message>
         <source>Narrow overlap</source>
         <translation>Sobreposição estreita</translation>
-    </message>
-    <message>
-        <source>The share of the overlap of two dips that may be too narrow for how far the second film may lie off.</source>
-        <translation>A parte da sobreposição de duas imersões que pode ser estreita demais para o desvio possível do segundo filme.</translation>
     </message>
     <message>
         <source>Bare in a zone</source>
         <translation>Sem tinta numa zona</translation>
     </message>
     <message>
-        <source>The share of zone A or B, where they are marked, that may stay without paint.</source>
-        <translation>A parte da zona A ou B, onde estão marcadas, que pode ficar sem tinta.</translation>
-    </message>
-    <message>
         <source>Film&apos;s edge</source>
-        <translation>Borda do filme</translation>
-    </message>
-    <message>
-        <source>How far the painted film has to stay from the film&apos;s edge, so that it neither curls nor folds.</source>
-        <translation>A que distância da borda do filme o filme que pinta tem de ficar, para que não enrole nem dobre.</translation>
+        <translation>Borda da película</translation>
     </message>
     <message>
         <source>No picture</source>
         <translation>Sem imagem</translation>
     </message>
     <message>
-        <source>What a model of one plain colour, without artwork, comes to.</source>
-        <translation>O que resulta de um modelo de uma só cor, sem arte.</translation>
-    </message>
-    <message>
         <source>Repaired model</source>
         <translation>Modelo corrigido</translation>
     </message>
     <message>
-        <source>What a model comes to that was put right, or lacks something that its file names.</source>
-        <translation>O que resulta de um modelo que foi corrigido ou ao qual falta algo que o arquivo nomeia.</translation>
-    </message>
-    <message>
         <source>Film not measured</source>
-        <translation>Filme não medido</translation>
-    </message>
-    <message>
-        <source>What a film comes to whose swell nobody has measured.</source>
-        <translation>O que resulta de um filme cujo inchamento ninguém mediu.</translation>
-    </message>
-    <message>
-        <source>Split the body between the dips</source>
-        <translation>Dividir o corpo entre as imersões</translation>
+        <translation>Película não medida</translation>
     </message>
     <message>
         <source>Expected deviations (±)</source>
         <translation>Desvios esperados (±)</translation>
+    </message>
+    <message>
+        <source>The name of the project. It is printed in the job line of every sheet.</source>
+        <translation>O nome do projeto. É impresso na linha de trabalho de cada folha.</translation>
+    </message>
+    <message>
+        <source>The date in the job line. It is stored in the project, so that the same project always gives the same sheet.</source>
+        <translation>A data na linha de trabalho. Ela é salva no projeto, para que o mesmo projeto dê sempre a mesma folha.</translation>
+    </message>
+    <message>
+        <source>Number of samples along each edge of the distance field around the part. More samples follow finer detail and take longer to compute.</source>
+        <translation>Número de amostras em cada aresta do campo de distância em volta da peça. Mais amostras seguem detalhes mais finos e demoram mais.</translation>
+    </message>
+    <message>
+        <source>The size of the film as it is delivered and printed.</source>
+        <translation>O tamanho em que a película é fornecida e impressa.</translation>
+    </message>
+    <message>
+        <source>How fine the simulated film is. “Automatic” chooses the cell size from the part&apos;s narrow features and its pose: fine where the part enters the film, coarse towards the film&apos;s edges.</source>
+        <translation>Quão fina é a película simulada. “Automática” escolhe o tamanho das células pelas partes estreitas da peça e pela sua pose: pequenas onde a peça entra na película, grandes em direção às bordas.</translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>Tamanho das células</translation>
+    </message>
+    <message>
+        <source>Side length of the simulated film&apos;s cells where the part enters the film. Smaller cells show finer detail and take longer.</source>
+        <translation>Lado das células da película simulada onde a peça entra na película. Células menores mostram detalhes mais finos e demoram mais.</translation>
+    </message>
+    <message>
+        <source>Isotropic film resists shear; the result does not depend on the direction of the grid. The structural lattice joins only horizontal and vertical neighbours, as in the paper of 2020.</source>
+        <translation>A película isotrópica resiste ao cisalhamento; o resultado não depende da direção da grade. A rede estrutural une só vizinhos horizontais e verticais, como no artigo de 2020.</translation>
+    </message>
+    <message>
+        <source>Whether the water supports the floating film. Without it, nothing supports the film.</source>
+        <translation>Se a água sustenta a película flutuante. Sem ela, nada a sustenta.</translation>
+    </message>
+    <message>
+        <source>Gap between the cradle and the part that lies in it.</source>
+        <translation>Folga entre o berço e a peça que está nele.</translation>
+    </message>
+    <message>
+        <source>Wall thickness</source>
+        <translation>Espessura da parede</translation>
+    </message>
+    <message>
+        <source>The smallest thickness of the walls that hold the part.</source>
+        <translation>A menor espessura das paredes que seguram a peça.</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Alcance</translation>
+    </message>
+    <message>
+        <source>How far below the top of the part the cradle reaches. It reaches deeper where the part would tip or slide.</source>
+        <translation>Quanto abaixo do topo da peça o berço alcança. Ele desce mais onde a peça tombaria ou escorregaria.</translation>
+    </message>
+    <message>
+        <source>Distance to the film</source>
+        <translation>Distância da película</translation>
+    </message>
+    <message>
+        <source>Distance from the cradle to all places that the film reaches or that earlier dips have painted.</source>
+        <translation>Distância do berço a todos os lugares que a película alcança ou que imersões anteriores pintaram.</translation>
+    </message>
+    <message>
+        <source>Rest on paint</source>
+        <translation>Apoiar na tinta</translation>
+    </message>
+    <message>
+        <source>Whether the cradle may rest on areas that earlier dips have painted, with padding in between.</source>
+        <translation>Se o berço pode apoiar-se em áreas que imersões anteriores pintaram, com um forro no meio.</translation>
+    </message>
+    <message>
+        <source>Space for felt or foam where the cradle rests on paint.</source>
+        <translation>Espaço para feltro ou espuma onde o berço se apoia em tinta.</translation>
+    </message>
+    <message>
+        <source>Plate thickness</source>
+        <translation>Espessura da placa</translation>
+    </message>
+    <message>
+        <source>Thickness of the plate that the cradle hangs from.</source>
+        <translation>Espessura da placa em que o berço está pendurado.</translation>
+    </message>
+    <message>
+        <source>Height above the water</source>
+        <translation>Altura acima da água</translation>
+    </message>
+    <message>
+        <source>Height of the plate above the water at the end of the dip.</source>
+        <translation>Altura da placa acima da água no fim da imersão.</translation>
+    </message>
+    <message>
+        <source>Pin spacing</source>
+        <translation>Distância entre pinos</translation>
+    </message>
+    <message>
+        <source>Largest distance between two datum pins. The pins stand where the sheet&apos;s marks float, or closer to the film&apos;s centre.</source>
+        <translation>Maior distância entre dois pinos de referência. Os pinos ficam onde as marcas da folha flutuam, ou mais perto do centro da película.</translation>
+    </message>
+    <message>
+        <source>Pin diameter</source>
+        <translation>Diâmetro dos pinos</translation>
+    </message>
+    <message>
+        <source>Diameter of the datum pins on the tank&apos;s frame.</source>
+        <translation>Diâmetro dos pinos de referência da armação do tanque.</translation>
+    </message>
+    <message>
+        <source>Gap between a pin and its hole, all round.</source>
+        <translation>Folga entre o pino e o furo, em toda a volta.</translation>
+    </message>
+    <message>
+        <source>Diameter of a hole through plate and seat, for holding the part with a screw, suction or hot glue. 0: no hole.</source>
+        <translation>Diâmetro de um furo pela placa e pelo assento, para segurar a peça com parafuso, ventosa ou cola quente. 0: sem furo.</translation>
+    </message>
+    <message>
+        <source>Depth of the engraved arrow, dip number and job number in the plate. 0: no engraving.</source>
+        <translation>Profundidade da gravação de seta, imersão e número do trabalho na placa. 0: sem gravação.</translation>
+    </message>
+    <message>
+        <source>Side length of the cells on which the cradle is computed. Smaller cells give a smoother surface, take longer and make larger files.</source>
+        <translation>Lado das células em que o berço é calculado. Células menores dão uma superfície mais lisa, demoram mais e geram arquivos maiores.</translation>
+    </message>
+    <message>
+        <source>How fast the part moves down into the water.</source>
+        <translation>Com que velocidade a peça desce na água.</translation>
+    </message>
+    <message>
+        <source>How far the lowest point of the part goes below the waterline. “Whole part” dips until the part is fully under water.</source>
+        <translation>Quanto o ponto mais baixo da peça desce abaixo da linha d&apos;água. “Peça inteira” mergulha até a peça ficar toda submersa.</translation>
+    </message>
+    <message>
+        <source>Whole part</source>
+        <translation>Peça inteira</translation>
+    </message>
+    <message>
+        <source>How much farther the part moves down once it is fully under water.</source>
+        <translation>Quanto mais a peça desce depois de totalmente submersa.</translation>
+    </message>
+    <message>
+        <source>How far the contact line moves in one step, in cells of the film. Smaller steps are more accurate and slower.</source>
+        <translation>Quanto a linha de contato avança em um passo, em células da película. Passos menores são mais precisos e mais lentos.</translation>
+    </message>
+    <message>
+        <source>The simulated time of one step.</source>
+        <translation>O tempo simulado de um passo.</translation>
+    </message>
+    <message>
+        <source>Number of sweeps over all constraints in one step.</source>
+        <translation>Número de passagens por todas as restrições em um passo.</translation>
+    </message>
+    <message>
+        <source>Sweep method</source>
+        <translation>Método de passagem</translation>
+    </message>
+    <message>
+        <source>Jacobi corrects all points at once and averages the corrections. Gauss–Seidel corrects one point after the other.</source>
+        <translation>Jacobi corrige todos os pontos de uma vez e tira a média das correções. Gauss–Seidel corrige um ponto após o outro.</translation>
+    </message>
+    <message>
+        <source>Keeps film from passing through other film.</source>
+        <translation>Impede que a película atravesse outra parte da película.</translation>
+    </message>
+    <message>
+        <source>The name of this dip. It is printed in the job line of its sheet.</source>
+        <translation>O nome desta imersão. É impresso na linha de trabalho da folha.</translation>
+    </message>
+    <message>
+        <source>Rotation of the part about X, then Y, then Z before the dip. You can also drag the rings in the view; hold Shift for steps of 15°.</source>
+        <translation>Rotação da peça em X, depois Y, depois Z antes da imersão. Também é possível arrastar os anéis na vista; segure Shift para passos de 15°.</translation>
+    </message>
+    <message>
+        <source>Where the part meets the film, measured from the film&apos;s centre: X to the right, Z down the sheet.</source>
+        <translation>Onde a peça encontra a película, a partir do centro da película: X para a direita, Z para baixo na folha.</translation>
+    </message>
+    <message>
+        <source>Split the part between the dips</source>
+        <translation>Dividir a peça entre as imersões</translation>
+    </message>
+    <message>
+        <source>Each dip paints the areas where it gives the better result and leaves the others blank. If off, both dips paint everything they reach, and some areas are painted twice.</source>
+        <translation>Cada imersão pinta as áreas em que dá o melhor resultado e deixa as outras em branco. Se desligado, ambas pintam tudo o que alcançam, e algumas áreas são pintadas duas vezes.</translation>
+    </message>
+    <message>
+        <source>How far the second dip may be displaced from the first. The overlap is made wide enough that no edge shows.</source>
+        <translation>Quanto a segunda imersão pode estar deslocada em relação à primeira. A sobreposição fica larga o bastante para que nenhuma borda apareça.</translation>
+    </message>
+    <message>
+        <source>Stretch limit</source>
+        <translation>Limite de estiramento</translation>
+    </message>
+    <message>
+        <source>Where the film of one dip stretches beyond this factor, the other dip paints if it can.</source>
+        <translation>Onde a película de uma imersão estica além deste fator, a outra imersão pinta, se puder.</translation>
+    </message>
+    <message>
+        <source>The page that the film image is placed on. “As the film” prints the film itself, edge to edge.</source>
+        <translation>A página em que a imagem da película é posta. “Como a película” imprime a própria película, de borda a borda.</translation>
+    </message>
+    <message>
+        <source>Turns the page on its side.</source>
+        <translation>Vira a página de lado.</translation>
+    </message>
+    <message>
+        <source>Pixels per inch of the film image.</source>
+        <translation>Pixels por polegada da imagem da película.</translation>
+    </message>
+    <message>
+        <source>How far the colour continues beyond the painted area, so that a small position error leaves no bare edge.</source>
+        <translation>Quanto a cor continua além da área pintada, para que um pequeno erro de posição não deixe borda nua.</translation>
+    </message>
+    <message>
+        <source>Marks in the corners, for aligning the film in the tank.</source>
+        <translation>Marcas nos cantos para alinhar a película no tanque.</translation>
+    </message>
+    <message>
+        <source>A ruler of 100 mm. Measure it to check that the page was printed at true size.</source>
+        <translation>Uma régua de 100 mm. Meça-a para verificar se a página saiu em tamanho real.</translation>
+    </message>
+    <message>
+        <source>A line with project, dip, date, film, scale and a checksum.</source>
+        <translation>Uma linha com projeto, imersão, data, película, escala e soma de verificação.</translation>
+    </message>
+    <message>
+        <source>Part colour</source>
+        <translation>Cor da peça</translation>
+    </message>
+    <message>
+        <source>Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this colour. Empty: light grey, with the ink as it looks on white.</source>
+        <translation>Cor da peça nua, por exemplo #1a2b3c. A prova e a vista mostram a tinta sobre esta cor. Vazio: cinza-claro, com a tinta como é vista sobre branco.</translation>
+    </message>
+    <message>
+        <source>A plate of white ink. White that is printed last touches the part, under the colours. White that is printed first lies outside, over the colours. For PDF and TIFF in CMYK.</source>
+        <translation>Uma chapa de tinta branca. O branco impresso por último toca a peça, sob as cores. O branco impresso primeiro fica por fora, sobre as cores. Para PDF e TIFF em CMYK.</translation>
+    </message>
+    <message>
+        <source>Tint of the white on the finished part. Where the film stretches, more is printed, up to the full tint.</source>
+        <translation>Tom do branco na peça pronta. Onde a película estica, imprime-se mais, até o tom cheio.</translation>
+    </message>
+    <message>
+        <source>How far the edge of the white stays inside the edge of the colour, on the film.</source>
+        <translation>Quanto a borda do branco fica para dentro da borda da cor, na película.</translation>
+    </message>
+    <message>
+        <source>Name of the white ink</source>
+        <translation>Nome da tinta branca</translation>
+    </message>
+    <message>
+        <source>The name of the white ink in the printer.</source>
+        <translation>O nome da tinta branca na impressora.</translation>
+    </message>
+    <message>
+        <source>Cut contour</source>
+        <translation>Contorno de corte</translation>
+    </message>
+    <message>
+        <source>A contour for the cutter, as a spot colour in a PDF in CMYK.</source>
+        <translation>Um contorno para a cortadora, como cor especial em um PDF em CMYK.</translation>
+    </message>
+    <message>
+        <source>Around the ink</source>
+        <translation>Em volta da tinta</translation>
+    </message>
+    <message>
+        <source>Distance from the ink to the cut contour.</source>
+        <translation>Distância entre a tinta e o contorno de corte.</translation>
+    </message>
+    <message>
+        <source>Bleed at the contour</source>
+        <translation>Sangria no contorno</translation>
+    </message>
+    <message>
+        <source>How far the colours continue beyond the cut contour, so that a misplaced cut shows no bare film.</source>
+        <translation>Quanto as cores continuam além do contorno de corte, para que um corte desviado não mostre película nua.</translation>
+    </message>
+    <message>
+        <source>Contour name</source>
+        <translation>Nome do contorno</translation>
+    </message>
+    <message>
+        <source>The name of the spot colour that the cutter follows.</source>
+        <translation>O nome da cor especial que a cortadora segue.</translation>
+    </message>
+    <message>
+        <source>Correct repeating errors</source>
+        <translation>Corrigir erros repetidos</translation>
+    </message>
+    <message>
+        <source>Corrects the sheet by the errors that repeat on the finished parts recorded in the job.</source>
+        <translation>Corrige a folha pelos erros que se repetem nas peças prontas registradas no trabalho.</translation>
+    </message>
+    <message>
+        <source>How much of the repeating error is corrected.</source>
+        <translation>Quanto do erro repetido é corrigido.</translation>
+    </message>
+    <message>
+        <source>Spot colours</source>
+        <translation>Cores especiais</translation>
+    </message>
+    <message>
+        <source>Ink thins where the film stretches. This prints more ink there, so that the part shows the colour of the texture.</source>
+        <translation>A tinta afina onde a película estica. Isto imprime mais tinta ali, para que a peça mostre a cor da textura.</translation>
+    </message>
+    <message>
+        <source>The highest optical density that can be printed. Where more is needed, the colour is too pale; the report gives the area.</source>
+        <translation>A maior densidade óptica que pode ser impressa. Onde é preciso mais, a cor fica clara demais; o relatório dá a área.</translation>
+    </message>
+    <message>
+        <source>Part position</source>
+        <translation>Posição da peça</translation>
+    </message>
+    <message>
+        <source>Part rotation</source>
+        <translation>Rotação da peça</translation>
+    </message>
+    <message>
+        <source>How far the part may be rotated from its pose, about axes through its centre.</source>
+        <translation>Quanto a peça pode estar girada em relação à sua pose, em torno de eixos pelo seu centro.</translation>
+    </message>
+    <message>
+        <source>Film position</source>
+        <translation>Posição da película</translation>
+    </message>
+    <message>
+        <source>How far the film may be from its intended place when the part meets it.</source>
+        <translation>Quanto a película pode estar fora do lugar previsto quando a peça a toca.</translation>
+    </message>
+    <message>
+        <source>Film rotation</source>
+        <translation>Rotação da película</translation>
+    </message>
+    <message>
+        <source>How far the film may be rotated on the water, about its centre.</source>
+        <translation>Quanto a película pode estar girada na água, em torno do seu centro.</translation>
+    </message>
+    <message>
+        <source>How much longer or shorter than assumed the floating film may be, as a share of its length.</source>
+        <translation>Quanto a película flutuante pode ser mais longa ou mais curta que o suposto, como parte do seu comprimento.</translation>
+    </message>
+    <message>
+        <source>How much deeper or less deep the part may be dipped.</source>
+        <translation>Quanto mais ou menos fundo a peça pode ser mergulhada.</translation>
+    </message>
+    <message>
+        <source>The share of the part&apos;s surface that trapped air may keep dry. Above five times any of these limits, the verdict is “do not print”.</source>
+        <translation>A parte da superfície da peça que o ar preso pode manter seca. Acima de cinco vezes qualquer destes limites o veredito é “Não imprima”.</translation>
+    </message>
+    <message>
+        <source>The share of the painted area that may be too pale because the film stretches more than the ink can compensate.</source>
+        <translation>A parte da área pintada que pode ficar clara demais porque a película estica mais do que a tinta consegue compensar.</translation>
+    </message>
+    <message>
+        <source>The share of the painted area where the film may tear or be released from the part.</source>
+        <translation>A parte da área pintada em que a película pode rasgar ou soltar-se da peça.</translation>
+    </message>
+    <message>
+        <source>The share of the part&apos;s surface that both dips may leave unreached. A job with one dip has no such limit.</source>
+        <translation>A parte da superfície da peça que as duas imersões podem deixar de alcançar. Um trabalho de uma só imersão não tem esse limite.</translation>
+    </message>
+    <message>
+        <source>The share of the overlap that may be too narrow for the registration error of the second film.</source>
+        <translation>A parte da sobreposição que pode ser estreita demais para o erro de registro da segunda película.</translation>
+    </message>
+    <message>
+        <source>The share of a marked zone A or B that may stay unpainted.</source>
+        <translation>A parte de uma zona A ou B marcada que pode ficar sem tinta.</translation>
+    </message>
+    <message>
+        <source>The verdict for a model of one plain colour without artwork.</source>
+        <translation>O veredito para um modelo de uma só cor sem arte.</translation>
+    </message>
+    <message>
+        <source>The verdict for a model that was repaired, or whose file names something that is missing.</source>
+        <translation>O veredito para um modelo que foi corrigido ou cujo arquivo cita algo que falta.</translation>
+    </message>
+    <message>
+        <source>The verdict for a film whose swell was not measured.</source>
+        <translation>O veredito para uma película cujo inchamento não foi medido.</translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation>Zonas</translation>
+    </message>
+    <message>
+        <source>How far (±) colours may land from their intended places. Surface that is not marked is zone C.</source>
+        <translation>Quanto (±) as cores podem cair fora do lugar previsto. Superfície não marcada é zona C.</translation>
+    </message>
+    <message>
+        <source>Number of simulated dips with all deviations at once. They check whether the separate effects add up. 0: no check.</source>
+        <translation>Número de imersões simuladas com todos os desvios juntos. Elas verificam se os efeitos separados se somam. 0: sem verificação.</translation>
+    </message>
+    <message>
+        <source>Selects the random deviations of these dips. Another number draws other deviations.</source>
+        <translation>Determina os desvios aleatórios destas imersões. Outro número sorteia outros desvios.</translation>
+    </message>
+    <message>
+        <source>Seam</source>
+        <translation>Emenda</translation>
+    </message>
+    <message>
+        <source>Width (W) and height (H) of the printed film. The grid spacing does not change.</source>
+        <translation>Largura (L) e altura (A) da película impressa. O espaçamento da grade não muda.</translation>
+    </message>
+    <message>
+        <source>Number of points of the simulated film, across (W) and down (H). More points show finer detail and take longer.</source>
+        <translation>Número de pontos da película simulada, na largura (L) e na altura (A). Mais pontos mostram detalhes mais finos e demoram mais.</translation>
+    </message>
+    <message>
+        <source>Advanced: material laws that are not measured</source>
+        <translation>Avançado: leis do material não medidas</translation>
+    </message>
+    <message>
+        <source>Width of the band along the seam on the part that both dips paint. The dips fade into each other there. The band is wider where the registration error would show.</source>
+        <translation>Largura da faixa ao longo da emenda na peça que as duas imersões pintam. As imersões se fundem uma na outra ali. A faixa é mais larga onde o erro de registro apareceria.</translation>
+    </message>
+    <message>
+        <source>Width (W) and height (H) of the page.</source>
+        <translation>Largura (L) e altura (A) da página.</translation>
+    </message>
+    <message>
+        <source>How far the part may be from its intended place when it meets the film. 95 of 100 dips are within this distance.</source>
+        <translation>Quanto a peça pode estar longe do lugar previsto quando encontra a película. 95 de 100 imersões ficam dentro desta distância.</translation>
+    </message>
+    <message>
+        <source>How much faster or slower the dip may be, as a share of the set speed.</source>
+        <translation>Quanto a imersão pode ser mais rápida ou mais lenta, como parte da velocidade ajustada.</translation>
+    </message>
+    <message>
+        <source>How much longer or shorter the film&apos;s relaxation time may be, as a share of the relaxation time.</source>
+        <translation>Quanto o tempo de relaxação da película pode ser maior ou menor, como parte do tempo de relaxação.</translation>
+    </message>
+    <message>
+        <source>The smallest allowed distance between film that paints and the film&apos;s edge. Nearer to the edge, film may curl or fold.</source>
+        <translation>A menor distância permitida entre a película que pinta e a borda da película. Mais perto da borda ela pode enrolar ou dobrar.</translation>
+    </message>
+    <message>
+        <source>Check with simulated dips</source>
+        <translation>Verificação com imersões simuladas</translation>
     </message>
 </context>
 <context>
@@ -2826,14 +2811,6 @@
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>Body painted</source>
-        <translation>Corpo pintado</translation>
-    </message>
-    <message>
-        <source>Film points on the body</source>
-        <translation>Pontos do filme no corpo</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -2849,15 +2826,7 @@
     </message>
     <message>
         <source>Film triangles across texture seams</source>
-        <translation>Triângulos do filme sobre costuras da textura</translation>
-    </message>
-    <message>
-        <source>Colour short of ink</source>
-        <translation>Cor com tinta insuficiente</translation>
-    </message>
-    <message>
-        <source>Air trapped</source>
-        <translation>Ar preso</translation>
+        <translation>Triângulos da película sobre costuras da textura</translation>
     </message>
     <message>
         <source>Simulated in</source>
@@ -2872,44 +2841,8 @@
         <translation>Passos</translation>
     </message>
     <message>
-        <source>Steps without equilibrium</source>
-        <translation>Passos sem equilíbrio</translation>
-    </message>
-    <message>
-        <source>Texture read back, mean and 95 %</source>
-        <translation>Textura lida de volta, média e 95 %</translation>
-    </message>
-    <message>
-        <source>Of that, by marked film</source>
-        <translation>Disso, por filme marcado</translation>
-    </message>
-    <message>
-        <source>Painted by %1 alone</source>
-        <translation>Pintado só por %1</translation>
-    </message>
-    <message>
-        <source>In the overlap, by both</source>
-        <translation>Na sobreposição, por ambas</translation>
-    </message>
-    <message>
-        <source>Reached by neither</source>
-        <translation>Não alcançado por nenhuma</translation>
-    </message>
-    <message>
         <source>Width of the overlap</source>
         <translation>Largura da sobreposição</translation>
-    </message>
-    <message>
-        <source>Length of the join</source>
-        <translation>Comprimento da junção</translation>
-    </message>
-    <message>
-        <source>Join</source>
-        <translation>Junção</translation>
-    </message>
-    <message>
-        <source>Smaller places not reached</source>
-        <translation>Lugares menores não alcançados</translation>
     </message>
     <message>
         <source>Not reached at %1</source>
@@ -2920,31 +2853,83 @@
         <translation>%1 a %2</translation>
     </message>
     <message>
-        <source>Overlap that is too narrow for %1 off</source>
-        <translation>Sobreposição estreita demais para um desvio de %1</translation>
+        <source>Painted by %1 only</source>
+        <translation>Pintado só por %1</translation>
     </message>
     <message>
-        <source>Most of the film stays empty: %1, %2 × %3, is enough.</source>
-        <translation>A maior parte do filme fica vazia: %1, %2 × %3, basta.</translation>
+        <source>Overlap, painted by both</source>
+        <translation>Sobreposição, pintada por ambas</translation>
     </message>
     <message>
-        <source>Take this film</source>
-        <translation>Usar este filme</translation>
+        <source>Reached by neither dip</source>
+        <translation>Não alcançado por nenhuma imersão</translation>
+    </message>
+    <message>
+        <source>Overlap too narrow for a registration error of %1</source>
+        <translation>Sobreposição estreita demais para um erro de registro de %1</translation>
+    </message>
+    <message>
+        <source>Length of the seam</source>
+        <translation>Comprimento da emenda</translation>
+    </message>
+    <message>
+        <source>Smaller areas not reached</source>
+        <translation>Áreas menores não alcançadas</translation>
+    </message>
+    <message>
+        <source>Seam</source>
+        <translation>Emenda</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Cobertura</translation>
+    </message>
+    <message>
+        <source>Film points on the part</source>
+        <translation>Pontos da película na peça</translation>
+    </message>
+    <message>
+        <source>Read-back error, mean and 95 %</source>
+        <translation>Erro de releitura, médio e 95 %</translation>
+    </message>
+    <message>
+        <source>Too pale for lack of ink</source>
+        <translation>Claro demais por falta de tinta</translation>
+    </message>
+    <message>
+        <source>Trapped air</source>
+        <translation>Ar preso</translation>
+    </message>
+    <message>
+        <source>Steps that did not converge</source>
+        <translation>Passos que não convergiram</translation>
+    </message>
+    <message>
+        <source>Most of the film stays empty. %1 (%2 × %3) is large enough.</source>
+        <translation>A maior parte da película fica vazia. %1 (%2 × %3) é grande o bastante.</translation>
+    </message>
+    <message>
+        <source>Use this film</source>
+        <translation>Usar esta película</translation>
+    </message>
+    <message>
+        <source>Painted by torn, released or unconverged film</source>
+        <translation>Pintado por película rasgada, solta ou não convergida</translation>
     </message>
 </context>
 <context>
     <name>ShippedNames</name>
     <message>
         <source>Ideal film, A3</source>
-        <translation>Filme ideal, A3</translation>
+        <translation>Película ideal, A3</translation>
     </message>
     <message>
         <source>Ideal film, A4</source>
-        <translation>Filme ideal, A4</translation>
+        <translation>Película ideal, A4</translation>
     </message>
     <message>
         <source>Soft film, A4, swells by 5 %</source>
-        <translation>Filme macio, A4, incha 5 %</translation>
+        <translation>Película macia, A4, incha 5 %</translation>
     </message>
     <message>
         <source>Pigment printer, borderless, 600 dpi</source>
@@ -2968,11 +2953,11 @@
     </message>
     <message>
         <source>Position-based film on the CPU</source>
-        <translation>Filme baseado em posições na CPU</translation>
+        <translation>Película baseada em posições na CPU</translation>
     </message>
     <message>
         <source>Position-based film on an NVIDIA GPU</source>
-        <translation>Filme baseado em posições em GPU NVIDIA</translation>
+        <translation>Película baseada em posições em GPU NVIDIA</translation>
     </message>
     <message>
         <source>No NVIDIA driver was found on this computer; install one to compute on the GPU.</source>
@@ -3018,23 +3003,23 @@
         <translation>O arquivo não pode ser lido: %1</translation>
     </message>
     <message>
-        <source>The file is larger than %1 MB, more than what is asked for here takes; choose another one</source>
-        <translation>O arquivo tem mais de %1 MB, mais do que precisa o que se pede aqui; escolha outro</translation>
+        <source>The file is larger than %1 MB, too large for this purpose; choose another file</source>
+        <translation>O arquivo tem mais de %1 MB, grande demais para este fim; escolha outro arquivo</translation>
     </message>
 </context>
 <context>
     <name>SnapshotEdits</name>
     <message>
-        <source>Take Snapshot “%1”</source>
+        <source>Take snapshot “%1”</source>
         <translation>Tirar instantâneo “%1”</translation>
     </message>
     <message>
-        <source>Remove Snapshot “%1”</source>
+        <source>Remove snapshot “%1”</source>
         <translation>Remover instantâneo “%1”</translation>
     </message>
     <message>
-        <source>Go Back to “%1”</source>
-        <translation>Voltar a “%1”</translation>
+        <source>Restore snapshot “%1”</source>
+        <translation>Restaurar instantâneo “%1”</translation>
     </message>
 </context>
 <context>
@@ -3055,20 +3040,8 @@
         <translation>Sua descrição não pode ser lida: %1</translation>
     </message>
     <message>
-        <source>Its description is too large to be one</source>
-        <translation>Sua descrição é grande demais para ser uma</translation>
-    </message>
-    <message>
         <source>Its description is not valid JSON: %1</source>
         <translation>Sua descrição não é JSON válido: %1</translation>
-    </message>
-    <message>
-        <source>Its description is not one of a solver</source>
-        <translation>Sua descrição não é a de um solucionador</translation>
-    </message>
-    <message>
-        <source>Its id may hold only small letters, digits and hyphens</source>
-        <translation>Seu id só pode conter letras minúsculas, dígitos e hifens</translation>
     </message>
     <message>
         <source>Its module has to be a file beside its description</source>
@@ -3111,28 +3084,40 @@
         <translation>Este solucionador não pode ser usado: %1</translation>
     </message>
     <message>
-        <source>It was built for solver interface %1, and this program has %2; get it for this version of the program, or build it anew</source>
-        <translation>Ele foi feito para a interface de solucionador %1, e este programa tem a %2; obtenha-o para esta versão do programa ou compile-o de novo</translation>
-    </message>
-    <message>
-        <source>Its module does not fit this program&apos;s solver interface %1, whatever its description says; build it anew</source>
-        <translation>O módulo dele não corresponde à interface de solucionador %1 deste programa, seja o que for que diga a descrição; compile-o de novo</translation>
-    </message>
-    <message>
         <source>It has crashed twice; replace it, or set DIPWRIGHT_RETRY_SOLVERS=1 to try it again</source>
-        <translation>Ele travou duas vezes; substitua-o ou defina DIPWRIGHT_RETRY_SOLVERS=1 para tentar de novo</translation>
-    </message>
-    <message>
-        <source>Others can write to %1; take that right from them, or move the plugin</source>
-        <translation>Outros podem gravar em %1; tire-lhes esse direito ou mova o plugin</translation>
-    </message>
-    <message>
-        <source>It cannot run here and does not say why; ask whoever made it</source>
-        <translation>Ele não pode rodar aqui e não diz por quê; pergunte a quem o fez</translation>
+        <translation>Ele falhou duas vezes; substitua-o ou defina DIPWRIGHT_RETRY_SOLVERS=1 para tentar de novo</translation>
     </message>
     <message>
         <source>The &quot;priority&quot; in its description has to be a whole number from -%1 to %1</source>
         <translation>“priority” na descrição dele tem de ser um número inteiro de -%1 a %1</translation>
+    </message>
+    <message>
+        <source>Its module does not match this program&apos;s solver interface %1, although its description file says so; build it again</source>
+        <translation>O módulo dele não corresponde à interface de solucionador %1 deste programa, embora o arquivo de descrição diga que sim; compile-o de novo</translation>
+    </message>
+    <message>
+        <source>It cannot run here and does not say why; ask its author</source>
+        <translation>Ele não pode rodar aqui e não diz por quê; pergunte ao autor</translation>
+    </message>
+    <message>
+        <source>Its description file is too large</source>
+        <translation>O arquivo de descrição dele é grande demais</translation>
+    </message>
+    <message>
+        <source>It was built for solver interface %1, but this program has %2; get the plugin for this version of the program, or build it again</source>
+        <translation>Ele foi feito para a interface de solucionador %1, mas este programa tem a %2; obtenha o plugin para esta versão do programa ou compile-o de novo</translation>
+    </message>
+    <message>
+        <source>Its description file does not describe a solver</source>
+        <translation>O arquivo de descrição dele não descreve um solucionador</translation>
+    </message>
+    <message>
+        <source>Its id may contain only lower-case letters, digits and hyphens</source>
+        <translation>Seu id só pode conter letras minúsculas, dígitos e hifens</translation>
+    </message>
+    <message>
+        <source>Other users can write to %1; remove that permission, or move the plugin</source>
+        <translation>Outros usuários podem gravar em %1; retire essa permissão ou mova o plugin</translation>
     </message>
 </context>
 <context>
@@ -3154,59 +3139,27 @@
         <translation>%1, pior</translation>
     </message>
     <message>
-        <source>Body painted altogether</source>
-        <translation>Corpo pintado ao todo</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Largest stretch of 95 % of the film on the body</source>
-        <translation>Maior estiramento de 95 % do filme no corpo</translation>
+        <source>Total coverage</source>
+        <translation>Cobertura total</translation>
     </message>
     <message>
-        <source>Area that is not certain</source>
-        <translation>Área que não é certa</translation>
+        <source>Area with too large a numerical error</source>
+        <translation>Área com erro numérico grande demais</translation>
+    </message>
+    <message>
+        <source>Stretch of the film on the part, 95th percentile</source>
+        <translation>Estiramento da película na peça, percentil 95</translation>
     </message>
 </context>
 <context>
     <name>Tolerance</name>
     <message>
-        <source>Body along X</source>
-        <translation>Corpo ao longo de X</translation>
-    </message>
-    <message>
-        <source>Body along Z</source>
-        <translation>Corpo ao longo de Z</translation>
-    </message>
-    <message>
-        <source>Body about X</source>
-        <translation>Corpo em torno de X</translation>
-    </message>
-    <message>
-        <source>Body about Y</source>
-        <translation>Corpo em torno de Y</translation>
-    </message>
-    <message>
-        <source>Body about Z</source>
-        <translation>Corpo em torno de Z</translation>
-    </message>
-    <message>
-        <source>Film along X</source>
-        <translation>Filme ao longo de X</translation>
-    </message>
-    <message>
-        <source>Film along Z</source>
-        <translation>Filme ao longo de Z</translation>
-    </message>
-    <message>
-        <source>Film about Y</source>
-        <translation>Filme em torno de Y</translation>
-    </message>
-    <message>
         <source>Swell</source>
-        <translation>Inchaço</translation>
+        <translation>Inchamento</translation>
     </message>
     <message>
         <source>Water level</source>
@@ -3218,35 +3171,67 @@
     </message>
     <message>
         <source>Relaxation</source>
-        <translation>Relaxamento</translation>
-    </message>
-    <message>
-        <source>Dipping off its place</source>
-        <translation>Mergulhando com desvios</translation>
-    </message>
-    <message>
-        <source>A film that lies off its place does not follow the body; give the film smaller cells or more points</source>
-        <translation>Um filme fora do lugar não acompanha o corpo; dê ao filme células menores ou mais pontos</translation>
-    </message>
-    <message>
-        <source>%1 dips with everything off at once come to ±%2 in place of ±%3.</source>
-        <translation>%1 imersões com tudo desviado ao mesmo tempo dão ±%2 em vez de ±%3.</translation>
-    </message>
-    <message>
-        <source>%1 dips with everything off at once come to ±%2 in place of ±%3: what the contributors do cannot simply be added here.</source>
-        <translation>%1 imersões com tudo desviado ao mesmo tempo dão ±%2 em vez de ±%3: aqui os efeitos não podem simplesmente ser somados.</translation>
+        <translation>Relaxação</translation>
     </message>
     <message>
         <source>Zone %1 is not painted.</source>
         <translation>A zona %1 não é pintada.</translation>
     </message>
     <message>
-        <source>Zone %1 keeps its limit: %2 % of what is painted is within ±%3, 95 % within ±%4. Most of it comes from: %5.</source>
-        <translation>A zona %1 respeita seu limite: %2 % do que é pintado fica dentro de ±%3, 95 % dentro de ±%4. A maior parte vem de: %5.</translation>
+        <source>A film displaced within its tolerance does not follow the part; give the film smaller cells or more points</source>
+        <translation>Uma película deslocada dentro da tolerância não acompanha a peça; dê à película células menores ou mais pontos</translation>
     </message>
     <message>
-        <source>Zone %1 does not keep its limit: %2 % of what is painted is within ±%3, 95 % only within ±%4. Most of it comes from: %5.</source>
-        <translation>A zona %1 não respeita seu limite: %2 % do que é pintado fica dentro de ±%3, 95 % só dentro de ±%4. A maior parte vem de: %5.</translation>
+        <source>Dipping with deviations</source>
+        <translation>Mergulhando com desvios</translation>
+    </message>
+    <message>
+        <source>Check: %1 dips with all deviations at once give ±%2; the sum of the contributors gives ±%3. Both agree.</source>
+        <translation>Verificação: %1 imersões com todos os desvios ao mesmo tempo dão ±%2; a soma das contribuições dá ±%3. Os dois coincidem.</translation>
+    </message>
+    <message>
+        <source>Check: %1 dips with all deviations at once give ±%2; the sum of the contributors gives ±%3. They differ: the contributors do not simply add up here.</source>
+        <translation>Verificação: %1 imersões com todos os desvios ao mesmo tempo dão ±%2; a soma das contribuições dá ±%3. Os dois diferem: aqui as contribuições não podem simplesmente ser somadas.</translation>
+    </message>
+    <message>
+        <source>Zone %1 keeps its limit of ±%3: %2 % of the painted area is within it, 95 % is within ±%4. Largest contributor: %5.</source>
+        <translation>A zona %1 respeita seu limite de ±%3: %2 % da área pintada ficam dentro dele, 95 % dentro de ±%4. Maior contribuição: %5.</translation>
+    </message>
+    <message>
+        <source>Zone %1 exceeds its limit of ±%3: only %2 % of the painted area is within it, 95 % is within ±%4. Largest contributor: %5.</source>
+        <translation>A zona %1 ultrapassa seu limite de ±%3: só %2 % da área pintada ficam dentro dele, 95 % dentro de ±%4. Maior contribuição: %5.</translation>
+    </message>
+    <message>
+        <source>Position of the part along X</source>
+        <translation>Posição da peça ao longo de X</translation>
+    </message>
+    <message>
+        <source>Position of the part along Z</source>
+        <translation>Posição da peça ao longo de Z</translation>
+    </message>
+    <message>
+        <source>Rotation of the part about X</source>
+        <translation>Rotação da peça em torno de X</translation>
+    </message>
+    <message>
+        <source>Rotation of the part about Y</source>
+        <translation>Rotação da peça em torno de Y</translation>
+    </message>
+    <message>
+        <source>Rotation of the part about Z</source>
+        <translation>Rotação da peça em torno de Z</translation>
+    </message>
+    <message>
+        <source>Position of the film along X</source>
+        <translation>Posição da película ao longo de X</translation>
+    </message>
+    <message>
+        <source>Position of the film along Z</source>
+        <translation>Posição da película ao longo de Z</translation>
+    </message>
+    <message>
+        <source>Rotation of the film about Y</source>
+        <translation>Rotação da película em torno de Y</translation>
     </message>
 </context>
 <context>
@@ -3261,43 +3246,23 @@
     </message>
     <message>
         <source>Dip %1 of %2: %3</source>
-        <translation>Mergulho %1 de %2: %3</translation>
-    </message>
-    <message>
-        <source>Traveller of %1, %2</source>
-        <translation>Ficha de acompanhamento de %1, %2</translation>
+        <translation>Imersão %1 de %2: %3</translation>
     </message>
     <message>
         <source>%1. %2, sheet %3</source>
         <translation>%1. %2, folha %3</translation>
     </message>
     <message>
-        <source>Order: %1</source>
-        <translation>Ordem: %1</translation>
-    </message>
-    <message>
         <source>Job %1</source>
         <translation>Trabalho %1</translation>
     </message>
     <message>
-        <source>Turned about X %1°, then Y %2°, then Z %3°. Its middle %4 mm to the right of the film&apos;s middle and %5 mm towards the film&apos;s lower edge. Solid blue: the water when the dip begins; dashed: when it ends.</source>
-        <translation>Girado em X %1°, depois Y %2°, depois Z %3°. Seu meio %4 mm à direita do meio do filme e %5 mm em direção à borda inferior. Azul contínuo: a água quando o mergulho começa; tracejado: quando termina.</translation>
-    </message>
-    <message>
-        <source>No cradle was made for this job; hold the body as drawn.</source>
-        <translation>Nenhum berço foi feito para este trabalho; segure o corpo como no desenho.</translation>
-    </message>
-    <message>
-        <source>Cradle %1: its plate shows the same number and job; its arrow points to the film&apos;s upper edge.</source>
-        <translation>Berço %1: a placa mostra o mesmo número e trabalho; a seta aponta para a borda superior do filme.</translation>
-    </message>
-    <message>
         <source>Seen from the film&apos;s lower edge</source>
-        <translation>Visto da borda inferior do filme</translation>
+        <translation>Visto da borda inferior da película</translation>
     </message>
     <message>
         <source>Seen from the film&apos;s right edge</source>
-        <translation>Visto da borda direita do filme</translation>
+        <translation>Visto da borda direita da película</translation>
     </message>
     <message>
         <source>upper edge</source>
@@ -3312,28 +3277,8 @@
         <translation>borda esquerda</translation>
     </message>
     <message>
-        <source>From above, ink side up. Crosses: the sheet&apos;s marks as they float; red: the datum pins, at %1 / %2 / %3 mm from the film&apos;s middle (to the right; down); dashed: the body.</source>
-        <translation>De cima, lado da tinta para cima. Cruzes: as marcas da folha como flutuam; vermelho: os pinos de referência, a %1 / %2 / %3 mm do meio do filme (à direita; para baixo); tracejado: o corpo.</translation>
-    </message>
-    <message>
-        <source>Dotted: the tank&apos;s marks, %1 × %2 mm apart; the film lies in their middle.</source>
-        <translation>Pontilhado: as marcas do tanque, a %1 × %2 mm uma da outra; o filme fica no meio delas.</translation>
-    </message>
-    <message>
-        <source>The tank&apos;s marks are not given.</source>
-        <translation>As marcas do tanque não foram informadas.</translation>
-    </message>
-    <message>
-        <source>Film %1 × %2 mm, swell %3 × %4.</source>
-        <translation>Filme %1 × %2 mm, dilatação %3 × %4.</translation>
-    </message>
-    <message>
         <source>No film profile is given.</source>
-        <translation>Nenhum perfil de filme foi informado.</translation>
-    </message>
-    <message>
-        <source>%1, lot %2, good until %3.</source>
-        <translation>%1, lote %2, válido até %3.</translation>
+        <translation>Nenhum perfil de película foi informado.</translation>
     </message>
     <message>
         <source>At the tank</source>
@@ -3357,55 +3302,95 @@
     </message>
     <message>
         <source>Swell guessed, not measured.</source>
-        <translation>Inchamento suposto, não medido.</translation>
+        <translation>Inchamento estimado, não medido.</translation>
     </message>
     <message>
         <source>Verdict: %1</source>
         <translation>Veredito: %1</translation>
     </message>
     <message>
-        <source>as the film maker says (no time given)</source>
-        <translation>como indica o fabricante do filme (tempo não informado)</translation>
-    </message>
-    <message>
-        <source>Lay sheet %1 on the water, ink side up; its upper edge lies where the arrow of the plate points.</source>
-        <translation>Pôr a folha %1 na água, lado da tinta para cima; a borda superior fica para onde aponta a seta da placa.</translation>
-    </message>
-    <message>
         <source>Soak the film: %1</source>
-        <translation>Deixar o filme de molho: %1</translation>
+        <translation>Deixar a película de molho: %1</translation>
     </message>
     <message>
         <source>Spray the activator, then wait: %1</source>
         <translation>Borrifar o ativador, depois esperar: %1</translation>
     </message>
     <message>
-        <source>Dip from %1 mm above the water to %2 mm below it, at %3 mm/s: %4 s</source>
-        <translation>Mergulhar de %1 mm acima da água até %2 mm abaixo, a %3 mm/s: %4 s</translation>
+        <source>see the film maker&apos;s instructions (no time given)</source>
+        <translation>veja as instruções do fabricante da película (tempo não informado)</translation>
     </message>
     <message>
-        <source>Hold under water for %1 s, clear the film around the part, lift it out at %2 mm/s</source>
-        <translation>Manter debaixo d&apos;água por %1 s, afastar o filme ao redor da peça, retirar a %2 mm/s</translation>
+        <source>Traveller for %1, %2</source>
+        <translation>Ficha de acompanhamento de %1, %2</translation>
     </message>
     <message>
-        <source>Let it flash off before rinsing: %1</source>
-        <translation>Deixar evaporar antes de enxaguar: %1</translation>
+        <source>Order of the dips: %1</source>
+        <translation>Ordem das imersões: %1</translation>
     </message>
     <message>
-        <source>Rinse and dry: %1</source>
-        <translation>Enxaguar e secar: %1</translation>
+        <source>Rotation about fixed axes: X %1°, then Y %2°, then Z %3°. Centre of the part: x = %4 mm (to the right), z = %5 mm (towards the lower edge) from the film&apos;s centre. Blue line: water when the dip begins (solid) and ends (dashed).</source>
+        <translation>Rotação em eixos fixos: X %1°, depois Y %2°, depois Z %3°. Centro da peça: x = %4 mm (à direita), z = %5 mm (à borda inferior) do centro da película. Linha azul: água no início da imersão (contínua) e no fim (tracejada).</translation>
     </message>
     <message>
-        <source>Compare the part with the picture before dip %1: colour in its place, no tear, no fold, dry where the next cradle holds it</source>
-        <translation>Antes da imersão %1, comparar a peça com a imagem: cor no lugar, sem rasgo, sem dobra, seca onde o próximo berço a segura</translation>
+        <source>No cradle was made for this job. Hold the part as drawn.</source>
+        <translation>Nenhum berço foi feito para este trabalho. Segure a peça como no desenho.</translation>
     </message>
     <message>
-        <source>Compare the part with the picture</source>
-        <translation>Comparar a peça com a imagem</translation>
+        <source>Cradle marked with this dip&apos;s number and job %1. Its arrow points to the film&apos;s upper edge.</source>
+        <translation>Berço marcado com o número desta imersão e o trabalho %1. A seta aponta para a borda superior da película.</translation>
     </message>
     <message>
-        <source>After dip %1 the part should look like this: seen from the film&apos;s lower edge, from its right edge, and from below</source>
-        <translation>Depois da imersão %1 a peça deve ficar assim: vista da borda inferior do filme, da borda direita e de baixo</translation>
+        <source>From above, ink side up. Crosses: marks of the floating film. Red circles: datum pins at x; z = %1 / %2 / %3 mm from the film&apos;s centre (z towards the lower edge). Dashed: the part.</source>
+        <translation>De cima, tinta para cima. Cruzes: marcas da película flutuando. Círculos vermelhos: pinos em x; z = %1 / %2 / %3 mm do centro da película (z à borda inferior). Tracejado: a peça.</translation>
+    </message>
+    <message>
+        <source>Dotted: the tank&apos;s marks, %1 × %2 mm apart. Centre the film between them.</source>
+        <translation>Pontilhado: as marcas do tanque, a %1 × %2 mm. Centralize a película entre elas.</translation>
+    </message>
+    <message>
+        <source>The distance between the tank&apos;s marks is not given.</source>
+        <translation>A distância entre as marcas do tanque não foi informada.</translation>
+    </message>
+    <message>
+        <source>Film: printed size %1 × %2 mm, swell %3 × %4.</source>
+        <translation>Película: tamanho impresso %1 × %2 mm, inchamento %3 × %4.</translation>
+    </message>
+    <message>
+        <source>%1 (lot: %2, use by: %3).</source>
+        <translation>%1 (lote: %2, válido até: %3).</translation>
+    </message>
+    <message>
+        <source>Lay sheet %1 on the water, ink side up. The arrow on the cradle&apos;s plate must point to the upper edge of the sheet.</source>
+        <translation>Pôr a folha %1 na água, lado da tinta para cima. A seta na placa do berço deve apontar para a borda superior da folha.</translation>
+    </message>
+    <message>
+        <source>Dip the part: lower its lowest point from %1 mm above the water to %2 mm below it, at %3 mm/s: %4 s</source>
+        <translation>Mergulhar a peça: baixar seu ponto mais baixo de %1 mm acima da água até %2 mm abaixo dela, a %3 mm/s: %4 s</translation>
+    </message>
+    <message>
+        <source>Hold the part under water for %1 s. Clear the remaining film from the water around it. Then lift the part out at %2 mm/s.</source>
+        <translation>Manter a peça debaixo d&apos;água por %1 s. Retirar da água o resto da película ao redor dela. Depois levantar a peça a %2 mm/s.</translation>
+    </message>
+    <message>
+        <source>Let the part flash off before rinsing: %1</source>
+        <translation>Deixar a peça evaporar antes de enxaguar: %1</translation>
+    </message>
+    <message>
+        <source>Rinse the part, then let it dry: %1</source>
+        <translation>Enxaguar a peça, depois deixar secar: %1</translation>
+    </message>
+    <message>
+        <source>Before dip %1, compare the part with the picture below: the colours are in place, nothing is torn or folded, and the part is dry where the next cradle holds it.</source>
+        <translation>Antes da imersão %1, comparar a peça com a imagem abaixo: as cores estão no lugar, nada está rasgado ou dobrado, e a peça está seca onde o próximo berço a segura.</translation>
+    </message>
+    <message>
+        <source>Compare the part with the picture below.</source>
+        <translation>Comparar a peça com a imagem abaixo.</translation>
+    </message>
+    <message>
+        <source>After dip %1 the part should look like this (seen from lower edge, right edge, below)</source>
+        <translation>Após a imersão %1 a peça deve ficar assim (vista da borda inferior, direita, de baixo)</translation>
     </message>
 </context>
 <context>
@@ -3502,76 +3487,8 @@
         <translation>O erro numérico não pôde ser estimado: %1.</translation>
     </message>
     <message>
-        <source>No place is painted both by this dip and by coarser ones.</source>
-        <translation>Nenhum lugar é pintado tanto por esta imersão como por outras mais grossas.</translation>
-    </message>
-    <message>
         <source>95 % of the sheet is within %1 (numerical error).</source>
         <translation>95 % da folha ficam dentro de %1 (erro numérico).</translation>
-    </message>
-    <message>
-        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set Film &gt; Cells to %3, turn the body, or dip it twice.</source>
-        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. Ponha Filme &gt; Células em %3, gire o corpo ou mergulhe-o duas vezes.</translation>
-    </message>
-    <message>
-        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set more points (Film &gt; Points), turn the body, or dip it twice.</source>
-        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. Ponha mais pontos (Filme &gt; Pontos), gire o corpo ou mergulhe-o duas vezes.</translation>
-    </message>
-    <message>
-        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Turn the body, dip it twice, or set much smaller cells or more points (Film &gt; Cells).</source>
-        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. Gire o corpo, mergulhe-o duas vezes ou ponha células bem menores ou mais pontos (Filme &gt; Células).</translation>
-    </message>
-    <message>
-        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Most of it comes from the steps: set a smaller Dipping &gt; Step.</source>
-        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. A maior parte vem dos passos: ponha um valor menor em Imersão &gt; Passo.</translation>
-    </message>
-    <message>
-        <source>Numerical error: %1 % of the painted area may be off by more than %2. Check the places in the list.</source>
-        <translation>Erro numérico: %1 % da área pintada podem desviar mais de %2. Verifique os lugares da lista.</translation>
-    </message>
-    <message>
-        <source>The border of the paint is uncertain: only finer or only coarser dips paint %1 % of the body. Set smaller cells (Film &gt; Cells).</source>
-        <translation>A borda da tinta é incerta: %1 % do corpo são pintados só por imersões mais finas ou só por mais grossas. Ponha células menores (Filme &gt; Células).</translation>
-    </message>
-    <message>
-        <source>%1 steps of the dip did not reach equilibrium; up to %2 % of the elastic force remained. Set smaller cells (Film &gt; Cells).</source>
-        <translation>%1 passos da imersão não alcançaram o equilíbrio; restaram até %2 % da força elástica. Ponha células menores (Filme &gt; Células).</translation>
-    </message>
-    <message>
-        <source>The film paints nothing of the body. Check the model&apos;s unit, its place over the film, and the depth of the dip.</source>
-        <translation>O filme não pinta nada do corpo. Verifique a unidade do modelo, o lugar dele sobre o filme e a profundidade da imersão.</translation>
-    </message>
-    <message>
-        <source>Trapped air keeps %1 % of the body dry; the limit is %2 %. Turn the body so that the air escapes, or drill a vent hole.</source>
-        <translation>Ar preso mantém secos %1 % do corpo; o limite é %2 %. Gire o corpo para que o ar saia, ou faça um furo de respiro.</translation>
-    </message>
-    <message>
-        <source>%1 % of the painted area will be too pale; the limit is %2 %. The film stretches more than Ink &gt; Ink limit can compensate. Turn the body, or choose lighter colours.</source>
-        <translation>%1 % da área pintada ficarão claros demais; o limite é %2 %. O filme estica mais do que Tinta &gt; Limite de tinta consegue compensar. Gire o corpo ou escolha cores mais claras.</translation>
-    </message>
-    <message>
-        <source>The film tore or was released on %1 % of the painted area; the limit is %2 %. Turn the body, or dip it twice.</source>
-        <translation>O filme rasgou ou se soltou em %1 % da área pintada; o limite é %2 %. Gire o corpo ou mergulhe-o duas vezes.</translation>
-    </message>
-    <message>
-        <source>The painted film comes within %1 of the film&apos;s edge; at least %2 are required. Use a larger film, or move the body to the film&apos;s centre.</source>
-        <translation>O filme que pinta chega a %1 da borda do filme; são necessários pelo menos %2. Use um filme maior ou leve o corpo ao meio do filme.</translation>
-    </message>
-    <message>
-        <source>Neither dip reaches %1 % of the body; the limit is %2 %. Turn one of the poses.</source>
-        <translation>Nenhuma imersão alcança %1 % do corpo; o limite é %2 %. Gire uma das poses.</translation>
-    </message>
-    <message>
-        <source>%1 % of the overlap is too narrow; the limit is %2 %. The second film shows there if it is misplaced. Widen Join &gt; Overlap, or turn one of the poses.</source>
-        <translation>%1 % da sobreposição são estreitos demais; o limite é %2 %. O segundo filme aparece ali se ficar deslocado. Alargue Junção &gt; Sobreposição ou gire uma das poses.</translation>
-    </message>
-    <message>
-        <source>%1 % is not painted; the limit is %2 %. Turn the body so that film reaches it.</source>
-        <translation>%1 % não são pintados; o limite é %2 %. Gire o corpo para que o filme chegue lá.</translation>
-    </message>
-    <message>
-        <source>Handling and numerical error together: 95 % of the painted area is within ±%1; the limit is ±%2. Tighten the largest contributor, or turn the body.</source>
-        <translation>Manuseio e erro numérico juntos: 95 % da área pintada ficam dentro de ±%1; o limite é ±%2. Reduza a maior contribuição ou gire o corpo.</translation>
     </message>
     <message>
         <source>The model has no texture and no artwork: one plain colour is printed.</source>
@@ -3583,15 +3500,94 @@
     </message>
     <message>
         <source>The film&apos;s swell is guessed, not measured: the picture may be a few per cent too large or too small. Measure the film.</source>
-        <translation>O inchamento do filme é estimado, não medido: a imagem pode ficar alguns por cento maior ou menor. Meça o filme.</translation>
+        <translation>O inchamento da película é estimado, não medido: a imagem pode ficar alguns por cento maior ou menor. Meça a película.</translation>
     </message>
     <message>
         <source>Check these places first</source>
-        <translation>Verifique antes estes lugares</translation>
+        <translation>Verifique primeiro estes lugares</translation>
     </message>
     <message>
-        <source>%1 may be off by more than %2, at most by %3</source>
-        <translation>%1 podem desviar mais de %2, no máximo %3</translation>
+        <source>The numerical error is not known: this dip and the coarser dips for comparison paint no place in common. Set smaller cells (Film &gt; Cells).</source>
+        <translation>O erro numérico é desconhecido: esta imersão e as imersões de comparação, com células maiores, não pintam nenhum lugar em comum. Ponha células menores (Película &gt; Células).</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set Film &gt; Cells to %3, turn the part, or dip it twice.</source>
+        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. Ponha Película &gt; Células em %3, gire a peça ou mergulhe-a duas vezes.</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set more points (Film &gt; Points), turn the part, or dip it twice.</source>
+        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. Ponha mais pontos (Película &gt; Pontos), gire a peça ou mergulhe-a duas vezes.</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Turn the part, dip it twice, or set much smaller cells or more points (Film &gt; Cells).</source>
+        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. Gire a peça, mergulhe-a duas vezes ou ponha células bem menores ou mais pontos (Película &gt; Células).</translation>
+    </message>
+    <message>
+        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. The steps cause most of it: set a smaller step (Dipping &gt; Step).</source>
+        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. Os passos causam a maior parte: ponha um passo menor (Imersão &gt; Passo).</translation>
+    </message>
+    <message>
+        <source>The numerical error may exceed %2 on %1 % of the painted area. Check the places in the list.</source>
+        <translation>O erro numérico pode ultrapassar %2 em %1 % da área pintada. Verifique os lugares da lista.</translation>
+    </message>
+    <message>
+        <source>The border of the painted area is uncertain: with other cells or steps, %1 % of the part changes between painted and bare. Set smaller cells (Film &gt; Cells).</source>
+        <translation>A borda da área pintada é incerta: com outras células ou passos, %1 % da peça mudam entre pintado e não pintado. Ponha células menores (Película &gt; Células).</translation>
+    </message>
+    <message>
+        <source>In %1 steps of the dip, the film did not converge; the residual force was up to %2 % of the elastic force. Set smaller cells (Film &gt; Cells).</source>
+        <translation>Em %1 passos da imersão, a película não convergiu; a força residual foi de até %2 % da força elástica. Ponha células menores (Película &gt; Células).</translation>
+    </message>
+    <message>
+        <source>The film does not paint the part. Check the model&apos;s unit, its place over the film, and the depth of the dip.</source>
+        <translation>A película não pinta a peça. Verifique a unidade do modelo, o lugar dele sobre a película e a profundidade da imersão.</translation>
+    </message>
+    <message>
+        <source>Trapped air keeps %1 % of the part dry; the limit is %2 %. Turn the part so that the air escapes, or drill a vent hole.</source>
+        <translation>Ar preso mantém secos %1 % da peça; o limite é %2 %. Gire a peça para que o ar saia, ou faça um furo de respiro.</translation>
+    </message>
+    <message>
+        <source>%1 % of the painted area will be too pale; the limit is %2 %. The film stretches more than the ink limit (Ink &gt; Ink limit) can compensate. Turn the part, or choose lighter colours.</source>
+        <translation>%1 % da área pintada ficarão claros demais; o limite é %2 %. A película estica mais do que o limite de tinta (Tinta &gt; Limite de tinta) consegue compensar. Gire a peça ou escolha cores mais claras.</translation>
+    </message>
+    <message>
+        <source>The film tore or was released on %1 % of the painted area; the limit is %2 %. Turn the part, or dip it twice.</source>
+        <translation>A película rasgou ou se soltou em %1 % da área pintada; o limite é %2 %. Gire a peça ou mergulhe-a duas vezes.</translation>
+    </message>
+    <message>
+        <source>The painted film comes within %1 of the film&apos;s edge; at least %2 are required. Use a larger film, or move the part to the film&apos;s centre.</source>
+        <translation>A película pintada chega a %1 da borda da película; são necessários pelo menos %2. Use uma película maior ou leve a peça ao centro dela.</translation>
+    </message>
+    <message>
+        <source>%1 % of the part is painted by neither dip; the limit is %2 %. Turn the part in one of the dips.</source>
+        <translation>%1 % da peça não são pintados por nenhuma das imersões; o limite é %2 %. Gire a peça em uma das imersões.</translation>
+    </message>
+    <message>
+        <source>%1 % of the overlap is too narrow; the limit is %2 %. A small placement error of the second film shows there. Widen the overlap (Seam &gt; Overlap), or turn the part in one of the dips.</source>
+        <translation>%1 % da sobreposição são estreitos demais; o limite é %2 %. Ali aparece um pequeno erro de posição da segunda película. Alargue a sobreposição (Emenda &gt; Sobreposição) ou gire a peça em uma das imersões.</translation>
+    </message>
+    <message>
+        <source>Handling and numerical error together: 95 % of the painted area is within ±%1; the limit is ±%2. Reduce the largest contributor, or turn the part.</source>
+        <translation>Manuseio e erro numérico juntos: 95 % da área pintada ficam dentro de ±%1; o limite é ±%2. Reduza a maior contribuição ou gire a peça.</translation>
+    </message>
+    <message>
+        <source>%1: numerical error up to %3; the limit is %2</source>
+        <translation>%1: erro numérico de até %3; o limite é %2</translation>
+    </message>
+    <message>
+        <source>%1 % of the zone is not painted; the limit is %2 %. Turn the part so that film reaches it.</source>
+        <translation>%1 % da zona não são pintados; o limite é %2 %. Gire a peça de modo que a película alcance a zona.</translation>
+    </message>
+</context>
+<context>
+    <name>VerdictPanel</name>
+    <message>
+        <source>Setting</source>
+        <translation>Configuração</translation>
+    </message>
+    <message>
+        <source>Places to check in %1:</source>
+        <translation>Lugares a verificar em %1:</translation>
     </message>
 </context>
 <context>
@@ -3601,31 +3597,31 @@
         <translation>Zona %1, ±%2 mm</translation>
     </message>
     <message>
-        <source>Pale: far within the limit</source>
+        <source>Not painted</source>
+        <translation>Não pintado</translation>
+    </message>
+    <message>
+        <source>Pale: well within the limit</source>
         <translation>Pálido: bem dentro do limite</translation>
     </message>
     <message>
-        <source>Past the limit</source>
-        <translation>Além do limite</translation>
-    </message>
-    <message>
-        <source>Not painted</source>
-        <translation>Não pintado</translation>
+        <source>Above the limit</source>
+        <translation>Acima do limite</translation>
     </message>
 </context>
 <context>
     <name>dipwright::Artwork</name>
     <message>
-        <source>The artwork has %1 layers, as many as there may be; remove one</source>
-        <translation>A arte tem %1 camadas, o máximo permitido; remova uma</translation>
-    </message>
-    <message>
-        <source>The text “%1” is to be set in %2, which this computer does not have, and is set in another; install that font or choose one that is here</source>
-        <translation>O texto “%1” deve usar a fonte %2, que este computador não tem, e usa outra; instale essa fonte ou escolha uma que exista aqui</translation>
-    </message>
-    <message>
         <source>The picture of the layer “%1”</source>
         <translation>A imagem da camada “%1”</translation>
+    </message>
+    <message>
+        <source>The artwork already has %1 layers, which is the limit; remove one</source>
+        <translation>A arte já tem %1 camadas, que é o limite; remova uma</translation>
+    </message>
+    <message>
+        <source>The font %2 of the text “%1” is not installed on this computer, so another font replaces it; install it, or choose an installed font</source>
+        <translation>A fonte %2 do texto “%1” não está instalada neste computador e é substituída por outra; instale-a ou escolha uma fonte instalada</translation>
     </message>
 </context>
 <context>
@@ -3647,14 +3643,6 @@
         <translation>Madeira</translation>
     </message>
     <message>
-        <source>Change Layer</source>
-        <translation>Alterar camada</translation>
-    </message>
-    <message>
-        <source>Base Colour</source>
-        <translation>Cor de base</translation>
-    </message>
-    <message>
         <source>Add %1</source>
         <translation>Adicionar %1</translation>
     </message>
@@ -3663,44 +3651,36 @@
         <translation>Lendo a imagem</translation>
     </message>
     <message>
-        <source>Add Picture</source>
+        <source>Change layer</source>
+        <translation>Alterar camada</translation>
+    </message>
+    <message>
+        <source>Change base colour</source>
+        <translation>Alterar cor de base</translation>
+    </message>
+    <message>
+        <source>Add picture</source>
         <translation>Adicionar imagem</translation>
     </message>
     <message>
-        <source>Move Layer</source>
+        <source>Move layer</source>
         <translation>Mover camada</translation>
     </message>
     <message>
-        <source>Remove Layer</source>
+        <source>Remove layer</source>
         <translation>Remover camada</translation>
     </message>
     <message>
-        <source>Turn Layer</source>
+        <source>Turn layer</source>
         <translation>Girar camada</translation>
     </message>
     <message>
-        <source>Size of Layer</source>
-        <translation>Tamanho da camada</translation>
+        <source>Resize layer</source>
+        <translation>Redimensionar camada</translation>
     </message>
 </context>
 <context>
     <name>dipwright::ArtworkPage</name>
-    <message>
-        <source>Add &amp;Picture…</source>
-        <translation>Adicionar &amp;imagem…</translation>
-    </message>
-    <message>
-        <source>Lays a picture on the body. A picture dropped on the body in the view is laid where it was dropped.</source>
-        <translation>Põe uma imagem sobre o corpo. Uma imagem solta sobre o corpo na vista fica onde foi solta.</translation>
-    </message>
-    <message>
-        <source>Add &amp;Text</source>
-        <translation>Adicionar &amp;texto</translation>
-    </message>
-    <message>
-        <source>Add Pa&amp;ttern</source>
-        <translation>Adicionar &amp;padrão</translation>
-    </message>
     <message>
         <source>Carbon</source>
         <translation>Carbono</translation>
@@ -3714,28 +3694,12 @@
         <translation>Madeira</translation>
     </message>
     <message>
-        <source>Layers, the uppermost first</source>
-        <translation>Camadas, a de cima primeiro</translation>
-    </message>
-    <message>
-        <source>The layers, the uppermost first. The tick shows or hides one, a double click renames it; Delete removes it, Ctrl with the arrows moves it.</source>
-        <translation>As camadas, a de cima primeiro. A marca mostra ou esconde uma, um clique duplo muda o nome; Delete a remove, Ctrl com as setas a move.</translation>
-    </message>
-    <message>
         <source>Up</source>
         <translation>Para cima</translation>
     </message>
     <message>
-        <source>Lays the layer over the next one (Ctrl+Up)</source>
-        <translation>Põe a camada acima da seguinte (Ctrl+Cima)</translation>
-    </message>
-    <message>
         <source>Down</source>
         <translation>Para baixo</translation>
-    </message>
-    <message>
-        <source>Lays the layer under the next one (Ctrl+Down)</source>
-        <translation>Põe a camada abaixo da seguinte (Ctrl+Baixo)</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3748,10 +3712,6 @@
     <message>
         <source>Base colour</source>
         <translation>Cor de base</translation>
-    </message>
-    <message>
-        <source>What lies below all layers; white is no ink. Without it the model shows what it looks like by itself.</source>
-        <translation>O que fica abaixo de todas as camadas; branco é nenhuma tinta. Sem ela o modelo mostra sua própria aparência.</translation>
     </message>
     <message>
         <source>Text</source>
@@ -3774,16 +3734,8 @@
         <translation>Variante</translation>
     </message>
     <message>
-        <source>Each number makes another pattern of the same kind.</source>
-        <translation>Cada número dá outro padrão do mesmo tipo.</translation>
-    </message>
-    <message>
         <source>Opacity</source>
         <translation>Opacidade</translation>
-    </message>
-    <message>
-        <source>100 %: hides what lies below it.</source>
-        <translation>100 %: esconde o que está abaixo.</translation>
     </message>
     <message>
         <source> %</source>
@@ -3794,10 +3746,6 @@
         <translation> mm</translation>
     </message>
     <message>
-        <source>Laid on</source>
-        <translation>Aplicação</translation>
-    </message>
-    <message>
         <source>As a decal</source>
         <translation>Como decalque</translation>
     </message>
@@ -3806,24 +3754,12 @@
         <translation>Ao longo de um eixo</translation>
     </message>
     <message>
-        <source>Round an axis</source>
-        <translation>Em torno de um eixo</translation>
-    </message>
-    <message>
         <source>From six sides</source>
         <translation>De seis lados</translation>
     </message>
     <message>
-        <source>A decal keeps lengths and straight lines round its middle. The others are for patterns over all of the body.</source>
-        <translation>Um decalque mantém comprimentos e linhas retas em torno do seu meio. Os outros são para padrões sobre todo o corpo.</translation>
-    </message>
-    <message>
         <source>Axis</source>
         <translation>Eixo</translation>
-    </message>
-    <message>
-        <source>What is shown fits in, its proportions kept.</source>
-        <translation>O que é mostrado cabe dentro, mantidas as proporções.</translation>
     </message>
     <message>
         <source>Width</source>
@@ -3834,76 +3770,136 @@
         <translation>Altura</translation>
     </message>
     <message>
-        <source>Turn</source>
-        <translation>Giro</translation>
-    </message>
-    <message>
-        <source>Counterclockwise as seen from outside.</source>
-        <translation>No sentido anti-horário, visto de fora.</translation>
-    </message>
-    <message>
         <source>°</source>
         <translation>°</translation>
     </message>
     <message>
-        <source>Repeated every</source>
-        <translation>Repetido a cada</translation>
+        <source>Add &amp;picture…</source>
+        <translation>Adicionar &amp;imagem…</translation>
     </message>
     <message>
-        <source>The width of one repeat on the body; round an axis a whole number of them is laid.</source>
-        <translation>A largura de uma repetição sobre o corpo; em torno de um eixo cabe um número inteiro delas.</translation>
+        <source>Places a picture on the part. You can also drop a picture on the part in the view.</source>
+        <translation>Põe uma imagem sobre a peça. Você também pode soltar uma imagem sobre a peça na vista.</translation>
     </message>
     <message>
-        <source>once</source>
-        <translation>uma vez</translation>
+        <source>Add &amp;text</source>
+        <translation>Adicionar &amp;texto</translation>
     </message>
     <message>
-        <source>Middle, X</source>
-        <translation>Meio, X</translation>
+        <source>Add p&amp;attern</source>
+        <translation>Adicionar p&amp;adrão</translation>
     </message>
     <message>
-        <source>Middle, Y</source>
-        <translation>Meio, Y</translation>
+        <source>Layers, top layer first</source>
+        <translation>Camadas, a de cima primeiro</translation>
     </message>
     <message>
-        <source>Middle, Z</source>
-        <translation>Meio, Z</translation>
+        <source>The layers, top layer first. The tick shows or hides a layer, a double click renames it. Delete removes it, Ctrl+Up and Ctrl+Down move it.</source>
+        <translation>As camadas, a de cima primeiro. A marca mostra ou esconde uma camada, um clique duplo muda o nome. Delete a remove, Ctrl+Cima e Ctrl+Baixo a movem.</translation>
     </message>
     <message>
-        <source>In the model&apos;s coordinates; of a decal the nearest place of the body counts.</source>
-        <translation>Em coordenadas do modelo; de um decalque conta o lugar mais próximo do corpo.</translation>
+        <source>Moves the layer up (Ctrl+Up)</source>
+        <translation>Move a camada para cima (Ctrl+Cima)</translation>
     </message>
     <message>
-        <source>the model&apos;s own</source>
-        <translation>a do modelo</translation>
+        <source>Moves the layer down (Ctrl+Down)</source>
+        <translation>Move a camada para baixo (Ctrl+Baixo)</translation>
     </message>
     <message>
-        <source>Spot ink</source>
-        <translation>Tinta especial</translation>
+        <source>The colour below all layers. White prints no ink. Without a base colour the model keeps its own colours.</source>
+        <translation>A cor abaixo de todas as camadas. Branco não imprime tinta. Sem cor de base o modelo mantém suas próprias cores.</translation>
     </message>
     <message>
-        <source>printed in its colours</source>
-        <translation>impressa em suas cores</translation>
+        <source>Each number gives a different pattern of the same kind.</source>
+        <translation>Cada número dá um padrão diferente do mesmo tipo.</translation>
     </message>
     <message>
-        <source>The name of a varnish or of an ink of its own, as the printer knows it. The layer is then a plate beside the four inks, in PDF and TIFF in CMYK; what it covers counts, and not its colours.</source>
-        <translation>O nome de um verniz ou de uma tinta própria, como a impressora a conhece. A camada é então uma chapa ao lado das quatro tintas, em PDF e TIFF em CMYK; conta o que ela cobre, não as suas cores.</translation>
+        <source>At 100 % the layer hides everything below it.</source>
+        <translation>Com 100 % a camada esconde tudo o que está abaixo.</translation>
     </message>
     <message>
-        <source>Looks like</source>
-        <translation>Parece com</translation>
+        <source>Spot colour</source>
+        <translation>Cor especial</translation>
     </message>
     <message>
-        <source>What stands for the ink where nobody knows its name.</source>
-        <translation>O que representa a tinta onde ninguém conhece o seu nome.</translation>
+        <source>none</source>
+        <translation>nenhuma</translation>
     </message>
     <message>
-        <source>Outside the colours</source>
-        <translation>Por fora das cores</translation>
+        <source>Display colour</source>
+        <translation>Cor de exibição</translation>
     </message>
     <message>
-        <source>Printed before the four inks, so that it ends up outside them, as a varnish does; else after them, towards the part.</source>
-        <translation>Impressa antes das quatro tintas, de modo que fica por fora delas, como um verniz; senão depois delas, do lado da peça.</translation>
+        <source>The colour that stands for the ink where its name is unknown.</source>
+        <translation>A cor que representa a tinta onde o nome dela é desconhecido.</translation>
+    </message>
+    <message>
+        <source>On the outside</source>
+        <translation>Por fora</translation>
+    </message>
+    <message>
+        <source>Placement</source>
+        <translation>Posicionamento</translation>
+    </message>
+    <message>
+        <source>Around an axis</source>
+        <translation>Em torno de um eixo</translation>
+    </message>
+    <message>
+        <source>The layer fits into this width and height and keeps its proportions.</source>
+        <translation>A camada cabe nesta largura e altura e mantém suas proporções.</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotação</translation>
+    </message>
+    <message>
+        <source>Counterclockwise, seen from outside.</source>
+        <translation>No sentido anti-horário, visto de fora.</translation>
+    </message>
+    <message>
+        <source>Repeat width</source>
+        <translation>Largura da repetição</translation>
+    </message>
+    <message>
+        <source>no repeat</source>
+        <translation>sem repetição</translation>
+    </message>
+    <message>
+        <source>Centre X</source>
+        <translation>Centro X</translation>
+    </message>
+    <message>
+        <source>Centre Y</source>
+        <translation>Centro Y</translation>
+    </message>
+    <message>
+        <source>Centre Z</source>
+        <translation>Centro Z</translation>
+    </message>
+    <message>
+        <source>colours of the model</source>
+        <translation>cores do modelo</translation>
+    </message>
+    <message>
+        <source>The name of a varnish or special ink, as the printer knows it. In CMYK PDF and TIFF files the layer then becomes a plate of its own. The plate uses the layer&apos;s shape and opacity, not its colours.</source>
+        <translation>O nome de um verniz ou tinta especial, como a impressora o conhece. Em arquivos PDF e TIFF em CMYK, a camada se torna então uma chapa própria. A chapa usa a forma e a opacidade da camada, não as cores.</translation>
+    </message>
+    <message>
+        <source>If ticked, this ink prints before the four process inks and ends up on the outside of the part, like a varnish. Otherwise it prints after the process inks and lies next to the part.</source>
+        <translation>Se marcado, esta tinta é impressa antes das quatro tintas de processo e fica no lado de fora da peça, como um verniz. Senão é impressa depois das tintas de processo e fica junto da peça.</translation>
+    </message>
+    <message>
+        <source>A decal keeps lengths and straight lines around its centre. The other placements suit patterns that cover the whole part.</source>
+        <translation>Um decalque mantém comprimentos e linhas retas em torno do seu centro. Os outros posicionamentos servem para padrões que cobrem a peça inteira.</translation>
+    </message>
+    <message>
+        <source>The width of one repeat on the part. Around an axis, the width is adjusted so that a whole number of repeats fits.</source>
+        <translation>A largura de uma repetição sobre a peça. Em torno de um eixo, a largura é ajustada para caber um número inteiro de repetições.</translation>
+    </message>
+    <message>
+        <source>The layer&apos;s centre in the model&apos;s coordinates. A decal is centred at the nearest place on the surface.</source>
+        <translation>O centro da camada nas coordenadas do modelo. Um decalque fica no lugar mais próximo da superfície.</translation>
     </message>
 </context>
 <context>
@@ -3916,40 +3912,32 @@
 <context>
     <name>dipwright::BodyHandles</name>
     <message>
-        <source>Turn Body</source>
-        <translation>Girar corpo</translation>
+        <source>Turn part</source>
+        <translation>Girar peça</translation>
     </message>
     <message>
-        <source>Turned by %1° about %2; with Shift by steps of %3°</source>
-        <translation>Girado %1° em torno de %2; com Shift em passos de %3°</translation>
+        <source>Turned by %1° about %2 (hold Shift for steps of %3°)</source>
+        <translation>Girado %1° em torno de %2 (segure Shift para passos de %3°)</translation>
     </message>
     <message>
-        <source>Change Depth</source>
+        <source>Change depth</source>
         <translation>Alterar profundidade</translation>
     </message>
     <message>
-        <source>Dipped %1 deep; with Shift by steps of %2</source>
-        <translation>Mergulhado %1 de profundidade; com Shift em passos de %2</translation>
+        <source>Depth %1 (hold Shift for steps of %2)</source>
+        <translation>Profundidade %1 (segure Shift para passos de %2)</translation>
     </message>
     <message>
-        <source>Move Body</source>
-        <translation>Mover corpo</translation>
+        <source>Move part</source>
+        <translation>Mover peça</translation>
     </message>
     <message>
-        <source>Moved to %1 along %2; with Shift by steps of %3</source>
-        <translation>Movido para %1 ao longo de %2; com Shift em passos de %3</translation>
+        <source>Moved to %1 along %2 (hold Shift for steps of %3)</source>
+        <translation>Movido para %1 ao longo de %2 (segure Shift para passos de %3)</translation>
     </message>
 </context>
 <context>
     <name>dipwright::BodyMenu</name>
-    <message>
-        <source>&amp;Lay This Face Down</source>
-        <translation>&amp;Pôr esta face para baixo</translation>
-    </message>
-    <message>
-        <source>This Face Must Be &amp;Good (Zone A)</source>
-        <translation>Esta face precisa ficar &amp;boa (zona A)</translation>
-    </message>
     <message>
         <source>&amp;Turn</source>
         <translation>&amp;Girar</translation>
@@ -3959,30 +3947,31 @@
         <translation>&amp;Mover</translation>
     </message>
     <message>
-        <source>Turn Body</source>
-        <translation>Girar corpo</translation>
+        <source>&amp;Lay this face down</source>
+        <translation>&amp;Pôr esta face para baixo</translation>
     </message>
     <message>
-        <source>Move Body</source>
-        <translation>Mover corpo</translation>
+        <source>Mark this face as &amp;zone A</source>
+        <translation>Marcar esta face como &amp;zona A</translation>
     </message>
     <message>
-        <source>Lay Face Down</source>
+        <source>Turn part</source>
+        <translation>Girar peça</translation>
+    </message>
+    <message>
+        <source>Move part</source>
+        <translation>Mover peça</translation>
+    </message>
+    <message>
+        <source>Lay face down</source>
         <translation>Pôr face para baixo</translation>
-    </message>
-</context>
-<context>
-    <name>dipwright::FinishedPartPreview</name>
-    <message>
-        <source>Printing the body</source>
-        <translation>Imprimindo o corpo</translation>
     </message>
 </context>
 <context>
     <name>dipwright::BodyShare</name>
     <message>
-        <source>Sharing out the body</source>
-        <translation>Repartindo o corpo</translation>
+        <source>Splitting the part between the dips</source>
+        <translation>Dividindo a peça entre as imersões</translation>
     </message>
 </context>
 <context>
@@ -3990,10 +3979,6 @@
     <message>
         <source>The file is larger than %1 MB; reduce it</source>
         <translation>O arquivo é maior que %1 MB; reduza-o</translation>
-    </message>
-    <message>
-        <source>The model names more than %1 other files; reduce it</source>
-        <translation>O modelo cita mais de %1 outros arquivos; reduza-o</translation>
     </message>
     <message>
         <source>The model has more than %1 million triangles, too many for a file of its size or for any computer; reduce it</source>
@@ -4004,70 +3989,74 @@
         <translation>Uma face do modelo tem mais de %1 cantos; divida-a em triângulos em um programa de modelagem</translation>
     </message>
     <message>
-        <source>The model cannot be read: its parts hold one another more than %1 deep; join them in a modelling program</source>
-        <translation>O modelo não pode ser lido: suas partes contêm umas às outras em mais de %1 níveis; una-as em um programa de modelagem</translation>
+        <source>The model refers to more than %1 other files; reduce their number</source>
+        <translation>O modelo se refere a mais de %1 outros arquivos; reduza o número deles</translation>
     </message>
     <message>
-        <source>The model has more than %1 materials; reduce them</source>
-        <translation>O modelo tem mais de %1 materiais; reduza-os</translation>
+        <source>The model cannot be read: its parts are nested more than %1 levels deep; merge them in a modelling program</source>
+        <translation>O modelo não pode ser lido: suas partes estão aninhadas em mais de %1 níveis; una-as em um programa de modelagem</translation>
     </message>
     <message>
-        <source>The file would unpack to more than %1 MB, more than any of its size needs, and is not opened; ask whoever made it for another</source>
-        <translation>O arquivo ocuparia descompactado mais de %1 MB, mais do que qualquer um do seu tamanho precisa, e não é aberto; peça outro a quem o fez</translation>
+        <source>The model has more than %1 materials; reduce their number</source>
+        <translation>O modelo tem mais de %1 materiais; reduza o número deles</translation>
     </message>
     <message>
-        <source>The file holds more entries than %1 and is not opened; ask whoever made it for another</source>
-        <translation>O arquivo contém mais entradas que %1 e não é aberto; peça outro a quem o fez</translation>
+        <source>The file is not opened, because it would unpack to more than %1 MB, far too much for its size; ask its author for another file</source>
+        <translation>O arquivo não é aberto, porque ocuparia descompactado mais de %1 MB, muito para o seu tamanho; peça outro arquivo ao autor</translation>
     </message>
     <message>
-        <source>project.json is larger than %1 MB and is not read; ask whoever made the project for another</source>
-        <translation>project.json é maior que %1 MB e não é lido; peça outro projeto a quem o fez</translation>
+        <source>The file is not opened, because it contains more than %1 entries; ask its author for another file</source>
+        <translation>O arquivo não é aberto, porque contém mais de %1 entradas; peça outro arquivo ao autor</translation>
     </message>
     <message>
-        <source>The project holds more than %1 MB that is not its own; take that out with an archive program</source>
-        <translation>O projeto contém mais de %1 MB que não são seus; retire-os com um programa de arquivamento</translation>
+        <source>project.json is larger than %1 MB and is not read; ask the project&apos;s author for another file</source>
+        <translation>project.json é maior que %1 MB e não é lido; peça outro arquivo ao autor do projeto</translation>
     </message>
     <message>
-        <source>The texture has more than %1 pixels a side; make it smaller</source>
-        <translation>A textura tem mais de %1 pixels por lado; diminua-a</translation>
+        <source>The file is not read, because its values are nested more than %1 levels deep; ask its author for another file</source>
+        <translation>O arquivo não é lido, porque seus valores estão aninhados em mais de %1 níveis; peça outro arquivo ao autor</translation>
     </message>
     <message>
-        <source>The pictures have more than %1 million pixels together, too many for files of their size or for any sheet; make them smaller</source>
-        <translation>As imagens têm juntas mais de %1 milhões de pixels, demais para arquivos do seu tamanho ou para qualquer folha; diminua-as</translation>
+        <source>The file is not read, because it contains more than %1 million values; ask its author for another file</source>
+        <translation>O arquivo não é lido, porque contém mais de %1 milhões de valores; peça outro arquivo ao autor</translation>
     </message>
     <message>
-        <source>Reading the file takes more than %1 MB of memory, more than any of its size needs; reduce it or save it anew</source>
-        <translation>Ler o arquivo exige mais de %1 MB de memória, mais do que qualquer um do seu tamanho precisa; reduza-o ou salve-o de novo</translation>
+        <source>The project contains more than %1 MB of files that do not belong to it; remove them with an archive program</source>
+        <translation>O projeto contém mais de %1 MB de arquivos que não pertencem a ele; retire-os com um programa de arquivamento</translation>
     </message>
     <message>
-        <source>Reading the file takes more than %1 seconds, more than any of its size needs; reduce it or save it anew</source>
-        <translation>Ler o arquivo leva mais de %1 segundos, mais do que qualquer um do seu tamanho precisa; reduza-o ou salve-o de novo</translation>
+        <source>The texture is more than %1 pixels wide or high; make it smaller</source>
+        <translation>A textura tem mais de %1 pixels de largura ou de altura; diminua-a</translation>
     </message>
     <message>
-        <source>The file&apos;s values hold one another more than %1 deep and it is not read; ask whoever made it for another</source>
-        <translation>Os valores do arquivo contêm uns aos outros em mais de %1 níveis e ele não é lido; peça outro a quem o fez</translation>
+        <source>The pictures have more than %1 million pixels in total, too many for their file size or for any sheet; make them smaller</source>
+        <translation>As imagens têm no total mais de %1 milhões de pixels, demais para o tamanho dos arquivos ou para qualquer folha; diminua-as</translation>
     </message>
     <message>
-        <source>The file holds more than %1 million values and is not read; ask whoever made it for another</source>
-        <translation>O arquivo contém mais de %1 milhões de valores e não é lido; peça outro a quem o fez</translation>
+        <source>Reading the file takes more than %1 MB of memory, far too much for its size; make the file smaller or save it again</source>
+        <translation>Ler o arquivo exige mais de %1 MB de memória, muito para o seu tamanho; reduza o arquivo ou salve-o de novo</translation>
+    </message>
+    <message>
+        <source>Reading the file takes more than %1 seconds, far too long for its size; make the file smaller or save it again</source>
+        <translation>Ler o arquivo leva mais de %1 segundos, muito para o seu tamanho; reduza o arquivo ou salve-o de novo</translation>
     </message>
 </context>
 <context>
     <name>dipwright::BuiltController</name>
     <message>
-        <source>Looking for what repeats</source>
-        <translation>Procurando o que se repete</translation>
+        <source>Computing the repeating error</source>
+        <translation>Calculando o erro que se repete</translation>
     </message>
     <message>
-        <source>As Built</source>
+        <source>As built</source>
         <translation>Como saiu</translation>
     </message>
     <message>
-        <source>Measuring the part on the sheet</source>
-        <translation>Medindo a peça na folha</translation>
+        <source>Measuring the error on the sheet</source>
+        <translation>Medindo o erro na folha</translation>
     </message>
     <message>
-        <source>Keep Part</source>
+        <source>Keep part</source>
         <translation>Guardar peça</translation>
     </message>
 </context>
@@ -4076,14 +4065,6 @@
     <message>
         <source>&amp;Correct the next sheets</source>
         <translation>&amp;Corrigir as próximas folhas</translation>
-    </message>
-    <message>
-        <source>What repeats, and the correction</source>
-        <translation>O que se repete e a correção</translation>
-    </message>
-    <message>
-        <source>Parts that the job keeps</source>
-        <translation>Peças que o trabalho guarda</translation>
     </message>
     <message>
         <source>Date</source>
@@ -4098,36 +4079,8 @@
         <translation>Fotos</translation>
     </message>
     <message>
-        <source>Off</source>
-        <translation>Desvio</translation>
-    </message>
-    <message>
-        <source>On the sheet, root mean square</source>
-        <translation>Na folha, média quadrática</translation>
-    </message>
-    <message>
-        <source>Who says that the part may count</source>
-        <translation>Quem diz que a peça pode contar</translation>
-    </message>
-    <message>
-        <source>&amp;Keep Part</source>
-        <translation>&amp;Guardar peça</translation>
-    </message>
-    <message>
-        <source>Keeps with the job how far the print of the measured part is off</source>
-        <translation>Guarda com o trabalho o desvio da impressão da peça medida</translation>
-    </message>
-    <message>
-        <source>Prints the next sheets so that what repeats does not come again</source>
-        <translation>Imprime as próximas folhas de modo que o que se repete não volte</translation>
-    </message>
-    <message>
         <source>Strength of the correction</source>
         <translation>Intensidade da correção</translation>
-    </message>
-    <message>
-        <source>How much of what repeats is taken off the next sheets</source>
-        <translation>Quanto do que se repete é descontado nas próximas folhas</translation>
     </message>
     <message>
         <source> %</source>
@@ -4146,39 +4099,75 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>The next sheets are corrected so.</source>
-        <translation>As próximas folhas são corrigidas assim.</translation>
-    </message>
-    <message>
-        <source>The next sheets are not corrected: this is what they would be.</source>
-        <translation>As próximas folhas não são corrigidas: assim seriam.</translation>
-    </message>
-    <message>
-        <source>Keep the part that was measured: the job then has its photos, how far its print is off, and who accepted it.</source>
-        <translation>Guarde a peça medida: o trabalho passa a ter as fotos, o desvio da impressão e quem a aceitou.</translation>
-    </message>
-    <message>
-        <source>To keep a part, find the corners of its print on the page “Dipped Part”, with pairs that are places of the body itself.</source>
-        <translation>Para guardar uma peça, procure os cantos da impressão na página “Peça mergulhada”, com pares que são lugares do próprio corpo.</translation>
-    </message>
-    <message>
         <source>The repeating error of the parts is shown here.</source>
         <translation>Aqui se vê o erro que se repete nas peças.</translation>
+    </message>
+    <message>
+        <source>Repeating error and correction</source>
+        <translation>Erro que se repete e correção</translation>
+    </message>
+    <message>
+        <source>Measured parts of the job</source>
+        <translation>Peças medidas do trabalho</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erro</translation>
+    </message>
+    <message>
+        <source>Name of the person who accepts the part</source>
+        <translation>Nome da pessoa que aceita a peça</translation>
+    </message>
+    <message>
+        <source>&amp;Keep part</source>
+        <translation>&amp;Guardar peça</translation>
+    </message>
+    <message>
+        <source>Stores the measured error of this part with the job</source>
+        <translation>Guarda o erro medido desta peça com o trabalho</translation>
+    </message>
+    <message>
+        <source>Shifts the image on the next sheets so that it cancels the repeating error</source>
+        <translation>Desloca a imagem nas próximas folhas para anular o erro que se repete</translation>
+    </message>
+    <message>
+        <source>How much of the repeating error the next sheets correct</source>
+        <translation>Quanto do erro que se repete as próximas folhas corrigem</translation>
+    </message>
+    <message>
+        <source>The picture shows how the next sheets are corrected.</source>
+        <translation>A imagem mostra como as próximas folhas são corrigidas.</translation>
+    </message>
+    <message>
+        <source>Keep the measured part to store its photos, its error and who accepted it with the job.</source>
+        <translation>Guarde a peça medida para registrar no trabalho as fotos, o erro e quem a aceitou.</translation>
+    </message>
+    <message>
+        <source>To keep a part, find its corners on the page “Dipped part”, with pairs that are places on the part itself.</source>
+        <translation>Para guardar uma peça, procure os cantos dela na página “Peça mergulhada”, com pares que são lugares da própria peça.</translation>
+    </message>
+    <message>
+        <source>Root mean square of the part&apos;s error, measured on the sheet</source>
+        <translation>Média quadrática do erro da peça, medida na folha</translation>
+    </message>
+    <message>
+        <source>The correction is off. The picture shows how it would change the next sheets.</source>
+        <translation>A correção está desligada. A imagem mostra como ela mudaria as próximas folhas.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::BuiltPlaces</name>
     <message>
-        <source>None of the places is seen on film that lies on the body; are the photos of this job?</source>
-        <translation>Nenhum dos lugares é visto em filme que está sobre o corpo; as fotos são deste trabalho?</translation>
+        <source>None of the places lies on film that adheres to the part; check that the photos show a part of this job</source>
+        <translation>Nenhum dos lugares fica sobre película aderida à peça; verifique se as fotos mostram uma peça deste trabalho</translation>
     </message>
     <message>
-        <source>The job keeps %1 parts and %2 places at most, and would have more</source>
-        <translation>O trabalho guarda no máximo %1 peças e %2 lugares e teria mais</translation>
+        <source>The job can keep at most %1 parts and %2 places; this part would exceed that</source>
+        <translation>O trabalho pode guardar no máximo %1 peças e %2 lugares; esta peça passaria disso</translation>
     </message>
     <message>
-        <source>The job keeps the part of these photos already; the same part twice would count as two that agree</source>
-        <translation>O trabalho já guarda a peça destas fotos; a mesma peça duas vezes contaria como duas que concordam</translation>
+        <source>The job already contains the part in these photos; adding it again would count it as two parts that agree</source>
+        <translation>O trabalho já contém a peça destas fotos; adicioná-la de novo a contaria como duas peças que concordam</translation>
     </message>
 </context>
 <context>
@@ -4186,14 +4175,6 @@
     <message>
         <source> mm</source>
         <translation> mm</translation>
-    </message>
-    <message>
-        <source>Measure: the printer as it is</source>
-        <translation>Medir: a impressora como ela é</translation>
-    </message>
-    <message>
-        <source>Verify: corrected by the profile</source>
-        <translation>Verificar: corrigida pelo perfil</translation>
     </message>
     <message>
         <source>Horizontal ruler</source>
@@ -4204,20 +4185,8 @@
         <translation>Régua vertical</translation>
     </message>
     <message>
-        <source>&amp;Print Page</source>
-        <translation>Im&amp;primir página</translation>
-    </message>
-    <message>
         <source>Save as PDF…</source>
         <translation>Salvar como PDF…</translation>
-    </message>
-    <message>
-        <source>&amp;Take over into Profile</source>
-        <translation>&amp;Guardar no perfil</translation>
-    </message>
-    <message>
-        <source>Calibrate Printer</source>
-        <translation>Calibrar impressora</translation>
     </message>
     <message>
         <source>Page</source>
@@ -4244,14 +4213,6 @@
         <translation>P&amp;apel</translation>
     </message>
     <message>
-        <source>The profile that the scale goes into. “Profiles” makes new ones.</source>
-        <translation>O perfil que recebe a escala. Em “Perfis” se criam novos.</translation>
-    </message>
-    <message>
-        <source>2. Measure its rulers</source>
-        <translation>2. Medir as réguas</translation>
-    </message>
-    <message>
         <source>&amp;Horizontal</source>
         <translation>&amp;Horizontal</translation>
     </message>
@@ -4276,10 +4237,6 @@
         <translation>em vez de %1 mm</translation>
     </message>
     <message>
-        <source>Print the page, measure both rulers from the first to the last line to a tenth of a millimetre, and type what they show. Then verify with the second page.</source>
-        <translation>Imprima a página, meça as duas réguas do primeiro ao último traço com precisão de um décimo de milímetro e digite o que elas mostram. Depois verifique com a segunda página.</translation>
-    </message>
-    <message>
         <source>X %1, Y %2</source>
         <translation>X %1, Y %2</translation>
     </message>
@@ -4296,10 +4253,6 @@
         <translation>Entregue à fila de %1</translation>
     </message>
     <message>
-        <source>Save Page</source>
-        <translation>Salvar página</translation>
-    </message>
-    <message>
         <source>calibration</source>
         <translation>calibração</translation>
     </message>
@@ -4312,52 +4265,68 @@
         <translation>%1 agora tem a escala X %2, Y %3. Imprima a segunda página para verificar.</translation>
     </message>
     <message>
-        <source>What the printed ruler measures, to a tenth of a millimetre.</source>
-        <translation>Quanto mede a régua impressa, até um décimo de milímetro.</translation>
-    </message>
-    <message>
         <source>The printers that are set up on this machine.</source>
         <translation>As impressoras instaladas nesta máquina.</translation>
     </message>
     <message>
-        <source>The paper that is in the printer.</source>
-        <translation>O papel que está na impressora.</translation>
+        <source>The measured length of the printed ruler, to 0.1 mm.</source>
+        <translation>O comprimento medido da régua impressa, até 0,1 mm.</translation>
     </message>
     <message>
-        <source>Rulers without correction, to be measured.</source>
-        <translation>Réguas sem correção, para medir.</translation>
+        <source>Measure (no correction)</source>
+        <translation>Medir (sem correção)</translation>
     </message>
     <message>
-        <source>The same rulers corrected, which must now measure what they say.</source>
-        <translation>As mesmas réguas corrigidas, que agora devem medir o que dizem.</translation>
+        <source>Verify (corrected by the profile)</source>
+        <translation>Verificar (corrigida pelo perfil)</translation>
     </message>
     <message>
-        <source>None is set up</source>
-        <translation>Nenhuma configurada</translation>
+        <source>&amp;Print page</source>
+        <translation>Im&amp;primir página</translation>
+    </message>
+    <message>
+        <source>&amp;Save scale to profile</source>
+        <translation>&amp;Guardar escala no perfil</translation>
+    </message>
+    <message>
+        <source>Calibrate printer</source>
+        <translation>Calibrar impressora</translation>
+    </message>
+    <message>
+        <source>No printer set up</source>
+        <translation>Nenhuma impressora configurada</translation>
+    </message>
+    <message>
+        <source>The profile that receives the scale. You can create profiles under “Profiles”.</source>
+        <translation>O perfil que recebe a escala. Novos perfis são criados em “Perfis”.</translation>
+    </message>
+    <message>
+        <source>The paper in the printer.</source>
+        <translation>O papel na impressora.</translation>
+    </message>
+    <message>
+        <source>Prints rulers without correction, for measuring.</source>
+        <translation>Imprime réguas sem correção, para medir.</translation>
+    </message>
+    <message>
+        <source>Prints the same rulers with the correction. Each must now have its nominal length.</source>
+        <translation>Imprime as mesmas réguas com a correção. Cada uma deve agora ter seu comprimento nominal.</translation>
+    </message>
+    <message>
+        <source>2. Measure the rulers</source>
+        <translation>2. Medir as réguas</translation>
+    </message>
+    <message>
+        <source>Print the page. Measure both rulers from the first to the last line, to 0.1 mm, and type the lengths. Then verify with the second page.</source>
+        <translation>Imprima a página. Meça as duas réguas do primeiro ao último traço, até 0,1 mm, e digite os comprimentos. Depois verifique com a segunda página.</translation>
+    </message>
+    <message>
+        <source>Save page</source>
+        <translation>Salvar página</translation>
     </message>
 </context>
 <context>
     <name>dipwright::CalibrationPage</name>
-    <message>
-        <source>The horizontal ruler must measure %1 mm and the vertical one %2 mm from the first to the last line.</source>
-        <translation>A régua horizontal deve medir %1 mm e a vertical %2 mm, da primeira à última linha.</translation>
-    </message>
-    <message>
-        <source>If either is more than 0.2 mm off, measure and calibrate once more.</source>
-        <translation>Se alguma estiver mais de 0,2 mm fora, meça e calibre de novo.</translation>
-    </message>
-    <message>
-        <source>Type what they do measure, to a tenth of a millimetre, into the printer&apos;s profile.</source>
-        <translation>Digite o que elas medem de fato, ao décimo de milímetro, no perfil da impressora.</translation>
-    </message>
-    <message>
-        <source>Corrected for X %1, Y %2</source>
-        <translation>Corrigido para X %1, Y %2</translation>
-    </message>
-    <message>
-        <source>Not corrected: X 1, Y 1</source>
-        <translation>Sem correção: X 1, Y 1</translation>
-    </message>
     <message>
         <source>Verification of the printer&apos;s scale</source>
         <translation>Verificação da escala da impressora</translation>
@@ -4367,172 +4336,55 @@
         <translation>Calibração da escala da impressora</translation>
     </message>
     <message>
-        <source>Paper of %1 × %2 mm is too small to calibrate a printer with; take A5 or larger</source>
-        <translation>Papel de %1 × %2 mm é pequeno demais para calibrar uma impressora; use A5 ou maior</translation>
-    </message>
-    <message>
         <source>The calibration page cannot be written: %1</source>
         <translation>A página de calibração não pode ser gravada: %1</translation>
     </message>
     <message>
-        <source>%1 mm in place of %2 mm is more than 10 % off; switch off all scaling in the printer&apos;s settings, print the page anew and measure again</source>
-        <translation>%1 mm em vez de %2 mm passa de 10 % de erro; desligue toda escala nas configurações da impressora, imprima a página de novo e meça outra vez</translation>
-    </message>
-</context>
-<context>
-    <name>dipwright::NumericalErrorCheck</name>
-    <message>
-        <source>Checking the certainty</source>
-        <translation>Verificando a confiabilidade</translation>
+        <source>From its first to its last line, the horizontal ruler must measure %1 mm and the vertical ruler %2 mm.</source>
+        <translation>Da primeira à última linha, a régua horizontal deve medir %1 mm e a vertical, %2 mm.</translation>
     </message>
     <message>
-        <source>Check Certainty</source>
-        <translation>Verificar confiabilidade</translation>
-    </message>
-</context>
-<context>
-    <name>dipwright::NumericalErrorDialog</name>
-    <message>
-        <source>How far the sheet moves</source>
-        <translation>Quanto a folha se desloca</translation>
+        <source>If a ruler differs by more than 0.2 mm, calibrate the printer again.</source>
+        <translation>Se uma régua diferir em mais de 0,2 mm, calibre a impressora de novo.</translation>
     </message>
     <message>
-        <source>95 %</source>
-        <translation>95 %</translation>
+        <source>Measure both rulers to 0.1 mm and enter the lengths in the printer&apos;s profile.</source>
+        <translation>Meça as duas réguas com precisão de 0,1 mm e informe os comprimentos no perfil da impressora.</translation>
     </message>
     <message>
-        <source>With steps half as long</source>
-        <translation>Com passos de metade do tamanho</translation>
+        <source>Scale correction: X %1, Y %2</source>
+        <translation>Correção de escala: X %1, Y %2</translation>
     </message>
     <message>
-        <source>With film cells half as wide</source>
-        <translation>Com células do filme de metade da largura</translation>
+        <source>No scale correction: X 1, Y 1</source>
+        <translation>Sem correção de escala: X 1, Y 1</translation>
     </message>
     <message>
-        <source>Certainty of the sheet</source>
-        <translation>Confiabilidade da folha</translation>
+        <source>Paper of %1 × %2 mm is too small to calibrate a printer; use A5 or larger</source>
+        <translation>Papel de %1 × %2 mm é pequeno demais para calibrar uma impressora; use A5 ou maior</translation>
     </message>
     <message>
-        <source>Certainty of the Sheets</source>
-        <translation>Confiabilidade das folhas</translation>
-    </message>
-    <message>
-        <source>&amp;Save Maps…</source>
-        <translation>&amp;Salvar mapas…</translation>
-    </message>
-    <message>
-        <source>Save Maps to a Folder</source>
-        <translation>Salvar mapas em uma pasta</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Média</translation>
-    </message>
-    <message>
-        <source>Maximum</source>
-        <translation>Máximo</translation>
-    </message>
-    <message>
-        <source>Painted twice</source>
-        <translation>Nas duas</translation>
-    </message>
-    <message>
-        <source>Painted once</source>
-        <translation>Em uma só</translation>
-    </message>
-    <message>
-        <source>The part of the body that is painted by both dips</source>
-        <translation>A parte do corpo pintada pelas duas imersões</translation>
-    </message>
-    <message>
-        <source>The part of the body that is painted by one of the dips only</source>
-        <translation>A parte do corpo pintada por só uma das imersões</translation>
-    </message>
-    <message>
-        <source>%1: nothing is painted that could be compared.</source>
-        <translation>%1: nada é pintado que se possa comparar.</translation>
-    </message>
-    <message>
-        <source>%1: this sheet is certain. 95 % of it moves by %2 or less when it is computed more finely.</source>
-        <translation>%1: esta folha é confiável. 95 % dela deslocam-se %2 ou menos quando é calculada com mais finura.</translation>
-    </message>
-    <message>
-        <source>These are the figures of the project as it was before the last changes.</source>
-        <translation>Estes são os números do projeto como era antes das últimas mudanças.</translation>
-    </message>
-    <message>
-        <source>%1: this sheet is not certain. 95 % of it moves by up to %2 when it is computed more finely; give the film smaller cells or more points, turn the body, or dip it in two immersions.</source>
-        <translation>%1: esta folha não é confiável. 95 % dela deslocam-se até %2 quando é calculada com mais finura; dê ao filme células menores ou mais pontos, gire o corpo ou mergulhe-o em duas imersões.</translation>
-    </message>
-</context>
-<context>
-    <name>dipwright::VerdictPanel</name>
-    <message>
-        <source>Certainty of the sheet</source>
-        <translation>Certeza da folha</translation>
-    </message>
-    <message>
-        <source>Run the dip to see how far the sheet may be off.</source>
-        <translation>Execute a imersão para ver quanto a folha pode desviar.</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>Veredito</translation>
+        <source>A ruler of %2 mm measures %1 mm, which differs by more than 10 %; switch off all scaling in the printer&apos;s settings, print the page again and measure again</source>
+        <translation>Uma régua de %2 mm mede %1 mm, uma diferença de mais de 10 %; desligue toda escala nas configurações da impressora, imprima a página de novo e meça outra vez</translation>
     </message>
 </context>
 <context>
     <name>dipwright::CompareWindow</name>
     <message>
-        <source>Side by Side</source>
-        <translation>Lado a lado</translation>
-    </message>
-    <message>
         <source>What is shown</source>
         <translation>O que se mostra</translation>
     </message>
     <message>
-        <source>What both bodies wear: the film&apos;s lines, how far it is drawn out, or what is painted</source>
-        <translation>O que os dois corpos vestem: as linhas do filme, quanto ele é esticado ou o que é pintado</translation>
-    </message>
-    <message>
-        <source>Film on the body</source>
-        <translation>Filme no corpo</translation>
-    </message>
-    <message>
         <source>Stretch of the film</source>
-        <translation>Estiramento do filme</translation>
+        <translation>Estiramento da película</translation>
     </message>
     <message>
         <source>Coverage</source>
         <translation>Cobertura</translation>
     </message>
     <message>
-        <source>Immersion</source>
-        <translation>Imersão</translation>
-    </message>
-    <message>
-        <source>The immersion that is looked at</source>
-        <translation>A imersão que se observa</translation>
-    </message>
-    <message>
-        <source>Immersion %1</source>
-        <translation>Imersão %1</translation>
-    </message>
-    <message>
         <source>&amp;Fit</source>
         <translation>&amp;Enquadrar</translation>
-    </message>
-    <message>
-        <source>Show the bodies as large as can be</source>
-        <translation>Mostrar os corpos tão grandes quanto possível</translation>
-    </message>
-    <message>
-        <source>Figures of both</source>
-        <translation>Números de ambos</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -4543,46 +4395,74 @@
         <translation>&amp;Fechar</translation>
     </message>
     <message>
-        <source>Back to the project; Escape does the same</source>
-        <translation>De volta ao projeto; Escape faz o mesmo</translation>
-    </message>
-    <message>
         <source>Figure</source>
-        <translation>Número</translation>
+        <translation>Medida</translation>
     </message>
     <message>
         <source>Difference</source>
         <translation>Diferença</translation>
     </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Lado a lado</translation>
+    </message>
+    <message>
+        <source>What both views show: the lines of the film, its stretch, or the painted area</source>
+        <translation>O que as duas vistas mostram: as linhas da película, seu estiramento ou a área pintada</translation>
+    </message>
+    <message>
+        <source>Film on the part</source>
+        <translation>Película na peça</translation>
+    </message>
+    <message>
+        <source>Dip</source>
+        <translation>Imersão</translation>
+    </message>
+    <message>
+        <source>The dip that is shown</source>
+        <translation>A imersão mostrada</translation>
+    </message>
+    <message>
+        <source>Dip %1</source>
+        <translation>Imersão %1</translation>
+    </message>
+    <message>
+        <source>Fit both parts into their views</source>
+        <translation>Enquadra as duas peças em suas vistas</translation>
+    </message>
+    <message>
+        <source>Figures of both states</source>
+        <translation>Números dos dois estados</translation>
+    </message>
+    <message>
+        <source>Close the comparison (Escape)</source>
+        <translation>Fecha a comparação (Escape)</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::DeeperFilm</name>
     <message>
-        <source>Dipping deeper</source>
-        <translation>Mergulhando mais fundo</translation>
-    </message>
-    <message>
         <source>Deeper dip</source>
         <translation>Imersão mais funda</translation>
+    </message>
+    <message>
+        <source>Simulating a deeper dip</source>
+        <translation>Simulando uma imersão mais funda</translation>
     </message>
 </context>
 <context>
     <name>dipwright::DipCacheUpdater</name>
     <message>
-        <source>Looking for results</source>
-        <translation>Procurando resultados</translation>
+        <source>Reading cached results</source>
+        <translation>Lendo resultados em cache</translation>
     </message>
     <message>
-        <source>The results are those of the dips kept beside the project.</source>
-        <translation>Os resultados são os das imersões guardadas ao lado do projeto.</translation>
+        <source>Took the results from the cache file beside the project.</source>
+        <translation>Os resultados vieram do arquivo de cache ao lado do projeto.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::DipController</name>
-    <message>
-        <source>The Dip</source>
-        <translation>A imersão</translation>
-    </message>
     <message>
         <source>Simulated with %1 on %2</source>
         <translation>Simulado com %1 em %2</translation>
@@ -4600,15 +4480,19 @@
         <translation>Os resultados estão desatualizados; execute a imersão de novo antes.</translation>
     </message>
     <message>
-        <source>Film %1</source>
-        <translation>Filme %1</translation>
+        <source>Dip</source>
+        <translation>Imersão</translation>
+    </message>
+    <message>
+        <source>Use film %1</source>
+        <translation>Usar película %1</translation>
     </message>
 </context>
 <context>
     <name>dipwright::DipView</name>
     <message>
-        <source>The 3D view needs OpenGL 3.2, and no such context could be made. Everything else works.</source>
-        <translation>A vista 3D precisa de OpenGL 3.2, e não foi possível criar um contexto. Todo o resto funciona.</translation>
+        <source>The 3D view needs OpenGL 3.2, but no such context could be created. Everything else works.</source>
+        <translation>A vista 3D precisa de OpenGL 3.2, mas não foi possível criar um contexto. Todo o resto funciona.</translation>
     </message>
 </context>
 <context>
@@ -4618,12 +4502,12 @@
         <translation>A resolução do campo de distância é %1; escolha de 32 a 512</translation>
     </message>
     <message>
-        <source>The body has no extent; choose a model with a surface</source>
-        <translation>O corpo não tem extensão; escolha um modelo com superfície</translation>
-    </message>
-    <message>
         <source>Building the distance field</source>
         <translation>Construindo o campo de distância</translation>
+    </message>
+    <message>
+        <source>The model has no extent; choose a model with a surface</source>
+        <translation>O modelo não tem extensão; escolha um modelo com superfície</translation>
     </message>
 </context>
 <context>
@@ -4636,76 +4520,76 @@
 <context>
     <name>dipwright::DocumentController</name>
     <message>
-        <source>Open Project</source>
-        <translation>Abrir projeto</translation>
-    </message>
-    <message>
-        <source>Project in Use</source>
-        <translation>Projeto em uso</translation>
-    </message>
-    <message>
-        <source>“%1” is open already, on %2 (process %3).</source>
-        <translation>“%1” já está aberto em %2 (processo %3).</translation>
-    </message>
-    <message>
         <source>an unknown machine</source>
         <translation>uma máquina desconhecida</translation>
-    </message>
-    <message>
-        <source>Open Anyway</source>
-        <translation>Abrir mesmo assim</translation>
-    </message>
-    <message>
-        <source>Save Project</source>
-        <translation>Salvar projeto</translation>
     </message>
     <message>
         <source>Save</source>
         <translation>Salvar</translation>
     </message>
     <message>
-        <source>Unsaved Changes</source>
-        <translation>Mudanças não salvas</translation>
+        <source>&amp;Overwrite</source>
+        <translation>&amp;Sobrescrever</translation>
     </message>
     <message>
-        <source>Save the changes to “%1” before it is closed?</source>
-        <translation>Salvar as mudanças em “%1” antes de fechar?</translation>
+        <source>Open project</source>
+        <translation>Abrir projeto</translation>
     </message>
     <message>
-        <source>None yet</source>
-        <translation>Nenhum ainda</translation>
+        <source>Project in use</source>
+        <translation>Projeto em uso</translation>
     </message>
     <message>
-        <source>%1 is a picture: open the project first that is to wear it</source>
-        <translation>%1 é uma imagem: abra antes o projeto que vai vesti-la</translation>
+        <source>“%1” is already open on %2 (process %3).</source>
+        <translation>“%1” já está aberto em %2 (processo %3).</translation>
     </message>
     <message>
-        <source>%1 is neither a project, a model nor a picture</source>
-        <translation>%1 não é um projeto, nem um modelo, nem uma imagem</translation>
+        <source>Open anyway</source>
+        <translation>Abrir mesmo assim</translation>
     </message>
     <message>
-        <source>If both of you save, the second is asked whose work is to stay.</source>
-        <translation>Se os dois salvarem, o segundo é perguntado qual trabalho fica.</translation>
+        <source>Project changed by another program</source>
+        <translation>Projeto alterado por outro programa</translation>
     </message>
     <message>
-        <source>Project Changed Elsewhere</source>
-        <translation>Projeto mudado em outro lugar</translation>
+        <source>Another program has saved “%1” since you opened it.</source>
+        <translation>Outro programa salvou “%1” depois que você o abriu.</translation>
     </message>
     <message>
-        <source>Another program has written “%1” since it was opened here.</source>
-        <translation>Outro programa gravou “%1” desde que foi aberto aqui.</translation>
+        <source>Save under another name to keep both versions. If you overwrite the file, the changes of the other program are lost.</source>
+        <translation>Salve com outro nome para manter as duas versões. Se você sobrescrever o arquivo, as mudanças do outro programa se perdem.</translation>
     </message>
     <message>
-        <source>Save under another name to keep both. Overwriting loses what the other has done.</source>
-        <translation>Salve com outro nome para guardar os dois. Sobrescrever perde o que o outro fez.</translation>
-    </message>
-    <message>
-        <source>Save &amp;As…</source>
+        <source>Save &amp;as…</source>
         <translation>Salvar &amp;como…</translation>
     </message>
     <message>
-        <source>&amp;Overwrite</source>
-        <translation>&amp;Sobrescrever</translation>
+        <source>Save project</source>
+        <translation>Salvar projeto</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Mudanças não salvas</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1” before closing it?</source>
+        <translation>Salvar as mudanças em “%1” antes de fechar?</translation>
+    </message>
+    <message>
+        <source>No recent projects</source>
+        <translation>Nenhum projeto recente</translation>
+    </message>
+    <message>
+        <source>%1 is a picture. Open a project first, then drop the picture to use it as the texture.</source>
+        <translation>%1 é uma imagem. Abra primeiro um projeto e depois solte a imagem para usá-la como textura.</translation>
+    </message>
+    <message>
+        <source>%1 is not a project, model or picture</source>
+        <translation>%1 não é projeto, modelo nem imagem</translation>
+    </message>
+    <message>
+        <source>If both of you save, whoever saves second is asked which version to keep.</source>
+        <translation>Se ambos salvarem, quem salvar por último terá de escolher qual versão manter.</translation>
     </message>
 </context>
 <context>
@@ -4715,24 +4599,12 @@
         <translation>Abrindo o projeto</translation>
     </message>
     <message>
-        <source>Open Project</source>
-        <translation>Abrir projeto</translation>
-    </message>
-    <message>
         <source>Opened %1</source>
         <translation>%1 aberto</translation>
     </message>
     <message>
-        <source>New Project</source>
-        <translation>Novo projeto</translation>
-    </message>
-    <message>
         <source>Restoring the project</source>
         <translation>Restaurando o projeto</translation>
-    </message>
-    <message>
-        <source>Restore Project</source>
-        <translation>Restaurar projeto</translation>
     </message>
     <message>
         <source>Restored unsaved changes of %1</source>
@@ -4743,38 +4615,42 @@
         <translation>%1 salvo</translation>
     </message>
     <message>
-        <source>Unsaved changes are not kept in case of a crash; save them often. %1</source>
-        <translation>As alterações não salvas não são guardadas para o caso de uma falha; salve com frequência. %1</translation>
+        <source>Unsaved changes would be lost in a crash, because no copy can be written. Save often. %1</source>
+        <translation>Alterações não salvas se perderiam em uma falha, pois nenhuma cópia pode ser gravada. Salve com frequência. %1</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>Abrir projeto</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Novo projeto</translation>
+    </message>
+    <message>
+        <source>Restore project</source>
+        <translation>Restaurar projeto</translation>
     </message>
 </context>
 <context>
     <name>dipwright::DrawnPage</name>
     <message>
         <source>The page cannot be written: %1</source>
-        <translation>A página não pode ser escrita: %1</translation>
+        <translation>A página não pode ser gravada: %1</translation>
     </message>
 </context>
 <context>
     <name>dipwright::EditController</name>
     <message>
-        <source>Replace Model</source>
+        <source>Replace model</source>
         <translation>Trocar modelo</translation>
     </message>
     <message>
-        <source>Replace Texture</source>
+        <source>Replace texture</source>
         <translation>Trocar textura</translation>
     </message>
 </context>
 <context>
     <name>dipwright::ExportController</name>
-    <message>
-        <source>Export Results to a Folder</source>
-        <translation>Exportar resultados para uma pasta</translation>
-    </message>
-    <message>
-        <source>Export Results</source>
-        <translation>Exportar resultados</translation>
-    </message>
     <message>
         <source>Wrote the results to %1</source>
         <translation>Resultados gravados em %1</translation>
@@ -4784,135 +4660,63 @@
         <translation>%1 gravado</translation>
     </message>
     <message>
-        <source>Save Sheet</source>
-        <translation>Salvar folha</translation>
-    </message>
-    <message>
-        <source>Export Stretch</source>
-        <translation>Exportar estiramento</translation>
-    </message>
-    <message>
         <source>stretch</source>
         <translation>estiramento</translation>
-    </message>
-    <message>
-        <source>These sheets were made before the last changes. Run the dip first to print what the project now says.</source>
-        <translation>Estas folhas foram feitas antes das últimas mudanças. Execute a imersão antes, para imprimir o que o projeto diz agora.</translation>
-    </message>
-    <message>
-        <source>Save Maps</source>
-        <translation>Salvar mapas</translation>
     </message>
     <message>
         <source>Wrote the maps to %1</source>
         <translation>Mapas gravados em %1</translation>
     </message>
     <message>
-        <source>Export Cradles</source>
+        <source>Wrote the cradles to %1</source>
+        <translation>Berços gravados em %1</translation>
+    </message>
+    <message>
+        <source>Export results to a folder</source>
+        <translation>Exportar resultados para uma pasta</translation>
+    </message>
+    <message>
+        <source>Export results</source>
+        <translation>Exportar resultados</translation>
+    </message>
+    <message>
+        <source>Save sheet</source>
+        <translation>Salvar folha</translation>
+    </message>
+    <message>
+        <source>Export cradles</source>
         <translation>Exportar berços</translation>
     </message>
     <message>
-        <source>Export Cradles to a Folder</source>
+        <source>Export cradles to a folder</source>
         <translation>Exportar berços para uma pasta</translation>
     </message>
     <message>
-        <source>Wrote the cradles to %1</source>
-        <translation>Berços gravados em %1</translation>
+        <source>Export stretch</source>
+        <translation>Exportar estiramento</translation>
+    </message>
+    <message>
+        <source>These sheets were made before the last changes to the project. Run the dip again to print the current state.</source>
+        <translation>Estas folhas foram feitas antes das últimas mudanças no projeto. Execute a imersão de novo para imprimir o estado atual.</translation>
+    </message>
+    <message>
+        <source>Save maps</source>
+        <translation>Salvar mapas</translation>
     </message>
 </context>
 <context>
     <name>dipwright::FilmFit</name>
     <message>
-        <source>The fit does not come to rest in %1 rounds; look for places that were mistaken for others, or fit fewer quantities</source>
-        <translation>O ajuste não se estabiliza em %1 rodadas; procure pontos confundidos com outros ou ajuste menos grandezas</translation>
-    </message>
-    <message>
         <source>Fitted</source>
         <translation>Ajustado</translation>
-    </message>
-    <message>
-        <source>The pairs tell nothing of the film; give more of them, all round the body</source>
-        <translation>Os pares não dizem nada do filme; dê mais deles, ao redor de todo o corpo</translation>
-    </message>
-    <message>
-        <source>None of the printed places lies on the body in the simulation; are they of this job&apos;s sheet?</source>
-        <translation>Nenhum dos pontos impressos fica sobre o corpo na simulação; eles são da folha deste trabalho?</translation>
     </message>
     <message>
         <source>%1, dip %2</source>
         <translation>%1, imersão %2</translation>
     </message>
     <message>
-        <source>%1 and %2 are told together rather than each by itself: correlation %3</source>
-        <translation>%1 e %2 são determinados juntos e não cada um por si: correlação %3</translation>
-    </message>
-    <message>
-        <source>%1 is not told by these pairs and stays as it was</source>
-        <translation>%1 não é determinado por estes pares e fica como estava</translation>
-    </message>
-    <message>
-        <source>The print was off by %1 px or %2 mm and is by %3 px or %4 mm with what was found (root mean square)</source>
-        <translation>A impressão estava fora por %1 px ou %2 mm e fica fora por %3 px ou %4 mm com o que foi encontrado (valor quadrático médio)</translation>
-    </message>
-    <message>
-        <source>give pairs of places all round the body</source>
-        <translation>dê pares de pontos ao redor de todo o corpo</translation>
-    </message>
-    <message>
-        <source>photograph places near the body&apos;s lowest point and others high on its sides, from more than one direction</source>
-        <translation>fotografe pontos perto do ponto mais baixo do corpo e outros no alto dos lados, de mais de uma direção</translation>
-    </message>
-    <message>
-        <source>measure growth by photos of the floating film, “inspect film”</source>
-        <translation>meça o crescimento por fotos do filme flutuando, “inspect film”</translation>
-    </message>
-    <message>
         <source>measure it at the tank and leave it out of the fit</source>
         <translation>meça no tanque e deixe fora do ajuste</translation>
-    </message>
-    <message>
-        <source>The project&apos;s film does not grow, and so its growth cannot be fitted; measure it by photos of the floating film, “inspect film”</source>
-        <translation>O filme do projeto não cresce, e por isso seu crescimento não pode ser ajustado; meça-o por fotos do filme flutuando, “inspect film”</translation>
-    </message>
-    <message>
-        <source>%1 changes nothing of this film and cannot be fitted</source>
-        <translation>%1 não muda nada neste filme e não pode ser ajustado</translation>
-    </message>
-    <message>
-        <source>%1 moves none of the places, so that the pairs do not tell it; %2</source>
-        <translation>%1 não move nenhum dos pontos, de modo que os pares não o determinam; %2</translation>
-    </message>
-    <message>
-        <source>The pairs cannot tell %1 from the camera&apos;s place (correlation %2); %3</source>
-        <translation>Os pares não distinguem %1 do lugar da câmera (correlação %2); %3</translation>
-    </message>
-    <message>
-        <source>give more pairs of the body itself, farther apart</source>
-        <translation>dê mais pares do próprio corpo, mais afastados</translation>
-    </message>
-    <message>
-        <source>give pairs of the body itself, its edges, corners or holes, with --pairs</source>
-        <translation>dê pares do próprio corpo, suas arestas, cantos ou furos, com --pairs</translation>
-    </message>
-    <message>
-        <source>The pairs cannot tell %1 from %2 (correlation %3); fit one of the two alone, or %4</source>
-        <translation>Os pares não distinguem %1 de %2 (correlação %3); ajuste só um dos dois, ou %4</translation>
-    </message>
-    <message>
-        <source>The pairs do not tell %1 well enough; give more of them, or %2</source>
-        <translation>Os pares não determinam %1 bem o bastante; dê mais deles, ou %2</translation>
-    </message>
-    <message>
-        <source>Body along X</source>
-        <translation>Corpo ao longo de X</translation>
-    </message>
-    <message>
-        <source>Body along Z</source>
-        <translation>Corpo ao longo de Z</translation>
-    </message>
-    <message>
-        <source>Body about Y</source>
-        <translation>Corpo em torno de Y</translation>
     </message>
     <message>
         <source>Swell along X</source>
@@ -4939,55 +4743,127 @@
         <translation>Profundidade</translation>
     </message>
     <message>
-        <source>“%1” is nothing that can be fitted; choose of %2</source>
-        <translation>“%1” não pode ser ajustado; escolha entre %2</translation>
-    </message>
-    <message>
-        <source>There are fewer pairs on the body than tell %1 numbers of film and camera; give more, or fit fewer quantities</source>
-        <translation>Há menos pares no corpo do que os que determinam %1 números de filme e câmera; dê mais ou ajuste menos grandezas</translation>
-    </message>
-    <message>
-        <source>No film and camera are found that fit the pairs; look for places that were mistaken for others</source>
-        <translation>Não se encontram filme e câmera que combinem com os pares; procure pontos confundidos com outros</translation>
-    </message>
-    <message>
-        <source>A place is said to be of dip %1, and the project has %2</source>
-        <translation>Um ponto seria da imersão %1, e o projeto tem %2</translation>
-    </message>
-    <message>
-        <source>%1: %2, was taken for %3; 95 %: %4</source>
-        <translation>%1: %2, supunha-se %3; 95 %: %4</translation>
-    </message>
-    <message>
         <source>%1 to %2</source>
         <translation>%1 a %2</translation>
     </message>
     <message>
-        <source>%1 is known to about %2 % only: a tenth of it moves none of the places seen by more than %3 mm; give more of them, or %4</source>
-        <translation>%1 só se conhece a cerca de %2 %: um décimo não move nenhum dos lugares vistos mais de %3 mm; dê mais deles, ou %4</translation>
+        <source>The fit did not converge in %1 rounds; check for places that were mistaken for others, or fit fewer quantities</source>
+        <translation>O ajuste não convergiu em %1 rodadas; verifique se há pontos confundidos com outros, ou ajuste menos grandezas</translation>
+    </message>
+    <message>
+        <source>The pairs do not determine any quantity of the film; give more pairs, all round the part</source>
+        <translation>Os pares não determinam nenhuma grandeza da película; dê mais pares, ao redor de toda a peça</translation>
+    </message>
+    <message>
+        <source>None of the printed places lies on the part in the simulation; check that they belong to this job&apos;s sheet</source>
+        <translation>Nenhum dos pontos impressos fica sobre a peça na simulação; verifique se eles são da folha deste trabalho</translation>
+    </message>
+    <message>
+        <source>%1: %2 (before: %3; 95 % interval: %4)</source>
+        <translation>%1: %2 (antes: %3; intervalo de 95 %: %4)</translation>
+    </message>
+    <message>
+        <source>%1 and %2 cannot be determined independently: correlation %3</source>
+        <translation>%1 e %2 não podem ser determinados de forma independente: correlação %3</translation>
+    </message>
+    <message>
+        <source>%1 is not determined by these pairs and keeps its value</source>
+        <translation>%1 não é determinado por estes pares e mantém seu valor</translation>
+    </message>
+    <message>
+        <source>Root mean square distance of the print: %1 px (%2 mm) before the fit, %3 px (%4 mm) after it</source>
+        <translation>Valor quadrático médio da distância da impressão: %1 px (%2 mm) antes do ajuste, %3 px (%4 mm) depois</translation>
+    </message>
+    <message>
+        <source>give pairs of places all round the part</source>
+        <translation>dê pares de pontos ao redor de toda a peça</translation>
+    </message>
+    <message>
+        <source>photograph places near the part&apos;s lowest point and others high on its sides, from more than one direction</source>
+        <translation>fotografe pontos perto do ponto mais baixo da peça e outros no alto dos lados, de mais de uma direção</translation>
+    </message>
+    <message>
+        <source>measure growth from photos of the floating film with “inspect film”</source>
+        <translation>meça o crescimento em fotos da película flutuando com “inspect film”</translation>
+    </message>
+    <message>
+        <source>The project&apos;s film does not grow, so its growth cannot be fitted; measure it from photos of the floating film with “inspect film”</source>
+        <translation>A película do projeto não cresce, por isso seu crescimento não pode ser ajustado; meça-o em fotos da película flutuando com “inspect film”</translation>
+    </message>
+    <message>
+        <source>%1 has no effect on this film and cannot be fitted</source>
+        <translation>%1 não tem efeito sobre esta película e não pode ser ajustado</translation>
+    </message>
+    <message>
+        <source>%1 moves none of the places, so the pairs do not determine it; %2</source>
+        <translation>%1 não move nenhum dos pontos, por isso os pares não o determinam; %2</translation>
+    </message>
+    <message>
+        <source>The pairs cannot separate %1 from the camera&apos;s position (correlation %2); %3</source>
+        <translation>Os pares não separam %1 da posição da câmera (correlação %2); %3</translation>
+    </message>
+    <message>
+        <source>give more pairs on the part itself, farther apart</source>
+        <translation>dê mais pares na própria peça, mais afastados</translation>
+    </message>
+    <message>
+        <source>give pairs on the part itself (edges, corners or holes) with --pairs</source>
+        <translation>dê pares na própria peça (arestas, cantos ou furos) com --pairs</translation>
+    </message>
+    <message>
+        <source>The pairs cannot separate %1 from %2 (correlation %3); fit only one of the two, or %4</source>
+        <translation>Os pares não separam %1 de %2 (correlação %3); ajuste só um dos dois, ou %4</translation>
+    </message>
+    <message>
+        <source>The pairs do not determine %1 well enough; give more pairs, or %2</source>
+        <translation>Os pares não determinam %1 bem o bastante; dê mais pares, ou %2</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be fitted; choose from %2</source>
+        <translation>“%1” não pode ser ajustado; escolha entre %2</translation>
+    </message>
+    <message>
+        <source>There are too few pairs on the part to determine %1 numbers of film and camera; give more pairs, or fit fewer quantities</source>
+        <translation>Há poucos pares na peça para determinar %1 números de película e câmera; dê mais pares, ou ajuste menos grandezas</translation>
+    </message>
+    <message>
+        <source>No film and camera fit the pairs; check for places that were mistaken for others</source>
+        <translation>Nenhuma película e câmera combinam com os pares; verifique se há pontos confundidos com outros</translation>
+    </message>
+    <message>
+        <source>A place belongs to dip %1, but the number of dips in the project is %2</source>
+        <translation>Um ponto pertence à imersão %1, mas o número de imersões do projeto é %2</translation>
+    </message>
+    <message>
+        <source>%1 is known only to about %2 %: a change by 10 % moves none of the places by more than %3 mm; give more pairs, or %4</source>
+        <translation>%1 é conhecido só com cerca de %2 %: uma mudança de 10 % não move nenhum dos pontos mais de %3 mm; dê mais pares, ou %4</translation>
+    </message>
+    <message>
+        <source>Position of the part along X</source>
+        <translation>Posição da peça ao longo de X</translation>
+    </message>
+    <message>
+        <source>Position of the part along Z</source>
+        <translation>Posição da peça ao longo de Z</translation>
+    </message>
+    <message>
+        <source>Rotation of the part about Y</source>
+        <translation>Rotação da peça em torno de Y</translation>
     </message>
 </context>
 <context>
     <name>dipwright::FilmPage</name>
     <message>
         <source>Unevenness of the film</source>
-        <translation>Irregularidade do filme</translation>
-    </message>
-    <message>
-        <source>Where the film has grown more and less is shown here.</source>
-        <translation>Aqui se mostra onde o filme cresceu mais e onde cresceu menos.</translation>
+        <translation>Irregularidade da película</translation>
     </message>
     <message>
         <source>Photos of the film</source>
-        <translation>Fotos do filme</translation>
+        <translation>Fotos da película</translation>
     </message>
     <message>
         <source>Photo</source>
         <translation>Foto</translation>
-    </message>
-    <message>
-        <source>Seconds since it was laid</source>
-        <translation>Segundos desde que foi posto</translation>
     </message>
     <message>
         <source> s</source>
@@ -5002,24 +4878,12 @@
         <translation> °C</translation>
     </message>
     <message>
-        <source>Add photos of the film&apos;s chessboard floating on the water with the card beside it, or drop them here. The guide says how they are made.</source>
-        <translation>Adicione fotos do tabuleiro do filme flutuando na água com o cartão ao lado, ou solte-as aqui. O guia diz como são feitas.</translation>
-    </message>
-    <message>
         <source>Dip begins after</source>
-        <translation>O mergulho começa após</translation>
+        <translation>A imersão começa após</translation>
     </message>
     <message>
         <source>Lot</source>
         <translation>Lote</translation>
-    </message>
-    <message>
-        <source>Water</source>
-        <translation>Água</translation>
-    </message>
-    <message>
-        <source>Add &amp;Photos…</source>
-        <translation>Adicionar &amp;fotos…</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
@@ -5030,16 +4894,8 @@
         <translation>&amp;Medir</translation>
     </message>
     <message>
-        <source>&amp;Save to Profile…</source>
-        <translation>&amp;Salvar no perfil…</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exportar…</translation>
-    </message>
-    <message>
-        <source>Photos of the Film</source>
-        <translation>Fotos do filme</translation>
     </message>
     <message>
         <source>Photos (%1)</source>
@@ -5047,19 +4903,11 @@
     </message>
     <message>
         <source>Seconds since the film was laid on the water</source>
-        <translation>Segundos desde que o filme foi posto na água</translation>
-    </message>
-    <message>
-        <source>when the dip begins</source>
-        <translation>no início do mergulho</translation>
+        <translation>Segundos desde que a película foi posta na água</translation>
     </message>
     <message>
         <source>Photo of the film</source>
-        <translation>Foto do filme</translation>
-    </message>
-    <message>
-        <source>The corners that were found in the photo are shown here.</source>
-        <translation>Os cantos encontrados na foto são mostrados aqui.</translation>
+        <translation>Foto da película</translation>
     </message>
     <message>
         <source>Corners</source>
@@ -5070,48 +4918,12 @@
         <translation>Irregularidade</translation>
     </message>
     <message>
-        <source>Seconds since the film was laid on the water; the swell is told of then</source>
-        <translation>Segundos desde que o filme foi posto na água; o inchaço vale para esse momento</translation>
-    </message>
-    <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
     <message>
-        <source>Across</source>
-        <translation>Na largura</translation>
-    </message>
-    <message>
-        <source>Down</source>
-        <translation>Na altura</translation>
-    </message>
-    <message>
-        <source>How exactly each ruler was read; the swell&apos;s interval holds it</source>
-        <translation>Com que exatidão cada régua foi lida; o intervalo do inchaço inclui isso</translation>
-    </message>
-    <message>
-        <source>as the photos say</source>
-        <translation>como dizem as fotos</translation>
-    </message>
-    <message>
-        <source>Of a camera of 35 mm; only needed where the card lies above the film</source>
-        <translation>Como em uma câmera de 35 mm; só é necessária quando o cartão fica acima do filme</translation>
-    </message>
-    <message>
-        <source>Card&apos;s rulers</source>
-        <translation>Réguas do cartão</translation>
-    </message>
-    <message>
-        <source>Dry film&apos;s rulers</source>
-        <translation>Réguas do filme seco</translation>
-    </message>
-    <message>
-        <source>Read to ±</source>
-        <translation>Lidas a ±</translation>
-    </message>
-    <message>
         <source>Card above the film</source>
-        <translation>Cartão acima do filme</translation>
+        <translation>Cartão acima da película</translation>
     </message>
     <message>
         <source>Focal length</source>
@@ -5122,18 +4934,6 @@
         <translation>Distorção</translation>
     </message>
     <message>
-        <source>Rulers and Camera</source>
-        <translation>Réguas e câmera</translation>
-    </message>
-    <message>
-        <source>What the printed rulers measure, how high the card lies, and what is known of the camera</source>
-        <translation>O que as réguas impressas medem, a que altura fica o cartão e o que se sabe da câmera</translation>
-    </message>
-    <message>
-        <source>%1: %2 corners of the film, %3 of the card, %4 px off</source>
-        <translation>%1: %2 cantos do filme, %3 do cartão, desvio de %4 px</translation>
-    </message>
-    <message>
         <source>k1 ?</source>
         <translation>k1 ?</translation>
     </message>
@@ -5142,20 +4942,92 @@
         <translation>k2 ?</translation>
     </message>
     <message>
-        <source>Of a camera measured before; “?”: as each photo has it</source>
-        <translation>De uma câmera medida antes; “?”: como em cada foto</translation>
+        <source>Add photos of the film&apos;s chessboard on the water with the card beside it, or drop them here. The guide explains how to take them.</source>
+        <translation>Adicione fotos do tabuleiro da película na água com o cartão ao lado, ou solte-as aqui. O guia explica como tirá-las.</translation>
+    </message>
+    <message>
+        <source>Corners found in the photo are shown here.</source>
+        <translation>Os cantos encontrados na foto aparecem aqui.</translation>
+    </message>
+    <message>
+        <source>A map of where the film has grown more or less is shown here.</source>
+        <translation>Aqui um mapa mostra onde a película cresceu mais ou menos.</translation>
+    </message>
+    <message>
+        <source>Seconds on the water</source>
+        <translation>Segundos na água</translation>
+    </message>
+    <message>
+        <source>Seconds from laying the film on the water to the start of the dip. The swell is computed for this time.</source>
+        <translation>Segundos desde pôr a película na água até o início da imersão. O inchamento é calculado para esse momento.</translation>
+    </message>
+    <message>
+        <source>from the photos</source>
+        <translation>das fotos</translation>
+    </message>
+    <message>
+        <source>Rulers on the card</source>
+        <translation>Réguas do cartão</translation>
+    </message>
+    <message>
+        <source>Rulers on the dry film</source>
+        <translation>Réguas da película seca</translation>
+    </message>
+    <message>
+        <source>Reading error ±</source>
+        <translation>Erro de leitura ±</translation>
+    </message>
+    <message>
+        <source>Rulers and camera</source>
+        <translation>Réguas e câmera</translation>
+    </message>
+    <message>
+        <source>Readings of the printed rulers, height of the card, and camera data</source>
+        <translation>Leituras das réguas impressas, altura do cartão e dados da câmera</translation>
+    </message>
+    <message>
+        <source>Add &amp;photos…</source>
+        <translation>Adicionar &amp;fotos…</translation>
+    </message>
+    <message>
+        <source>&amp;Save to profile…</source>
+        <translation>&amp;Salvar no perfil…</translation>
+    </message>
+    <message>
+        <source>at the start of the dip</source>
+        <translation>no início da imersão</translation>
+    </message>
+    <message>
+        <source>%1: %2 corners on the film, %3 on the card, residual %4 px</source>
+        <translation>%1: %2 cantos na película, %3 no cartão, resíduo de %4 px</translation>
+    </message>
+    <message>
+        <source>Water temperature</source>
+        <translation>Temperatura da água</translation>
+    </message>
+    <message>
+        <source>Measured length of the horizontal ruler</source>
+        <translation>Comprimento medido da régua horizontal</translation>
+    </message>
+    <message>
+        <source>Measured length of the vertical ruler</source>
+        <translation>Comprimento medido da régua vertical</translation>
+    </message>
+    <message>
+        <source>Reading error of each ruler. A larger reading error gives a wider 95 % interval of the swell.</source>
+        <translation>Erro de leitura de cada régua. Um erro de leitura maior dá um intervalo de 95 % mais largo do inchamento.</translation>
+    </message>
+    <message>
+        <source>Focal length of the lens as 35 mm equivalent. Needed only if the card lies above the film.</source>
+        <translation>Distância focal da lente equivalente a 35 mm. Necessária só se o cartão fica acima da película.</translation>
+    </message>
+    <message>
+        <source>Coefficients of the lens distortion of a calibrated camera. “?”: the coefficient is found from each photo.</source>
+        <translation>Coeficientes da distorção da lente de uma câmera calibrada. “?”: o coeficiente é determinado a partir de cada foto.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::FilmProbe</name>
-    <message>
-        <source>Body at %1, %2, %3</source>
-        <translation>Corpo em %1, %2, %3</translation>
-    </message>
-    <message>
-        <source>on the body</source>
-        <translation>no corpo</translation>
-    </message>
     <message>
         <source>on the water</source>
         <translation>na água</translation>
@@ -5164,52 +5036,20 @@
         <source>Sheet %1, %2 · %3 · stretch %4 by %5, area %6</source>
         <translation>Folha %1, %2 · %3 · estiramento %4 por %5, área %6</translation>
     </message>
+    <message>
+        <source>Part at %1, %2, %3</source>
+        <translation>Peça em %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>on the part</source>
+        <translation>na peça</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::FilmWatch</name>
     <message>
-        <source>The film&apos;s chessboard is mirrored: lay the film with its ink side up, or turn the picture back that was flipped</source>
-        <translation>O tabuleiro do filme está espelhado: deite o filme com a tinta para cima, ou desvire a imagem que foi espelhada</translation>
-    </message>
-    <message>
-        <source>The card is mirrored: turn the picture back that was flipped</source>
-        <translation>O cartão está espelhado: desvire a imagem que foi espelhada</translation>
-    </message>
-    <message>
         <source>%1 ± %2</source>
         <translation>%1 ± %2</translation>
-    </message>
-    <message>
-        <source>Growth is not measured: that takes photos at three moments or more, from before the dip begins to after it ends</source>
-        <translation>O crescimento não está medido: para isso são precisas fotos em três momentos ou mais, de antes do início da imersão até depois do fim</translation>
-    </message>
-    <message>
-        <source>The film did not grow between the photos by more than they can tell</source>
-        <translation>O filme não cresceu entre as fotos mais do que elas podem mostrar</translation>
-    </message>
-    <message>
-        <source>Growth: %1 ± %2 % a second</source>
-        <translation>Crescimento: %1 ± %2 % por segundo</translation>
-    </message>
-    <message>
-        <source>It still grew as fast at the last photo, so that its limit is not known and the profile keeps its own growth; go on until it grows no more</source>
-        <translation>Na última foto ele ainda crescia tão depressa que o limite não é conhecido e o perfil mantém o seu próprio crescimento; continue até que não cresça mais</translation>
-    </message>
-    <message>
-        <source>Growth: %1 ± %2 % a second when the dip begins, by %3 ± %4 % in the end</source>
-        <translation>Crescimento: %1 ± %2 % por segundo no início da imersão, no fim %3 ± %4 %</translation>
-    </message>
-    <message>
-        <source>Of the film&apos;s chessboard too little is seen; photograph all of it, sharp and without glare</source>
-        <translation>Do tabuleiro do filme vê-se muito pouco; fotografe-o inteiro, nítido e sem reflexos</translation>
-    </message>
-    <message>
-        <source>No chessboard of the film watch is seen; print it with “calibrate film” and photograph it whole, sharp and without glare</source>
-        <translation>Não se vê nenhum tabuleiro da medição do filme; imprima-o com “calibrate film” e fotografe-o inteiro, nítido e sem reflexos</translation>
-    </message>
-    <message>
-        <source>The card of the film watch is not seen, without which no lengths are known; print it with “calibrate card” and lay it beside the film</source>
-        <translation>Não se vê o cartão da medição do filme, sem o qual nenhum comprimento é conhecido; imprima-o com “calibrate card” e deite-o ao lado do filme</translation>
     </message>
     <message>
         <source>Swell when the dip begins: along X %1, along Y %2</source>
@@ -5217,47 +5057,87 @@
     </message>
     <message>
         <source>Unevenness: 95 % of the film lies within %1 mm of where an evenly swollen film would lie</source>
-        <translation>Irregularidade: 95 % do filme fica a no máximo %1 mm de onde estaria um filme inchado por igual</translation>
+        <translation>Irregularidade: 95 % da película fica a no máximo %1 mm de onde estaria uma película inchada por igual</translation>
     </message>
     <message>
         <source>Unevenness of the film</source>
-        <translation>Irregularidade do filme</translation>
-    </message>
-    <message>
-        <source>Colour: grown more or less than the mean, %1 · arrows: moved, %2 times</source>
-        <translation>Cor: cresceu mais ou menos que a média, %1 · setas: deslocado, %2 vezes</translation>
+        <translation>Irregularidade da película</translation>
     </message>
     <message>
         <source>95 % of the corners lie within %1 mm of an evenly swollen film</source>
-        <translation>95 % dos cantos ficam a no máximo %1 mm de um filme inchado por igual</translation>
+        <translation>95 % dos cantos ficam a no máximo %1 mm de uma película inchada por igual</translation>
     </message>
     <message>
-        <source>The corners seen do not tell how the film lies; photograph film and card from above, both whole</source>
-        <translation>Os cantos vistos não dizem como o filme está deitado; fotografe filme e cartão de cima, ambos inteiros</translation>
+        <source>The film&apos;s chessboard is mirrored; lay the film with its ink side up, and use the photo without flipping it</source>
+        <translation>O tabuleiro da película está espelhado; ponha a película com o lado da tinta para cima e use a foto sem espelhá-la</translation>
     </message>
     <message>
-        <source>Only %1 corners of the film&apos;s chessboard are seen and it takes %2; photograph all of it, without glare</source>
-        <translation>Só se veem %1 cantos do tabuleiro do filme e são precisos %2; fotografe-o inteiro, sem reflexos</translation>
+        <source>The card is mirrored; use the photo without flipping it</source>
+        <translation>O cartão está espelhado; use a foto sem espelhá-la</translation>
     </message>
     <message>
-        <source>Only %1 corners of the card are seen and it takes %2; photograph all of it, without glare</source>
-        <translation>Só se veem %1 cantos do cartão e são precisos %2; fotografe-o inteiro, sem reflexos</translation>
+        <source>The photos show the film from %1 to %2 s after it was laid on the water, but the dip begins after %3 s; correct the times, or photograph the film from before the dip begins</source>
+        <translation>As fotos mostram a película de %1 a %2 s depois de posta na água, mas a imersão começa após %3 s; corrija os tempos, ou fotografe a película desde antes do início da imersão</translation>
     </message>
     <message>
-        <source>The photo does not say how long the camera&apos;s lens was, which is needed where the card lies above the film; give its focal length as of a 35 mm camera</source>
-        <translation>A foto não diz a distância focal da câmera, necessária quando o cartão fica acima do filme; informe-a como em uma câmera de 35 mm</translation>
+        <source>The photos show no measurable growth of the film</source>
+        <translation>As fotos não mostram crescimento mensurável da película</translation>
     </message>
     <message>
-        <source>The photos show the film from %1 to %2 s after it was laid on the water, and the dip begins after %3 s, of which they tell nothing; correct the times, or photograph the film from before the dip begins</source>
-        <translation>As fotos mostram o filme de %1 a %2 s depois de posto na água, e a imersão começa após %3 s, sobre o que elas nada dizem; corrija os tempos, ou fotografe o filme desde antes de a imersão começar</translation>
+        <source>Growth: %1 ± %2 % per second</source>
+        <translation>Crescimento: %1 ± %2 % por segundo</translation>
     </message>
     <message>
-        <source>The swell is that after %1 s, and the dip begins after %2 s: what the film grows between is not in it</source>
-        <translation>O inchamento é o de %1 s, e a imersão começa após %2 s: o que o filme cresce entre os dois não está nele</translation>
+        <source>The film still grew at the same rate in the last photo. Its limit is therefore unknown, and the profile keeps its own growth. Take photos until the film grows no more</source>
+        <translation>Na última foto a película ainda crescia na mesma taxa. Por isso o limite é desconhecido, e o perfil mantém o seu próprio crescimento. Fotografe até que a película não cresça mais</translation>
     </message>
     <message>
-        <source>The card&apos;s corners lie %1 px from where those of a flat card would; lay it flat, and correct what is told of the lens&apos;s distortion, the focal length and the card&apos;s height, or leave them out</source>
-        <translation>Os cantos do cartão estão a %1 px de onde estariam os de um cartão plano; deite-o plano, e corrija o que se diz da distorção da lente, da distância focal e da altura do cartão, ou deixe isso de fora</translation>
+        <source>Growth: %1 ± %2 % per second when the dip begins; %3 ± %4 % in total after a long time</source>
+        <translation>Crescimento: %1 ± %2 % por segundo no início da imersão; %3 ± %4 % no total depois de muito tempo</translation>
+    </message>
+    <message>
+        <source>The photo does not contain the camera&apos;s focal length, which is needed because the card lies above the film; give the 35 mm equivalent focal length</source>
+        <translation>A foto não contém a distância focal da câmera, necessária porque o cartão fica acima da película; informe a distância focal equivalente a 35 mm</translation>
+    </message>
+    <message>
+        <source>Too little of the film&apos;s chessboard is visible; photograph all of it, sharp and without glare</source>
+        <translation>Vê-se muito pouco do tabuleiro da película; fotografe-o inteiro, nítido e sem reflexos</translation>
+    </message>
+    <message>
+        <source>No chessboard of the film watch is visible; print it with “calibrate film” and photograph all of it, sharp and without glare</source>
+        <translation>Não se vê nenhum tabuleiro da medição da película; imprima-o com “calibrate film” e fotografe-o inteiro, nítido e sem reflexos</translation>
+    </message>
+    <message>
+        <source>The card of the film watch is not visible, but it is needed as a scale; print it with “calibrate card” and lay it beside the film</source>
+        <translation>Não se vê o cartão da medição da película, necessário como escala; imprima-o com “calibrate card” e ponha-o ao lado da película</translation>
+    </message>
+    <message>
+        <source>Colour: growth relative to the mean swell %1 · arrows: displacement, enlarged %2 times</source>
+        <translation>Cor: crescimento em relação ao inchamento médio %1 · setas: deslocamento, ampliado %2 vezes</translation>
+    </message>
+    <message>
+        <source>The visible corners do not determine how the film lies; photograph film and card from above, both whole</source>
+        <translation>Os cantos visíveis não determinam como a película está; fotografe película e cartão de cima, ambos inteiros</translation>
+    </message>
+    <message>
+        <source>The card&apos;s corners lie %1 px from their places on a flat card; lay the card flat, and correct the given lens distortion, focal length and card height, or leave them out</source>
+        <translation>Os cantos do cartão estão a %1 px de seus lugares num cartão plano; deite o cartão plano, e corrija a distorção da lente, a distância focal e a altura do cartão informadas, ou deixe-as de fora</translation>
+    </message>
+    <message>
+        <source>Only %1 corners of the film&apos;s chessboard are visible, but %2 are needed; photograph all of it, without glare</source>
+        <translation>Só se veem %1 cantos do tabuleiro da película, mas são precisos %2; fotografe-o inteiro, sem reflexos</translation>
+    </message>
+    <message>
+        <source>Only %1 corners of the card are visible, but %2 are needed; photograph all of it, without glare</source>
+        <translation>Só se veem %1 cantos do cartão, mas são precisos %2; fotografe-o inteiro, sem reflexos</translation>
+    </message>
+    <message>
+        <source>Growth is not measured; this measurement needs photos at three or more times, from before the dip begins until after it ends</source>
+        <translation>O crescimento não foi medido; esta medição precisa de fotos em três ou mais momentos, de antes do início da imersão até depois do seu fim</translation>
+    </message>
+    <message>
+        <source>The swell was measured after %1 s, but the dip begins after %2 s; this swell does not include the growth in between</source>
+        <translation>O inchamento foi medido após %1 s, mas a imersão começa após %2 s; esse inchamento não inclui o crescimento nesse intervalo</translation>
     </message>
 </context>
 <context>
@@ -5271,126 +5151,133 @@
         <translation>Fotos</translation>
     </message>
     <message>
-        <source>The project names photos outside itself:</source>
-        <translation>O projeto indica fotos fora dele:</translation>
-    </message>
-    <message>
         <source>Measuring the film</source>
-        <translation>Medindo o filme</translation>
+        <translation>Medindo a película</translation>
     </message>
     <message>
-        <source>Film on the Water</source>
-        <translation>Filme na água</translation>
+        <source>The project refers to these photos:</source>
+        <translation>O projeto se refere a estas fotos:</translation>
     </message>
     <message>
-        <source>The photo %1 is another one than was added.</source>
-        <translation>A foto %1 é outra que não a adicionada.</translation>
+        <source>Film on the water</source>
+        <translation>Película na água</translation>
     </message>
     <message>
-        <source>Export Film Watch to a Folder</source>
-        <translation>Exportar observação do filme para uma pasta</translation>
+        <source>The photo %1 has changed since it was added.</source>
+        <translation>A foto %1 mudou desde que foi adicionada.</translation>
     </message>
     <message>
-        <source>Export Film Watch</source>
-        <translation>Exportar observação do filme</translation>
+        <source>Export film measurement to a folder</source>
+        <translation>Exportar medição da película para uma pasta</translation>
     </message>
     <message>
-        <source>Wrote the film watch to %1</source>
-        <translation>Observação do filme gravada em %1</translation>
+        <source>Export film measurement</source>
+        <translation>Exportar medição da película</translation>
+    </message>
+    <message>
+        <source>Wrote the film measurement to %1</source>
+        <translation>Medição da película gravada em %1</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::FinishedPartPreview</name>
+    <message>
+        <source>Computing the finished part</source>
+        <translation>Calculando a peça pronta</translation>
     </message>
 </context>
 <context>
     <name>dipwright::FitController</name>
     <message>
         <source>Fitting film and dip</source>
-        <translation>Ajustando filme e imersão</translation>
-    </message>
-    <message>
-        <source>Use in Project</source>
-        <translation>Usar no projeto</translation>
-    </message>
-    <message>
-        <source>Export Fit to a Folder</source>
-        <translation>Exportar ajuste para uma pasta</translation>
-    </message>
-    <message>
-        <source>Export Fit</source>
-        <translation>Exportar ajuste</translation>
+        <translation>Ajustando película e imersão</translation>
     </message>
     <message>
         <source>Wrote the fit to %1</source>
         <translation>Ajuste gravado em %1</translation>
     </message>
+    <message>
+        <source>Use in project</source>
+        <translation>Usar no projeto</translation>
+    </message>
+    <message>
+        <source>Export fit to a folder</source>
+        <translation>Exportar ajuste para uma pasta</translation>
+    </message>
+    <message>
+        <source>Export fit</source>
+        <translation>Exportar ajuste</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::FitPage</name>
     <message>
-        <source>What was fitted</source>
-        <translation>O que foi ajustado</translation>
-    </message>
-    <message>
-        <source>Correlations of what was fitted</source>
-        <translation>Correlações do que foi ajustado</translation>
-    </message>
-    <message>
-        <source>Near 1 or −1: the two are told together rather than each by itself</source>
-        <translation>Perto de 1 ou −1: os dois são conhecidos mais em conjunto do que cada um por si</translation>
-    </message>
-    <message>
-        <source>&amp;Fit Film and Dip</source>
-        <translation>&amp;Ajustar filme e imersão</translation>
-    </message>
-    <message>
-        <source>Finds what film and dip really were: simulates the dip again and again until the print lies where the photos show it</source>
-        <translation>Encontra como foram de fato o filme e a imersão: simula repetidas vezes até a impressão ficar onde as fotos a mostram</translation>
-    </message>
-    <message>
-        <source>&amp;Use in Project</source>
-        <translation>&amp;Usar no projeto</translation>
-    </message>
-    <message>
-        <source>The project takes film, placement and depth as they were found; the film counts as measured</source>
-        <translation>O projeto assume filme, posição e profundidade como encontrados; o filme conta como medido</translation>
-    </message>
-    <message>
-        <source>&amp;Save to Profile…</source>
-        <translation>&amp;Salvar no perfil…</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exportar…</translation>
-    </message>
-    <message>
-        <source>Before</source>
-        <translation>Antes</translation>
-    </message>
-    <message>
-        <source>Found</source>
-        <translation>Encontrado</translation>
-    </message>
-    <message>
-        <source>95 %</source>
-        <translation>95 %</translation>
     </message>
     <message>
         <source>Correlation</source>
         <translation>Correlação</translation>
     </message>
     <message>
-        <source>Find the corners of the print on the page “Dipped Part” first: film and dip are fitted to them.</source>
-        <translation>Procure primeiro os cantos da impressão na página “Peça mergulhada”: filme e imersão são ajustados a eles.</translation>
+        <source>Fitted quantities</source>
+        <translation>Grandezas ajustadas</translation>
     </message>
     <message>
-        <source>The pairs are not of the body itself: a shift or turn of the whole print cannot be told from one of the camera.</source>
-        <translation>Os pares não são do próprio corpo: um deslocamento ou giro de toda a impressão não se distingue de um da câmera.</translation>
+        <source>Correlations of the fitted quantities</source>
+        <translation>Correlações das grandezas ajustadas</translation>
     </message>
     <message>
-        <source>Fits placement, swell and relaxation, as far as the photos tell them.</source>
-        <translation>Ajusta posição, inchamento e relaxação, até onde as fotos os mostram.</translation>
+        <source>&amp;Fit film and dip</source>
+        <translation>&amp;Ajustar película e imersão</translation>
     </message>
     <message>
-        <source>The project has film, placement and depth as they were found here. To fit again, find the corners anew.</source>
-        <translation>O projeto tem filme, posição e profundidade como foram achados aqui. Para ajustar outra vez, procure os cantos de novo.</translation>
+        <source>&amp;Use in project</source>
+        <translation>&amp;Usar no projeto</translation>
+    </message>
+    <message>
+        <source>Puts the fitted film, placement and depth into the project. The film then counts as measured.</source>
+        <translation>Põe película, posição e profundidade ajustadas no projeto. A película passa a contar como medida.</translation>
+    </message>
+    <message>
+        <source>&amp;Save to profile…</source>
+        <translation>&amp;Salvar no perfil…</translation>
+    </message>
+    <message>
+        <source>The project uses the film, placement and depth of this fit. To fit again, find the corners again.</source>
+        <translation>O projeto usa a película, a posição e a profundidade deste ajuste. Para ajustar outra vez, procure os cantos de novo.</translation>
+    </message>
+    <message>
+        <source>First find the corners on the page “Dipped part”. Film and dip are fitted to them.</source>
+        <translation>Procure primeiro os cantos na página “Peça mergulhada”. Película e imersão são ajustadas a eles.</translation>
+    </message>
+    <message>
+        <source>The pairs are not places on the part itself. A shift or rotation of the whole image then looks like a shift or rotation of the camera.</source>
+        <translation>Os pares não são lugares da própria peça. Um deslocamento ou giro de toda a imagem então parece um da câmera.</translation>
+    </message>
+    <message>
+        <source>Fits placement, swell and relaxation, as far as the photos determine them.</source>
+        <translation>Ajusta posição, inchamento e relaxação, até onde as fotos os determinam.</translation>
+    </message>
+    <message>
+        <source>Near 1 or −1: the photos determine only a combination of the two quantities, not each quantity</source>
+        <translation>Perto de 1 ou −1: as fotos determinam só uma combinação das duas grandezas, não cada uma</translation>
+    </message>
+    <message>
+        <source>Changes film and dip and repeats the simulation until the simulated image lies where the photos show it</source>
+        <translation>Muda a película e a imersão e repete a simulação até a imagem simulada ficar onde as fotos a mostram</translation>
+    </message>
+    <message>
+        <source>Before the fit</source>
+        <translation>Antes do ajuste</translation>
+    </message>
+    <message>
+        <source>Fitted</source>
+        <translation>Ajustado</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>Intervalo de 95 %</translation>
     </message>
 </context>
 <context>
@@ -5399,7 +5286,7 @@
         <source>film.pdf
 printed on the film</source>
         <translation>film.pdf
-impresso no filme</translation>
+impresso na película</translation>
     </message>
     <message>
         <source>card.pdf
@@ -5408,24 +5295,8 @@ printed on stiff, waterproof card</source>
 impresso em cartão rígido e impermeável</translation>
     </message>
     <message>
-        <source>The rulers of both must measure 100 mm</source>
-        <translation>As réguas dos dois devem medir 100 mm</translation>
-    </message>
-    <message>
-        <source>The film, its ink side up, as for a dip</source>
-        <translation>O filme, tinta para cima, como para a imersão</translation>
-    </message>
-    <message>
         <source>The card beside it, flat</source>
         <translation>O cartão ao lado, plano</translation>
-    </message>
-    <message>
-        <source>Both prints at one height: that is how millimetres are known</source>
-        <translation>As duas impressões à mesma altura: daí se conhecem os milímetros</translation>
-    </message>
-    <message>
-        <source>Note the time when the film is laid</source>
-        <translation>Anote a hora em que o filme é posto</translation>
     </message>
     <message>
         <source>From above, both whole, no glare</source>
@@ -5436,20 +5307,32 @@ impresso em cartão rígido e impermeável</translation>
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>One photo tells the swell, three or more the growth</source>
-        <translation>Uma foto mostra o inchamento; três ou mais, o crescimento</translation>
+        <source>The rulers on both must measure 100 mm</source>
+        <translation>As réguas dos dois devem medir 100 mm</translation>
     </message>
     <message>
-        <source>from before the dip begins until the film grows no more</source>
-        <translation>de antes da imersão até o filme não crescer mais</translation>
+        <source>The film, ink side up, as for a dip</source>
+        <translation>A película, tinta para cima, como na imersão</translation>
+    </message>
+    <message>
+        <source>Both at the same height: the card gives the scale</source>
+        <translation>Ambos à mesma altura: o cartão dá a escala</translation>
+    </message>
+    <message>
+        <source>Note the time when you lay the film</source>
+        <translation>Anote a hora em que põe a película</translation>
+    </message>
+    <message>
+        <source>One photo gives the swell, three or more give the growth</source>
+        <translation>Uma foto dá o inchamento; três ou mais, o crescimento</translation>
+    </message>
+    <message>
+        <source>from before the dip until the film stops growing</source>
+        <translation>de antes da imersão até a película parar de crescer</translation>
     </message>
 </context>
 <context>
     <name>dipwright::GuideWindow</name>
-    <message>
-        <source>User Guide</source>
-        <translation>Guia do usuário</translation>
-    </message>
     <message>
         <source>Contents</source>
         <translation>Conteúdo</translation>
@@ -5459,16 +5342,20 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Buscar no guia</translation>
     </message>
     <message>
-        <source>Enter goes to the next place</source>
-        <translation>Enter vai ao próximo lugar</translation>
+        <source>User guide</source>
+        <translation>Guia do usuário</translation>
     </message>
     <message>
-        <source>Nothing found</source>
-        <translation>Nada encontrado</translation>
+        <source>Press Enter to go to the next match</source>
+        <translation>Enter vai à próxima ocorrência</translation>
     </message>
     <message>
-        <source>Places: %1</source>
-        <translation>Lugares: %1</translation>
+        <source>No matches</source>
+        <translation>Nenhuma ocorrência</translation>
+    </message>
+    <message>
+        <source>Matches: %1</source>
+        <translation>Ocorrências: %1</translation>
     </message>
 </context>
 <context>
@@ -5478,48 +5365,24 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Bem-vindo</translation>
     </message>
     <message>
-        <source>Dipwright computes the picture to print on a film so that, when the body is dipped through it, every colour lands where it belongs.</source>
-        <translation>O Dipwright calcula a imagem a imprimir em um filme para que, ao mergulhar o corpo, cada cor caia onde deve.</translation>
-    </message>
-    <message>
         <source>The project</source>
         <translation>O projeto</translation>
-    </message>
-    <message>
-        <source>Model, film, one or two immersions, sheet and ink. Choose a part in the tree and change its values below. Begin by dropping a model on the window.</source>
-        <translation>Modelo, filme, uma ou duas imersões, folha e tinta. Escolha uma parte na árvore e mude seus valores abaixo. Comece soltando um modelo na janela.</translation>
     </message>
     <message>
         <source>The view</source>
         <translation>A vista</translation>
     </message>
     <message>
-        <source>The body above the film. Drag to look round it, turn it by its rings, then press Run.</source>
-        <translation>O corpo acima do filme. Arraste para olhar em volta, gire-o pelos anéis e aperte Executar.</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Executar</translation>
-    </message>
-    <message>
-        <source>Simulates the dip while you watch and can be cancelled at any time. With Run Live, each change runs what depends on it again.</source>
-        <translation>Simula a imersão diante de você e pode ser cancelado a qualquer momento. Com Executar ao vivo, cada mudança recalcula o que depende dela.</translation>
     </message>
     <message>
         <source>The timeline</source>
         <translation>A linha do tempo</translation>
     </message>
     <message>
-        <source>Plays the dip again, or shows any moment of it.</source>
-        <translation>Reproduz a imersão de novo ou mostra qualquer momento dela.</translation>
-    </message>
-    <message>
         <source>The results</source>
         <translation>Os resultados</translation>
-    </message>
-    <message>
-        <source>How the film stretches, the picture that goes on it, the body as it will come out, and the sheet to print. Move the cursor over one and see the same place in all the others.</source>
-        <translation>Como o filme estica, a imagem que vai nele, o corpo como sairá e a folha a imprimir. Passe o cursor sobre um e veja o mesmo lugar em todos os outros.</translation>
     </message>
     <message>
         <source>About Dipwright</source>
@@ -5530,8 +5393,32 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Impressão hidrográfica computacional.</translation>
     </message>
     <message>
-        <source>The report is on the clipboard</source>
-        <translation>O relatório está na área de transferência</translation>
+        <source>Dipwright computes the image to print on a film. When the part is dipped through the film, every colour lands in its intended place.</source>
+        <translation>O Dipwright calcula a imagem a imprimir em uma película. Quando a peça é mergulhada através da película, cada cor cai no lugar previsto.</translation>
+    </message>
+    <message>
+        <source>Model, film, one or two dips, sheet and ink. Select an entry in the tree and change its values below. To begin, drop a model on the window.</source>
+        <translation>Modelo, película, uma ou duas imersões, folha e tinta. Escolha um item na árvore e mude seus valores abaixo. Para começar, solte um modelo na janela.</translation>
+    </message>
+    <message>
+        <source>The part above the film. Drag to look at it from all sides, turn it with the rings, then press Run.</source>
+        <translation>A peça acima da película. Arraste para vê-la de todos os lados, gire-a com os anéis e aperte Executar.</translation>
+    </message>
+    <message>
+        <source>Simulates the dip while you watch. You can cancel at any time. With “Run live”, each change recomputes the results that depend on it.</source>
+        <translation>Simula a imersão diante de você. Você pode cancelar a qualquer momento. Com “Executar ao vivo”, cada mudança recalcula os resultados que dependem dela.</translation>
+    </message>
+    <message>
+        <source>Replays the dip or shows any moment of it.</source>
+        <translation>Reproduz a imersão de novo ou mostra qualquer momento dela.</translation>
+    </message>
+    <message>
+        <source>The stretch of the film, the image on it, the finished part and the sheet to print. Move the cursor over one picture to see the same place in the others.</source>
+        <translation>O estiramento da película, a imagem nela, a peça pronta e a folha a imprimir. Passe o cursor sobre uma imagem para ver o mesmo lugar nas outras.</translation>
+    </message>
+    <message>
+        <source>The report was copied to the clipboard</source>
+        <translation>O relatório foi copiado para a área de transferência</translation>
     </message>
 </context>
 <context>
@@ -5543,18 +5430,6 @@ impresso em cartão rígido e impermeável</translation>
 </context>
 <context>
     <name>dipwright::ImportModel</name>
-    <message>
-        <source>there is no number where one should be, in line %1</source>
-        <translation>não há número onde deveria haver, na linha %1</translation>
-    </message>
-    <message>
-        <source>it counts more values than it can hold, in line %1</source>
-        <translation>ele conta mais valores do que pode conter, na linha %1</translation>
-    </message>
-    <message>
-        <source>its array %1 has fewer values than are read</source>
-        <translation>sua lista %1 tem menos valores do que se leem</translation>
-    </message>
     <message>
         <source>Reading the model</source>
         <translation>Lendo o modelo</translation>
@@ -5596,28 +5471,8 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Nenhum triângulo do modelo tem área; escolha outro modelo</translation>
     </message>
     <message>
-        <source>The model has no extent; choose another model</source>
-        <translation>O modelo não tem extensão; escolha outro modelo</translation>
-    </message>
-    <message>
-        <source>The model&apos;s longest edge would be %1 mm; give the size it is to have</source>
-        <translation>A aresta mais longa do modelo teria %1 mm; informe o tamanho desejado</translation>
-    </message>
-    <message>
         <source>The model lies too far from its origin; move it there and save it anew</source>
         <translation>O modelo está longe demais da origem; mova-o para lá e salve de novo</translation>
-    </message>
-    <message>
-        <source>The mesh is not closed: what is inside is judged by most of the directions from which it is seen</source>
-        <translation>A malha não é fechada: o interior é julgado pela maioria das direções de visão</translation>
-    </message>
-    <message>
-        <source>The model&apos;s longest edge is only %1 mm; if its file is not in millimetres, give the size it is to have</source>
-        <translation>A aresta mais longa do modelo tem só %1 mm; se o arquivo não estiver em milímetros, informe o tamanho desejado</translation>
-    </message>
-    <message>
-        <source>The model has no texture coordinates, so its texture cannot be placed and is not used; its materials&apos; colours are</source>
-        <translation>O modelo não tem coordenadas de textura, então a textura não pode ser aplicada; usam-se as cores dos materiais</translation>
     </message>
     <message>
         <source>The file %1, which the model names, was not found</source>
@@ -5637,11 +5492,7 @@ impresso em cartão rígido e impermeável</translation>
     </message>
     <message>
         <source>Finding the texture&apos;s charts</source>
-        <translation>Localizando as partes da textura</translation>
-    </message>
-    <message>
-        <source>The model needs more memory than there is; reduce it</source>
-        <translation>O modelo precisa de mais memória do que há; reduza-o</translation>
+        <translation>Localizando as ilhas da textura</translation>
     </message>
     <message>
         <source>The texture %1 was not found beside the model; its material&apos;s colour is used instead</source>
@@ -5676,24 +5527,12 @@ impresso em cartão rígido e impermeável</translation>
         <translation>suas faces não têm vértices</translation>
     </message>
     <message>
-        <source>a face names a point that is not there</source>
-        <translation>uma face cita um ponto que não existe</translation>
-    </message>
-    <message>
-        <source>The colours of the model&apos;s points are not used; bake them into a texture to print them</source>
-        <translation>As cores dos pontos do modelo não são usadas; grave-as em uma textura para imprimi-las</translation>
-    </message>
-    <message>
         <source>texture %1 in %2</source>
         <translation>textura %1 em %2</translation>
     </message>
     <message>
         <source>Reading triangles</source>
         <translation>Lendo triângulos</translation>
-    </message>
-    <message>
-        <source>a triangle names a point that is not there</source>
-        <translation>um triângulo cita um ponto que não existe</translation>
     </message>
     <message>
         <source>it is not a 3MF package</source>
@@ -5716,14 +5555,6 @@ impresso em cartão rígido e impermeável</translation>
         <translation>falta um número onde deveria haver</translation>
     </message>
     <message>
-        <source>%1 is not in it</source>
-        <translation>%1 não está nele</translation>
-    </message>
-    <message>
-        <source>it places an object that is not there</source>
-        <translation>posiciona um objeto que não existe</translation>
-    </message>
-    <message>
         <source>The texture %1 is not in the model&apos;s package; its material&apos;s colour is used instead</source>
         <translation>A textura %1 não está no pacote do modelo; usa-se a cor do material</translation>
     </message>
@@ -5736,151 +5567,187 @@ impresso em cartão rígido e impermeável</translation>
         <translation>O modelo não pode ser lido: %1; salve-o de novo ou como %2</translation>
     </message>
     <message>
-        <source>its format is none of those that are read</source>
-        <translation>seu formato não é nenhum dos que são lidos</translation>
-    </message>
-    <message>
         <source>the file cannot be opened</source>
         <translation>o arquivo não pode ser aberto</translation>
-    </message>
-    <message>
-        <source>%1 describes a material before it names any</source>
-        <translation>%1 descreve um material antes de nomear algum</translation>
     </message>
     <message>
         <source>%1 in it is encrypted</source>
         <translation>%1 nele está criptografado</translation>
     </message>
     <message>
-        <source>The model names files that do not belong to its folder, such as %1, and is not read; put them beside it, or allow it to read them (--allow-outside)</source>
-        <translation>O modelo cita arquivos que não pertencem à sua pasta, como %1, e não é lido; coloque-os ao lado dele ou permita que sejam lidos (--allow-outside)</translation>
-    </message>
-    <message>
         <source>Triangles without area that were removed: %1</source>
         <translation>Triângulos sem área que foram removidos: %1</translation>
-    </message>
-    <message>
-        <source>Triangles turned that faced the other way than their neighbours: %1</source>
-        <translation>Triângulos virados que estavam ao contrário dos vizinhos: %1</translation>
-    </message>
-    <message>
-        <source>Parts of the surface turned that were inside out: %1</source>
-        <translation>Partes da superfície viradas que estavam do avesso: %1</translation>
-    </message>
-    <message>
-        <source>it needs the glTF extension %1, which is not read (export it without that)</source>
-        <translation>ele precisa da extensão glTF %1, que não é lida (exporte-o sem ela)</translation>
-    </message>
-    <message>
-        <source>its points or texture coordinates are whole numbers, which are not read (export it with float coordinates, without quantization)</source>
-        <translation>seus pontos ou coordenadas de textura são números inteiros, que não são lidos (exporte-o com coordenadas de ponto flutuante, sem quantização)</translation>
-    </message>
-    <message>
-        <source>The model scales or turns a texture (KHR_texture_transform), which is not followed rightly; apply that to the texture coordinates in a modelling program</source>
-        <translation>O modelo escala ou gira uma textura (KHR_texture_transform), o que não é seguido corretamente; aplique isso às coordenadas de textura em um programa de modelagem</translation>
-    </message>
-    <message>
-        <source>A texture of the model is without a picture or in a format that is not read, and its material&apos;s colour is used instead; export it with PNG or JPEG</source>
-        <translation>Uma textura do modelo está sem imagem ou em um formato que não é lido, e a cor do seu material é usada no lugar; exporte-o com PNG ou JPEG</translation>
-    </message>
-    <message>
-        <source>it holds more than its header counts</source>
-        <translation>contém mais do que seu cabeçalho conta</translation>
     </message>
     <message>
         <source>its unit %1 is unknown</source>
         <translation>sua unidade %1 é desconhecida</translation>
     </message>
     <message>
-        <source>it needs the 3MF extension %1, which is not read</source>
-        <translation>precisa da extensão 3MF %1, que não é lida</translation>
+        <source>its format is not supported</source>
+        <translation>seu formato não é suportado</translation>
     </message>
     <message>
-        <source>two things in it have the number %1</source>
-        <translation>duas coisas nele têm o número %1</translation>
+        <source>line %1 declares more values than the file can hold</source>
+        <translation>a linha %1 declara mais valores do que o arquivo pode conter</translation>
     </message>
     <message>
-        <source>it names a material or texture that is not there</source>
-        <translation>cita um material ou uma textura que não existe</translation>
+        <source>line %1 has no number where one is expected</source>
+        <translation>na linha %1 falta um número</translation>
     </message>
     <message>
-        <source>a transform in it is not twelve numbers</source>
-        <translation>uma transformação nele não é formada por doze números</translation>
+        <source>its array %1 has fewer values than an accessor reads</source>
+        <translation>sua lista %1 tem menos valores do que um accessor lê</translation>
     </message>
     <message>
-        <source>Options that %1 gives a texture are not followed: %2; apply them to the picture in a modelling program</source>
-        <translation>Opções que %1 dá a uma textura não são seguidas: %2; aplique-as à imagem em um programa de modelagem</translation>
+        <source>it needs the glTF extension %1, which is not supported (export it without that extension)</source>
+        <translation>ele precisa da extensão glTF %1, que não é suportada (exporte-o sem essa extensão)</translation>
     </message>
     <message>
-        <source>The model has a skin without bind matrices: its points are taken as they are stored, not as the joints place them; where they lie wrong, apply the armature in a modelling program</source>
-        <translation>O modelo tem uma pele sem matrizes de ligação: seus pontos são tomados como estão gravados, não como as articulações os colocam; onde ficarem errados, aplique o esqueleto em um programa de modelagem</translation>
+        <source>its points or texture coordinates are stored as integers, which is not supported (export it with float coordinates, without quantization)</source>
+        <translation>seus pontos ou coordenadas de textura estão gravados como números inteiros, o que não é suportado (exporte-o com coordenadas de ponto flutuante, sem quantização)</translation>
     </message>
     <message>
-        <source>Points joined along seams that rounding had opened: %1</source>
+        <source>The model scales or rotates a texture (KHR_texture_transform), which is not shown correctly; apply the transform to the texture coordinates in a modelling program</source>
+        <translation>O modelo escala ou gira uma textura (KHR_texture_transform), o que não é mostrado corretamente; aplique a transformação às coordenadas de textura em um programa de modelagem</translation>
+    </message>
+    <message>
+        <source>A texture of the model has no picture or is in an unsupported format, so its material&apos;s colour is used instead; export the texture as PNG or JPEG</source>
+        <translation>Uma textura do modelo não tem imagem ou está em um formato não suportado, então a cor do seu material é usada no lugar; exporte a textura como PNG ou JPEG</translation>
+    </message>
+    <message>
+        <source>The model has a skin without bind matrices, so its points stay as stored and the joints do not move them; if the shape is wrong, apply the armature in a modelling program</source>
+        <translation>O modelo tem uma pele sem matrizes de ligação, então seus pontos ficam como estão gravados e as articulações não os movem; se a forma estiver errada, aplique o esqueleto em um programa de modelagem</translation>
+    </message>
+    <message>
+        <source>%1 sets material properties before its first material</source>
+        <translation>%1 define propriedades de material antes do seu primeiro material</translation>
+    </message>
+    <message>
+        <source>Some texture options in %1 are ignored: %2; apply them to the picture in a modelling program</source>
+        <translation>Algumas opções de textura em %1 são ignoradas: %2; aplique-as à imagem em um programa de modelagem</translation>
+    </message>
+    <message>
+        <source>it holds more data than its header declares</source>
+        <translation>contém mais dados do que seu cabeçalho declara</translation>
+    </message>
+    <message>
+        <source>a face refers to a point that does not exist</source>
+        <translation>uma face se refere a um ponto que não existe</translation>
+    </message>
+    <message>
+        <source>The model&apos;s vertex colours are not used; bake them into a texture to print them</source>
+        <translation>As cores dos vértices do modelo não são usadas; grave-as em uma textura para imprimi-las</translation>
+    </message>
+    <message>
+        <source>a triangle refers to a point that does not exist</source>
+        <translation>um triângulo se refere a um ponto que não existe</translation>
+    </message>
+    <message>
+        <source>it needs the 3MF extension %1, which is not supported</source>
+        <translation>precisa da extensão 3MF %1, que não é suportada</translation>
+    </message>
+    <message>
+        <source>two of its resources have the ID %1</source>
+        <translation>dois dos seus recursos têm o ID %1</translation>
+    </message>
+    <message>
+        <source>it refers to a material or texture that does not exist</source>
+        <translation>se refere a um material ou uma textura que não existe</translation>
+    </message>
+    <message>
+        <source>one of its transforms does not have twelve numbers</source>
+        <translation>uma das suas transformações não tem doze números</translation>
+    </message>
+    <message>
+        <source>the file %1 is missing from the package</source>
+        <translation>o arquivo %1 falta no pacote</translation>
+    </message>
+    <message>
+        <source>it places an object that does not exist</source>
+        <translation>posiciona um objeto que não existe</translation>
+    </message>
+    <message>
+        <source>All points of the model coincide; choose another model</source>
+        <translation>Todos os pontos do modelo coincidem; escolha outro modelo</translation>
+    </message>
+    <message>
+        <source>The model&apos;s longest edge would be %1 mm; set the size that it should have</source>
+        <translation>A aresta mais longa do modelo teria %1 mm; informe o tamanho desejado</translation>
+    </message>
+    <message>
+        <source>The mesh is not closed: whether a point is inside is decided by the majority of several rays</source>
+        <translation>A malha não é fechada: a maioria de vários raios decide se um ponto está dentro</translation>
+    </message>
+    <message>
+        <source>The model&apos;s longest edge is only %1 mm; if its file is not in millimetres, set the size that it should have</source>
+        <translation>A aresta mais longa do modelo tem só %1 mm; se o arquivo não estiver em milímetros, informe o tamanho desejado</translation>
+    </message>
+    <message>
+        <source>The model has no texture coordinates, so its texture cannot be placed; the colours of its materials are used instead</source>
+        <translation>O modelo não tem coordenadas de textura, então a textura não pode ser aplicada; as cores dos materiais são usadas no lugar</translation>
+    </message>
+    <message>
+        <source>The model was not read, because it names files that are hidden or outside its folder, such as %1; put them beside the model, or allow it to read them (--allow-outside)</source>
+        <translation>O modelo não foi lido, porque cita arquivos ocultos ou fora da sua pasta, como %1; coloque-os ao lado do modelo ou permita que sejam lidos (--allow-outside)</translation>
+    </message>
+    <message>
+        <source>The model needs more memory than this computer has; simplify the model</source>
+        <translation>O modelo precisa de mais memória do que este computador tem; simplifique o modelo</translation>
+    </message>
+    <message>
+        <source>Points merged along seams that rounding had opened: %1</source>
         <translation>Pontos unidos ao longo de costuras que o arredondamento tinha aberto: %1</translation>
     </message>
     <message>
-        <source>Triangles removed that the file gives twice: %1</source>
-        <translation>Triângulos removidos que o arquivo traz em dobro: %1</translation>
+        <source>Duplicate triangles that were removed: %1</source>
+        <translation>Triângulos duplicados que foram removidos: %1</translation>
+    </message>
+    <message>
+        <source>Parts of the surface flipped because they were inside out: %1</source>
+        <translation>Partes da superfície viradas porque estavam do avesso: %1</translation>
+    </message>
+    <message>
+        <source>Triangles flipped to face the same way as their neighbours: %1</source>
+        <translation>Triângulos virados porque estavam ao contrário dos vizinhos: %1</translation>
     </message>
 </context>
 <context>
     <name>dipwright::InkLaw</name>
     <message>
-        <source>A density is from %1 to %2; zero the densitometer on a place without ink, and leave that patch out</source>
-        <translation>Uma densidade vai de %1 a %2; zere o densitômetro num lugar sem tinta e deixe essa amostra de fora</translation>
+        <source>“%1” is not an ink tone; write ink, density, exponent, bend and greatest stretch, such as cyan 0.3 0.48 0.1 2.9</source>
+        <translation>“%1” não é um tom de tinta; escreva tinta, densidade, expoente, curvatura e maior estiramento, como cyan 0.3 0.48 0.1 2.9</translation>
     </message>
     <message>
-        <source>The film&apos;s area must have grown by %1 to %2 times to be a reading</source>
-        <translation>Para ser uma leitura, a área do filme precisa ter crescido de %1 a %2 vezes</translation>
+        <source>Sort the tones by ink: cyan, magenta, yellow, black, white</source>
+        <translation>Ordene os tons por tinta: ciano, magenta, amarelo, preto, branco</translation>
     </message>
     <message>
-        <source>The patch of density %1 thins as no ink does; see that its densities and stretches stand in the right rows</source>
-        <translation>A amostra de densidade %1 afina como nenhuma tinta; veja se as densidades e os estiramentos estão nas linhas certas</translation>
+        <source>Sort the tones of an ink by increasing density</source>
+        <translation>Ordene os tons de uma tinta por densidade crescente</translation>
     </message>
     <message>
-        <source>The tones of an ink must stand from light to dense</source>
-        <translation>Os tons de uma tinta devem ir do claro ao denso</translation>
+        <source>On film with an area stretch of %3, the patch of density %2 would look lighter than the patch of density %1; measure both again</source>
+        <translation>Em película com estiramento de área %3, a amostra de densidade %2 pareceria mais clara que a de densidade %1; meça as duas de novo</translation>
     </message>
     <message>
-        <source>Of the patches of density %1 and %2 the denser one would show less where film is stretched to %3; read both again</source>
-        <translation>Das amostras de densidade %1 e %2 a mais densa mostraria menos onde o filme está estirado a %3; leia as duas de novo</translation>
+        <source>A density must be from %1 to %2; zero the densitometer on film without ink, or leave the patch out</source>
+        <translation>Uma densidade deve estar entre %1 e %2; zere o densitômetro em película sem tinta, ou deixe a amostra de fora</translation>
     </message>
     <message>
-        <source>A wedge has from 1 to %1 patches that were read on stretched film</source>
-        <translation>Uma cunha tem de 1 a %1 amostras lidas em filme estirado</translation>
+        <source>The stretched area must be %1 to %2 times the unstretched area; leave this reading out</source>
+        <translation>A área estirada deve ser de %1 a %2 vezes a área sem estiramento; deixe esta leitura de fora</translation>
     </message>
     <message>
-        <source>The tones must stand by ink: cyan, magenta, yellow, black, white</source>
-        <translation>Os tons devem estar por tinta: ciano, magenta, amarelo, preto, branco</translation>
+        <source>A wedge needs 1 to %1 patches with readings on stretched film</source>
+        <translation>Uma cunha precisa de 1 a %1 amostras com leituras em película estirada</translation>
     </message>
     <message>
-        <source>“%1” is no tone of an ink, which is its name, density, exponent, bend and greatest stretch, such as cyan 0.3 0.48 0.1 2.9</source>
-        <translation>“%1” não é um tom de tinta, que é nome, densidade, expoente, curvatura e maior estiramento, como cyan 0.3 0.48 0.1 2.9</translation>
+        <source>The readings of the patch of density %1 are impossible for ink; check that its densities and stretches are in the right rows</source>
+        <translation>As leituras do campo de densidade %1 são impossíveis para uma tinta; verifique se suas densidades e estiramentos estão nas linhas certas</translation>
     </message>
 </context>
 <context>
     <name>dipwright::InspectionController</name>
-    <message>
-        <source>The model&apos;s texture has no chess squares to look for; dip the chessboard, or measure the pairs alone</source>
-        <translation>A textura do modelo não tem quadrados de xadrez a procurar; mergulhe o tabuleiro ou meça só os pares</translation>
-    </message>
-    <message>
-        <source>Dipped Part</source>
-        <translation>Peça mergulhada</translation>
-    </message>
-    <message>
-        <source>Film on the Water</source>
-        <translation>Filme na água</translation>
-    </message>
-    <message>
-        <source>Choose What Was Dipped</source>
-        <translation>Escolher o que foi mergulhado</translation>
-    </message>
-    <message>
-        <source>Choose What Pairs Are Of</source>
-        <translation>Escolher de que são os pares</translation>
-    </message>
     <message>
         <source>Reading photos</source>
         <translation>Lendo fotos</translation>
@@ -5898,28 +5765,12 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Lendo %1</translation>
     </message>
     <message>
-        <source>The project names a photo outside itself:</source>
-        <translation>O projeto nomeia uma foto fora dele:</translation>
-    </message>
-    <message>
-        <source>The photo %1 is another one than its places were clicked in.</source>
-        <translation>A foto %1 não é aquela em que seus pontos foram clicados.</translation>
-    </message>
-    <message>
         <source>Finding corners</source>
         <translation>Procurando cantos</translation>
     </message>
     <message>
         <source>Measuring pairs</source>
         <translation>Medindo pares</translation>
-    </message>
-    <message>
-        <source>Export Residuals to a Folder</source>
-        <translation>Exportar desvios para uma pasta</translation>
-    </message>
-    <message>
-        <source>Export Residuals</source>
-        <translation>Exportar desvios</translation>
     </message>
     <message>
         <source>Wrote the residuals to %1</source>
@@ -5930,34 +5781,62 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Ajuste</translation>
     </message>
     <message>
-        <source>As Built</source>
+        <source>The model&apos;s texture has no chess squares to look for; dip the chessboard film, or measure only the pairs</source>
+        <translation>A textura do modelo não tem quadrados de xadrez a procurar; mergulhe com a película de xadrez ou meça só os pares</translation>
+    </message>
+    <message>
+        <source>Dipped part</source>
+        <translation>Peça mergulhada</translation>
+    </message>
+    <message>
+        <source>As built</source>
         <translation>Como saiu</translation>
+    </message>
+    <message>
+        <source>Film on the water</source>
+        <translation>Película na água</translation>
+    </message>
+    <message>
+        <source>Choose dipped image</source>
+        <translation>Escolher imagem mergulhada</translation>
+    </message>
+    <message>
+        <source>Choose kind of pairs</source>
+        <translation>Escolher tipo de pares</translation>
+    </message>
+    <message>
+        <source>The project refers to this photo:</source>
+        <translation>O projeto se refere a esta foto:</translation>
+    </message>
+    <message>
+        <source>The photo %1 has changed since its places were clicked.</source>
+        <translation>A foto %1 mudou desde que seus pontos foram clicados.</translation>
+    </message>
+    <message>
+        <source>Export residuals to a folder</source>
+        <translation>Exportar desvios para uma pasta</translation>
+    </message>
+    <message>
+        <source>Export residuals</source>
+        <translation>Exportar desvios</translation>
     </message>
 </context>
 <context>
     <name>dipwright::JigModel</name>
     <message>
-        <source>Its box and that of %1 overlap; move them apart on the jig</source>
-        <translation>Sua caixa e a de %1 se sobrepõem; afaste-as no suporte</translation>
+        <source>The bounding boxes of this part and of %1 overlap; move the parts apart on the jig</source>
+        <translation>As caixas envolventes desta peça e de %1 se sobrepõem; afaste as peças no suporte</translation>
     </message>
     <message>
-        <source>A jig holds one part or more, with %1 materials at most</source>
-        <translation>Um suporte leva uma peça ou mais, com no máximo %1 materiais</translation>
+        <source>A jig needs at least one part, and its parts may have at most %1 materials in all</source>
+        <translation>Um suporte precisa de pelo menos uma peça, e suas peças podem ter no máximo %1 materiais ao todo</translation>
     </message>
 </context>
 <context>
     <name>dipwright::JobQueue</name>
     <message>
-        <source>%1 % of the body painted</source>
-        <translation>%1 % do corpo pintado</translation>
-    </message>
-    <message>
         <source>Cancelling …</source>
-        <translation>Cancelando …</translation>
-    </message>
-    <message>
-        <source>The queue has ended. Projects done: %1</source>
-        <translation>A fila terminou. Projetos concluídos: %1</translation>
+        <translation>Cancelando…</translation>
     </message>
     <message>
         <source>, failed: %1</source>
@@ -5967,32 +5846,13 @@ impresso em cartão rígido e impermeável</translation>
         <source>, cancelled: %1</source>
         <translation>, cancelados: %1</translation>
     </message>
-</context>
-<context>
-    <name>dipwright::SeamFields</name>
     <message>
-        <source>The whole face</source>
-        <translation>A face inteira</translation>
+        <source>Coverage %1 %</source>
+        <translation>Cobertura %1 %</translation>
     </message>
     <message>
-        <source>Keeps the join away</source>
-        <translation>Afasta a junção</translation>
-    </message>
-    <message>
-        <source>Lets the join run there</source>
-        <translation>Deixa a junção passar ali</translation>
-    </message>
-    <message>
-        <source>What a click or a drag on the body in the view marks there. Give places to the other dip to move the join. With Run Live the join follows at once.</source>
-        <translation>O que um clique ou um arrasto no corpo na vista marca ali. Dê lugares à outra imersão para mover a junção. Com “Executar ao vivo” a junção acompanha na hora.</translation>
-    </message>
-    <message>
-        <source>Marks the flat face that is clicked, up to its edges.</source>
-        <translation>Marca a face plana clicada, até as suas arestas.</translation>
-    </message>
-    <message>
-        <source>Gives the place to %1</source>
-        <translation>Dá o lugar a %1</translation>
+        <source>The queue has finished. Projects done: %1</source>
+        <translation>A fila terminou. Projetos concluídos: %1</translation>
     </message>
 </context>
 <context>
@@ -6006,14 +5866,6 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Nada aconteceu ainda.</translation>
     </message>
     <message>
-        <source>Copy Report</source>
-        <translation>Copiar relatório</translation>
-    </message>
-    <message>
-        <source>Copies the log with facts about program and machine to the clipboard.</source>
-        <translation>Copia o registro com dados do programa e da máquina para a área de transferência.</translation>
-    </message>
-    <message>
         <source>Clear</source>
         <translation>Limpar</translation>
     </message>
@@ -6021,44 +5873,52 @@ impresso em cartão rígido e impermeável</translation>
         <source>Empties the log.</source>
         <translation>Esvazia o registro.</translation>
     </message>
+    <message>
+        <source>Copy report</source>
+        <translation>Copiar relatório</translation>
+    </message>
+    <message>
+        <source>Copies the log, with details of the program and the computer, to the clipboard.</source>
+        <translation>Copia o registro, com dados do programa e do computador, para a área de transferência.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::LookInsideBar</name>
     <message>
-        <source>Where body and film are cut open; the frame in the view can be dragged, too</source>
-        <translation>Onde corpo e filme são abertos; a moldura na vista também pode ser arrastada</translation>
-    </message>
-    <message>
-        <source>How much the film covers of what lies behind it</source>
-        <translation>Quanto o filme cobre do que está atrás dele</translation>
-    </message>
-    <message>
-        <source>Direction of the section</source>
-        <translation>Direção do corte</translation>
-    </message>
-    <message>
         <source>Show the other side</source>
         <translation>Mostrar o outro lado</translation>
-    </message>
-    <message>
-        <source>Film covers</source>
-        <translation>Filme cobre</translation>
     </message>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Across X</source>
-        <translation>Transversal a X</translation>
+        <source>Position of the section through part and film. You can also drag its frame in the view.</source>
+        <translation>Posição do corte pela peça e pela película. Você também pode arrastar a moldura na vista.</translation>
     </message>
     <message>
-        <source>Level, across Y</source>
-        <translation>Nivelado, transversal a Y</translation>
+        <source>How opaque the film is. At 100 % it hides everything behind it.</source>
+        <translation>Quão opaca é a película. A 100 % ela esconde tudo atrás dela.</translation>
     </message>
     <message>
-        <source>Across Z</source>
-        <translation>Transversal a Z</translation>
+        <source>Film opacity</source>
+        <translation>Opacidade da película</translation>
+    </message>
+    <message>
+        <source>Cut across X</source>
+        <translation>Corte transversal a X</translation>
+    </message>
+    <message>
+        <source>Horizontal cut, across Y</source>
+        <translation>Horizontal, transversal a Y</translation>
+    </message>
+    <message>
+        <source>Cut across Z</source>
+        <translation>Corte transversal a Z</translation>
+    </message>
+    <message>
+        <source>Axis that the section plane is perpendicular to</source>
+        <translation>Eixo ao qual o plano de corte é perpendicular</translation>
     </message>
 </context>
 <context>
@@ -6072,28 +5932,16 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Disposição “%1”</translation>
     </message>
     <message>
-        <source>The body is %1 long. If its file is in another unit, change its size under Model.</source>
-        <translation>O corpo tem %1 de comprimento. Se o arquivo está em outra unidade, mude o tamanho em “Modelo”.</translation>
-    </message>
-    <message>
         <source>Inspection</source>
         <translation>Inspeção</translation>
+    </message>
+    <message>
+        <source>The part is %1 long. If the file uses another unit, change the size under Model.</source>
+        <translation>A peça tem %1 de comprimento. Se o arquivo usa outra unidade, mude o tamanho em “Modelo”.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::MarkFields</name>
-    <message>
-        <source>Remove Last</source>
-        <translation>Remover a última</translation>
-    </message>
-    <message>
-        <source>Remove All</source>
-        <translation>Remover todas</translation>
-    </message>
-    <message>
-        <source>A click on the body</source>
-        <translation>Um clique no corpo</translation>
-    </message>
     <message>
         <source>Marks nothing</source>
         <translation>Não marca nada</translation>
@@ -6103,32 +5951,32 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Raio</translation>
     </message>
     <message>
-        <source>How far round the click the mark reaches, along the surface.</source>
-        <translation>Até onde a marca chega em volta do clique, ao longo da superfície.</translation>
+        <source>Remove last</source>
+        <translation>Remover a última</translation>
     </message>
     <message>
-        <source>A click</source>
-        <translation>Um clique</translation>
+        <source>Remove all</source>
+        <translation>Remover todas</translation>
     </message>
     <message>
-        <source>Marks on the body: %1</source>
-        <translation>Marcas no corpo: %1</translation>
+        <source>A click on the part</source>
+        <translation>Um clique na peça</translation>
+    </message>
+    <message>
+        <source>Radius of the mark around the click, along the surface.</source>
+        <translation>Raio da marca em volta do clique, ao longo da superfície.</translation>
+    </message>
+    <message>
+        <source>Marks on the part: %1</source>
+        <translation>Marcas na peça: %1</translation>
+    </message>
+    <message>
+        <source>Click on part</source>
+        <translation>Clique na peça</translation>
     </message>
 </context>
 <context>
     <name>dipwright::MeasurePlot</name>
-    <message>
-        <source>Measure to the right</source>
-        <translation>Medida para a direita</translation>
-    </message>
-    <message>
-        <source>Measure upwards</source>
-        <translation>Medida para cima</translation>
-    </message>
-    <message>
-        <source>Better is to the right and up. The line joins the poses that no other beats in both measures.</source>
-        <translation>Melhor é à direita e acima. A linha liga as poses que nenhuma outra supera em ambas as medidas.</translation>
-    </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
@@ -6137,16 +5985,28 @@ impresso em cartão rígido e impermeável</translation>
         <source>Rank %1</source>
         <translation>Posição %1</translation>
     </message>
+    <message>
+        <source>Horizontal axis</source>
+        <translation>Eixo horizontal</translation>
+    </message>
+    <message>
+        <source>Vertical axis</source>
+        <translation>Eixo vertical</translation>
+    </message>
+    <message>
+        <source>Right and up is better. The line joins the poses that no other pose beats in both measures.</source>
+        <translation>À direita e acima é melhor. A linha liga as poses que nenhuma outra supera em ambas as medidas.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::MeasureTool</name>
     <message>
-        <source>Click the second place on the body</source>
-        <translation>Clique no segundo lugar do corpo</translation>
-    </message>
-    <message>
         <source>Distance %1</source>
         <translation>Distância %1</translation>
+    </message>
+    <message>
+        <source>Click the second place on the part</source>
+        <translation>Clique no segundo lugar da peça</translation>
     </message>
 </context>
 <context>
@@ -6160,8 +6020,8 @@ impresso em cartão rígido e impermeável</translation>
         <translation>O modelo guardado está danificado; importe o modelo de novo</translation>
     </message>
     <message>
-        <source>The stored model has format version %1 and this program reads version %2; use a newer program</source>
-        <translation>O modelo guardado tem a versão de formato %1 e este programa lê a versão %2; use um programa mais novo</translation>
+        <source>The stored model has format version %1, but this program reads version %2; use a newer version of this program</source>
+        <translation>O modelo guardado tem a versão de formato %1, mas este programa lê a versão %2; use uma versão mais nova deste programa</translation>
     </message>
 </context>
 <context>
@@ -6195,18 +6055,6 @@ impresso em cartão rígido e impermeável</translation>
         <translation>A aresta mais longa tem</translation>
     </message>
     <message>
-        <source>New Project</source>
-        <translation>Novo projeto</translation>
-    </message>
-    <message>
-        <source>The model&apos;s own</source>
-        <translation>A do próprio modelo</translation>
-    </message>
-    <message>
-        <source>The size in which the film comes and is printed.</source>
-        <translation>O tamanho em que o filme vem e é impresso.</translation>
-    </message>
-    <message>
         <source>One dip</source>
         <translation>Uma imersão</translation>
     </message>
@@ -6219,28 +6067,12 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Duas imersões: esquerda e direita</translation>
     </message>
     <message>
-        <source>One dip with the film model of 2020, to compare</source>
-        <translation>Uma imersão com o modelo de filme de 2020, para comparar</translation>
-    </message>
-    <message>
-        <source>How often and from where the body is dipped. All of it can be changed later.</source>
-        <translation>Quantas vezes e de onde o corpo é mergulhado. Tudo pode ser mudado depois.</translation>
-    </message>
-    <message>
         <source>&amp;Model</source>
         <translation>&amp;Modelo</translation>
     </message>
     <message>
-        <source>Choose a Model</source>
-        <translation>Escolher um modelo</translation>
-    </message>
-    <message>
         <source>Te&amp;xture</source>
         <translation>Te&amp;xtura</translation>
-    </message>
-    <message>
-        <source>Choose a Texture</source>
-        <translation>Escolher uma textura</translation>
     </message>
     <message>
         <source>Size</source>
@@ -6248,11 +6080,7 @@ impresso em cartão rígido e impermeável</translation>
     </message>
     <message>
         <source>&amp;Film</source>
-        <translation>&amp;Filme</translation>
-    </message>
-    <message>
-        <source>&amp;Begin with</source>
-        <translation>&amp;Começar com</translation>
+        <translation>Pelíc&amp;ula</translation>
     </message>
     <message>
         <source>Create</source>
@@ -6299,22 +6127,6 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Direita</translation>
     </message>
     <message>
-        <source>The file of the body that is to be dipped.</source>
-        <translation>O arquivo do corpo a ser mergulhado.</translation>
-    </message>
-    <message>
-        <source>A picture to wear in place of the model&apos;s own texture, or nothing.</source>
-        <translation>Uma imagem no lugar da textura do próprio modelo, ou nada.</translation>
-    </message>
-    <message>
-        <source>The model is made larger or smaller until its longest edge measures this.</source>
-        <translation>O modelo é ampliado ou reduzido até que sua aresta mais longa tenha esta medida.</translation>
-    </message>
-    <message>
-        <source>In which unit the model&apos;s file gives its coordinates. The file does not say.</source>
-        <translation>Em que unidade o arquivo do modelo dá suas coordenadas. O arquivo não o diz.</translation>
-    </message>
-    <message>
         <source>Model</source>
         <translation>Modelo</translation>
     </message>
@@ -6328,27 +6140,75 @@ impresso em cartão rígido e impermeável</translation>
     </message>
     <message>
         <source>Reading the model …</source>
-        <translation>Lendo o modelo …</translation>
+        <translation>Lendo o modelo…</translation>
     </message>
     <message>
         <source>Reading the model</source>
         <translation>Lendo o modelo</translation>
     </message>
     <message>
-        <source>The body is %1 × %2 × %3</source>
-        <translation>O corpo mede %1 × %2 × %3</translation>
-    </message>
-    <message>
-        <source>the unit is a guess by its size.</source>
-        <translation>a unidade é suposta pelo tamanho.</translation>
-    </message>
-    <message>
-        <source>What is known of the film: how it swells, grows and tears.</source>
-        <translation>O que se sabe do filme: como incha, cresce e rasga.</translation>
-    </message>
-    <message>
         <source>Film &amp;profile</source>
-        <translation>&amp;Perfil do filme</translation>
+        <translation>&amp;Perfil da película</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Novo projeto</translation>
+    </message>
+    <message>
+        <source>The model file of the part to dip.</source>
+        <translation>O arquivo do modelo da peça a mergulhar.</translation>
+    </message>
+    <message>
+        <source>The model&apos;s own texture</source>
+        <translation>A textura do próprio modelo</translation>
+    </message>
+    <message>
+        <source>A picture that replaces the model&apos;s own texture. Leave it empty to keep the model&apos;s texture.</source>
+        <translation>Uma imagem que substitui a textura do próprio modelo. Deixe vazio para manter a textura do modelo.</translation>
+    </message>
+    <message>
+        <source>The size of the film as it is delivered and printed.</source>
+        <translation>O tamanho em que a película é fornecida e impressa.</translation>
+    </message>
+    <message>
+        <source>The measured properties of the film: how it swells, grows and tears.</source>
+        <translation>As propriedades medidas da película: como incha, cresce e rasga.</translation>
+    </message>
+    <message>
+        <source>One dip with the film model of 2020, for comparison</source>
+        <translation>Uma imersão com o modelo de película de 2020, para comparação</translation>
+    </message>
+    <message>
+        <source>How many times the part is dipped, and from which sides. You can change this later.</source>
+        <translation>Quantas vezes e de que lados a peça é mergulhada. Você pode mudar isso depois.</translation>
+    </message>
+    <message>
+        <source>Choose a model</source>
+        <translation>Escolher um modelo</translation>
+    </message>
+    <message>
+        <source>Choose a texture</source>
+        <translation>Escolher uma textura</translation>
+    </message>
+    <message>
+        <source>&amp;Dips</source>
+        <translation>&amp;Imersões</translation>
+    </message>
+    <message>
+        <source>Scales the model so that its longest edge has this length.</source>
+        <translation>Redimensiona o modelo para que sua aresta mais longa tenha este comprimento.</translation>
+    </message>
+    <message>
+        <source>The unit of the coordinates in the model file. The file itself does not state it.</source>
+        <translation>A unidade das coordenadas no arquivo do modelo. O próprio arquivo não a informa.</translation>
+    </message>
+    <message>
+        <source>The part measures %1 × %2 × %3</source>
+        <translation>A peça mede %1 × %2 × %3</translation>
+    </message>
+    <message>
+        <source>the unit was guessed from the size.</source>
+        <translation>a unidade foi suposta pelo tamanho.</translation>
     </message>
 </context>
 <context>
@@ -6365,40 +6225,126 @@ impresso em cartão rígido e impermeável</translation>
 <context>
     <name>dipwright::NumberBox</name>
     <message>
-        <source>“%1” has a unit, and this field has none; type the number alone</source>
-        <translation>“%1” tem uma unidade e este campo não tem nenhuma; digite só o número</translation>
-    </message>
-    <message>
-        <source>“%1” is in no unit of this field; type a number in %2</source>
-        <translation>“%1” não está em nenhuma unidade deste campo; digite um número em %2</translation>
-    </message>
-    <message>
-        <source>There is no number</source>
-        <translation>Não há número</translation>
-    </message>
-    <message>
-        <source>“%1” is no number</source>
-        <translation>“%1” não é um número</translation>
-    </message>
-    <message>
-        <source>“%1” is not within %2 to %3%4</source>
-        <translation>“%1” não está entre %2 e %3%4</translation>
-    </message>
-    <message>
         <source>“%1” can be %2 or %3; type one of them</source>
         <translation>“%1” pode ser %2 ou %3; digite um deles</translation>
     </message>
     <message>
-        <source>“%1” is no whole number</source>
+        <source>“%1” has a unit, but this field has none; type only the number</source>
+        <translation>“%1” tem uma unidade, mas este campo não tem nenhuma; digite só o número</translation>
+    </message>
+    <message>
+        <source>“%1” has a unit that does not fit this field; type a number in %2</source>
+        <translation>“%1” tem uma unidade que não serve para este campo; digite um número em %2</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number</source>
+        <translation>“%1” não é um número</translation>
+    </message>
+    <message>
+        <source>“%1” is outside the range %2 to %3%4</source>
+        <translation>“%1” está fora da faixa de %2 a %3%4</translation>
+    </message>
+    <message>
+        <source>“%1” is not a whole number</source>
         <translation>“%1” não é um número inteiro</translation>
+    </message>
+    <message>
+        <source>The field is empty; type a number</source>
+        <translation>O campo está vazio; digite um número</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::NumericalErrorCheck</name>
+    <message>
+        <source>Checking the numerical error</source>
+        <translation>Verificando o erro numérico</translation>
+    </message>
+    <message>
+        <source>Check numerical error</source>
+        <translation>Verificar erro numérico</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::NumericalErrorDialog</name>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Média</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>Painted in both</source>
+        <translation>Pintado em ambas</translation>
+    </message>
+    <message>
+        <source>Painted in one</source>
+        <translation>Pintado em uma</translation>
+    </message>
+    <message>
+        <source>Share of the part&apos;s surface that is painted in both computations</source>
+        <translation>Fração da superfície da peça pintada em ambos os cálculos</translation>
+    </message>
+    <message>
+        <source>Share of the part&apos;s surface that is painted in only one of the two computations</source>
+        <translation>Fração da superfície da peça pintada em só um dos dois cálculos</translation>
+    </message>
+    <message>
+        <source>With half the step</source>
+        <translation>Com metade do passo</translation>
+    </message>
+    <message>
+        <source>With half the cell width</source>
+        <translation>Com metade da largura da célula</translation>
+    </message>
+    <message>
+        <source>Numerical error of the sheet</source>
+        <translation>Erro numérico da folha</translation>
+    </message>
+    <message>
+        <source>%1: the dip paints nothing, so there is nothing to compare.</source>
+        <translation>%1: a imersão não pinta nada, portanto não há o que comparar.</translation>
+    </message>
+    <message>
+        <source>%1: this sheet is accurate enough. 95 % of it is within %2 (numerical error).</source>
+        <translation>%1: esta folha é exata o bastante. 95 % dela fica dentro de %2 (erro numérico).</translation>
+    </message>
+    <message>
+        <source>%1: this sheet is not accurate enough. 95 % of it is only within %2 (numerical error). Use smaller film cells or more points, turn the part, or dip it twice.</source>
+        <translation>%1: esta folha não é exata o bastante. 95 % dela só fica dentro de %2 (erro numérico). Use células menores ou mais pontos na película, gire a peça ou mergulhe-a duas vezes.</translation>
+    </message>
+    <message>
+        <source>Numerical error of the sheets</source>
+        <translation>Erro numérico das folhas</translation>
+    </message>
+    <message>
+        <source>&amp;Save maps…</source>
+        <translation>&amp;Salvar mapas…</translation>
+    </message>
+    <message>
+        <source>The project has changed since these figures were computed.</source>
+        <translation>O projeto mudou desde que estes números foram calculados.</translation>
+    </message>
+    <message>
+        <source>Save maps to a folder</source>
+        <translation>Salvar mapas em uma pasta</translation>
+    </message>
+    <message>
+        <source>How far the image on the sheet moves</source>
+        <translation>Quanto a imagem na folha se desloca</translation>
     </message>
 </context>
 <context>
     <name>dipwright::OrientationMap</name>
-    <message>
-        <source>How good each side is to go down first</source>
-        <translation>Quão bom é cada lado para descer primeiro</translation>
-    </message>
     <message>
         <source>Which side
 goes down first</source>
@@ -6406,8 +6352,12 @@ goes down first</source>
 desce primeiro</translation>
     </message>
     <message>
-        <source>Objective %1, click to try this side</source>
-        <translation>Objetivo %1, clique para experimentar este lado</translation>
+        <source>Rating of each side when it goes down first</source>
+        <translation>Avaliação de cada lado ao descer primeiro</translation>
+    </message>
+    <message>
+        <source>Objective %1; click to turn this side down</source>
+        <translation>Objetivo %1; clique para virar este lado para baixo</translation>
     </message>
 </context>
 <context>
@@ -6417,24 +6367,16 @@ desce primeiro</translation>
         <translation> mm</translation>
     </message>
     <message>
-        <source>&amp;Turn pieces where that saves film</source>
-        <translation>&amp;Girar peças onde isso poupa filme</translation>
-    </message>
-    <message>
         <source>Film</source>
-        <translation>Filme</translation>
+        <translation>Película</translation>
     </message>
     <message>
         <source>Add projects and lay them out.</source>
         <translation>Adicione projetos e disponha-os.</translation>
     </message>
     <message>
-        <source>Several Jobs on One Film</source>
-        <translation>Vários trabalhos em um filme</translation>
-    </message>
-    <message>
         <source>Projects on the film</source>
-        <translation>Projetos no filme</translation>
+        <translation>Projetos na película</translation>
     </message>
     <message>
         <source>Project</source>
@@ -6443,14 +6385,6 @@ desce primeiro</translation>
     <message>
         <source>Copies</source>
         <translation>Cópias</translation>
-    </message>
-    <message>
-        <source>Project files may be dropped here. They are taken as they are saved.</source>
-        <translation>Arquivos de projeto podem ser soltos aqui. São tomados como estão salvos.</translation>
-    </message>
-    <message>
-        <source>&amp;Add Projects…</source>
-        <translation>&amp;Adicionar projetos…</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
@@ -6473,20 +6407,8 @@ desce primeiro</translation>
         <translation>Borda longa primeiro</translation>
     </message>
     <message>
-        <source>Film swells more along its web. Pieces of films that swell differently both ways lie along it as they were computed.</source>
-        <translation>O filme incha mais ao longo de sua banda. Peças de filmes que incham de modo diferente nos dois sentidos ficam em relação a ela como foram calculadas.</translation>
-    </message>
-    <message>
-        <source>Bare film round what is inked. A job is computed for its whole film: cut out near its ink it behaves otherwise towards the edge.</source>
-        <translation>Filme livre em volta da tinta. Um trabalho é calculado para o filme inteiro: cortado perto da tinta, ele se comporta de outro modo perto da borda.</translation>
-    </message>
-    <message>
-        <source>By a quarter, and only pieces of films that swell alike both ways.</source>
-        <translation>Em um quarto de volta, e só peças de filmes que incham igualmente nos dois sentidos.</translation>
-    </message>
-    <message>
         <source>&amp;Film</source>
-        <translation>&amp;Filme</translation>
+        <translation>Pelíc&amp;ula</translation>
     </message>
     <message>
         <source>&amp;Width</source>
@@ -6506,27 +6428,11 @@ desce primeiro</translation>
     </message>
     <message>
         <source>&amp;Bare film</source>
-        <translation>Filme l&amp;ivre</translation>
-    </message>
-    <message>
-        <source>Film that is shown</source>
-        <translation>Filme mostrado</translation>
-    </message>
-    <message>
-        <source>La&amp;y Out</source>
-        <translation>Di&amp;spor</translation>
-    </message>
-    <message>
-        <source>Dips what has not been dipped yet, and lays it out.</source>
-        <translation>Mergulha o que ainda não foi mergulhado e o dispõe.</translation>
+        <translation>Película l&amp;ivre</translation>
     </message>
     <message>
         <source>E&amp;xport…</source>
         <translation>E&amp;xportar…</translation>
-    </message>
-    <message>
-        <source>Each film as PDF, PNG and TIFF at true size, and what lies where.</source>
-        <translation>Cada filme em PDF, PNG e TIFF em tamanho real, e o que está onde.</translation>
     </message>
     <message>
         <source>&amp;Print…</source>
@@ -6537,32 +6443,20 @@ desce primeiro</translation>
         <translation>Cópias de %1</translation>
     </message>
     <message>
-        <source>Add Projects</source>
-        <translation>Adicionar projetos</translation>
-    </message>
-    <message>
-        <source>At most; it is cut off behind the last piece.</source>
-        <translation>No máximo; é cortado depois da última peça.</translation>
-    </message>
-    <message>
         <source>Laying out</source>
         <translation>Dispondo</translation>
     </message>
     <message>
         <source>Films: %1. They are printed at true size.</source>
-        <translation>Filmes: %1. São impressos em tamanho real.</translation>
-    </message>
-    <message>
-        <source>Export Films to a Folder</source>
-        <translation>Exportar filmes para uma pasta</translation>
+        <translation>Películas: %1. São impressas em tamanho real.</translation>
     </message>
     <message>
         <source>Writing the films</source>
-        <translation>Gravando os filmes</translation>
+        <translation>Gravando as películas</translation>
     </message>
     <message>
         <source>Wrote the films to %1</source>
-        <translation>Filmes gravados em %1</translation>
+        <translation>Películas gravadas em %1</translation>
     </message>
     <message>
         <source>Several jobs</source>
@@ -6570,19 +6464,75 @@ desce primeiro</translation>
     </message>
     <message>
         <source>Film %1</source>
-        <translation>Filme %1</translation>
-    </message>
-    <message>
-        <source>Press Lay Out: projects that have not been dipped here are dipped first.</source>
-        <translation>Pressione Dispor: projetos que ainda não foram mergulhados aqui são mergulhados antes.</translation>
-    </message>
-    <message>
-        <source>Add projects, or drop their files here.</source>
-        <translation>Adicione projetos ou solte seus arquivos aqui.</translation>
+        <translation>Película %1</translation>
     </message>
     <message>
         <source>Cancelled.</source>
         <translation>Cancelado.</translation>
+    </message>
+    <message>
+        <source>&amp;Turn pieces to save film</source>
+        <translation>&amp;Girar pedaços para poupar película</translation>
+    </message>
+    <message>
+        <source>Several jobs on one film</source>
+        <translation>Vários trabalhos em uma película</translation>
+    </message>
+    <message>
+        <source>You can drop project files here. The last saved version of each file is used.</source>
+        <translation>Você pode soltar arquivos de projeto aqui. É usada a última versão salva de cada arquivo.</translation>
+    </message>
+    <message>
+        <source>&amp;Add projects…</source>
+        <translation>&amp;Adicionar projetos…</translation>
+    </message>
+    <message>
+        <source>The edge that enters the printer first. Film swells more along its web. A piece that swells unequally keeps its direction along the web.</source>
+        <translation>A borda que entra primeiro na impressora. A película incha mais ao longo da bobina. Um pedaço que incha de modo desigual mantém sua direção em relação à bobina.</translation>
+    </message>
+    <message>
+        <source>Width of the bare film around the ink. Each job is computed for its whole film. A piece that is cut close to the ink behaves differently near its edge.</source>
+        <translation>Largura da película livre em volta da tinta. Cada trabalho é calculado para a película inteira. Um pedaço cortado perto da tinta se comporta de outro modo na borda.</translation>
+    </message>
+    <message>
+        <source>Turns pieces by 90°, but only if their film swells equally in both directions.</source>
+        <translation>Gira pedaços em 90°, mas só se a película incha igualmente nos dois sentidos.</translation>
+    </message>
+    <message>
+        <source>Shown film</source>
+        <translation>Película mostrada</translation>
+    </message>
+    <message>
+        <source>La&amp;y out</source>
+        <translation>Di&amp;spor</translation>
+    </message>
+    <message>
+        <source>Simulates the projects that have no result yet, then lays out all pieces.</source>
+        <translation>Simula os projetos que ainda não têm resultado e depois dispõe todos os pedaços.</translation>
+    </message>
+    <message>
+        <source>Writes each film as PDF, PNG and TIFF at true size, and a list of the pieces with their places.</source>
+        <translation>Grava cada película em PDF, PNG e TIFF em tamanho real e uma lista dos pedaços com seus lugares.</translation>
+    </message>
+    <message>
+        <source>Add projects</source>
+        <translation>Adicionar projetos</translation>
+    </message>
+    <message>
+        <source>The largest length. The roll is cut off after the last piece.</source>
+        <translation>O maior comprimento. O rolo é cortado depois do último pedaço.</translation>
+    </message>
+    <message>
+        <source>Export films to a folder</source>
+        <translation>Exportar películas para uma pasta</translation>
+    </message>
+    <message>
+        <source>Press “Lay out”. Projects that have no result yet are simulated first.</source>
+        <translation>Pressione “Dispor”. Os projetos que ainda não têm resultado são simulados antes.</translation>
+    </message>
+    <message>
+        <source>Add projects or drop their files here.</source>
+        <translation>Adicione projetos ou solte seus arquivos aqui.</translation>
     </message>
 </context>
 <context>
@@ -6599,72 +6549,72 @@ desce primeiro</translation>
 <context>
     <name>dipwright::PartCamera</name>
     <message>
-        <source>Photo %1 has %2 pairs of places and takes %3 to tell its camera; give more</source>
-        <translation>A foto %1 tem %2 pares de lugares e precisa de %3 para dizer a câmera; dê mais</translation>
-    </message>
-    <message>
-        <source>All places of photo %1 lie in one plane, which does not tell how far the camera was; give some on other faces</source>
-        <translation>Todos os lugares da foto %1 ficam num plano, o que não diz a que distância estava a câmera; dê alguns em outras faces</translation>
-    </message>
-    <message>
-        <source>The pairs do not tell the camera; give more, farther apart</source>
-        <translation>Os pares não determinam a câmera; dê mais, mais afastados</translation>
-    </message>
-    <message>
-        <source>The pairs do not tell how far the camera was; give places that lie nearer and farther, and photograph from less far away</source>
-        <translation>Os pares não dizem a que distância estava a câmera; dê lugares mais próximos e mais distantes, e fotografe de mais perto</translation>
-    </message>
-    <message>
-        <source>The first line of the pairs is not %1</source>
-        <translation>A primeira linha dos pares não é %1</translation>
-    </message>
-    <message>
-        <source>There are more than %1 pairs</source>
-        <translation>Há mais de %1 pares</translation>
-    </message>
-    <message>
-        <source>Rings: expected · lines: to where it is seen, %1 times as long</source>
-        <translation>Anéis: esperado · linhas: até onde se vê, %1 vezes mais longas</translation>
-    </message>
-    <message>
-        <source>Photo %1 shows its places as in a mirror; give the photo as the camera made it, and the places with the model&apos;s own signs</source>
-        <translation>A foto %1 mostra seus lugares como num espelho; forneça a foto como a câmera a fez, e os lugares com os sinais do próprio modelo</translation>
-    </message>
-    <message>
-        <source>By its places, photo %1 shows none of the print; give them again, or photograph the side that was dipped</source>
-        <translation>Pelos seus pontos, a foto %1 não mostra nada da impressão; indique-os de novo ou fotografe o lado que foi mergulhado</translation>
-    </message>
-    <message>
-        <source>In photo %1 black and white are swapped: the film was laid with its ink down, or turned by a square</source>
-        <translation>Na foto %1 o preto e o branco estão trocados: o filme foi posto com a tinta para baixo ou deslocado de um quadrado</translation>
-    </message>
-    <message>
-        <source>Of %1 corners that photo %2 should show, %3 were found: is this the job&apos;s part and print, sharp and whole, and were its places given rightly?</source>
-        <translation>Dos %1 cantos que a foto %2 deveria mostrar, foram encontrados %3: é a peça e a impressão deste trabalho, nítida e inteira, e os pontos indicados estão certos?</translation>
-    </message>
-    <message>
         <source>Finding corners in photo %1</source>
         <translation>Procurando cantos na foto %1</translation>
     </message>
     <message>
-        <source>Line %1 of the pairs is not %2</source>
-        <translation>A linha %1 dos pares não é %2</translation>
+        <source>According to its places, photo %1 shows none of the print; give the places again, or photograph the dipped side</source>
+        <translation>Pelos seus pontos, a foto %1 não mostra nada da impressão; indique os pontos de novo, ou fotografe o lado mergulhado</translation>
     </message>
     <message>
-        <source>the number of a photo, two numbers of pixels and three of millimetres, joined by commas</source>
-        <translation>o número de uma foto, dois números em pixels e três em milímetros, separados por vírgulas</translation>
+        <source>In photo %1, black and white are swapped; the film was laid with its ink side down, or shifted by one square</source>
+        <translation>Na foto %1 o preto e o branco estão trocados; a película foi posta com o lado da tinta para baixo ou deslocada de um quadrado</translation>
     </message>
     <message>
-        <source>the number of a photo, two numbers of pixels, the number of a dip, and two and three of millimetres, joined by commas</source>
-        <translation>o número de uma foto, dois números em pixels, o número de uma imersão, e dois e três em milímetros, separados por vírgulas</translation>
+        <source>Photo %2 should show %1 corners, but only %3 were found; check that it shows this job&apos;s part and print, whole and sharp, and that its places are correct</source>
+        <translation>A foto %2 deveria mostrar %1 cantos, mas só %3 foram encontrados; verifique se ela mostra a peça e a impressão deste trabalho, inteiras e nítidas, e se os pontos estão certos</translation>
     </message>
     <message>
-        <source>The photos are of different sizes; take those of one camera, held the same way</source>
-        <translation>As fotos têm tamanhos diferentes; use as de uma só câmera, segurada do mesmo modo</translation>
+        <source>Photo %1 has %2 pairs of places, but its camera needs %3; give more pairs</source>
+        <translation>A foto %1 tem %2 pares de lugares, mas sua câmera precisa de %3; dê mais pares</translation>
     </message>
     <message>
-        <source>With this photo those of the part have %1 million pixels together, and %2 may be held at once; give fewer, or smaller ones</source>
-        <translation>Com esta foto, as da peça têm juntas %1 milhões de pixels, e %2 podem ser mantidos ao mesmo tempo; use menos, ou menores</translation>
+        <source>All places of photo %1 lie in one plane, which does not determine the camera&apos;s distance; give some places on other faces</source>
+        <translation>Todos os lugares da foto %1 ficam num plano, o que não determina a distância da câmera; dê alguns lugares em outras faces</translation>
+    </message>
+    <message>
+        <source>Photo %1 shows its places mirrored; use the photo without flipping it, and give the places in the model&apos;s own coordinates</source>
+        <translation>A foto %1 mostra seus lugares espelhados; use a foto sem espelhá-la, e dê os lugares nas coordenadas do próprio modelo</translation>
+    </message>
+    <message>
+        <source>The pairs do not determine the camera; give more pairs, farther apart</source>
+        <translation>Os pares não determinam a câmera; dê mais pares, mais afastados</translation>
+    </message>
+    <message>
+        <source>The pairs do not determine the camera&apos;s distance; give places at different distances, and photograph from nearer</source>
+        <translation>Os pares não determinam a distância da câmera; dê lugares a distâncias diferentes, e fotografe de mais perto</translation>
+    </message>
+    <message>
+        <source>The first line of the pairs must be %1</source>
+        <translation>A primeira linha dos pares deve ser %1</translation>
+    </message>
+    <message>
+        <source>Line %1 of the pairs must contain %2</source>
+        <translation>A linha %1 dos pares deve conter %2</translation>
+    </message>
+    <message>
+        <source>There are more than %1 pairs; give fewer</source>
+        <translation>Há mais de %1 pares; dê menos</translation>
+    </message>
+    <message>
+        <source>a photo number, two coordinates in pixels and three in millimetres, separated by commas</source>
+        <translation>um número de foto, duas coordenadas em pixels e três em milímetros, separados por vírgulas</translation>
+    </message>
+    <message>
+        <source>a photo number, two coordinates in pixels, a dip number, two sheet coordinates and three model coordinates in millimetres, separated by commas</source>
+        <translation>um número de foto, duas coordenadas em pixels, um número de imersão, duas coordenadas na folha e três no modelo em milímetros, separados por vírgulas</translation>
+    </message>
+    <message>
+        <source>The photos have different sizes; use photos of one camera, held the same way</source>
+        <translation>As fotos têm tamanhos diferentes; use fotos de uma só câmera, segurada do mesmo modo</translation>
+    </message>
+    <message>
+        <source>With this photo, the part&apos;s photos have %1 million pixels in total, but the limit is %2 million; use fewer or smaller photos</source>
+        <translation>Com esta foto, as fotos da peça têm no total %1 milhões de pixels, mas o limite é %2 milhões; use menos fotos ou fotos menores</translation>
+    </message>
+    <message>
+        <source>Rings: expected places · lines: towards the seen places, enlarged %1 times</source>
+        <translation>Anéis: lugares esperados · linhas: em direção aos lugares vistos, ampliadas %1 vezes</translation>
     </message>
 </context>
 <context>
@@ -6674,36 +6624,8 @@ desce primeiro</translation>
         <translation>Foto da peça mergulhada</translation>
     </message>
     <message>
-        <source>How far the print lies off</source>
-        <translation>Quanto a impressão se desvia</translation>
-    </message>
-    <message>
         <source>N</source>
         <translation>N</translation>
-    </message>
-    <message>
-        <source>Places</source>
-        <translation>Pontos</translation>
-    </message>
-    <message>
-        <source>Mean distance in the photo and its deviation</source>
-        <translation>Distância média na foto e seu desvio</translation>
-    </message>
-    <message>
-        <source>The mean over the photo&apos;s diagonal, as in the paper&apos;s Table II</source>
-        <translation>A média dividida pela diagonal da foto, como na Tabela II do artigo</translation>
-    </message>
-    <message>
-        <source>On the body, across the line of sight: 95 % are nearer</source>
-        <translation>No corpo, transversal à linha de visão: 95 % estão mais perto</translation>
-    </message>
-    <message>
-        <source>On the body, the farthest</source>
-        <translation>No corpo, a mais distante</translation>
-    </message>
-    <message>
-        <source>Add &amp;Photos…</source>
-        <translation>Adicionar &amp;fotos…</translation>
     </message>
     <message>
         <source>Photo</source>
@@ -6712,10 +6634,6 @@ desce primeiro</translation>
     <message>
         <source>Remove this photo and its pairs</source>
         <translation>Remover esta foto e seus pares</translation>
-    </message>
-    <message>
-        <source>Remove Photo</source>
-        <translation>Remover foto</translation>
     </message>
     <message>
         <source>Whole picture</source>
@@ -6730,56 +6648,12 @@ desce primeiro</translation>
         <translation>Reduzir</translation>
     </message>
     <message>
-        <source>Photos of the Dipped Part</source>
-        <translation>Fotos da peça mergulhada</translation>
-    </message>
-    <message>
         <source>Photos (%1)</source>
         <translation>Fotos (%1)</translation>
     </message>
     <message>
-        <source>Dipped into the c&amp;hessboard of 17 mm</source>
-        <translation>Mergulhada no &amp;tabuleiro de 17 mm</translation>
-    </message>
-    <message>
-        <source>Look for the corners of the built-in chessboard; else for those of chess squares in the model&apos;s texture</source>
-        <translation>Procura os cantos do tabuleiro embutido; senão, os de quadrados de xadrez na textura do modelo</translation>
-    </message>
-    <message>
-        <source>The pairs are places of the body &amp;itself</source>
-        <translation>Os pares são pontos do próprio &amp;corpo</translation>
-    </message>
-    <message>
-        <source>Tips and edges, not places of the print: the camera stays as these pairs have it, so that a print that is shifted as a whole shows</source>
-        <translation>Pontas e arestas, não pontos da impressão: a câmera fica como estes pares a dão, de modo que uma impressão toda deslocada aparece</translation>
-    </message>
-    <message>
-        <source>Measure &amp;Pairs</source>
-        <translation>Medir &amp;pares</translation>
-    </message>
-    <message>
-        <source>Fit the camera to the pairs and say how far they are off</source>
-        <translation>Ajustar a câmera aos pares e dizer quanto se desviam</translation>
-    </message>
-    <message>
-        <source>&amp;Find Corners</source>
-        <translation>Pro&amp;curar cantos</translation>
-    </message>
-    <message>
-        <source>Find the corners of the print in all photos and hold them against the simulated film</source>
-        <translation>Procurar os cantos da impressão em todas as fotos e compará-los com o filme simulado</translation>
-    </message>
-    <message>
-        <source>&amp;Remove Pair</source>
-        <translation>&amp;Remover par</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exportar…</translation>
-    </message>
-    <message>
-        <source>Write table, places and photos with residuals to a folder</source>
-        <translation>Gravar tabela, pontos e fotos com desvios numa pasta</translation>
     </message>
     <message>
         <source>Photo %1</source>
@@ -6790,32 +6664,8 @@ desce primeiro</translation>
         <translation>Todas</translation>
     </message>
     <message>
-        <source>Add photos of the dipped part, or drop them here: sharp, whole, of one camera, from near enough that the part fills the picture.</source>
-        <translation>Adicione fotos da peça mergulhada ou solte-as aqui: nítidas, inteiras, de uma só câmera, de perto o bastante para a peça encher a imagem.</translation>
-    </message>
-    <message>
-        <source>Now click the same place on the body in the 3D view.</source>
-        <translation>Agora clique o mesmo ponto no corpo, na vista 3D.</translation>
-    </message>
-    <message>
         <source>%1 of %2 corners found.</source>
         <translation>%1 de %2 cantos encontrados.</translation>
-    </message>
-    <message>
-        <source>The camera follows the print: a shift or turn of all of it does not show.</source>
-        <translation>A câmera segue a impressão: um deslocamento ou giro do todo não aparece.</translation>
-    </message>
-    <message>
-        <source>The camera is that of the pairs.</source>
-        <translation>A câmera é a dos pares.</translation>
-    </message>
-    <message>
-        <source>Click a place in the photo, then the same place on the body: %1 of %2 pairs, spread over several faces.</source>
-        <translation>Clique um ponto na foto e depois o mesmo no corpo: %1 de %2 pares, espalhados por várias faces.</translation>
-    </message>
-    <message>
-        <source>%1 pairs. Drag a place to correct it; Delete removes it. Then find the corners, or measure the pairs alone.</source>
-        <translation>%1 pares. Arraste um ponto para corrigi-lo; Delete o remove. Depois procure os cantos ou meça só os pares.</translation>
     </message>
     <message>
         <source>%1 ± %2</source>
@@ -6837,12 +6687,112 @@ desce primeiro</translation>
         <source>Worst, mm</source>
         <translation>Pior, mm</translation>
     </message>
+    <message>
+        <source>Error of the image on the part</source>
+        <translation>Erro da imagem na peça</translation>
+    </message>
+    <message>
+        <source>Add &amp;photos…</source>
+        <translation>Adicionar &amp;fotos…</translation>
+    </message>
+    <message>
+        <source>Remove photo</source>
+        <translation>Remover foto</translation>
+    </message>
+    <message>
+        <source>Photos of the dipped part</source>
+        <translation>Fotos da peça mergulhada</translation>
+    </message>
+    <message>
+        <source>Dipped with the c&amp;hessboard film (17 mm)</source>
+        <translation>Mergulhada com a película de &amp;xadrez (17 mm)</translation>
+    </message>
+    <message>
+        <source>The pairs are places on the part &amp;itself</source>
+        <translation>Os pares são pontos da própria peç&amp;a</translation>
+    </message>
+    <message>
+        <source>&amp;Measure pairs</source>
+        <translation>&amp;Medir pares</translation>
+    </message>
+    <message>
+        <source>Fits the camera to the pairs and shows their residuals</source>
+        <translation>Ajusta a câmera aos pares e mostra os desvios</translation>
+    </message>
+    <message>
+        <source>&amp;Find corners</source>
+        <translation>Pro&amp;curar cantos</translation>
+    </message>
+    <message>
+        <source>Finds the corners of the image in all photos and compares them with the simulated film</source>
+        <translation>Procura os cantos da imagem em todas as fotos e os compara com a película simulada</translation>
+    </message>
+    <message>
+        <source>&amp;Remove pair</source>
+        <translation>&amp;Remover par</translation>
+    </message>
+    <message>
+        <source>Writes the table, the places and the photos with residuals to a folder</source>
+        <translation>Grava a tabela, os pontos e as fotos com desvios em uma pasta</translation>
+    </message>
+    <message>
+        <source>Add photos of the dipped part, or drop them here. Use one camera; the part must be sharp, complete and fill the picture.</source>
+        <translation>Adicione fotos da peça mergulhada ou solte-as aqui. Use uma só câmera; a peça deve estar nítida, inteira e encher a imagem.</translation>
+    </message>
+    <message>
+        <source>Now click the same place on the part in the 3D view.</source>
+        <translation>Agora clique no mesmo ponto da peça na vista 3D.</translation>
+    </message>
+    <message>
+        <source>The camera follows the image: a shift or rotation of the whole image does not show.</source>
+        <translation>A câmera segue a imagem: um deslocamento ou giro de toda a imagem não aparece.</translation>
+    </message>
+    <message>
+        <source>The camera was fitted to the pairs.</source>
+        <translation>A câmera foi ajustada aos pares.</translation>
+    </message>
+    <message>
+        <source>Click a place in the photo, then the same place on the part. %1 of %2 pairs so far; spread them over several faces.</source>
+        <translation>Clique um ponto na foto e depois o mesmo ponto na peça. Até agora %1 de %2 pares; espalhe-os por várias faces.</translation>
+    </message>
+    <message>
+        <source>%1 pairs. Drag a place to correct it, press Delete to remove it. Then find the corners, or measure only the pairs.</source>
+        <translation>%1 pares. Arraste um ponto para corrigi-lo; Delete o remove. Depois procure os cantos ou meça só os pares.</translation>
+    </message>
+    <message>
+        <source>N: number of measured places</source>
+        <translation>N: número de lugares medidos</translation>
+    </message>
+    <message>
+        <source>R: mean distance in the photo between a place and its expected place, ± standard deviation σ, in pixels</source>
+        <translation>R: distância média na foto entre um lugar e o lugar esperado, ± desvio padrão σ, em pixels</translation>
+    </message>
+    <message>
+        <source>R as a share of the photo&apos;s diagonal, as in Table II of the paper of 2020</source>
+        <translation>R como parte da diagonal da foto, como na Tabela II do artigo de 2020</translation>
+    </message>
+    <message>
+        <source>95 % of the places on the part are within this distance of their expected places, measured across the line of sight</source>
+        <translation>95 % dos lugares na peça ficam a menos desta distância dos lugares esperados, medida transversal à linha de visão</translation>
+    </message>
+    <message>
+        <source>Largest distance of a place on the part from its expected place, measured across the line of sight</source>
+        <translation>Maior distância de um lugar na peça ao lugar esperado, medida transversal à linha de visão</translation>
+    </message>
+    <message>
+        <source>If ticked, the program looks for the corners of the built-in chessboard. Otherwise it looks for chess squares in the model&apos;s texture.</source>
+        <translation>Se marcado, o programa procura os cantos do tabuleiro incluído. Senão procura quadrados de xadrez na textura do modelo.</translation>
+    </message>
+    <message>
+        <source>Tick this if the pairs are tips and edges of the part, not places in the image. Then only the pairs set the camera, so that a shift of the whole image becomes visible.</source>
+        <translation>Marque se os pares são pontas e arestas da peça, não lugares na imagem. Então só os pares definem a câmera, e um deslocamento da imagem inteira fica visível.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PhotoView</name>
     <message>
-        <source>Lines: residuals, %1 times as long</source>
-        <translation>Linhas: desvios, %1 vezes</translation>
+        <source>Lines: residuals, enlarged %1 times</source>
+        <translation>Linhas: desvios, ampliados %1 vezes</translation>
     </message>
 </context>
 <context>
@@ -6879,26 +6829,12 @@ desce primeiro</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Poses found, the best first</source>
-        <translation>Poses encontradas, a melhor primeiro</translation>
-    </message>
-    <message>
         <source>Pose</source>
         <translation>Pose</translation>
     </message>
     <message>
         <source>Objective</source>
         <translation>Objetivo</translation>
-    </message>
-    <message>
-        <source>Painted,
-stretch</source>
-        <translation>Pintado,
-estiramento</translation>
-    </message>
-    <message>
-        <source>Against the best</source>
-        <translation>Contra a melhor</translation>
     </message>
     <message>
         <source>≈ %1</source>
@@ -6912,6 +6848,20 @@ estiramento</translation>
     <message>
         <source>Compared with your pose: %1</source>
         <translation>Comparado com a sua pose: %1</translation>
+    </message>
+    <message>
+        <source>Found poses, best first</source>
+        <translation>Poses encontradas, a melhor primeiro</translation>
+    </message>
+    <message>
+        <source>Coverage,
+stretch</source>
+        <translation>Cobertura,
+estiramento</translation>
+    </message>
+    <message>
+        <source>Compared with the best</source>
+        <translation>Comparado com a melhor</translation>
     </message>
 </context>
 <context>
@@ -6969,24 +6919,8 @@ estiramento</translation>
         <translation> s</translation>
     </message>
     <message>
-        <source>How long after a change, at most, a copy is kept from which work is restored after a crash.</source>
-        <translation>Quanto tempo, no máximo, após uma mudança é guardada uma cópia da qual o trabalho é restaurado após uma queda.</translation>
-    </message>
-    <message>
-        <source>Once there is a result, a change starts a new run of what depends on it.</source>
-        <translation>Havendo um resultado, uma mudança recalcula o que depende dela.</translation>
-    </message>
-    <message>
         <source>&amp;Language</source>
         <translation>&amp;Idioma</translation>
-    </message>
-    <message>
-        <source>A new language shows when the program is started again.</source>
-        <translation>Um novo idioma aparece ao reiniciar o programa.</translation>
-    </message>
-    <message>
-        <source>L&amp;engths in</source>
-        <translation>&amp;Comprimentos em</translation>
     </message>
     <message>
         <source>T&amp;heme</source>
@@ -6998,7 +6932,7 @@ estiramento</translation>
     </message>
     <message>
         <source>&amp;Film of new projects</source>
-        <translation>&amp;Filme de projetos novos</translation>
+        <translation>Pelíc&amp;ula de novos projetos</translation>
     </message>
     <message>
         <source>&amp;Recovery copy after</source>
@@ -7013,20 +6947,8 @@ estiramento</translation>
         <translation>Teclas</translation>
     </message>
     <message>
-        <source>All Back to Standard</source>
-        <translation>Restaurar todos</translation>
-    </message>
-    <message>
-        <source>The film that is proposed when a project is made.</source>
-        <translation>O filme proposto quando um projeto é criado.</translation>
-    </message>
-    <message>
         <source>None</source>
         <translation>Nenhuma</translation>
-    </message>
-    <message>
-        <source>The printer profile that new projects begin with. It can be changed under Sheet.</source>
-        <translation>O perfil de impressora com que novos projetos começam. Pode ser mudado em Folha.</translation>
     </message>
     <message>
         <source>The language of menus, panels and messages.</source>
@@ -7041,40 +6963,64 @@ estiramento</translation>
         <translation>Cores claras ou escuras.</translation>
     </message>
     <message>
-        <source>How dragging in the view turns it.</source>
-        <translation>Como arrastar na vista a gira.</translation>
-    </message>
-    <message>
         <source>&amp;Printer of new projects</source>
-        <translation>&amp;Impressora de novos projetos</translation>
+        <translation>I&amp;mpressora de novos projetos</translation>
     </message>
     <message>
-        <source>%1 stands for both “%2” and “%3”. Change one of them.</source>
-        <translation>%1 vale para “%2” e para “%3”. Mude um deles.</translation>
-    </message>
-    <message>
-        <source>The film profile that is proposed when a project is made.</source>
-        <translation>O perfil de filme proposto quando um projeto é criado.</translation>
-    </message>
-    <message>
-        <source>Film p&amp;rofile of new projects</source>
-        <translation>Pe&amp;rfil de filme de novos projetos</translation>
+        <source>Film pr&amp;ofile of new projects</source>
+        <translation>Per&amp;fil de película de novos projetos</translation>
     </message>
     <message>
         <source>Keep results beside the project</source>
         <translation>Guardar resultados ao lado do projeto</translation>
     </message>
     <message>
-        <source>The dips of a saved project are kept in a file NAME.dips beside it, up to 64 MB, and its results are there when it is opened again.</source>
-        <translation>As imersões de um projeto salvo são guardadas num arquivo NOME.dips ao lado dele, até 64 MB, e seus resultados estão lá quando ele é aberto de novo.</translation>
+        <source>The film size proposed for new projects.</source>
+        <translation>O tamanho de película proposto para novos projetos.</translation>
+    </message>
+    <message>
+        <source>The film profile proposed for new projects.</source>
+        <translation>O perfil de película proposto para novos projetos.</translation>
+    </message>
+    <message>
+        <source>The printer profile of new projects. You can change it under Sheet.</source>
+        <translation>O perfil de impressora de novos projetos. Você pode mudá-lo em Folha.</translation>
+    </message>
+    <message>
+        <source>How dragging turns the view.</source>
+        <translation>Como arrastar gira a vista.</translation>
+    </message>
+    <message>
+        <source>Longest time between a change and the recovery copy. After a crash, your work is restored from this copy.</source>
+        <translation>O maior tempo entre uma mudança e a cópia de recuperação. Após uma queda, seu trabalho é restaurado a partir desta cópia.</translation>
+    </message>
+    <message>
+        <source>After the first run, each change recomputes the results that depend on it.</source>
+        <translation>Após a primeira execução, cada mudança recalcula os resultados que dependem dela.</translation>
+    </message>
+    <message>
+        <source>Saves the dips of a project in a file NAME.dips beside it, up to 64 MB. The results are there when you open the project again.</source>
+        <translation>Salva as imersões de um projeto num arquivo NOME.dips ao lado dele, até 64 MB. Os resultados estão lá quando você abre o projeto de novo.</translation>
+    </message>
+    <message>
+        <source>A new language takes effect when you restart the program.</source>
+        <translation>Um novo idioma vale após reiniciar o programa.</translation>
+    </message>
+    <message>
+        <source>L&amp;ength unit</source>
+        <translation>Unidade de &amp;comprimento</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Restaurar todos</translation>
+    </message>
+    <message>
+        <source>%1 is assigned to both “%2” and “%3”. Change one of them.</source>
+        <translation>%1 está atribuído a “%2” e a “%3”. Mude um deles.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::PrintDialog</name>
-    <message>
-        <source>Print Sheets</source>
-        <translation>Imprimir folhas</translation>
-    </message>
     <message>
         <source>Page</source>
         <translation>Página</translation>
@@ -7090,10 +7036,6 @@ estiramento</translation>
     <message>
         <source>&amp;Printer</source>
         <translation>&amp;Impressora</translation>
-    </message>
-    <message>
-        <source>None: true size and sRGB (choose one under Sheet)</source>
-        <translation>Nenhum: tamanho real e sRGB (escolha um em Folha)</translation>
     </message>
     <message>
         <source>Profile</source>
@@ -7148,32 +7090,8 @@ estiramento</translation>
         <translation>Entregue à fila de %1</translation>
     </message>
     <message>
-        <source>Whether this immersion&apos;s sheet is printed.</source>
-        <translation>Se a folha desta imersão é impressa.</translation>
-    </message>
-    <message>
         <source>The printers that are set up on this machine.</source>
         <translation>As impressoras instaladas nesta máquina.</translation>
-    </message>
-    <message>
-        <source>How often each sheet is printed.</source>
-        <translation>Quantas vezes cada folha é impressa.</translation>
-    </message>
-    <message>
-        <source>Without this tick such a print is refused, with the reason.</source>
-        <translation>Sem esta marca, uma impressão assim é recusada, com o motivo.</translation>
-    </message>
-    <message>
-        <source>Save as File…</source>
-        <translation>Salvar como arquivo…</translation>
-    </message>
-    <message>
-        <source>The sheet shown, as PDF or TIFF in the printer&apos;s scale and colours.</source>
-        <translation>A folha mostrada, como PDF ou TIFF na escala e nas cores da impressora.</translation>
-    </message>
-    <message>
-        <source>Cancelled. What the printer has already begun may still come out.</source>
-        <translation>Cancelado. O que a impressora já começou ainda pode sair.</translation>
     </message>
     <message>
         <source>%1 × %2 mm</source>
@@ -7181,11 +7099,11 @@ estiramento</translation>
     </message>
     <message>
         <source>Film</source>
-        <translation>Filme</translation>
+        <translation>Película</translation>
     </message>
     <message>
         <source>The film itself</source>
-        <translation>O próprio filme</translation>
+        <translation>A própria película</translation>
     </message>
     <message>
         <source>Custom, as set under Sheet</source>
@@ -7216,32 +7134,12 @@ estiramento</translation>
         <translation>Como impresso (prova virtual)</translation>
     </message>
     <message>
-        <source>As printed, colours out of reach in magenta</source>
-        <translation>Como impresso, cores fora de alcance em magenta</translation>
-    </message>
-    <message>
-        <source>How the page is shown here. What is printed stays the same.</source>
-        <translation>Como a página é mostrada aqui. O que se imprime não muda.</translation>
-    </message>
-    <message>
         <source>A soft proof needs a printer profile with an ICC profile.</source>
         <translation>A prova virtual precisa de um perfil de impressora com perfil ICC.</translation>
     </message>
     <message>
         <source>Colours of the page</source>
         <translation>Cores da página</translation>
-    </message>
-    <message>
-        <source>Proofing the colours</source>
-        <translation>Verificando as cores</translation>
-    </message>
-    <message>
-        <source>%1 % of the paint is out of the printer&apos;s reach.</source>
-        <translation>%1 % da pintura está fora do alcance da impressora.</translation>
-    </message>
-    <message>
-        <source>Save Sheet</source>
-        <translation>Salvar folha</translation>
     </message>
     <message>
         <source>Wrote %1</source>
@@ -7254,10 +7152,6 @@ estiramento</translation>
     <message>
         <source>The paper that the sheet is printed on.</source>
         <translation>O papel em que a folha é impressa.</translation>
-    </message>
-    <message>
-        <source>None is set up</source>
-        <translation>Nenhuma configurada</translation>
     </message>
     <message>
         <source>Tile the sheet if the paper is too small</source>
@@ -7277,54 +7171,82 @@ estiramento</translation>
     </message>
     <message>
         <source>Print anyway</source>
-        <translation>Imprimir assim mesmo</translation>
+        <translation>Imprimir mesmo assim</translation>
+    </message>
+    <message>
+        <source>Print sheets</source>
+        <translation>Imprimir folhas</translation>
+    </message>
+    <message>
+        <source>Whether the sheet of this dip is printed.</source>
+        <translation>Se a folha desta imersão é impressa.</translation>
+    </message>
+    <message>
+        <source>Save as file…</source>
+        <translation>Salvar como arquivo…</translation>
+    </message>
+    <message>
+        <source>Saves the shown sheet as PDF or TIFF, in the printer&apos;s scale and colours.</source>
+        <translation>Salva a folha mostrada como PDF ou TIFF, na escala e nas cores da impressora.</translation>
+    </message>
+    <message>
+        <source>Number of copies of each sheet.</source>
+        <translation>Número de cópias de cada folha.</translation>
+    </message>
+    <message>
+        <source>No printer set up</source>
+        <translation>Nenhuma impressora configurada</translation>
+    </message>
+    <message>
+        <source>As printed, out-of-gamut colours in magenta</source>
+        <translation>Como impresso, cores fora da gama em magenta</translation>
+    </message>
+    <message>
+        <source>How the page is shown here. The print does not change.</source>
+        <translation>Como a página é mostrada aqui. A impressão não muda.</translation>
+    </message>
+    <message>
+        <source>Computing the soft proof</source>
+        <translation>Calculando a prova virtual</translation>
+    </message>
+    <message>
+        <source>%1 % of the painted area is out of the printer&apos;s gamut.</source>
+        <translation>%1 % da área pintada está fora da gama da impressora.</translation>
+    </message>
+    <message>
+        <source>Save sheet</source>
+        <translation>Salvar folha</translation>
+    </message>
+    <message>
+        <source>Cancelled. Pages that the printer has already begun may still come out.</source>
+        <translation>Cancelado. Páginas que a impressora já começou ainda podem sair.</translation>
+    </message>
+    <message>
+        <source>None: true size and sRGB (choose a profile under Sheet)</source>
+        <translation>Nenhum: tamanho real e sRGB (escolha um perfil em Folha)</translation>
+    </message>
+    <message>
+        <source>If this is not ticked, the program refuses a print with this problem and shows the reason.</source>
+        <translation>Se não estiver marcado, o programa recusa uma impressão com este problema e mostra o motivo.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::PrintFields</name>
     <message>
-        <source>Shown</source>
-        <translation>Mostrado</translation>
-    </message>
-    <message>
         <source>Shift X</source>
         <translation>Desvio X</translation>
-    </message>
-    <message>
-        <source>How far the second film lies off along X.</source>
-        <translation>Quanto o segundo filme desvia ao longo de X.</translation>
     </message>
     <message>
         <source>Shift Z</source>
         <translation>Desvio Z</translation>
     </message>
     <message>
-        <source>How far it lies off along Z.</source>
-        <translation>Quanto ele desvia ao longo de Z.</translation>
-    </message>
-    <message>
         <source>Turn</source>
         <translation>Giro</translation>
     </message>
     <message>
-        <source>How far it is turned, from X to Z.</source>
-        <translation>Quanto ele está girado, de X para Z.</translation>
-    </message>
-    <message>
         <source>Swell</source>
         <translation>Inchamento</translation>
-    </message>
-    <message>
-        <source>How much more it has grown than the sheet reckons with.</source>
-        <translation>Quanto ele cresceu além do que a folha supõe.</translation>
-    </message>
-    <message>
-        <source>In its Place</source>
-        <translation>No seu lugar</translation>
-    </message>
-    <message>
-        <source>The second film where it belongs.</source>
-        <translation>O segundo filme onde deve ficar.</translation>
     </message>
     <message>
         <source>After %1 and %2</source>
@@ -7335,12 +7257,40 @@ estiramento</translation>
         <translation>Depois de %1</translation>
     </message>
     <message>
-        <source>Deeper</source>
-        <translation>Mais fundo</translation>
+        <source>How far the second film is displaced along X.</source>
+        <translation>Quanto a segunda película está deslocada ao longo de X.</translation>
     </message>
     <message>
-        <source>How much deeper the body is dipped, less deep if negative: what stays over the water gets no ink. A body that is dipped whole cannot go deeper.</source>
-        <translation>Quanto mais fundo o corpo é mergulhado, menos fundo se negativo: o que fica acima da água não recebe tinta. Um corpo mergulhado por inteiro não pode ir mais fundo.</translation>
+        <source>How far the second film is displaced along Z.</source>
+        <translation>Quanto a segunda película está deslocada ao longo de Z.</translation>
+    </message>
+    <message>
+        <source>How far the second film is turned, from X towards Z.</source>
+        <translation>Quanto a segunda película está girada, de X para Z.</translation>
+    </message>
+    <message>
+        <source>How much more the second film has swollen than the sheet assumes.</source>
+        <translation>Quanto a segunda película inchou além do que a folha supõe.</translation>
+    </message>
+    <message>
+        <source>Extra depth</source>
+        <translation>Profundidade extra</translation>
+    </message>
+    <message>
+        <source>How much deeper the part is dipped; negative values are less deep. Surface that stays above the water gets no ink. A part that is dipped whole cannot go deeper.</source>
+        <translation>Quanto mais fundo a peça é mergulhada; valores negativos são menos fundos. O que fica acima da água não recebe tinta. Uma peça mergulhada por inteiro não pode ir mais fundo.</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Redefinir</translation>
+    </message>
+    <message>
+        <source>Puts the second film back in its intended place.</source>
+        <translation>Põe a segunda película de volta no lugar previsto.</translation>
+    </message>
+    <message>
+        <source>Show part</source>
+        <translation>Mostrar peça</translation>
     </message>
 </context>
 <context>
@@ -7355,27 +7305,11 @@ estiramento</translation>
     </message>
     <message>
         <source>Film: %1</source>
-        <translation>Filme: %1</translation>
-    </message>
-    <message>
-        <source>Printer&apos;s profile: %1</source>
-        <translation>Perfil da impressora: %1</translation>
-    </message>
-    <message>
-        <source>Paper, in the printer&apos;s words: %1</source>
-        <translation>Papel, nas palavras da impressora: %1</translation>
+        <translation>Película: %1</translation>
     </message>
     <message>
         <source>The project had not been saved when it was printed.</source>
         <translation>O projeto ainda não tinha sido salvo quando foi impresso.</translation>
-    </message>
-    <message>
-        <source>The project&apos;s file is not there any more.</source>
-        <translation>O arquivo do projeto não está mais lá.</translation>
-    </message>
-    <message>
-        <source>Print History</source>
-        <translation>Histórico de impressão</translation>
     </message>
     <message>
         <source>Search</source>
@@ -7383,15 +7317,7 @@ estiramento</translation>
     </message>
     <message>
         <source>Job number on the sheet, project, printer …</source>
-        <translation>Número do trabalho na folha, projeto, impressora …</translation>
-    </message>
-    <message>
-        <source>What was printed, the newest first</source>
-        <translation>O que foi impresso, o mais recente primeiro</translation>
-    </message>
-    <message>
-        <source>When</source>
-        <translation>Quando</translation>
+        <translation>Número do trabalho na folha, projeto, impressora…</translation>
     </message>
     <message>
         <source>Job</source>
@@ -7418,10 +7344,6 @@ estiramento</translation>
         <translation>Resultado</translation>
     </message>
     <message>
-        <source>&amp;Open Project</source>
-        <translation>&amp;Abrir projeto</translation>
-    </message>
-    <message>
         <source>Reading the print history</source>
         <translation>Lendo o histórico de impressão</translation>
     </message>
@@ -7434,70 +7356,74 @@ estiramento</translation>
         <translation>Nada foi impresso ainda.</translation>
     </message>
     <message>
-        <source>Nothing that was printed holds these words.</source>
-        <translation>Nada do que foi impresso contém estas palavras.</translation>
+        <source>Printer profile: %1</source>
+        <translation>Perfil da impressora: %1</translation>
     </message>
     <message>
-        <source>Immersion</source>
+        <source>Paper name in the printer: %1</source>
+        <translation>Nome do papel na impressora: %1</translation>
+    </message>
+    <message>
+        <source>The project file no longer exists.</source>
+        <translation>O arquivo do projeto não existe mais.</translation>
+    </message>
+    <message>
+        <source>Print history</source>
+        <translation>Histórico de impressão</translation>
+    </message>
+    <message>
+        <source>Shows the prints that contain all words typed here. Parts of words are enough.</source>
+        <translation>Mostra as impressões que contêm todas as palavras digitadas aqui. Partes de palavras bastam.</translation>
+    </message>
+    <message>
+        <source>Prints, newest first</source>
+        <translation>Impressões, as mais recentes primeiro</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Hora</translation>
+    </message>
+    <message>
+        <source>Dip</source>
         <translation>Imersão</translation>
     </message>
     <message>
-        <source>Shows the prints that hold all words typed here, or parts of words</source>
-        <translation>Mostra as impressões que contêm todas as palavras digitadas aqui, ou partes delas</translation>
+        <source>&amp;Open project</source>
+        <translation>Abrir pro&amp;jeto</translation>
+    </message>
+    <message>
+        <source>No print contains these words.</source>
+        <translation>Nenhuma impressão contém estas palavras.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::PrinterColour</name>
     <message>
-        <source>The ICC profile cannot be used for printing, choose the printer&apos;s output profile</source>
-        <translation>O perfil ICC não serve para imprimir; escolha o perfil de saída da impressora</translation>
+        <source>This ICC profile cannot be used for printing; choose the printer&apos;s output profile</source>
+        <translation>Este perfil ICC não serve para imprimir; escolha o perfil de saída da impressora</translation>
     </message>
     <message>
-        <source>This is not an ICC profile, or it is damaged</source>
-        <translation>Isto não é um perfil ICC, ou está danificado</translation>
+        <source>This file is not an ICC profile, or it is damaged; choose another file</source>
+        <translation>Este arquivo não é um perfil ICC ou está danificado; escolha outro arquivo</translation>
     </message>
     <message>
-        <source>The ICC profile is not of an RGB or CMYK printer, choose the printer&apos;s output profile</source>
-        <translation>O perfil ICC não é de uma impressora RGB ou CMYK; escolha o perfil de saída da impressora</translation>
+        <source>This ICC profile does not belong to an RGB or CMYK printer; choose the printer&apos;s output profile</source>
+        <translation>Este perfil ICC não é de uma impressora RGB ou CMYK; escolha o perfil de saída da impressora</translation>
     </message>
 </context>
 <context>
     <name>dipwright::Printing</name>
     <message>
-        <source>The printer does not say what it can do: %1</source>
-        <translation>A impressora não diz o que pode fazer: %1</translation>
-    </message>
-    <message>
-        <source>The printer does not take the job: %1</source>
-        <translation>A impressora não aceita o trabalho: %1</translation>
-    </message>
-    <message>
         <source>The sheet could not be sent to the printer: %1</source>
         <translation>A folha não pôde ser enviada à impressora: %1</translation>
-    </message>
-    <message>
-        <source>The print system does not tell what became of the job: %1</source>
-        <translation>O sistema de impressão não diz o que foi feito do trabalho: %1</translation>
     </message>
     <message>
         <source>%1 × %2 mm</source>
         <translation>%1 × %2 mm</translation>
     </message>
     <message>
-        <source>There is no such printer, and no other; set one up in the system first</source>
-        <translation>Essa impressora não existe, nem outra; configure uma no sistema primeiro</translation>
-    </message>
-    <message>
-        <source>There is no such printer, there are: %1</source>
-        <translation>Essa impressora não existe; existem: %1</translation>
-    </message>
-    <message>
         <source>The printer is stopped%1; start it again in the system&apos;s settings</source>
         <translation>A impressora está parada%1; reinicie-a nas configurações do sistema</translation>
-    </message>
-    <message>
-        <source>The printer takes no jobs at the moment%1; let it in the system&apos;s settings</source>
-        <translation>A impressora não aceita trabalhos no momento%1; permita nas configurações do sistema</translation>
     </message>
     <message>
         <source>The printer has no paper of %1; set the sheet&apos;s paper to one that it has: %2</source>
@@ -7505,11 +7431,7 @@ estiramento</translation>
     </message>
     <message>
         <source>The sheet of %1 is larger than every paper of the printer (%2); make it smaller or print it in tiles</source>
-        <translation>A folha de %1 é maior que todo papel da impressora (%2); diminua-a ou imprima em pedaços</translation>
-    </message>
-    <message>
-        <source>The printer names no paper to print pieces on</source>
-        <translation>A impressora não indica papel para imprimir os pedaços</translation>
+        <translation>A folha de %1 é maior que qualquer papel da impressora (%2); diminua-a ou imprima-a em partes</translation>
     </message>
     <message>
         <source>The printer has no paper named %1</source>
@@ -7518,10 +7440,6 @@ estiramento</translation>
     <message>
         <source>The printer does not reach the outer %1 mm of the paper, and the sheet has colour there</source>
         <translation>A impressora não alcança os %1 mm externos do papel, e a folha tem cor ali</translation>
-    </message>
-    <message>
-        <source>%1; choose larger or borderless paper, or accept that it is lost</source>
-        <translation>%1; escolha papel maior ou sem margens, ou aceite a perda</translation>
     </message>
     <message>
         <source>The printer prints in grey only, and the sheet is coloured; choose a colour printer, or accept grey</source>
@@ -7552,64 +7470,24 @@ estiramento</translation>
         <translation>Aguardando na fila da impressora</translation>
     </message>
     <message>
-        <source>it does not say why</source>
-        <translation>ela não diz por quê</translation>
-    </message>
-    <message>
         <source>The job was cancelled at the printer</source>
         <translation>O trabalho foi cancelado na impressora</translation>
     </message>
     <message>
-        <source>The printer gave the job up: %1</source>
-        <translation>A impressora desistiu do trabalho: %1</translation>
-    </message>
-    <message>
-        <source>The printer stopped in the middle of the job: %1; the rest is cancelled, print the sheet anew</source>
-        <translation>A impressora parou no meio do trabalho: %1; o resto foi cancelado, imprima a folha de novo</translation>
-    </message>
-    <message>
-        <source>The printer has stopped: %1; the job is cancelled, start the printer and print the sheet anew</source>
-        <translation>A impressora parou: %1; o trabalho foi cancelado, inicie a impressora e imprima a folha de novo</translation>
-    </message>
-    <message>
         <source>This program was built without printing; print the sheet&apos;s PDF at 100 % instead</source>
-        <translation>Este programa foi feito sem impressão; imprima o PDF da folha a 100 %</translation>
-    </message>
-    <message>
-        <source>The printer does not take the job</source>
-        <translation>A impressora não aceita o trabalho</translation>
+        <translation>Este programa foi compilado sem impressão; em vez disso, imprima o PDF da folha a 100 %</translation>
     </message>
     <message>
         <source>The sheet could not be sent to the printer</source>
         <translation>A folha não pôde ser enviada à impressora</translation>
     </message>
     <message>
-        <source>The printer takes this paper only with its other edge first; turn the page</source>
-        <translation>A impressora só aceita este papel com a outra borda primeiro; gire a página</translation>
-    </message>
-    <message>
-        <source>The printer does not reach the outer %1 mm of the paper; put its margins into its profile first</source>
-        <translation>A impressora não alcança os %1 mm externos do papel; ponha primeiro as margens no perfil dela</translation>
-    </message>
-    <message>
         <source>Calibration of %1</source>
         <translation>Calibração de %1</translation>
     </message>
     <message>
-        <source>Pieces of a sheet are written as PDF, one page each; name the file .pdf</source>
-        <translation>As partes de uma folha são gravadas como PDF, uma página cada; dê ao arquivo a extensão .pdf</translation>
-    </message>
-    <message>
-        <source>The printer scales pages by itself (&quot;%1&quot;), and the print system does not pass on to it that it must not; set its scaling to &quot;none&quot; in its own menu</source>
-        <translation>A impressora redimensiona páginas por si (&quot;%1&quot;), e o sistema de impressão não lhe repassa que não deve; ponha a escala em &quot;none&quot; no menu dela</translation>
-    </message>
-    <message>
         <source>%1, lot %2</source>
         <translation>%1, lote %2</translation>
-    </message>
-    <message>
-        <source>Sent, nothing more is known</source>
-        <translation>Enviado, nada mais se sabe</translation>
     </message>
     <message>
         <source>Printed</source>
@@ -7632,75 +7510,147 @@ estiramento</translation>
         <translation>Falhou: %1</translation>
     </message>
     <message>
-        <source>The print history does not have it: %1</source>
-        <translation>O histórico de impressão não o contém: %1</translation>
-    </message>
-    <message>
-        <source>the folder %1 cannot be made</source>
-        <translation>a pasta %1 não pode ser criada</translation>
-    </message>
-    <message>
-        <source>it does not leave the page&apos;s size alone</source>
-        <translation>ela não mantém o tamanho da página como está</translation>
-    </message>
-    <message>
-        <source>The printer scales pages where it is not told otherwise, which its queue does not pass on; the job goes past the queue, to the printer itself</source>
-        <translation>A impressora redimensiona páginas quando não lhe dizem o contrário, e a fila não repassa isso; o trabalho vai direto à impressora, sem passar pela fila</translation>
-    </message>
-    <message>
         <source>The white layer is left out: it needs a printer profile with an ICC profile in CMYK</source>
         <translation>A camada branca fica de fora: ela precisa de um perfil de impressora com um perfil ICC em CMYK</translation>
-    </message>
-    <message>
-        <source>The cut line is left out: it needs a PDF and a printer profile with an ICC profile in CMYK</source>
-        <translation>A linha de corte fica de fora: ela precisa de um PDF e de um perfil de impressora com um perfil ICC em CMYK</translation>
-    </message>
-    <message>
-        <source>The spot inks are left out: they need a printer profile with an ICC profile in CMYK</source>
-        <translation>As tintas especiais ficam de fora: precisam de um perfil de impressora com perfil ICC em CMYK</translation>
-    </message>
-    <message>
-        <source>On %1 mm² of the part the inks fall visibly short: full ink, the ink limit or the total of ink does not make up for the stretch</source>
-        <translation>Em %1 mm² da peça as tintas ficam visivelmente aquém: a tinta cheia, o limite de tinta ou o total de tinta não compensa o estiramento</translation>
     </message>
     <message>
         <source>Stopped: %1</source>
         <translation>Parado: %1</translation>
     </message>
     <message>
-        <source>Not known: %1</source>
-        <translation>Não se sabe: %1</translation>
+        <source>The printer does not report its capabilities: %1</source>
+        <translation>A impressora não informa suas capacidades: %1</translation>
     </message>
     <message>
-        <source>the job is cancelled</source>
+        <source>The printer refuses the job: %1</source>
+        <translation>A impressora recusa o trabalho: %1</translation>
+    </message>
+    <message>
+        <source>The print system does not report the state of the job: %1</source>
+        <translation>O sistema de impressão não informa o estado do trabalho: %1</translation>
+    </message>
+    <message>
+        <source>The spot colours are left out: they need a printer profile with an ICC profile in CMYK</source>
+        <translation>As cores especiais ficam de fora: precisam de um perfil de impressora com perfil ICC em CMYK</translation>
+    </message>
+    <message>
+        <source>The cut contour is left out: it needs a PDF and a printer profile with an ICC profile in CMYK</source>
+        <translation>O contorno de corte fica de fora: ele precisa de um PDF e de um perfil de impressora com um perfil ICC em CMYK</translation>
+    </message>
+    <message>
+        <source>A sheet in tiles can only be written as PDF, one page for each tile; end the file name in .pdf</source>
+        <translation>Uma folha em partes só pode ser gravada como PDF, uma página para cada parte; dê ao arquivo a extensão .pdf</translation>
+    </message>
+    <message>
+        <source>Sent, outcome unknown</source>
+        <translation>Enviado, resultado desconhecido</translation>
+    </message>
+    <message>
+        <source>Unknown: %1</source>
+        <translation>Desconhecido: %1</translation>
+    </message>
+    <message>
+        <source>This print is missing in the print history: %1</source>
+        <translation>Esta impressão falta no histórico de impressão: %1</translation>
+    </message>
+    <message>
+        <source>the folder %1 cannot be created</source>
+        <translation>a pasta %1 não pode ser criada</translation>
+    </message>
+    <message>
+        <source>%1; choose larger or borderless paper, or accept that this colour is lost</source>
+        <translation>%1; escolha papel maior ou sem margens, ou aceite a perda dessa cor</translation>
+    </message>
+    <message>
+        <source>The printer scales pages by itself (&quot;%1&quot;), and the print system cannot turn this off; set the scaling to &quot;none&quot; in the printer&apos;s own menu</source>
+        <translation>A impressora redimensiona páginas por si (&quot;%1&quot;), e o sistema de impressão não consegue desligar isso; ponha a escala em &quot;none&quot; no menu da própria impressora</translation>
+    </message>
+    <message>
+        <source>There is no such printer, and no other printer is set up; set one up in the system first</source>
+        <translation>Essa impressora não existe, e nenhuma outra está configurada; configure uma no sistema primeiro</translation>
+    </message>
+    <message>
+        <source>There is no such printer; choose one of: %1</source>
+        <translation>Essa impressora não existe; escolha uma de: %1</translation>
+    </message>
+    <message>
+        <source>The printer does not accept jobs at the moment%1; allow it in the system&apos;s settings</source>
+        <translation>A impressora não aceita trabalhos no momento%1; permita nas configurações do sistema</translation>
+    </message>
+    <message>
+        <source>The printer reports no paper to print tiles on</source>
+        <translation>A impressora não informa papel para imprimir as partes</translation>
+    </message>
+    <message>
+        <source>The printer scales pages by default, and its queue cannot turn this off; the job bypasses the queue and goes directly to the printer</source>
+        <translation>A impressora redimensiona páginas por padrão, e a fila não consegue desligar isso; o trabalho vai direto à impressora, sem passar pela fila</translation>
+    </message>
+    <message>
+        <source>the job was cancelled</source>
         <translation>o trabalho foi cancelado</translation>
     </message>
     <message>
-        <source>the job could not be cancelled, remove it from the printer&apos;s queue</source>
-        <translation>não foi possível cancelar o trabalho, remova-o da fila da impressora</translation>
+        <source>the job could not be cancelled, so remove it from the printer&apos;s queue</source>
+        <translation>não foi possível cancelar o trabalho, portanto remova-o da fila da impressora</translation>
     </message>
     <message>
-        <source>The print system has done with the job, but the printer does not answer; look whether the sheet has come out, and print it anew if not</source>
-        <translation>O sistema de impressão concluiu o trabalho, mas a impressora não responde; verifique se a folha saiu e, se não, imprima-a de novo</translation>
+        <source>The print system has finished the job, but the printer does not answer; check whether the sheet was printed, and print it again if not</source>
+        <translation>O sistema de impressão concluiu o trabalho, mas a impressora não responde; verifique se a folha foi impressa e, se não, imprima-a de novo</translation>
     </message>
     <message>
-        <source>The printer does not answer (%1); %2; check its power, its cable and its address in the system, and print the sheet anew</source>
+        <source>The printer aborted the job: %1</source>
+        <translation>A impressora abortou o trabalho: %1</translation>
+    </message>
+    <message>
+        <source>The printer stopped in the middle of the job: %1; the rest was cancelled, so print the sheet again</source>
+        <translation>A impressora parou no meio do trabalho: %1; o resto foi cancelado, portanto imprima a folha de novo</translation>
+    </message>
+    <message>
+        <source>The printer has stopped: %1; the job was cancelled, so start the printer and print the sheet again</source>
+        <translation>A impressora parou: %1; o trabalho foi cancelado, portanto inicie a impressora e imprima a folha de novo</translation>
+    </message>
+    <message>
+        <source>The printer does not answer (%1); %2; check its power, its cable and its address in the system, and print the sheet again</source>
         <translation>A impressora não responde (%1); %2; verifique a energia, o cabo e o endereço dela no sistema e imprima a folha de novo</translation>
     </message>
     <message>
-        <source>Nothing new was heard of job %1 for a long time (%2), and this printer cannot be asked; look at the printer, and remove the job from its queue if it does not print</source>
-        <translation>Há muito tempo não há novidade do trabalho %1 (%2), e não é possível perguntar a esta impressora; olhe a impressora e remova o trabalho da fila se ela não imprimir</translation>
+        <source>The state of job %1 has not changed for a long time (%2), and this printer cannot be queried; check the printer, and remove the job from its queue if it does not print</source>
+        <translation>O estado do trabalho %1 não muda há muito tempo (%2), e não é possível consultar esta impressora; verifique a impressora e remova o trabalho da fila se ela não imprimir</translation>
+    </message>
+    <message>
+        <source>The printer does not reach the outer %1 mm of the paper; enter its margins in its profile first</source>
+        <translation>A impressora não alcança os %1 mm externos do papel; ponha primeiro as margens no perfil dela</translation>
+    </message>
+    <message>
+        <source>The printer refuses the job</source>
+        <translation>A impressora recusa o trabalho</translation>
+    </message>
+    <message>
+        <source>the printer would change the page size</source>
+        <translation>a impressora alteraria o tamanho da página</translation>
+    </message>
+    <message>
+        <source>%1 mm² of the part will be visibly too pale: the stretch needs more ink than full ink, the ink limit or the total area coverage allows</source>
+        <translation>%1 mm² da peça ficarão visivelmente pálidos demais: o estiramento exige mais tinta do que permitem a tinta cheia, o limite de tinta ou a carga total de tinta</translation>
+    </message>
+    <message>
+        <source>no reason was given</source>
+        <translation>nenhum motivo informado</translation>
+    </message>
+    <message>
+        <source>The printer feeds this paper only with its other edge first; rotate the page by 90°</source>
+        <translation>A impressora só aceita este papel com a outra borda primeiro; gire a página em 90°</translation>
     </message>
 </context>
 <context>
     <name>dipwright::ProfileController</name>
     <message>
-        <source>Use Profile %1</source>
-        <translation>Usar o perfil %1</translation>
-    </message>
-    <message>
         <source>Calibrated %1</source>
         <translation>%1 calibrado</translation>
+    </message>
+    <message>
+        <source>Use profile %1</source>
+        <translation>Usar o perfil %1</translation>
     </message>
 </context>
 <context>
@@ -7708,10 +7658,6 @@ estiramento</translation>
     <message>
         <source>Profiles (%1)</source>
         <translation>Perfis (%1)</translation>
-    </message>
-    <message>
-        <source>None: the printer is sent sRGB</source>
-        <translation>Nenhum: a impressora recebe sRGB</translation>
     </message>
     <message>
         <source>%1 (RGB)</source>
@@ -7730,24 +7676,12 @@ estiramento</translation>
         <translation>Exportar…</translation>
     </message>
     <message>
-        <source>&amp;Use in Project</source>
-        <translation>&amp;Usar no projeto</translation>
-    </message>
-    <message>
         <source>Profiles</source>
         <translation>Perfis</translation>
     </message>
     <message>
-        <source>The project takes its values over and keeps a copy, so that it prints the same when the profile has since changed.</source>
-        <translation>O projeto assume seus valores e guarda uma cópia, para imprimir igual mesmo que o perfil mude depois.</translation>
-    </message>
-    <message>
         <source>Import…</source>
         <translation>Importar…</translation>
-    </message>
-    <message>
-        <source>Makes a profile of your own from this one.</source>
-        <translation>Cria um perfil seu a partir deste.</translation>
     </message>
     <message>
         <source>Printers</source>
@@ -7755,7 +7689,7 @@ estiramento</translation>
     </message>
     <message>
         <source>Films</source>
-        <translation>Filmes</translation>
+        <translation>Películas</translation>
     </message>
     <message>
         <source>Tanks</source>
@@ -7787,63 +7721,79 @@ estiramento</translation>
     </message>
     <message>
         <source>The printer&apos;s output profile, made for its ink and film. Sheets are then sent in the printer&apos;s own colours.</source>
-        <translation>O perfil de saída da impressora, feito para sua tinta e filme. As folhas são então enviadas nas cores da própria impressora.</translation>
+        <translation>O perfil de saída da impressora, feito para sua tinta e película. As folhas são então enviadas nas cores da própria impressora.</translation>
     </message>
     <message>
         <source>A profile needs a name</source>
         <translation>Um perfil precisa de um nome</translation>
     </message>
     <message>
-        <source>There is a profile of this name already, choose another</source>
-        <translation>Já existe um perfil com este nome, escolha outro</translation>
-    </message>
-    <message>
-        <source>Changes are kept at once. Profiles in italics come with the program; a changed one is yours, and Remove brings the first back.</source>
-        <translation>As mudanças são guardadas na hora. Perfis em itálico vêm com o programa; um perfil mudado é seu, e Remover traz o original de volta.</translation>
-    </message>
-    <message>
-        <source>Import Profile</source>
-        <translation>Importar perfil</translation>
-    </message>
-    <message>
-        <source>Export Profile</source>
-        <translation>Exportar perfil</translation>
-    </message>
-    <message>
-        <source>Copy Profile</source>
-        <translation>Copiar perfil</translation>
-    </message>
-    <message>
         <source>Name of the copy:</source>
         <translation>Nome da cópia:</translation>
-    </message>
-    <message>
-        <source>%1, own</source>
-        <translation>%1, próprio</translation>
     </message>
     <message>
         <source>ICC profiles (%1)</source>
         <translation>Perfis ICC (%1)</translation>
     </message>
     <message>
-        <source>Profile Changed Elsewhere</source>
-        <translation>Perfil mudado em outro lugar</translation>
+        <source>%1 (CMYK)</source>
+        <translation>%1 (CMYK)</translation>
     </message>
     <message>
-        <source>Another program has changed the profile “%1” meanwhile.</source>
+        <source>None (the printer receives sRGB)</source>
+        <translation>Nenhum (a impressora recebe sRGB)</translation>
+    </message>
+    <message>
+        <source>&amp;Use in project</source>
+        <translation>&amp;Usar no projeto</translation>
+    </message>
+    <message>
+        <source>Copies the profile and its values into the project. Later changes to the profile do not affect the project.</source>
+        <translation>Copia o perfil e seus valores para o projeto. Mudanças posteriores no perfil não afetam o projeto.</translation>
+    </message>
+    <message>
+        <source>Makes your own copy of this profile.</source>
+        <translation>Cria sua própria cópia deste perfil.</translation>
+    </message>
+    <message>
+        <source>A profile with this name already exists; choose another name</source>
+        <translation>Já existe um perfil com este nome; escolha outro nome</translation>
+    </message>
+    <message>
+        <source>Profile changed by another program</source>
+        <translation>Perfil alterado por outro programa</translation>
+    </message>
+    <message>
+        <source>Another program has changed the profile “%1” in the meantime.</source>
         <translation>Outro programa mudou o perfil “%1” nesse meio-tempo.</translation>
     </message>
     <message>
-        <source>Show the Other’s</source>
-        <translation>Mostrar o do outro</translation>
+        <source>Load the other version</source>
+        <translation>Carregar a outra versão</translation>
     </message>
     <message>
-        <source>Keep &amp;Mine</source>
+        <source>Keep &amp;mine</source>
         <translation>&amp;Manter o meu</translation>
     </message>
     <message>
-        <source>%1 (CMYK)</source>
-        <translation>%1 (CMYK)</translation>
+        <source>Changes are saved at once. Profiles in italics come with the program. If you change one, your copy is used; “Remove” restores the original.</source>
+        <translation>As mudanças são salvas na hora. Perfis em itálico vêm com o programa. Se você mudar um, sua cópia é usada; “Remover” restaura o original.</translation>
+    </message>
+    <message>
+        <source>Import profile</source>
+        <translation>Importar perfil</translation>
+    </message>
+    <message>
+        <source>Export profile</source>
+        <translation>Exportar perfil</translation>
+    </message>
+    <message>
+        <source>Copy profile</source>
+        <translation>Copiar perfil</translation>
+    </message>
+    <message>
+        <source>%1, copy</source>
+        <translation>%1, cópia</translation>
     </message>
 </context>
 <context>
@@ -7865,11 +7815,11 @@ estiramento</translation>
         <translation>Ainda não simulado.</translation>
     </message>
     <message>
-        <source>Add a second immersion</source>
-        <translation>Adicionar uma segunda imersão</translation>
+        <source>Add second dip</source>
+        <translation>Adicionar segunda imersão</translation>
     </message>
     <message>
-        <source>Remove this immersion</source>
+        <source>Remove this dip</source>
         <translation>Remover esta imersão</translation>
     </message>
 </context>
@@ -7904,27 +7854,15 @@ estiramento</translation>
     </message>
     <message>
         <source>Film profile</source>
-        <translation>Perfil do filme</translation>
-    </message>
-    <message>
-        <source>A film that was measured once: size, swell, relaxation and sides.</source>
-        <translation>Um filme que foi medido uma vez: tamanho, inchamento, relaxação e lados.</translation>
+        <translation>Perfil da película</translation>
     </message>
     <message>
         <source>Tank profile</source>
         <translation>Perfil do tanque</translation>
     </message>
     <message>
-        <source>A tank: its barriers hold the film&apos;s sides.</source>
-        <translation>Um tanque: suas barreiras prendem os lados do filme.</translation>
-    </message>
-    <message>
         <source>Printer profile</source>
         <translation>Perfil da impressora</translation>
-    </message>
-    <message>
-        <source>A printer that was measured once: its scale, margins, colours, ink limit and resolution.</source>
-        <translation>Uma impressora que foi medida uma vez: escala, margens, cores, limite de tinta e resolução.</translation>
     </message>
     <message>
         <source>Change %1</source>
@@ -7933,14 +7871,6 @@ estiramento</translation>
     <message>
         <source>Embedded in the project</source>
         <translation>Embutido no projeto</translation>
-    </message>
-    <message>
-        <source>From %1</source>
-        <translation>De %1</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3</source>
-        <translation>%1 × %2 × %3</translation>
     </message>
     <message>
         <source>Triangles: %1</source>
@@ -7963,32 +7893,8 @@ estiramento</translation>
         <translation>Textura de %1 × %2 pixels</translation>
     </message>
     <message>
-        <source>No texture: drop a picture on the window to put one on</source>
-        <translation>Sem textura: solte uma imagem na janela para aplicar uma</translation>
-    </message>
-    <message>
-        <source>Reload from Disk</source>
-        <translation>Recarregar do disco</translation>
-    </message>
-    <message>
         <source>Reads the model&apos;s file again and keeps all settings.</source>
         <translation>Lê de novo o arquivo do modelo e mantém as configurações.</translation>
-    </message>
-    <message>
-        <source>Replace Model…</source>
-        <translation>Trocar modelo…</translation>
-    </message>
-    <message>
-        <source>Takes another model. Rotations and offsets start anew.</source>
-        <translation>Usa outro modelo. Rotações e deslocamentos recomeçam.</translation>
-    </message>
-    <message>
-        <source>Replace Texture…</source>
-        <translation>Trocar textura…</translation>
-    </message>
-    <message>
-        <source>Puts another picture on the model.</source>
-        <translation>Põe outra imagem no modelo.</translation>
     </message>
     <message>
         <source>Production</source>
@@ -8004,15 +7910,11 @@ estiramento</translation>
     </message>
     <message>
         <source>Production is the accurate film model and the default. Paper of 2020 is the published model, for comparison.</source>
-        <translation>Produção é o modelo de filme preciso e o padrão. Artigo de 2020 é o modelo publicado, para comparação.</translation>
+        <translation>Produção é o modelo de película preciso e o padrão. Artigo de 2020 é o modelo publicado, para comparação.</translation>
     </message>
     <message>
         <source>Preset</source>
         <translation>Predefinição</translation>
-    </message>
-    <message>
-        <source>Apply Preset</source>
-        <translation>Aplicar predefinição</translation>
     </message>
     <message>
         <source>Choose %1</source>
@@ -8031,52 +7933,100 @@ estiramento</translation>
         <translation>%1 (não disponível)</translation>
     </message>
     <message>
-        <source>What computes the dip. “Best available” takes a GPU where there is one.</source>
-        <translation>O que calcula a imersão. “Melhor disponível” usa uma GPU onde houver.</translation>
-    </message>
-    <message>
         <source>Solver</source>
         <translation>Solucionador</translation>
-    </message>
-    <message>
-        <source>Choose Solver</source>
-        <translation>Escolher solucionador</translation>
     </message>
     <message>
         <source>%1 (not installed)</source>
         <translation>%1 (não instalado)</translation>
     </message>
     <message>
-        <source>Where the join runs</source>
-        <translation>Por onde passa a junção</translation>
-    </message>
-    <message>
-        <source>Shown with “Print on the Body”; changes no sheet.</source>
-        <translation>Visto com “Impressão no corpo”; não muda folha alguma.</translation>
-    </message>
-    <message>
-        <source>The print, and if the second film lies off</source>
-        <translation>A impressão, e se o segundo filme desvia</translation>
-    </message>
-    <message>
-        <source>Zones on the body</source>
-        <translation>Zonas no corpo</translation>
-    </message>
-    <message>
-        <source>Tell Tolerances…</source>
-        <translation>Calcular tolerâncias…</translation>
-    </message>
-    <message>
-        <source>Dips with everything off, one by one and all at once, and says how far the colours land off their places.</source>
-        <translation>Mergulha com todos os desvios, um a um e todos juntos, e diz quanto as cores caem fora do lugar.</translation>
-    </message>
-    <message>
         <source>Longest edge</source>
         <translation>Aresta mais longa</translation>
     </message>
     <message>
-        <source>Makes the body larger or smaller, with what is marked on it.</source>
-        <translation>Torna o corpo maior ou menor, com o que está marcado nele.</translation>
+        <source>The measured values of one film: size, swell, relaxation and sides.</source>
+        <translation>Os valores medidos de uma película: tamanho, inchamento, relaxação e lados.</translation>
+    </message>
+    <message>
+        <source>The values of one tank. Its barriers hold the sides of the film.</source>
+        <translation>Os valores de um tanque. Suas barreiras prendem os lados da película.</translation>
+    </message>
+    <message>
+        <source>The measured values of one printer: scale, margins, colours, ink limit and resolution.</source>
+        <translation>Os valores medidos de uma impressora: escala, margens, cores, limite de tinta e resolução.</translation>
+    </message>
+    <message>
+        <source>No texture (drop a picture on the window to add one)</source>
+        <translation>Sem textura (solte uma imagem na janela para adicionar uma)</translation>
+    </message>
+    <message>
+        <source>Reload from disk</source>
+        <translation>Recarregar do disco</translation>
+    </message>
+    <message>
+        <source>Replace model…</source>
+        <translation>Trocar modelo…</translation>
+    </message>
+    <message>
+        <source>Loads another model. Rotations and offsets are reset.</source>
+        <translation>Carrega outro modelo. Rotações e deslocamentos são redefinidos.</translation>
+    </message>
+    <message>
+        <source>Replace texture…</source>
+        <translation>Trocar textura…</translation>
+    </message>
+    <message>
+        <source>Replaces the texture of the model with another picture.</source>
+        <translation>Substitui a textura do modelo por outra imagem.</translation>
+    </message>
+    <message>
+        <source>Scales the part and the marks on it.</source>
+        <translation>Redimensiona a peça e as marcas nela.</translation>
+    </message>
+    <message>
+        <source>Marks for the seam</source>
+        <translation>Marcas para a emenda</translation>
+    </message>
+    <message>
+        <source>Zones on the part</source>
+        <translation>Zonas na peça</translation>
+    </message>
+    <message>
+        <source>Compute tolerances…</source>
+        <translation>Calcular tolerâncias…</translation>
+    </message>
+    <message>
+        <source>Simulates dips with the expected deviations, each alone and all at once. Shows how far the colours land from their intended places.</source>
+        <translation>Simula imersões com os desvios esperados, um a um e todos juntos. Mostra a que distância do lugar previsto as cores caem.</translation>
+    </message>
+    <message>
+        <source>Print with a misplaced second film</source>
+        <translation>Impressão com a segunda película deslocada</translation>
+    </message>
+    <message>
+        <source>Visible with “Finished part”. The sheets do not change.</source>
+        <translation>Visível com “Peça pronta”. As folhas não mudam.</translation>
+    </message>
+    <message>
+        <source>Apply preset</source>
+        <translation>Aplicar predefinição</translation>
+    </message>
+    <message>
+        <source>The program that simulates the dip. “Best available” uses a GPU if there is one.</source>
+        <translation>O programa que simula a imersão. “Melhor disponível” usa uma GPU, se houver.</translation>
+    </message>
+    <message>
+        <source>Choose solver</source>
+        <translation>Escolher solucionador</translation>
+    </message>
+    <message>
+        <source>Read from %1</source>
+        <translation>Lido de %1</translation>
+    </message>
+    <message>
+        <source>Size: %1 × %2 × %3</source>
+        <translation>Tamanho: %1 × %2 × %3</translation>
     </message>
 </context>
 <context>
@@ -8110,10 +8060,6 @@ estiramento</translation>
         <translation>%1 min</translation>
     </message>
     <message>
-        <source>Job Queue</source>
-        <translation>Fila de trabalhos</translation>
-    </message>
-    <message>
         <source>Projects in the queue</source>
         <translation>Projetos na fila</translation>
     </message>
@@ -8130,44 +8076,8 @@ estiramento</translation>
         <translation>Pasta dos resultados</translation>
     </message>
     <message>
-        <source>Each project that is added has a folder with its name in this one.</source>
-        <translation>Cada projeto adicionado tem nesta uma pasta com seu nome.</translation>
-    </message>
-    <message>
         <source>C&amp;hoose…</source>
         <translation>&amp;Escolher…</translation>
-    </message>
-    <message>
-        <source>Results &amp;into</source>
-        <translation>Resultados e&amp;m</translation>
-    </message>
-    <message>
-        <source>&amp;Add Projects…</source>
-        <translation>&amp;Adicionar projetos…</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel Chosen</source>
-        <translation>&amp;Cancelar escolhidos</translation>
-    </message>
-    <message>
-        <source>Cancel A&amp;ll</source>
-        <translation>Cancelar &amp;todos</translation>
-    </message>
-    <message>
-        <source>&amp;Remove Ended</source>
-        <translation>&amp;Remover terminados</translation>
-    </message>
-    <message>
-        <source>&amp;Open Project</source>
-        <translation>A&amp;brir projeto</translation>
-    </message>
-    <message>
-        <source>Add Projects</source>
-        <translation>Adicionar projetos</translation>
-    </message>
-    <message>
-        <source>Folder for the Results</source>
-        <translation>Pasta dos resultados</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -8180,28 +8090,8 @@ Results: %2</source>
 Resultados: %2</translation>
     </message>
     <message>
-        <source>Add projects: they are run one after the other as they are saved, and their results written.</source>
-        <translation>Adicione projetos: eles são executados um depois do outro, como estão salvos, e seus resultados, escritos.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 ended</source>
-        <translation>%1 de %2 terminados</translation>
-    </message>
-    <message>
         <source>, about %1 left</source>
         <translation>, faltam cerca de %1</translation>
-    </message>
-    <message>
-        <source>Projects are still being run. Stop them?</source>
-        <translation>Ainda há projetos em execução. Parar?</translation>
-    </message>
-    <message>
-        <source>What is done is kept.</source>
-        <translation>O que está concluído fica.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop Them</source>
-        <translation>&amp;Parar</translation>
     </message>
     <message>
         <source>Result</source>
@@ -8210,6 +8100,62 @@ Resultados: %2</translation>
     <message>
         <source>Duration</source>
         <translation>Duração</translation>
+    </message>
+    <message>
+        <source>Job queue</source>
+        <translation>Fila de trabalhos</translation>
+    </message>
+    <message>
+        <source>&amp;Add projects…</source>
+        <translation>&amp;Adicionar projetos…</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel selected</source>
+        <translation>&amp;Cancelar selecionados</translation>
+    </message>
+    <message>
+        <source>Cancel a&amp;ll</source>
+        <translation>Cancelar &amp;todos</translation>
+    </message>
+    <message>
+        <source>&amp;Remove finished</source>
+        <translation>&amp;Remover terminados</translation>
+    </message>
+    <message>
+        <source>&amp;Open project</source>
+        <translation>Abrir pro&amp;jeto</translation>
+    </message>
+    <message>
+        <source>Each added project gets a subfolder with its name here.</source>
+        <translation>Cada projeto adicionado recebe aqui uma subpasta com seu nome.</translation>
+    </message>
+    <message>
+        <source>Resul&amp;ts folder</source>
+        <translation>Pa&amp;sta dos resultados</translation>
+    </message>
+    <message>
+        <source>Add projects</source>
+        <translation>Adicionar projetos</translation>
+    </message>
+    <message>
+        <source>%1 of %2 finished</source>
+        <translation>%1 de %2 terminados</translation>
+    </message>
+    <message>
+        <source>Projects are still running. Stop them?</source>
+        <translation>Ainda há projetos em execução. Parar?</translation>
+    </message>
+    <message>
+        <source>Finished results are kept.</source>
+        <translation>Os resultados concluídos são mantidos.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Parar</translation>
+    </message>
+    <message>
+        <source>Add projects. They run one after the other, each in its last saved version. The results are written to the results folder.</source>
+        <translation>Adicione projetos. Eles são executados um após o outro, cada um na última versão salva. Os resultados são gravados na pasta dos resultados.</translation>
     </message>
 </context>
 <context>
@@ -8222,8 +8168,8 @@ Resultados: %2</translation>
 <context>
     <name>dipwright::Reader</name>
     <message>
-        <source>The program that reads models and pictures cannot be kept from doing anything else on this system, and does not read; use another system, or set DIPWRIGHT_READ_UNCONFINED=1 for files that you trust</source>
-        <translation>O programa que lê modelos e imagens não pode ser impedido de fazer outra coisa neste sistema, e não lê; use outro sistema, ou defina DIPWRIGHT_READ_UNCONFINED=1 para arquivos em que você confia</translation>
+        <source>This system cannot confine the program that reads models and pictures, so nothing was read. Use another system, or set DIPWRIGHT_READ_UNCONFINED=1 for files that you trust</source>
+        <translation>Este sistema não consegue confinar o programa que lê modelos e imagens; por isso nada foi lido. Use outro sistema ou defina DIPWRIGHT_READ_UNCONFINED=1 para arquivos em que você confia</translation>
     </message>
 </context>
 <context>
@@ -8237,17 +8183,17 @@ Resultados: %2</translation>
         <translation>O programa que lê modelos e imagens não pode ser iniciado: %1</translation>
     </message>
     <message>
-        <source>The file makes its reader hand back what cannot be, and is not read; save it anew</source>
-        <translation>O arquivo faz seu leitor devolver o que não pode ser e não é lido; salve-o de novo</translation>
-    </message>
-    <message>
-        <source>The file makes its reader crash and is not read; save it anew, a model as %1, a picture as PNG</source>
-        <translation>O arquivo faz seu leitor falhar e não é lido; salve-o de novo, um modelo como %1, uma imagem como PNG</translation>
-    </message>
-    <message>
         <source>en</source>
         <extracomment>The code of the language of this translation: de, pt_BR …</extracomment>
         <translation>pt_BR</translation>
+    </message>
+    <message>
+        <source>The file was not read, because the file reader returned invalid data for it; save it anew</source>
+        <translation>O arquivo não foi lido, porque o leitor devolveu dados inválidos para ele; salve-o de novo</translation>
+    </message>
+    <message>
+        <source>The file was not read, because it made the file reader crash; save it anew (a model as %1, a picture as PNG)</source>
+        <translation>O arquivo não foi lido, porque fez o leitor falhar; salve-o de novo (um modelo como %1, uma imagem como PNG)</translation>
     </message>
 </context>
 <context>
@@ -8259,10 +8205,6 @@ Resultados: %2</translation>
     <message>
         <source>Run the dip to see its figures.</source>
         <translation>Execute a imersão para ver seus números.</translation>
-    </message>
-    <message>
-        <source>Body painted altogether</source>
-        <translation>Corpo pintado ao todo</translation>
     </message>
     <message>
         <source>Solver</source>
@@ -8278,7 +8220,11 @@ Resultados: %2</translation>
     </message>
     <message>
         <source>Film used</source>
-        <translation>Filme usado</translation>
+        <translation>Película usada</translation>
+    </message>
+    <message>
+        <source>Total coverage</source>
+        <translation>Cobertura total</translation>
     </message>
 </context>
 <context>
@@ -8313,11 +8259,7 @@ Resultados: %2</translation>
     </message>
     <message>
         <source>Stretch of the film</source>
-        <translation>Estiramento do filme</translation>
-    </message>
-    <message>
-        <source>Mean of each point&apos;s constraints, final over rest length; ink side up</source>
-        <translation>Média das restrições de cada ponto, comprimento final sobre o de repouso; lado da tinta para cima</translation>
+        <translation>Estiramento da película</translation>
     </message>
     <message>
         <source>mm</source>
@@ -8334,28 +8276,12 @@ mm por mm</translation>
         <translation>%1 e mais</translation>
     </message>
     <message>
-        <source>On the body: min %1 · mean %2 · 95 % %3 · max %4</source>
-        <translation>No corpo: mín %1 · média %2 · 95 % %3 · máx %4</translation>
-    </message>
-    <message>
-        <source>Outlined: film on the body · pale: film left over</source>
-        <translation>Contornado: filme no corpo · pálido: filme restante</translation>
-    </message>
-    <message>
         <source>Wrinkling of the film</source>
-        <translation>Enrugamento do filme</translation>
+        <translation>Enrugamento da película</translation>
     </message>
     <message>
         <source>Smaller principal stretch; below 1 the film is compressed and may fold</source>
-        <translation>Menor estiramento principal; abaixo de 1 o filme está comprimido e pode dobrar</translation>
-    </message>
-    <message>
-        <source>On the body: compressed by over 1 % on %1 % of the film · smallest stretch %2</source>
-        <translation>No corpo: comprimido em mais de 1 % em %1 % do filme · menor estiramento %2</translation>
-    </message>
-    <message>
-        <source>Certainty of the sheet</source>
-        <translation>Confiabilidade da folha</translation>
+        <translation>Menor estiramento principal; abaixo de 1 a película está comprimida e pode dobrar</translation>
     </message>
     <message>
         <source>more</source>
@@ -8366,18 +8292,6 @@ mm por mm</translation>
         <translation>%1: %2 mm², %3 %</translation>
     </message>
     <message>
-        <source>Both, along the join</source>
-        <translation>Ambas, ao longo da junção</translation>
-    </message>
-    <message>
-        <source>Not reached</source>
-        <translation>Não alcançado</translation>
-    </message>
-    <message>
-        <source>The join: %1 mm</source>
-        <translation>A junção: %1 mm</translation>
-    </message>
-    <message>
         <source>From above</source>
         <translation>De cima</translation>
     </message>
@@ -8386,20 +8300,12 @@ mm por mm</translation>
         <translation>De baixo</translation>
     </message>
     <message>
-        <source>Tracing the shares</source>
-        <translation>Traçando as partes</translation>
-    </message>
-    <message>
         <source>Film of %1</source>
-        <translation>Filme de %1</translation>
+        <translation>Película de %1</translation>
     </message>
     <message>
         <source>Tolerance of the sheet</source>
         <translation>Tolerância da folha</translation>
-    </message>
-    <message>
-        <source>How far the ink may land off its place on the body; ink side up</source>
-        <translation>Quanto a tinta pode cair fora do lugar no corpo; lado da tinta para cima</translation>
     </message>
     <message>
         <source>in</source>
@@ -8411,28 +8317,68 @@ mm por mm</translation>
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>change
+        <source>Both, in the overlap</source>
+        <translation>Ambas, na sobreposição</translation>
+    </message>
+    <message>
+        <source>Not painted</source>
+        <translation>Não pintado</translation>
+    </message>
+    <message>
+        <source>Seam: %1 mm</source>
+        <translation>Emenda: %1 mm</translation>
+    </message>
+    <message>
+        <source>Drawing the coverage picture</source>
+        <translation>Desenhando a imagem de cobertura</translation>
+    </message>
+    <message>
+        <source>Mean stretch at each point, final over rest length; ink side up</source>
+        <translation>Estiramento médio em cada ponto, comprimento final sobre o de repouso; lado da tinta para cima</translation>
+    </message>
+    <message>
+        <source>On the part: min. %1 · mean %2 · 95 % below %3 · max. %4</source>
+        <translation>Na peça: mín. %1 · média %2 · 95 % abaixo de %3 · máx. %4</translation>
+    </message>
+    <message>
+        <source>On the part: %1 % of the film is compressed by over 1 % · smallest stretch %2</source>
+        <translation>Na peça: %1 % da película estão comprimidos em mais de 1 % · menor estiramento %2</translation>
+    </message>
+    <message>
+        <source>Numerical error of the sheet</source>
+        <translation>Erro numérico da folha</translation>
+    </message>
+    <message>
+        <source>error
 %1</source>
-        <translation>mudança
+        <translation>erro
 %1</translation>
     </message>
     <message>
-        <source>off by
+        <source>Limit: %1 · magenta: painted by only one of the compared dips</source>
+        <translation>Limite: %1 · magenta: pintado por só uma das imersões comparadas</translation>
+    </message>
+    <message>
+        <source>How far handling may move the image on the part; ink side up</source>
+        <translation>Quanto o manuseio pode deslocar a imagem na peça; lado da tinta para cima</translation>
+    </message>
+    <message>
+        <source>shift
 ± %1</source>
         <translation>desvio
 ± %1</translation>
     </message>
     <message>
-        <source>On the body: 95 % within ±%1</source>
-        <translation>No corpo: 95 % dentro de ±%1</translation>
+        <source>On the part: 95 % is within ±%1</source>
+        <translation>Na peça: 95 % ficam dentro de ±%1</translation>
     </message>
     <message>
-        <source>Numerical error of the ink&apos;s position; ink side up</source>
-        <translation>Erro numérico da posição da tinta; lado da tinta para cima</translation>
+        <source>Dark outline: film on the part · pale: unused film</source>
+        <translation>Contorno escuro: película na peça · claro: película não usada</translation>
     </message>
     <message>
-        <source>Limit: %1 · magenta: painted in only one of the dips</source>
-        <translation>Limite: %1 · magenta: pintado em só uma das imersões</translation>
+        <source>How far the image may be off because of the film&apos;s cells and the solver&apos;s steps; ink side up</source>
+        <translation>Quanto a imagem pode se desviar por causa das células da película e dos passos do solver; lado da tinta para cima</translation>
     </message>
 </context>
 <context>
@@ -8442,24 +8388,12 @@ mm por mm</translation>
         <translation>Textura reversa</translation>
     </message>
     <message>
-        <source>Run the dip to see the image that goes on the film.</source>
-        <translation>Execute a imersão para ver a imagem que vai no filme.</translation>
-    </message>
-    <message>
         <source>Proof</source>
         <translation>Prova</translation>
     </message>
     <message>
-        <source>Run the dip to see the body as it will come out.</source>
-        <translation>Execute a imersão para ver o corpo como sairá.</translation>
-    </message>
-    <message>
         <source>Sheet</source>
         <translation>Folha</translation>
-    </message>
-    <message>
-        <source>Run the dip to see the page as it prints.</source>
-        <translation>Execute a imersão para ver a página como será impressa.</translation>
     </message>
     <message>
         <source>Stretch</source>
@@ -8475,19 +8409,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>How much the film has stretched, and where</source>
-        <translation>Quanto o filme esticou, e onde</translation>
-    </message>
-    <message>
-        <source>The reverse texture: the image that goes on the film</source>
-        <translation>A textura reversa: a imagem que vai no filme</translation>
-    </message>
-    <message>
-        <source>The body as it will come out</source>
-        <translation>O corpo como sairá</translation>
-    </message>
-    <message>
-        <source>The page as it prints</source>
-        <translation>A página como será impressa</translation>
+        <translation>Quanto a película esticou e onde</translation>
     </message>
     <message>
         <source>The figures of the last run</source>
@@ -8498,28 +8420,52 @@ mm por mm</translation>
         <translation>Veredito</translation>
     </message>
     <message>
-        <source>Whether to print the sheet, and where to look first</source>
-        <translation>Se a folha deve ser impressa e onde olhar antes</translation>
+        <source>Run the dip to see the image for the film.</source>
+        <translation>Execute a imersão para ver a imagem para a película.</translation>
     </message>
     <message>
-        <source>Who Paints What</source>
-        <translation>Quem pinta o quê</translation>
+        <source>Run the dip to see the finished part.</source>
+        <translation>Execute a imersão para ver a peça pronta.</translation>
     </message>
     <message>
-        <source>The shares of the two dips, from six sides and on both films</source>
-        <translation>As partes das duas imersões, de seis lados e nos dois filmes</translation>
+        <source>Run the dip to see the page as it will be printed.</source>
+        <translation>Execute a imersão para ver a página como será impressa.</translation>
     </message>
     <message>
-        <source>The shares of the two dips, over the sheet of this one</source>
-        <translation>As partes das duas imersões, sobre a folha desta</translation>
+        <source>Shares of the dips</source>
+        <translation>Partes das imersões</translation>
     </message>
     <message>
-        <source>Without White</source>
+        <source>Shows which areas each dip paints, from six sides and on both films</source>
+        <translation>Mostra quais áreas cada imersão pinta, de seis lados e nas duas películas</translation>
+    </message>
+    <message>
+        <source>Shows which areas each dip paints, over the sheet of this dip</source>
+        <translation>Mostra quais áreas cada imersão pinta, sobre a folha desta imersão</translation>
+    </message>
+    <message>
+        <source>Without white</source>
         <translation>Sem branco</translation>
     </message>
     <message>
-        <source>The ink on the part&apos;s own colour, as it were without the white</source>
-        <translation>A tinta sobre a cor da própria peça, como seria sem o branco</translation>
+        <source>Shows the ink on the part&apos;s own colour, without the white</source>
+        <translation>Mostra a tinta sobre a cor da própria peça, sem o branco</translation>
+    </message>
+    <message>
+        <source>Whether to print the sheet, and which places to check first</source>
+        <translation>Se a folha deve ser impressa e quais lugares verificar primeiro</translation>
+    </message>
+    <message>
+        <source>The reverse texture: the image for the film</source>
+        <translation>A textura reversa: a imagem para a película</translation>
+    </message>
+    <message>
+        <source>The finished part</source>
+        <translation>A peça pronta</translation>
+    </message>
+    <message>
+        <source>The page as it will be printed</source>
+        <translation>A página como será impressa</translation>
     </message>
 </context>
 <context>
@@ -8529,12 +8475,39 @@ mm por mm</translation>
         <translation>Revertendo a textura</translation>
     </message>
     <message>
-        <source>The film&apos;s image is too large for this computer&apos;s memory; choose a lower resolution</source>
-        <translation>A imagem do filme é grande demais para a memória deste computador; escolha uma resolução menor</translation>
-    </message>
-    <message>
         <source>Continuing the colour past the edge</source>
         <translation>Continuando a cor além da borda</translation>
+    </message>
+    <message>
+        <source>The film image is too large for this computer&apos;s memory; choose a lower resolution</source>
+        <translation>A imagem da película é grande demais para a memória deste computador; escolha uma resolução menor</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::SeamFields</name>
+    <message>
+        <source>Whole face</source>
+        <translation>Face inteira</translation>
+    </message>
+    <message>
+        <source>Keeps the seam away</source>
+        <translation>Afasta a emenda</translation>
+    </message>
+    <message>
+        <source>Allows the seam</source>
+        <translation>Permite a emenda</translation>
+    </message>
+    <message>
+        <source>What a click or a drag on the part in the view marks. Assign areas to the other dip to move the seam. With “Run live” the seam is updated at once.</source>
+        <translation>O que um clique ou um arrasto na peça na vista marca. Atribua áreas à outra imersão para mover a emenda. Com “Executar ao vivo” a emenda é atualizada na hora.</translation>
+    </message>
+    <message>
+        <source>Marks the whole flat face that you click, up to its edges.</source>
+        <translation>Marca toda a face plana em que você clica, até as suas arestas.</translation>
+    </message>
+    <message>
+        <source>Assigns the place to %1</source>
+        <translation>Atribui o lugar a %1</translation>
     </message>
 </context>
 <context>
@@ -8544,20 +8517,20 @@ mm por mm</translation>
         <translation>Procurando poses</translation>
     </message>
     <message>
-        <source>The poses are searched; the best is on top.</source>
-        <translation>As poses foram procuradas; a melhor está no alto.</translation>
+        <source>The search has finished. The best pose is at the top.</source>
+        <translation>A busca terminou. A melhor pose está no alto.</translation>
     </message>
     <message>
-        <source>The search was stopped; the best so far is on top.</source>
-        <translation>A busca foi encerrada; a melhor até agora está no alto.</translation>
+        <source>The search was stopped. The best pose so far is at the top.</source>
+        <translation>A busca foi encerrada. A melhor pose até agora está no alto.</translation>
     </message>
     <message>
-        <source>Pose Search</source>
+        <source>Pose search</source>
         <translation>Busca de poses</translation>
     </message>
     <message>
-        <source>Change What Poses Are Searched For</source>
-        <translation>Alterar o que se busca nas poses</translation>
+        <source>Change search settings</source>
+        <translation>Alterar configurações da busca</translation>
     </message>
 </context>
 <context>
@@ -8575,10 +8548,6 @@ mm por mm</translation>
         <translation>Encerrar</translation>
     </message>
     <message>
-        <source>&amp;Take This Pose</source>
-        <translation>&amp;Assumir esta pose</translation>
-    </message>
-    <message>
         <source>One dip</source>
         <translation>Uma imersão</translation>
     </message>
@@ -8591,52 +8560,12 @@ mm por mm</translation>
         <translation> poses</translation>
     </message>
     <message>
-        <source>How many poses are dipped with a coarse film, out of %1 that are judged by the body&apos;s shape. The best are refined.</source>
-        <translation>Quantas poses são mergulhadas com um filme grosso, de %1 que são julgadas pela forma do corpo. As melhores são refinadas.</translation>
-    </message>
-    <message>
-        <source>The same number gives the same table; another one tries other directions.</source>
-        <translation>O mesmo número dá a mesma tabela; outro experimenta outras direções.</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>Planejar</translation>
-    </message>
-    <message>
-        <source>Try</source>
-        <translation>Experimentar</translation>
-    </message>
-    <message>
         <source>Seed</source>
         <translation>Semente</translation>
     </message>
     <message>
-        <source>What counts, and what must be kept</source>
-        <translation>O que conta e o que deve ser mantido</translation>
-    </message>
-    <message>
-        <source>Let others have the processor; the search goes on where it was</source>
-        <translation>Deixa o processador para outros; a busca continua de onde estava</translation>
-    </message>
-    <message>
-        <source>End the search and keep the best that was found</source>
-        <translation>Encerra a busca e guarda o melhor que foi encontrado</translation>
-    </message>
-    <message>
         <source>Progress of the search</source>
         <translation>Progresso da busca</translation>
-    </message>
-    <message>
-        <source>The project has been changed since these poses were searched.</source>
-        <translation>O projeto foi alterado desde que estas poses foram procuradas.</translation>
-    </message>
-    <message>
-        <source>Dip the body as chosen in the table; one step to undo</source>
-        <translation>Mergulha o corpo como escolhido na tabela; um passo a desfazer</translation>
-    </message>
-    <message>
-        <source>Go On</source>
-        <translation>Continuar</translation>
     </message>
     <message>
         <source>%1 of %2 dips</source>
@@ -8647,32 +8576,72 @@ mm por mm</translation>
         <translation>%1, restam cerca de %2 s</translation>
     </message>
     <message>
-        <source>Rank %1 against rank %2: %3</source>
-        <translation>Posição %1 contra posição %2: %3</translation>
-    </message>
-    <message>
-        <source>Side &amp;by Side …</source>
-        <translation>La&amp;do a lado …</translation>
-    </message>
-    <message>
-        <source>Two chosen poses, or one and the project&apos;s own, in the view, by cameras that turn together</source>
-        <translation>Duas poses escolhidas, ou uma e a do projeto, na vista, com câmeras que giram juntas</translation>
-    </message>
-    <message>
         <source>Rank %1</source>
         <translation>Posição %1</translation>
     </message>
     <message>
-        <source>The project&apos;s own</source>
-        <translation>A do projeto</translation>
+        <source>&amp;Use this pose</source>
+        <translation>&amp;Usar esta pose</translation>
+    </message>
+    <message>
+        <source>Side &amp;by side …</source>
+        <translation>La&amp;do a lado…</translation>
+    </message>
+    <message>
+        <source>Dips</source>
+        <translation>Imersões</translation>
+    </message>
+    <message>
+        <source>Simulate</source>
+        <translation>Simular</translation>
+    </message>
+    <message>
+        <source>Weights and limits</source>
+        <translation>Pesos e limites</translation>
+    </message>
+    <message>
+        <source>Leaves the processor to other programs. The search continues where it stopped.</source>
+        <translation>Deixa o processador para outros programas. A busca continua de onde parou.</translation>
+    </message>
+    <message>
+        <source>Ends the search and keeps the best poses found</source>
+        <translation>Encerra a busca e guarda as melhores poses encontradas</translation>
+    </message>
+    <message>
+        <source>The project has changed since this search.</source>
+        <translation>O projeto mudou desde esta busca.</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Retomar</translation>
+    </message>
+    <message>
+        <source>Rank %1 compared with rank %2: %3</source>
+        <translation>Posição %1 comparada com posição %2: %3</translation>
+    </message>
+    <message>
+        <source>The project&apos;s own pose</source>
+        <translation>A pose do projeto</translation>
+    </message>
+    <message>
+        <source>Number of poses that are simulated with a coarse film. They are chosen from %1 poses that are judged by the part&apos;s shape alone. The best simulated poses are refined.</source>
+        <translation>Número de poses simuladas com uma película grosseira. São escolhidas entre %1 poses avaliadas só pela forma da peça. As melhores poses simuladas são refinadas.</translation>
+    </message>
+    <message>
+        <source>The same seed gives the same table. Another seed tries other directions.</source>
+        <translation>A mesma semente dá a mesma tabela. Outra semente experimenta outras direções.</translation>
+    </message>
+    <message>
+        <source>Gives the dips the pose that is selected in the table. This is one undo step.</source>
+        <translation>Dá às imersões a pose selecionada na tabela. É um único passo de desfazer.</translation>
+    </message>
+    <message>
+        <source>Shows two selected poses side by side with linked cameras. If only one pose is selected, shows it beside the project&apos;s own pose.</source>
+        <translation>Mostra duas poses selecionadas lado a lado com câmeras ligadas. Se só uma pose está selecionada, mostra-a ao lado da pose do projeto.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::Sheet</name>
-    <message>
-        <source>A film of %1 × %2 mm at %3 dpi does not make an image of 1 to %4 pixels a side; choose another resolution or film size</source>
-        <translation>Um filme de %1 × %2 mm a %3 dpi não dá uma imagem de 1 a %4 pixels por lado; escolha outra resolução ou tamanho de filme</translation>
-    </message>
     <message>
         <source>The sheet&apos;s PDF cannot be written: %1</source>
         <translation>O PDF da folha não pode ser gravado: %1</translation>
@@ -8691,7 +8660,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>%1 · %2 · %3 · Film %4 · Scale %5 · Job %6</source>
-        <translation>%1 · %2 · %3 · Filme %4 · Escala %5 · Trabalho %6</translation>
+        <translation>%1 · %2 · %3 · Película %4 · Escala %5 · Trabalho %6</translation>
     </message>
     <message>
         <source>%1 · Job %2</source>
@@ -8699,47 +8668,15 @@ mm por mm</translation>
     </message>
     <message>
         <source>The paper of %1 × %2 mm is smaller than the film of %3 × %4 mm; choose larger paper, turn it or make the film smaller</source>
-        <translation>O papel de %1 × %2 mm é menor que o filme de %3 × %4 mm; escolha papel maior, gire-o ou diminua o filme</translation>
-    </message>
-    <message>
-        <source>Paper of %1 × %2 mm leaves no room for pieces of the sheet; take larger paper</source>
-        <translation>Papel de %1 × %2 mm não deixa espaço para pedaços da folha; use papel maior</translation>
-    </message>
-    <message>
-        <source>The sheet would be cut into more than %1 pieces; take larger paper</source>
-        <translation>A folha seria cortada em mais de %1 pedaços; use papel maior</translation>
-    </message>
-    <message>
-        <source>%1 · row %2 of %3, column %4 of %5 · cut along the dashes</source>
-        <translation>%1 · linha %2 de %3, coluna %4 de %5 · corte nos tracejados</translation>
-    </message>
-    <message>
-        <source>Its sheet has %1 dpi and that of %2 has %3; give them one resolution</source>
-        <translation>Sua folha tem %1 dpi e a de %2 tem %3; dê a ambas a mesma resolução</translation>
-    </message>
-    <message>
-        <source>%1 pieces are to be packed; choose 1 to %2</source>
-        <translation>%1 peças devem ser agrupadas; escolha de 1 a %2</translation>
-    </message>
-    <message>
-        <source>With its marks it takes %1 × %2 mm, and the film leaves %3 × %4 mm within its edges; take a larger film</source>
-        <translation>Com suas marcas ocupa %1 × %2 mm, e o filme deixa %3 × %4 mm dentro de suas bordas; use um filme maior</translation>
+        <translation>O papel de %1 × %2 mm é menor que a película de %3 × %4 mm; escolha papel maior, gire-o ou diminua a película</translation>
     </message>
     <message>
         <source>Film %1 of %2, pieces: %3</source>
-        <translation>Filme %1 de %2, peças: %3</translation>
+        <translation>Película %1 de %2, pedaços: %3</translation>
     </message>
     <message>
         <source>%1 × %2 mm</source>
         <translation>%1 × %2 mm</translation>
-    </message>
-    <message>
-        <source>There is no ink on its sheet</source>
-        <translation>Não há tinta em sua folha</translation>
-    </message>
-    <message>
-        <source>This takes %1 films; choose fewer copies, up to %2 films</source>
-        <translation>Isso requer %1 filmes; escolha menos cópias, até %2 filmes</translation>
     </message>
     <message>
         <source>Job %1</source>
@@ -8751,46 +8688,78 @@ mm por mm</translation>
     </message>
     <message>
         <source>%1 · %2 · %3 · Film %4 · Scale %5</source>
-        <translation>%1 · %2 · %3 · Filme %4 · Escala %5</translation>
+        <translation>%1 · %2 · %3 · Película %4 · Escala %5</translation>
     </message>
     <message>
-        <source>Its white is printed otherwise than that of %1; give them one kind of white and one name for it</source>
-        <translation>Seu branco é impresso de outro modo que o de %1; dê a ambos um só tipo de branco e um só nome para ele</translation>
+        <source>This job&apos;s spot ink %1 differs in colour or printing order from that of another job; give both the same</source>
+        <translation>A tinta especial %1 deste trabalho difere em cor ou ordem de impressão da de outro trabalho; dê a ambas a mesma</translation>
     </message>
     <message>
-        <source>Its spot ink %1 is printed otherwise than that of another job; give them one colour and order</source>
-        <translation>A sua tinta especial %1 é impressa de outro modo que a de outro trabalho; dê-lhes uma só cor e ordem</translation>
+        <source>This job&apos;s white layer differs from that of %1; give both the same kind of white and the same ink name</source>
+        <translation>A camada de branco deste trabalho difere da de %1; dê a ambas o mesmo tipo de branco e o mesmo nome de tinta</translation>
+    </message>
+    <message>
+        <source>This job&apos;s sheet has %1 dpi, but the sheet of %2 has %3 dpi; give both the same resolution</source>
+        <translation>A folha deste trabalho tem %1 dpi, mas a folha de %2 tem %3 dpi; dê a ambas a mesma resolução</translation>
+    </message>
+    <message>
+        <source>%1 pieces cannot be packed; choose 1 to %2 pieces</source>
+        <translation>%1 pedaços não podem ser agrupados; escolha de 1 a %2 pedaços</translation>
+    </message>
+    <message>
+        <source>With its marks, this job&apos;s sheet needs %1 × %2 mm, but the film has only %3 × %4 mm inside its edges; use a larger film</source>
+        <translation>Com suas marcas, a folha deste trabalho precisa de %1 × %2 mm, mas a película só tem %3 × %4 mm dentro de suas bordas; use uma película maior</translation>
+    </message>
+    <message>
+        <source>This job&apos;s sheet contains no ink</source>
+        <translation>A folha deste trabalho não contém tinta</translation>
+    </message>
+    <message>
+        <source>The copies need %1 films, more than the limit of %2; choose fewer copies</source>
+        <translation>As cópias precisam de %1 películas, mais que o limite de %2; escolha menos cópias</translation>
+    </message>
+    <message>
+        <source>A film of %1 × %2 mm at %3 dpi needs an image outside the range of 1 to %4 pixels per side; choose another resolution or film size</source>
+        <translation>Uma película de %1 × %2 mm a %3 dpi exige uma imagem fora da faixa de 1 a %4 pixels por lado; escolha outra resolução ou tamanho de película</translation>
+    </message>
+    <message>
+        <source>The sheet&apos;s PNG cannot be written: %1</source>
+        <translation>Não foi possível gravar o PNG da folha: %1</translation>
+    </message>
+    <message>
+        <source>Paper of %1 × %2 mm is too small for a part of the sheet; use larger paper</source>
+        <translation>Papel de %1 × %2 mm é pequeno demais para uma parte da folha; use papel maior</translation>
+    </message>
+    <message>
+        <source>The sheet needs more than %1 pages of this paper; use larger paper</source>
+        <translation>A folha precisa de mais de %1 páginas deste papel; use papel maior</translation>
+    </message>
+    <message>
+        <source>%1 · row %2 of %3, column %4 of %5 · cut along the dashed lines</source>
+        <translation>%1 · linha %2 de %3, coluna %4 de %5 · corte nas linhas tracejadas</translation>
     </message>
 </context>
 <context>
     <name>dipwright::SheetCorrection</name>
     <message>
-        <source>Blue: what the next sheet is corrected by</source>
-        <translation>Azul: em quanto a próxima folha é corrigida</translation>
+        <source>Dip %1: %2 places measured on one part, errors up to %3 mm. Measure three parts or more to see which errors repeat.</source>
+        <translation>Imersão %1: %2 lugares medidos em uma peça, erros de até %3 mm. Meça três peças ou mais para ver quais erros se repetem.</translation>
     </message>
     <message>
-        <source>Dip %1: %2 places on one part, off by up to %3 mm. What of this repeats is told by three parts or more.</source>
-        <translation>Imersão %1: %2 lugares em uma peça, desviados em até %3 mm. O que disso se repete é dito por três peças ou mais.</translation>
+        <source>Dip %1: %2 places measured on %3 parts. The repeating error is up to %4 mm; it is similar within %5 mm. Scatter: %6 mm for single places, %7 mm for whole parts.</source>
+        <translation>Imersão %1: %2 lugares medidos em %3 peças. O erro que se repete é de até %4 mm; é semelhante dentro de %5 mm. Dispersão: %6 mm em lugares isolados, %7 mm em peças inteiras.</translation>
     </message>
     <message>
-        <source>Dip %1: %2 places on %3 parts. Up to %4 mm repeat, much the same within %5 mm; a place scatters by %6 mm, a whole part by %7 mm.</source>
-        <translation>Imersão %1: %2 lugares em %3 peças. Até %4 mm se repetem, quase iguais dentro de %5 mm; um lugar varia em %6 mm, uma peça inteira em %7 mm.</translation>
+        <source>Red: mean measured error (parts: %1), enlarged %2 times</source>
+        <translation>Vermelho: erro médio medido (peças: %1), ampliado %2 vezes</translation>
     </message>
     <message>
-        <source>Red: how far off, the mean of parts measured (%1), %2 times as long</source>
-        <translation>Vermelho: o desvio, média das peças medidas (%1), %2 vezes maior</translation>
+        <source>Blue: correction of the next sheet, to the same scale</source>
+        <translation>Azul: correção da próxima folha, na mesma escala</translation>
     </message>
 </context>
 <context>
     <name>dipwright::SnapshotsDialog</name>
-    <message>
-        <source>&amp;Take Snapshot</source>
-        <translation>&amp;Tirar instantâneo</translation>
-    </message>
-    <message>
-        <source>&amp;Go Back to It</source>
-        <translation>&amp;Voltar a ele</translation>
-    </message>
     <message>
         <source>&amp;Remove</source>
         <translation>&amp;Remover</translation>
@@ -8800,16 +8769,8 @@ mm por mm</translation>
         <translation>Instantâneos</translation>
     </message>
     <message>
-        <source>Snapshots, the oldest first</source>
-        <translation>Instantâneos, os mais antigos primeiro</translation>
-    </message>
-    <message>
         <source>Name of the snapshot</source>
         <translation>Nome do instantâneo</translation>
-    </message>
-    <message>
-        <source>Under which the project&apos;s settings are kept in its file</source>
-        <translation>Sob o qual as definições do projeto são guardadas em seu arquivo</translation>
     </message>
     <message>
         <source>Compared with</source>
@@ -8820,44 +8781,60 @@ mm por mm</translation>
         <translation>O que difere</translation>
     </message>
     <message>
-        <source>The settings become those of the snapshot: a step that can be undone. Model, photos and parts stay.</source>
-        <translation>As definições passam a ser as do instantâneo: um passo que pode ser desfeito. Modelo, fotos e peças ficam.</translation>
-    </message>
-    <message>
-        <source>Compared with the project as it is now</source>
-        <translation>Comparado com o projeto como está agora</translation>
-    </message>
-    <message>
         <source>Compared with %1</source>
         <translation>Comparado com %1</translation>
     </message>
     <message>
-        <source>A snapshot keeps the project&apos;s settings under a name, in its file.</source>
-        <translation>Um instantâneo guarda as definições do projeto sob um nome, em seu arquivo.</translation>
-    </message>
-    <message>
         <source>Setting</source>
-        <translation>Definição</translation>
-    </message>
-    <message>
-        <source>Now</source>
-        <translation>Agora</translation>
+        <translation>Configuração</translation>
     </message>
     <message>
         <source>All settings are the same.</source>
-        <translation>Todas as definições são iguais.</translation>
+        <translation>Todas as configurações são iguais.</translation>
     </message>
     <message>
         <source>Settings that differ: %1</source>
-        <translation>Definições que diferem: %1</translation>
+        <translation>Configurações que diferem: %1</translation>
     </message>
     <message>
-        <source>&amp;Side by Side …</source>
-        <translation>&amp;Lado a lado …</translation>
+        <source>&amp;Take snapshot</source>
+        <translation>&amp;Tirar instantâneo</translation>
     </message>
     <message>
-        <source>Both in the view, by cameras that turn together; what is not dipped yet is dipped</source>
-        <translation>Ambos na vista, com câmeras que giram juntas; o que ainda não foi mergulhado é mergulhado</translation>
+        <source>R&amp;estore</source>
+        <translation>R&amp;estaurar</translation>
+    </message>
+    <message>
+        <source>&amp;Side by side…</source>
+        <translation>&amp;Lado a lado…</translation>
+    </message>
+    <message>
+        <source>Snapshots, oldest first</source>
+        <translation>Instantâneos, os mais antigos primeiro</translation>
+    </message>
+    <message>
+        <source>The name under which the settings are saved in the project file</source>
+        <translation>O nome com que as configurações são salvas no arquivo do projeto</translation>
+    </message>
+    <message>
+        <source>Shows both states with linked cameras, and first runs the dips that have no result yet</source>
+        <translation>Mostra os dois estados com câmeras ligadas e antes executa as imersões sem resultado</translation>
+    </message>
+    <message>
+        <source>Restores the settings of the snapshot. Model, photos and measured parts stay. This can be undone.</source>
+        <translation>Restaura as configurações do instantâneo. Modelo, fotos e peças medidas ficam. Isso pode ser desfeito.</translation>
+    </message>
+    <message>
+        <source>Compared with the current project</source>
+        <translation>Comparado com o projeto atual</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>Atual</translation>
+    </message>
+    <message>
+        <source>A snapshot saves the project&apos;s settings under a name in the project file.</source>
+        <translation>Um instantâneo salva as configurações do projeto com um nome no arquivo do projeto.</translation>
     </message>
 </context>
 <context>
@@ -8885,20 +8862,20 @@ mm por mm</translation>
 %3</translation>
     </message>
     <message>
-        <source>None found</source>
-        <translation>Nenhum encontrado</translation>
-    </message>
-    <message>
         <source>Put solver plugins into %1</source>
         <translation>Ponha plugins de solucionador em %1</translation>
     </message>
     <message>
-        <source>Each project chooses its solver under Dipping. “Best available” takes the best that can run here.</source>
-        <translation>Cada projeto escolhe seu solucionador em Imersão. “Melhor disponível” usa o melhor que possa rodar aqui.</translation>
+        <source>Choose the solver of a project under Dipping. “Best available” uses the best solver that can run on this computer.</source>
+        <translation>Escolha o solucionador de um projeto em Imersão. “Melhor disponível” usa o melhor que possa rodar neste computador.</translation>
     </message>
     <message>
-        <source>Looking whether it can run here …</source>
-        <translation>Verificando se pode rodar aqui …</translation>
+        <source>Checking whether it can run here …</source>
+        <translation>Verificando se pode rodar aqui…</translation>
+    </message>
+    <message>
+        <source>No solver found</source>
+        <translation>Nenhum solucionador encontrado</translation>
     </message>
 </context>
 <context>
@@ -8920,36 +8897,36 @@ mm por mm</translation>
         <translation>Remover desta lista</translation>
     </message>
     <message>
-        <source>From a textured model to a film that can be printed.</source>
-        <translation>Do modelo texturizado ao filme pronto para imprimir.</translation>
-    </message>
-    <message>
-        <source>New Project…</source>
-        <translation>Novo projeto…</translation>
-    </message>
-    <message>
-        <source>Open Project…</source>
-        <translation>Abrir projeto…</translation>
-    </message>
-    <message>
-        <source>Continue with a project that was saved.</source>
-        <translation>Continue um projeto salvo.</translation>
-    </message>
-    <message>
-        <source>Quick Tour</source>
-        <translation>Visita rápida</translation>
-    </message>
-    <message>
-        <source>What is where, in six steps.</source>
-        <translation>O que está onde, em seis passos.</translation>
-    </message>
-    <message>
         <source>Models and projects can also be dropped on the window.</source>
         <translation>Modelos e projetos também podem ser soltos na janela.</translation>
     </message>
     <message>
         <source>Start from a textured model: %1.</source>
         <translation>Comece de um modelo texturizado: %1.</translation>
+    </message>
+    <message>
+        <source>From a textured model to a printable film.</source>
+        <translation>Do modelo texturizado à película pronta para imprimir.</translation>
+    </message>
+    <message>
+        <source>New project…</source>
+        <translation>Novo projeto…</translation>
+    </message>
+    <message>
+        <source>Open project…</source>
+        <translation>Abrir projeto…</translation>
+    </message>
+    <message>
+        <source>Continue with a saved project.</source>
+        <translation>Continue um projeto salvo.</translation>
+    </message>
+    <message>
+        <source>Quick tour</source>
+        <translation>Visita rápida</translation>
+    </message>
+    <message>
+        <source>Shows the window in six steps.</source>
+        <translation>Mostra a janela em seis passos.</translation>
     </message>
 </context>
 <context>
@@ -8963,12 +8940,12 @@ mm por mm</translation>
         <translation>Progresso</translation>
     </message>
     <message>
-        <source>It does not stop. Save your work; closing the window ends it.</source>
-        <translation>Não para. Salve seu trabalho; fechar a janela encerra isso.</translation>
-    </message>
-    <message>
         <source>Warning</source>
         <translation>Aviso</translation>
+    </message>
+    <message>
+        <source>The job does not respond. Save your work, then close the window to end the job.</source>
+        <translation>O trabalho não responde. Salve seu trabalho e feche a janela para encerrá-lo.</translation>
     </message>
 </context>
 <context>
@@ -8991,7 +8968,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>Limit above which film is marked</source>
-        <translation>Limite acima do qual o filme é marcado</translation>
+        <translation>Limite acima do qual a película é marcada</translation>
     </message>
     <message>
         <source>Isolines</source>
@@ -9012,22 +8989,6 @@ mm por mm</translation>
     <message>
         <source>Smallest stretch</source>
         <translation>Menor estiramento</translation>
-    </message>
-    <message>
-        <source>Length of the film&apos;s threads after the dip over before: the mean round each point.</source>
-        <translation>Comprimento dos fios do filme depois sobre antes da imersão: a média em volta de cada ponto.</translation>
-    </message>
-    <message>
-        <source>Area after over before. Ink thins by as much.</source>
-        <translation>Área depois sobre antes. A tinta afina na mesma medida.</translation>
-    </message>
-    <message>
-        <source>The stretch in the direction in which it is largest.</source>
-        <translation>O estiramento na direção em que é maior.</translation>
-    </message>
-    <message>
-        <source>The stretch in the direction in which it is smallest. Below 1 the film wrinkles.</source>
-        <translation>O estiramento na direção em que é menor. Abaixo de 1 o filme enruga.</translation>
     </message>
     <message>
         <source>Quantity</source>
@@ -9063,31 +9024,47 @@ mm por mm</translation>
     </message>
     <message>
         <source>Film (VTP)…</source>
-        <translation>Filme (VTP)…</translation>
+        <translation>Película (VTP)…</translation>
     </message>
     <message>
         <source>Run the dip to see how the film stretches.</source>
-        <translation>Execute a imersão para ver como o filme estica.</translation>
-    </message>
-    <message>
-        <source>On the body: mean %1 · 95 % below %2 · largest %3</source>
-        <translation>No corpo: média %1 · 95 % abaixo de %2 · maior %3</translation>
+        <translation>Execute a imersão para ver como a película estica.</translation>
     </message>
     <message>
         <source>What the map shows.</source>
         <translation>O que o mapa mostra.</translation>
     </message>
     <message>
-        <source>The colours span what occurs on the body. Without it they span the two numbers on the right, so that maps can be compared.</source>
-        <translation>As cores abrangem o que ocorre no corpo. Sem isto, abrangem os dois números à direita, para que mapas possam ser comparados.</translation>
-    </message>
-    <message>
         <source>Shows all film over the limit in one warning colour.</source>
-        <translation>Mostra todo o filme acima do limite em uma cor de aviso.</translation>
+        <translation>Mostra toda a película acima do limite em uma cor de aviso.</translation>
     </message>
     <message>
         <source>Lines of equal value on the map.</source>
         <translation>Linhas de mesmo valor no mapa.</translation>
+    </message>
+    <message>
+        <source>Length of the film&apos;s threads after the dip over their length before it, averaged around each point.</source>
+        <translation>Comprimento dos fios da película depois da imersão dividido pelo anterior, em média em volta de cada ponto.</translation>
+    </message>
+    <message>
+        <source>Area after the dip over area before it. The ink thins by this factor.</source>
+        <translation>Área depois da imersão dividida pela anterior. A tinta afina por este fator.</translation>
+    </message>
+    <message>
+        <source>The stretch in the direction of the largest stretch.</source>
+        <translation>O estiramento na direção do maior estiramento.</translation>
+    </message>
+    <message>
+        <source>The stretch in the direction of the smallest stretch. Below 1, the film wrinkles.</source>
+        <translation>O estiramento na direção do menor estiramento. Abaixo de 1 a película enruga.</translation>
+    </message>
+    <message>
+        <source>Fits the colours to the values on the part. If off, the colours span the two numbers on the right, so that you can compare maps.</source>
+        <translation>Ajusta as cores aos valores na peça. Se desligado, as cores abrangem os dois números à direita, para comparar mapas.</translation>
+    </message>
+    <message>
+        <source>On the part: mean %1 · 95 % below %2 · largest %3</source>
+        <translation>Na peça: média %1 · 95 % abaixo de %2 · maior %3</translation>
     </message>
 </context>
 <context>
@@ -9116,36 +9093,36 @@ mm por mm</translation>
         <translation>%1, com %2 × %3 pixels</translation>
     </message>
     <message>
-        <source>The picture&apos;s ICC profile is damaged or not for its pixels; save it anew, as sRGB</source>
-        <translation>O perfil ICC da imagem está danificado ou não é para os seus pixels; salve-a de novo, como sRGB</translation>
-    </message>
-    <message>
-        <source>The picture in CMYK is damaged, or kept in a way that is not read; save it anew as JPEG, or as TIFF without tiles and planes</source>
-        <translation>A imagem em CMYK está danificada ou guardada de um modo que não é lido; salve-a de novo como JPEG, ou como TIFF sem blocos e planos</translation>
-    </message>
-    <message>
         <source>The picture is damaged: its ICC profile is cut off; save it anew</source>
         <translation>A imagem está danificada: seu perfil ICC foi cortado; salve-a de novo</translation>
     </message>
     <message>
-        <source>Pictures in HEIF are not read here; save it as JPEG, or let the camera write JPEG</source>
-        <translation>Imagens em HEIF não são lidas aqui; salve-a como JPEG, ou faça a câmera gravar JPEG</translation>
+        <source>The picture&apos;s ICC profile is damaged or does not match its pixels; save the picture anew as sRGB</source>
+        <translation>O perfil ICC da imagem está danificado ou não corresponde aos seus pixels; salve a imagem de novo como sRGB</translation>
     </message>
     <message>
-        <source>The picture&apos;s ICC profile is larger than %1 MB; save it anew, as sRGB</source>
-        <translation>O perfil ICC da imagem é maior que %1 MB; salve-a novamente, como sRGB</translation>
+        <source>The picture&apos;s ICC profile is larger than %1 MB; save the picture anew as sRGB</source>
+        <translation>O perfil ICC da imagem é maior que %1 MB; salve a imagem de novo como sRGB</translation>
     </message>
     <message>
-        <source>The picture is cut off before its end; save it anew, or copy it again from where it came</source>
-        <translation>A imagem está cortada antes do fim; salve-a novamente ou copie-a outra vez de onde veio</translation>
+        <source>The photo is incomplete; copy it from the camera again</source>
+        <translation>A foto está incompleta; copie-a de novo da câmera</translation>
     </message>
     <message>
-        <source>The photo is cut off in the middle; copy it from the camera again</source>
-        <translation>A foto está cortada no meio; copie-a de novo da câmera</translation>
+        <source>The picture file is incomplete; save it anew, or copy it again from its source</source>
+        <translation>O arquivo da imagem está incompleto; salve-o de novo ou copie-o outra vez da origem</translation>
     </message>
     <message>
-        <source>The picture in Lab is damaged, or kept in a way that is not read; save it anew as RGB, or as TIFF in 8 or 16 bits without tiles and planes</source>
-        <translation>A imagem em Lab está danificada ou guardada de um modo que não é lido; salve-a de novo como RGB, ou como TIFF em 8 ou 16 bits sem blocos e planos</translation>
+        <source>HEIF pictures cannot be read on this computer; save the picture as JPEG, or set the camera to JPEG</source>
+        <translation>Imagens HEIF não podem ser lidas neste computador; salve a imagem como JPEG ou ajuste a câmera para JPEG</translation>
+    </message>
+    <message>
+        <source>The CMYK picture is damaged or stored in an unsupported way; save it anew as JPEG, or as TIFF without tiles or planes</source>
+        <translation>A imagem CMYK está danificada ou gravada de um modo não suportado; salve-a de novo como JPEG, ou como TIFF sem blocos nem planos</translation>
+    </message>
+    <message>
+        <source>The Lab picture is damaged or stored in an unsupported way; save it anew as RGB, or as TIFF in 8 or 16 bits without tiles or planes</source>
+        <translation>A imagem Lab está danificada ou gravada de um modo não suportado; salve-a de novo como RGB, ou como TIFF em 8 ou 16 bits sem blocos nem planos</translation>
     </message>
 </context>
 <context>
@@ -9178,23 +9155,23 @@ mm por mm</translation>
         <translation>Tempo da imersão</translation>
     </message>
     <message>
-        <source>How far the lowest point of the body is under the waterline</source>
-        <translation>Quanto o ponto mais baixo do corpo está abaixo da linha d&apos;água</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Pausar</translation>
+    </message>
+    <message>
+        <source>Depth of the part&apos;s lowest point below the waterline</source>
+        <translation>Profundidade do ponto mais baixo da peça abaixo da linha d&apos;água</translation>
     </message>
 </context>
 <context>
     <name>dipwright::ToleranceCheck</name>
     <message>
-        <source>Telling the tolerances</source>
-        <translation>Calculando as tolerâncias</translation>
-    </message>
-    <message>
         <source>Tolerances</source>
         <translation>Tolerâncias</translation>
+    </message>
+    <message>
+        <source>Computing the tolerances</source>
+        <translation>Calculando as tolerâncias</translation>
     </message>
 </context>
 <context>
@@ -9204,60 +9181,12 @@ mm por mm</translation>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Off by</source>
-        <translation>Desvio</translation>
-    </message>
-    <message>
-        <source>Part</source>
-        <translation>Parte</translation>
-    </message>
-    <message>
-        <source>Half</source>
-        <translation>Metade</translation>
-    </message>
-    <message>
         <source>95 %</source>
         <translation>95 %</translation>
     </message>
     <message>
         <source>Maximum</source>
         <translation>Máximo</translation>
-    </message>
-    <message>
-        <source>Border</source>
-        <translation>Borda</translation>
-    </message>
-    <message>
-        <source>What each contributor does</source>
-        <translation>O que cada desvio causa</translation>
-    </message>
-    <message>
-        <source>The tolerance, to either side</source>
-        <translation>A tolerância, para os dois lados</translation>
-    </message>
-    <message>
-        <source>Its part in how far colours land off their places</source>
-        <translation>Sua parte em quanto as cores caem fora do lugar</translation>
-    </message>
-    <message>
-        <source>How far off, by itself, half of what is painted is at most</source>
-        <translation>Quanto, só por isso, metade do que é pintado fica fora do lugar, no máximo</translation>
-    </message>
-    <message>
-        <source>How far off, by itself, 95 % of what is painted is at most</source>
-        <translation>Quanto, só por isso, 95 % do que é pintado fica fora do lugar, no máximo</translation>
-    </message>
-    <message>
-        <source>How far off, by itself, the worst place is</source>
-        <translation>Quanto, só por isso, o pior lugar fica fora</translation>
-    </message>
-    <message>
-        <source>How much less, or more, of the body is painted at the border</source>
-        <translation>Quanto menos, ou mais, do corpo é pintado na borda</translation>
-    </message>
-    <message>
-        <source>All together: 95 % of what is painted lands within %1 of its place, half of it within %2.</source>
-        <translation>Tudo junto: 95 % do que é pintado cai a menos de %1 do lugar, metade a menos de %2.</translation>
     </message>
     <message>
         <source>Tolerance of the sheet</source>
@@ -9276,12 +9205,60 @@ mm por mm</translation>
         <translation>Tolerâncias</translation>
     </message>
     <message>
-        <source>These are the figures of the project as it was before the last changes.</source>
-        <translation>Estes são os números do projeto como estava antes das últimas mudanças.</translation>
+        <source>Tolerance</source>
+        <translation>Tolerância</translation>
     </message>
     <message>
-        <source>%1 at %2 of the model, most by: %3</source>
-        <translation>%1 em %2 do modelo, mais por: %3</translation>
+        <source>Contribution</source>
+        <translation>Contribuição</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Mediana</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Área</translation>
+    </message>
+    <message>
+        <source>Effect of each contributor</source>
+        <translation>Efeito de cada desvio</translation>
+    </message>
+    <message>
+        <source>How much this contributor adds to the total displacement of the image</source>
+        <translation>Quanto este desvio contribui para o deslocamento total da imagem</translation>
+    </message>
+    <message>
+        <source>The project has changed since these figures were computed.</source>
+        <translation>O projeto mudou desde que estes números foram calculados.</translation>
+    </message>
+    <message>
+        <source>How far this quantity may deviate, up or down</source>
+        <translation>Quanto esta grandeza pode desviar, para mais ou para menos</translation>
+    </message>
+    <message>
+        <source>With this contributor alone, half of the painted area lands within this distance of its intended place</source>
+        <translation>Só com este desvio, metade da área pintada fica a menos desta distância do lugar previsto</translation>
+    </message>
+    <message>
+        <source>With this contributor alone, 95 % of the painted area lands within this distance of its intended place</source>
+        <translation>Só com este desvio, 95 % da área pintada fica a menos desta distância do lugar previsto</translation>
+    </message>
+    <message>
+        <source>With this contributor alone, the largest displacement on the part</source>
+        <translation>Só com este desvio, o maior deslocamento na peça</translation>
+    </message>
+    <message>
+        <source>With this contributor alone, the area at the edge of the paint that is no longer painted (−) or painted in addition (+)</source>
+        <translation>Só com este desvio, a área na borda da pintura que deixa de ser pintada (−) ou é pintada a mais (+)</translation>
+    </message>
+    <message>
+        <source>All contributors together: 95 % of the painted area is within %1 of its intended place, and half of the area within %2.</source>
+        <translation>Todos os desvios juntos: 95 % da área pintada fica a menos de %1 do lugar previsto, e metade da área a menos de %2.</translation>
+    </message>
+    <message>
+        <source>Displacement %1 at the model&apos;s place %2; largest contributor: %3</source>
+        <translation>Deslocamento de %1 no lugar %2 do modelo; maior contribuição: %3</translation>
     </message>
 </context>
 <context>
@@ -9308,137 +9285,140 @@ mm por mm</translation>
     </message>
 </context>
 <context>
-    <name>dipwright::ViewController</name>
+    <name>dipwright::VerdictPanel</name>
     <message>
-        <source>Picture on the Film</source>
-        <translation>Imagem no filme</translation>
+        <source>Verdict</source>
+        <translation>Veredito</translation>
     </message>
+    <message>
+        <source>Numerical error of the sheet</source>
+        <translation>Erro numérico da folha</translation>
+    </message>
+    <message>
+        <source>Run the dip to see the numerical error of the sheet.</source>
+        <translation>Execute a imersão para ver o erro numérico da folha.</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ViewController</name>
     <message>
         <source>Reading the picture</source>
         <translation>Lendo a imagem</translation>
+    </message>
+    <message>
+        <source>Picture on the film</source>
+        <translation>Imagem na película</translation>
     </message>
 </context>
 <context>
     <name>dipwright::WatchPage</name>
     <message>
-        <source>Film watch: print this on the film</source>
-        <translation>Medição do filme: imprima isto no filme</translation>
-    </message>
-    <message>
-        <source>Card of the film watch: print this on stiff, waterproof card</source>
-        <translation>Cartão da medição do filme: imprima isto em cartão rígido e impermeável</translation>
-    </message>
-    <message>
-        <source>Ink side: this side up on the water, the words to be read from above.</source>
-        <translation>Lado da tinta: este lado para cima na água, as palavras legíveis de cima.</translation>
-    </message>
-    <message>
-        <source>Lay it flat on the water beside the film, this side up, in every photo.</source>
-        <translation>Em cada foto, deitado na água ao lado do filme, com este lado para cima.</translation>
-    </message>
-    <message>
-        <source>Both rulers must measure %1 mm; if not, say what they do measure when the photos are looked at.</source>
-        <translation>Ambas as réguas devem medir %1 mm; se não, indique o que medem quando as fotos forem avaliadas.</translation>
-    </message>
-    <message>
         <source>Date %1   Lot %2   Water %3 °C</source>
         <translation>Data %1   Lote %2   Água %3 °C</translation>
     </message>
     <message>
-        <source>Paper of %1 × %2 mm has no room for a chessboard with %3 corners; take a larger one</source>
-        <translation>Papel de %1 × %2 mm não tem espaço para um tabuleiro com %3 cantos; use um maior</translation>
+        <source>Film watch: print this page on the film</source>
+        <translation>Medição da película: imprima esta página na película</translation>
+    </message>
+    <message>
+        <source>Film watch, card: print this page on stiff, waterproof card</source>
+        <translation>Medição da película, cartão: imprima esta página em cartão rígido e impermeável</translation>
+    </message>
+    <message>
+        <source>Ink side: lay the film on the water with this side up, so that you can read this text from above.</source>
+        <translation>Lado da tinta: ponha a película na água com este lado para cima, com este texto legível de cima.</translation>
+    </message>
+    <message>
+        <source>For every photo, lay the card flat on the water beside the film, with this side up.</source>
+        <translation>Para cada foto, ponha o cartão deitado na água ao lado da película, com este lado para cima.</translation>
+    </message>
+    <message>
+        <source>Both rulers must measure %1 mm. If they do not, enter their measured lengths when you evaluate the photos.</source>
+        <translation>As duas réguas devem medir %1 mm. Se não, informe os comprimentos medidos ao avaliar as fotos.</translation>
+    </message>
+    <message>
+        <source>Paper of %1 × %2 mm is too small for a chessboard with %3 corners; use larger paper</source>
+        <translation>Papel de %1 × %2 mm é pequeno demais para um tabuleiro com %3 cantos; use papel maior</translation>
     </message>
 </context>
 <context>
     <name>dipwright::WedgePage</name>
     <message>
-        <source>Paper of %1 × %2 mm has no room for the wedge; take a larger one</source>
-        <translation>Papel de %1 × %2 mm não tem espaço para a cunha; use um maior</translation>
-    </message>
-    <message>
-        <source>Ink wedge: print this on the film as a sheet is printed</source>
-        <translation>Cunha de tinta: imprima no filme como se imprime uma folha</translation>
-    </message>
-    <message>
         <source>1. Zero the densitometer on unprinted film. Read every patch before the dip.</source>
-        <translation>1. Zere o densitômetro em filme sem impressão. Leia cada amostra antes da imersão.</translation>
-    </message>
-    <message>
-        <source>2. Stretch the film: on a body, or floating, by hand. Measure both rulers; %1 mm is no stretch.</source>
-        <translation>2. Estire o filme: num corpo, ou flutuando, à mão. Meça as duas réguas; %1 mm é sem estiramento.</translation>
-    </message>
-    <message>
-        <source>3. Read every patch again. Best at three or four stretches up to the job&apos;s.</source>
-        <translation>3. Leia cada amostra de novo. Melhor com três ou quatro estiramentos até o do trabalho.</translation>
+        <translation>1. Zere o densitômetro em película sem impressão. Leia cada amostra antes da imersão.</translation>
     </message>
     <message>
         <source>Date %1   Lot %2</source>
         <translation>Data %1   Lote %2</translation>
     </message>
+    <message>
+        <source>Paper of %1 × %2 mm is too small for the wedge; use larger paper</source>
+        <translation>Papel de %1 × %2 mm é pequeno demais para a cunha; use papel maior</translation>
+    </message>
+    <message>
+        <source>Ink wedge: print this page on the film like a sheet</source>
+        <translation>Cunha de tinta: imprima esta página na película como uma folha</translation>
+    </message>
+    <message>
+        <source>2. Stretch the floating film by a dip or by hand. Measure both rulers (%1 mm if not stretched).</source>
+        <translation>2. Estire a película flutuando, por imersão ou à mão. Meça as duas réguas (%1 mm sem estiramento).</translation>
+    </message>
+    <message>
+        <source>3. Read every patch again. Repeat at three or four stretches, up to the largest of the job.</source>
+        <translation>3. Leia cada amostra de novo. Repita com três ou quatro estiramentos, até o maior do trabalho.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::WedgeTable</name>
     <message>
-        <source>The table of a wedge begins with the line %1 and has at most %2 lines</source>
-        <translation>A tabela de uma cunha começa com a linha %1 e tem no máximo %2 linhas</translation>
+        <source>The table of a wedge must begin with the line %1 and have at most %2 lines</source>
+        <translation>A tabela de uma cunha deve começar com a linha %1 e ter no máximo %2 linhas</translation>
     </message>
     <message>
-        <source>Line %1 of the wedge is not an ink (cyan, magenta, yellow, black, white or grey) and five numbers, joined by commas</source>
-        <translation>A linha %1 da cunha não é uma tinta (cyan, magenta, yellow, black, white ou grey) e cinco números, ligados por vírgulas</translation>
+        <source>Line %1 of the wedge must contain an ink (cyan, magenta, yellow, black, white or grey) and five numbers, separated by commas</source>
+        <translation>A linha %1 da cunha deve conter uma tinta (cyan, magenta, yellow, black, white ou grey) e cinco números, separados por vírgulas</translation>
     </message>
 </context>
 <context>
     <name>dipwright::WeightFields</name>
     <message>
-        <source>Counts</source>
-        <translation>Conta</translation>
-    </message>
-    <message>
-        <source>Must be kept</source>
-        <translation>A manter</translation>
-    </message>
-    <message>
         <source>Quality in zone %1</source>
         <translation>Qualidade na zona %1</translation>
-    </message>
-    <message>
-        <source>How much more the quality counts where the body is marked as this zone, under Tolerances.</source>
-        <translation>Quanto mais a qualidade conta onde o corpo está marcado como esta zona, em Tolerâncias.</translation>
     </message>
     <message>
         <source>Weight of %1</source>
         <translation>Peso de %1</translation>
     </message>
     <message>
-        <source>How much it counts against the others; 0: not at all.</source>
-        <translation>Quanto conta em relação às outras; 0: nada.</translation>
-    </message>
-    <message>
         <source>Limit of %1</source>
         <translation>Limite de %1</translation>
     </message>
     <message>
-        <source>Poses that miss it come after all that keep it.</source>
-        <translation>Poses que não o cumprem vêm depois de todas que o cumprem.</translation>
+        <source>Weight</source>
+        <translation>Peso</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Limite</translation>
+    </message>
+    <message>
+        <source>How much more the quality counts in this zone of the part. Zones are marked under Tolerances.</source>
+        <translation>Quanto mais a qualidade conta nesta zona da peça. As zonas são marcadas em Tolerâncias.</translation>
+    </message>
+    <message>
+        <source>How much this measure counts, compared with the others. 0: not at all.</source>
+        <translation>Quanto esta medida conta em relação às outras. 0: nada.</translation>
+    </message>
+    <message>
+        <source>Poses that violate this limit rank below all poses that keep it.</source>
+        <translation>Poses que violam este limite ficam depois de todas que o cumprem.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::WindowActions</name>
     <message>
-        <source>New &amp;Window</source>
-        <translation>Nova &amp;janela</translation>
-    </message>
-    <message>
         <source>Open another window</source>
         <translation>Abre outra janela</translation>
-    </message>
-    <message>
-        <source>&amp;New Project…</source>
-        <translation>&amp;Novo projeto…</translation>
-    </message>
-    <message>
-        <source>Make a project of a textured model</source>
-        <translation>Cria um projeto de um modelo texturizado</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -9457,64 +9437,20 @@ mm por mm</translation>
         <translation>Salva o projeto</translation>
     </message>
     <message>
-        <source>Save &amp;As…</source>
-        <translation>Salvar &amp;como…</translation>
-    </message>
-    <message>
         <source>Save the project as another file</source>
         <translation>Salva o projeto em outro arquivo</translation>
     </message>
     <message>
-        <source>&amp;Export Results…</source>
-        <translation>&amp;Exportar resultados…</translation>
-    </message>
-    <message>
         <source>Write sheets, stretch maps, proof, films and report to a folder</source>
-        <translation>Grava folhas, mapas de estiramento, prova, filmes e relatório em uma pasta</translation>
-    </message>
-    <message>
-        <source>Sheet as P&amp;DF…</source>
-        <translation>Folha em P&amp;DF…</translation>
-    </message>
-    <message>
-        <source>Save this immersion&apos;s sheet as PDF at true size</source>
-        <translation>Salva a folha desta imersão em PDF em tamanho real</translation>
-    </message>
-    <message>
-        <source>Sheet as P&amp;NG…</source>
-        <translation>Folha em P&amp;NG…</translation>
-    </message>
-    <message>
-        <source>Save this immersion&apos;s film image as PNG</source>
-        <translation>Salva a imagem do filme desta imersão em PNG</translation>
+        <translation>Grava folhas, mapas de estiramento, prova, películas e relatório em uma pasta</translation>
     </message>
     <message>
         <source>&amp;Print…</source>
-        <translation>&amp;Imprimir…</translation>
-    </message>
-    <message>
-        <source>Print sheets at true size</source>
-        <translation>Imprime as folhas em tamanho real</translation>
-    </message>
-    <message>
-        <source>Calibrate P&amp;rinter…</source>
-        <translation>Calibrar imp&amp;ressora…</translation>
-    </message>
-    <message>
-        <source>Print a page of rulers and put the printer&apos;s scale into its profile</source>
-        <translation>Imprimir uma página de réguas e guardar a escala da impressora no perfil dela</translation>
+        <translation>Im&amp;primir…</translation>
     </message>
     <message>
         <source>Pro&amp;files…</source>
         <translation>Per&amp;fis…</translation>
-    </message>
-    <message>
-        <source>What is known of printers, films and tanks</source>
-        <translation>O que se sabe de impressoras, filmes e tanques</translation>
-    </message>
-    <message>
-        <source>&amp;Close Window</source>
-        <translation>&amp;Fechar janela</translation>
     </message>
     <message>
         <source>Close this window</source>
@@ -9522,7 +9458,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation>&amp;Sair</translation>
+        <translation>Sa&amp;ir</translation>
     </message>
     <message>
         <source>Close all windows</source>
@@ -9533,100 +9469,20 @@ mm por mm</translation>
         <translation>&amp;Desfazer</translation>
     </message>
     <message>
-        <source>Take back the last change</source>
-        <translation>Desfaz a última mudança</translation>
-    </message>
-    <message>
         <source>&amp;Redo</source>
         <translation>&amp;Refazer</translation>
-    </message>
-    <message>
-        <source>Make the change again</source>
-        <translation>Faz a mudança de novo</translation>
-    </message>
-    <message>
-        <source>Add &amp;Second Immersion</source>
-        <translation>Adicionar &amp;segunda imersão</translation>
-    </message>
-    <message>
-        <source>Dip the body a second time, from another side</source>
-        <translation>Mergulha o corpo uma segunda vez, de outro lado</translation>
-    </message>
-    <message>
-        <source>Remove &amp;Immersion</source>
-        <translation>Remover &amp;imersão</translation>
-    </message>
-    <message>
-        <source>Remove the immersion shown</source>
-        <translation>Remove a imersão mostrada</translation>
-    </message>
-    <message>
-        <source>Re&amp;load Model</source>
-        <translation>&amp;Recarregar modelo</translation>
-    </message>
-    <message>
-        <source>Read the model&apos;s file again and keep all settings</source>
-        <translation>Lê de novo o arquivo do modelo e mantém as configurações</translation>
-    </message>
-    <message>
-        <source>Replace &amp;Model…</source>
-        <translation>Trocar &amp;modelo…</translation>
-    </message>
-    <message>
-        <source>Take another model</source>
-        <translation>Usa outro modelo</translation>
-    </message>
-    <message>
-        <source>Replace &amp;Texture…</source>
-        <translation>Trocar &amp;textura…</translation>
-    </message>
-    <message>
-        <source>Put another picture on the model</source>
-        <translation>Põe outra imagem no modelo</translation>
     </message>
     <message>
         <source>&amp;Preferences…</source>
         <translation>&amp;Preferências…</translation>
     </message>
     <message>
-        <source>Units, language, look, shortcuts and solvers</source>
-        <translation>Unidades, idioma, aparência, atalhos e solucionadores</translation>
-    </message>
-    <message>
         <source>&amp;Run</source>
         <translation>E&amp;xecutar</translation>
     </message>
     <message>
-        <source>Simulate the dip and make the sheets</source>
-        <translation>Simula a imersão e faz as folhas</translation>
-    </message>
-    <message>
         <source>&amp;Cancel</source>
         <translation>&amp;Cancelar</translation>
-    </message>
-    <message>
-        <source>Stop what is running</source>
-        <translation>Para o que está em execução</translation>
-    </message>
-    <message>
-        <source>Run &amp;Live</source>
-        <translation>Executar ao &amp;vivo</translation>
-    </message>
-    <message>
-        <source>Once there is a result, run again after each change</source>
-        <translation>Havendo um resultado, executa de novo após cada mudança</translation>
-    </message>
-    <message>
-        <source>C&amp;heck Certainty…</source>
-        <translation>Verificar c&amp;onfiabilidade…</translation>
-    </message>
-    <message>
-        <source>Compute the sheets more finely and see how far they move, and where</source>
-        <translation>Calcular as folhas com mais finura e ver quanto se deslocam, e onde</translation>
-    </message>
-    <message>
-        <source>&amp;Play or Pause</source>
-        <translation>&amp;Reproduzir ou pausar</translation>
     </message>
     <message>
         <source>Play the dip</source>
@@ -9635,10 +9491,6 @@ mm por mm</translation>
     <message>
         <source>&amp;Fit</source>
         <translation>&amp;Enquadrar</translation>
-    </message>
-    <message>
-        <source>Show body and film whole</source>
-        <translation>Mostra corpo e filme inteiros</translation>
     </message>
     <message>
         <source>&amp;Oblique</source>
@@ -9666,7 +9518,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>&amp;Top</source>
-        <translation>Em &amp;cima</translation>
+        <translation>Em c&amp;ima</translation>
     </message>
     <message>
         <source>Look from above</source>
@@ -9682,7 +9534,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>&amp;Left</source>
-        <translation>&amp;Esquerda</translation>
+        <translation>Es&amp;querda</translation>
     </message>
     <message>
         <source>Look from the left</source>
@@ -9690,115 +9542,31 @@ mm por mm</translation>
     </message>
     <message>
         <source>&amp;Bottom</source>
-        <translation>Em&amp;baixo</translation>
+        <translation>Embai&amp;xo</translation>
     </message>
     <message>
         <source>Look from below</source>
         <translation>Olha de baixo</translation>
     </message>
     <message>
-        <source>&amp;Standard Layout</source>
-        <translation>Disposição &amp;padrão</translation>
-    </message>
-    <message>
-        <source>Put all panels back where they were at first</source>
-        <translation>Põe todos os painéis de volta no lugar</translation>
-    </message>
-    <message>
-        <source>&amp;Save Layout…</source>
-        <translation>&amp;Salvar disposição…</translation>
-    </message>
-    <message>
-        <source>Keep where the panels are under a name</source>
-        <translation>Guardar a disposição dos painéis com um nome</translation>
-    </message>
-    <message>
-        <source>&amp;Parallel Projection</source>
-        <translation>Projeção &amp;paralela</translation>
-    </message>
-    <message>
-        <source>Show equal lengths equally long, near or far</source>
-        <translation>Mostra comprimentos iguais com igual tamanho, perto ou longe</translation>
-    </message>
-    <message>
-        <source>&amp;Water and Tank</source>
-        <translation>Á&amp;gua e tanque</translation>
-    </message>
-    <message>
         <source>Show the water and the edges of the tank</source>
         <translation>Mostra a água e as bordas do tanque</translation>
     </message>
     <message>
-        <source>Bo&amp;dy</source>
-        <translation>&amp;Corpo</translation>
-    </message>
-    <message>
-        <source>Show the body</source>
-        <translation>Mostra o corpo</translation>
-    </message>
-    <message>
-        <source>&amp;Coverage on the Body</source>
-        <translation>Co&amp;bertura no corpo</translation>
-    </message>
-    <message>
-        <source>Film on the Body &amp;Only</source>
-        <translation>&amp;Só o filme no corpo</translation>
-    </message>
-    <message>
         <source>At the end of the dip, hide the film that paints nothing</source>
-        <translation>No fim da imersão, esconde o filme que não pinta nada</translation>
+        <translation>No fim da imersão, esconde a película que não pinta nada</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
         <translation>&amp;Medir</translation>
     </message>
     <message>
-        <source>Click two places on the body to measure the distance between them</source>
-        <translation>Clique em dois lugares do corpo para medir a distância</translation>
-    </message>
-    <message>
-        <source>What the film wears in the view</source>
-        <translation>O que o filme veste na vista</translation>
-    </message>
-    <message>
         <source>&amp;Lines every 10 mm</source>
         <translation>&amp;Linhas a cada 10 mm</translation>
     </message>
     <message>
-        <source>The &amp;Sheet&apos;s Image</source>
-        <translation>A imagem da &amp;folha</translation>
-    </message>
-    <message>
         <source>S&amp;tretch</source>
         <translation>&amp;Estiramento</translation>
-    </message>
-    <message>
-        <source>&amp;Chessboard of 17 mm</source>
-        <translation>&amp;Xadrez de 17 mm</translation>
-    </message>
-    <message>
-        <source>A &amp;Picture…</source>
-        <translation>Uma &amp;imagem…</translation>
-    </message>
-    <message>
-        <source>Quick &amp;Tour</source>
-        <translation>&amp;Visita rápida</translation>
-    </message>
-    <message>
-        <source>What is where, in six steps</source>
-        <translation>O que está onde, em seis passos</translation>
-    </message>
-    <message>
-        <source>User &amp;Guide</source>
-        <translation>&amp;Guia do usuário</translation>
-    </message>
-    <message>
-        <source>&amp;What Is This?</source>
-        <translation>O &amp;que é isto?</translation>
-    </message>
-    <message>
-        <source>Click something afterwards to be told what it is for</source>
-        <translation>Clique depois em algo para saber para que serve</translation>
     </message>
     <message>
         <source>&amp;About Dipwright</source>
@@ -9817,108 +9585,16 @@ mm por mm</translation>
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Crad&amp;les…</source>
-        <translation>&amp;Berços…</translation>
-    </message>
-    <message>
-        <source>Make what holds the body in each dip, as STL and 3MF to print in plastic</source>
-        <translation>Fazer o que segura o corpo em cada mergulho, em STL e 3MF para imprimir em plástico</translation>
-    </message>
-    <message>
-        <source>Show what the dips paint of the body</source>
-        <translation>Mostra o que as imersões pintam do corpo</translation>
-    </message>
-    <message>
-        <source>&amp;Print on the Body</source>
-        <translation>Im&amp;pressão no corpo</translation>
-    </message>
-    <message>
-        <source>Show the body as it comes out of all dips, from every side</source>
-        <translation>Mostra o corpo como sai de todas as imersões, de todos os lados</translation>
-    </message>
-    <message>
-        <source>S&amp;wap Immersions</source>
-        <translation>Tro&amp;car imersões</translation>
-    </message>
-    <message>
-        <source>Make the second dip the first one</source>
-        <translation>Torna a segunda imersão a primeira</translation>
-    </message>
-    <message>
-        <source>&amp;Who Paints What</source>
-        <translation>&amp;Quem pinta o quê</translation>
-    </message>
-    <message>
         <source>&amp;Tolerances…</source>
         <translation>&amp;Tolerâncias…</translation>
-    </message>
-    <message>
-        <source>See how far colours land off their places for what is off, and which zones keep their limits</source>
-        <translation>Mostra quanto as cores caem fora do lugar pelos desvios e que zonas respeitam seus limites</translation>
-    </message>
-    <message>
-        <source>&amp;Zones on the Body</source>
-        <translation>&amp;Zonas no corpo</translation>
-    </message>
-    <message>
-        <source>Show the zones of the body and, once tolerances are told, where they keep their limits</source>
-        <translation>Mostra as zonas do corpo e, calculadas as tolerâncias, onde respeitam seus limites</translation>
-    </message>
-    <message>
-        <source>&amp;Find Poses…</source>
-        <translation>&amp;Procurar poses…</translation>
-    </message>
-    <message>
-        <source>Search how the body is best turned and moved, for one dip or two</source>
-        <translation>Procura como o corpo é mais bem girado e movido, para uma ou duas imersões</translation>
-    </message>
-    <message>
-        <source>Print &amp;History…</source>
-        <translation>&amp;Histórico de impressão…</translation>
-    </message>
-    <message>
-        <source>See what was printed when, on what, and from which project</source>
-        <translation>Ver o que foi impresso quando, em quê e de qual projeto</translation>
     </message>
     <message>
         <source>&amp;Section</source>
         <translation>&amp;Corte</translation>
     </message>
     <message>
-        <source>Cut body and film open by a plane that a slider or its frame moves</source>
-        <translation>Abrir corpo e filme por um plano que um controle ou sua moldura move</translation>
-    </message>
-    <message>
-        <source>S&amp;ee-Through Film</source>
-        <translation>Film&amp;e translúcido</translation>
-    </message>
-    <message>
-        <source>See the body through the film</source>
-        <translation>Ver o corpo através do filme</translation>
-    </message>
-    <message>
         <source>Snapsho&amp;ts…</source>
         <translation>Instan&amp;tâneos…</translation>
-    </message>
-    <message>
-        <source>Keep the project&apos;s settings under a name, compare them, and go back</source>
-        <translation>Guardar as definições do projeto sob um nome, compará-las e voltar</translation>
-    </message>
-    <message>
-        <source>&amp;Job Queue…</source>
-        <translation>&amp;Fila de trabalhos…</translation>
-    </message>
-    <message>
-        <source>Run several projects one after the other, and go on working</source>
-        <translation>Executar vários projetos um depois do outro e continuar a trabalhar</translation>
-    </message>
-    <message>
-        <source>Turn the body by 15°</source>
-        <translation>Girar o corpo 15°</translation>
-    </message>
-    <message>
-        <source>Move the body over the film</source>
-        <translation>Mover o corpo sobre o filme</translation>
     </message>
     <message>
         <source>Turn about &amp;X by 15°</source>
@@ -9945,52 +9621,368 @@ mm por mm</translation>
         <translation>Girar −15° em torno de Z</translation>
     </message>
     <message>
-        <source>Move to the &amp;Right by 5 mm</source>
+        <source>&amp;Artwork</source>
+        <translation>Art&amp;e</translation>
+    </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation>Nova &amp;janela</translation>
+    </message>
+    <message>
+        <source>&amp;New project…</source>
+        <translation>&amp;Novo projeto…</translation>
+    </message>
+    <message>
+        <source>Create a project from a model</source>
+        <translation>Cria um projeto a partir de um modelo</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Salvar &amp;como…</translation>
+    </message>
+    <message>
+        <source>Save the settings under a name, compare them and restore them</source>
+        <translation>Salva as configurações com um nome, compara e restaura</translation>
+    </message>
+    <message>
+        <source>&amp;Export results…</source>
+        <translation>&amp;Exportar resultados…</translation>
+    </message>
+    <message>
+        <source>Export sheet as P&amp;DF…</source>
+        <translation>Exportar folha em P&amp;DF…</translation>
+    </message>
+    <message>
+        <source>Save the sheet of this dip as PDF at true size</source>
+        <translation>Salva a folha desta imersão em PDF no tamanho real</translation>
+    </message>
+    <message>
+        <source>Export film image as PN&amp;G…</source>
+        <translation>Exportar imagem da película em PN&amp;G…</translation>
+    </message>
+    <message>
+        <source>Save the film image of this dip as PNG</source>
+        <translation>Salva a imagem da película desta imersão em PNG</translation>
+    </message>
+    <message>
+        <source>Export crad&amp;les…</source>
+        <translation>Exportar berç&amp;os…</translation>
+    </message>
+    <message>
+        <source>Save a cradle that holds the part in each dip, as STL and 3MF for 3D printing</source>
+        <translation>Salva um berço que segura a peça em cada imersão, em STL e 3MF para impressão 3D</translation>
+    </message>
+    <message>
+        <source>Print the sheets at true size</source>
+        <translation>Imprime as folhas no tamanho real</translation>
+    </message>
+    <message>
+        <source>Print &amp;history…</source>
+        <translation>&amp;Histórico de impressão…</translation>
+    </message>
+    <message>
+        <source>Show what was printed, when, on which printer and from which project</source>
+        <translation>Mostra o que foi impresso, quando, em qual impressora e de qual projeto</translation>
+    </message>
+    <message>
+        <source>&amp;Job queue…</source>
+        <translation>&amp;Fila de trabalhos…</translation>
+    </message>
+    <message>
+        <source>Run several projects one after the other while you keep working</source>
+        <translation>Executa vários projetos um após o outro enquanto você continua trabalhando</translation>
+    </message>
+    <message>
+        <source>Several jobs on one &amp;film…</source>
+        <translation>&amp;Vários trabalhos em uma película…</translation>
+    </message>
+    <message>
+        <source>Place the sheets of several projects, and copies of them, side by side on a film or roll</source>
+        <translation>Coloca as folhas de vários projetos, e cópias delas, lado a lado em uma película ou rolo</translation>
+    </message>
+    <message>
+        <source>Calibrate pr&amp;inter…</source>
+        <translation>Cali&amp;brar impressora…</translation>
+    </message>
+    <message>
+        <source>Print a page with rulers and store the printer&apos;s scale in its profile</source>
+        <translation>Imprime uma página com réguas e guarda a escala da impressora no perfil dela</translation>
+    </message>
+    <message>
+        <source>Show and edit the profiles of printers, films and tanks</source>
+        <translation>Mostra e edita os perfis de impressoras, películas e tanques</translation>
+    </message>
+    <message>
+        <source>&amp;Close window</source>
+        <translation>Fechar jane&amp;la</translation>
+    </message>
+    <message>
+        <source>Undo the last change</source>
+        <translation>Desfaz a última mudança</translation>
+    </message>
+    <message>
+        <source>Redo the change that was undone</source>
+        <translation>Refaz a mudança desfeita</translation>
+    </message>
+    <message>
+        <source>Add &amp;second dip</source>
+        <translation>Adicionar &amp;segunda imersão</translation>
+    </message>
+    <message>
+        <source>Dip the part a second time, from another side</source>
+        <translation>Mergulha a peça uma segunda vez, de outro lado</translation>
+    </message>
+    <message>
+        <source>Remove &amp;dip</source>
+        <translation>Remover &amp;imersão</translation>
+    </message>
+    <message>
+        <source>Remove the dip that is shown</source>
+        <translation>Remove a imersão mostrada</translation>
+    </message>
+    <message>
+        <source>S&amp;wap dips</source>
+        <translation>Tro&amp;car imersões</translation>
+    </message>
+    <message>
+        <source>Make the second dip the first</source>
+        <translation>Torna a segunda imersão a primeira</translation>
+    </message>
+    <message>
+        <source>Re&amp;load model</source>
+        <translation>Recarregar mode&amp;lo</translation>
+    </message>
+    <message>
+        <source>Read the model file again and keep all settings</source>
+        <translation>Lê de novo o arquivo do modelo e mantém todas as configurações</translation>
+    </message>
+    <message>
+        <source>Replace &amp;model…</source>
+        <translation>Trocar &amp;modelo…</translation>
+    </message>
+    <message>
+        <source>Use another model</source>
+        <translation>Usa outro modelo</translation>
+    </message>
+    <message>
+        <source>Replace &amp;texture…</source>
+        <translation>Trocar &amp;textura…</translation>
+    </message>
+    <message>
+        <source>Use another image as the texture</source>
+        <translation>Usa outra imagem como textura</translation>
+    </message>
+    <message>
+        <source>Place pictures, text and patterns on the part</source>
+        <translation>Põe imagens, texto e padrões sobre a peça</translation>
+    </message>
+    <message>
+        <source>Set units, language, theme, shortcuts and solvers</source>
+        <translation>Define unidades, idioma, aparência, atalhos e solucionadores</translation>
+    </message>
+    <message>
+        <source>Simulate the dip and compute the sheets</source>
+        <translation>Simula a imersão e calcula as folhas</translation>
+    </message>
+    <message>
+        <source>Cancel everything that is running</source>
+        <translation>Cancela tudo o que está em execução</translation>
+    </message>
+    <message>
+        <source>Run &amp;live</source>
+        <translation>Executar ao &amp;vivo</translation>
+    </message>
+    <message>
+        <source>Run again after each change, once there is a result</source>
+        <translation>Executa de novo após cada mudança, depois do primeiro resultado</translation>
+    </message>
+    <message>
+        <source>&amp;Find poses…</source>
+        <translation>&amp;Procurar poses…</translation>
+    </message>
+    <message>
+        <source>Search for the best rotation and position of the part, for one dip or two</source>
+        <translation>Procura a melhor rotação e posição da peça, para uma ou duas imersões</translation>
+    </message>
+    <message>
+        <source>Check numerical &amp;error…</source>
+        <translation>Verificar &amp;erro numérico…</translation>
+    </message>
+    <message>
+        <source>Compute how far handling may move the image, and which zones keep their limits</source>
+        <translation>Calcula quanto o manuseio pode deslocar a imagem e que zonas respeitam seus limites</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>&amp;Reproduzir ou pausar</translation>
+    </message>
+    <message>
+        <source>Show all of the part and the film</source>
+        <translation>Mostra toda a peça e toda a película</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>&amp;Redefinir disposição</translation>
+    </message>
+    <message>
+        <source>Put all panels back into their original places</source>
+        <translation>Põe todos os painéis de volta em seus lugares originais</translation>
+    </message>
+    <message>
+        <source>&amp;Save layout…</source>
+        <translation>&amp;Salvar disposição…</translation>
+    </message>
+    <message>
+        <source>Save the arrangement of the panels under a name</source>
+        <translation>Salva a disposição dos painéis com um nome</translation>
+    </message>
+    <message>
+        <source>&amp;Parallel projection</source>
+        <translation>Projeção parale&amp;la</translation>
+    </message>
+    <message>
+        <source>Show equal lengths at equal size, near or far</source>
+        <translation>Mostra comprimentos iguais com o mesmo tamanho, perto ou longe</translation>
+    </message>
+    <message>
+        <source>Rings an&amp;d arrows</source>
+        <translation>A&amp;néis e setas</translation>
+    </message>
+    <message>
+        <source>Show the rings that turn the part and the arrows that move it</source>
+        <translation>Mostra os anéis que giram a peça e as setas que a movem</translation>
+    </message>
+    <message>
+        <source>&amp;Water and tank</source>
+        <translation>Á&amp;gua e tanque</translation>
+    </message>
+    <message>
+        <source>P&amp;art</source>
+        <translation>&amp;Peça</translation>
+    </message>
+    <message>
+        <source>Show the part</source>
+        <translation>Mostra a peça</translation>
+    </message>
+    <message>
+        <source>Co&amp;verage on the part</source>
+        <translation>Co&amp;bertura na peça</translation>
+    </message>
+    <message>
+        <source>Show the painted area of the part</source>
+        <translation>Mostra a área pintada da peça</translation>
+    </message>
+    <message>
+        <source>F&amp;inished part</source>
+        <translation>Peça p&amp;ronta</translation>
+    </message>
+    <message>
+        <source>Show the part as it comes out of all dips, from every side</source>
+        <translation>Mostra a peça como sai de todas as imersões, de todos os lados</translation>
+    </message>
+    <message>
+        <source>&amp;Zones on the part</source>
+        <translation>&amp;Zonas na peça</translation>
+    </message>
+    <message>
+        <source>Show the zones of the part and, after Dip ▸ Tolerances, where they keep their limits</source>
+        <translation>Mostra as zonas da peça e, depois de Imersão ▸ Tolerâncias, onde respeitam seus limites</translation>
+    </message>
+    <message>
+        <source>Film on the part o&amp;nly</source>
+        <translation>&amp;Só a película na peça</translation>
+    </message>
+    <message>
+        <source>Cut part and film open along a plane; move it by its slider or its frame</source>
+        <translation>Abre peça e película ao longo de um plano; o controle ou a moldura o move</translation>
+    </message>
+    <message>
+        <source>S&amp;ee-through film</source>
+        <translation>Pelíc&amp;ula translúcida</translation>
+    </message>
+    <message>
+        <source>Show the part through the film</source>
+        <translation>Mostra a peça através da película</translation>
+    </message>
+    <message>
+        <source>Click two places on the part to measure the distance between them</source>
+        <translation>Clique em dois lugares da peça para medir a distância entre eles</translation>
+    </message>
+    <message>
+        <source>What the film shows in the 3D view</source>
+        <translation>O que a película mostra na vista 3D</translation>
+    </message>
+    <message>
+        <source>Film &amp;image</source>
+        <translation>Imagem da &amp;película</translation>
+    </message>
+    <message>
+        <source>&amp;Shares of the dips</source>
+        <translation>Pa&amp;rtes das imersões</translation>
+    </message>
+    <message>
+        <source>&amp;Chessboard, 17 mm squares</source>
+        <translation>&amp;Xadrez, quadrados de 17 mm</translation>
+    </message>
+    <message>
+        <source>&amp;Picture from file…</source>
+        <translation>Imagem de &amp;arquivo…</translation>
+    </message>
+    <message>
+        <source>Turn the part by 15°</source>
+        <translation>Gira a peça 15°</translation>
+    </message>
+    <message>
+        <source>Move the part over the film</source>
+        <translation>Move a peça sobre a película</translation>
+    </message>
+    <message>
+        <source>Move &amp;right by 5 mm</source>
         <translation>Mover 5 mm para a &amp;direita</translation>
     </message>
     <message>
-        <source>Move to the &amp;Left by 5 mm</source>
+        <source>Move &amp;left by 5 mm</source>
         <translation>Mover 5 mm para a &amp;esquerda</translation>
     </message>
     <message>
-        <source>Move &amp;Up the Sheet by 5 mm</source>
+        <source>Move &amp;up the sheet by 5 mm</source>
         <translation>Mover 5 mm folha a&amp;cima</translation>
     </message>
     <message>
-        <source>Move &amp;Down the Sheet by 5 mm</source>
+        <source>Move &amp;down the sheet by 5 mm</source>
         <translation>Mover 5 mm folha a&amp;baixo</translation>
     </message>
     <message>
-        <source>Move to the Film&apos;s &amp;Middle</source>
-        <translation>Mover para o &amp;meio do filme</translation>
+        <source>Move to the &amp;middle of the film</source>
+        <translation>Mover para o &amp;meio da película</translation>
     </message>
     <message>
-        <source>How everything works, beginning with what has the focus</source>
-        <translation>Como tudo funciona, a começar pelo que tem o foco</translation>
+        <source>Quick &amp;tour</source>
+        <translation>&amp;Visita rápida</translation>
     </message>
     <message>
-        <source>Several Jobs on One &amp;Film…</source>
-        <translation>Vários trabalhos em um &amp;filme…</translation>
+        <source>See the parts of the window in six steps</source>
+        <translation>As partes da janela em seis passos</translation>
     </message>
     <message>
-        <source>Lay the sheets of several projects, and copies, side by side on a film or roll</source>
-        <translation>Dispor as folhas de vários projetos, e cópias, lado a lado em um filme ou rolo</translation>
+        <source>User &amp;guide</source>
+        <translation>&amp;Guia do usuário</translation>
     </message>
     <message>
-        <source>&amp;Artwork</source>
-        <translation>A&amp;rte</translation>
+        <source>Open the user guide at the page about the focused field</source>
+        <translation>Abre o guia no trecho sobre o campo em foco</translation>
     </message>
     <message>
-        <source>Lay pictures, text and patterns on the body</source>
-        <translation>Pôr imagens, texto e padrões sobre o corpo</translation>
+        <source>&amp;What is this?</source>
+        <translation>O &amp;que é isto?</translation>
     </message>
     <message>
-        <source>Rings and Arr&amp;ows</source>
-        <translation>Anéis e &amp;setas</translation>
+        <source>Click an element of the window to see what it does</source>
+        <translation>Clique em um elemento da janela para ver o que ele faz</translation>
     </message>
     <message>
-        <source>Show the rings that turn the body and the arrows that move it</source>
-        <translation>Mostrar os anéis que giram o corpo e as setas que o movem</translation>
+        <source>Compute the sheets with finer steps and cells, and show how far and where the image moves</source>
+        <translation>Calcula as folhas com passos e células mais finos e mostra quanto e onde a imagem se desloca</translation>
     </message>
 </context>
 <context>
@@ -9998,10 +9990,6 @@ mm por mm</translation>
     <message>
         <source>3D view of the dip</source>
         <translation>Vista 3D da imersão</translation>
-    </message>
-    <message>
-        <source>The body above the film. Drag to turn the view, drag with the right button to shift it, turn the wheel to zoom. Drag a ring to turn the body.</source>
-        <translation>O corpo acima do filme. Arraste para girar a vista, com o botão direito para deslocá-la, use a roda para o zoom. Arraste um anel para girar o corpo.</translation>
     </message>
     <message>
         <source>Project</source>
@@ -10016,20 +10004,24 @@ mm por mm</translation>
         <translation>Registro</translation>
     </message>
     <message>
-        <source>Save Layout</source>
-        <translation>Salvar disposição</translation>
-    </message>
-    <message>
         <source>Name of the layout</source>
         <translation>Nome da disposição</translation>
     </message>
     <message>
-        <source>None saved yet</source>
-        <translation>Nenhuma salva ainda</translation>
-    </message>
-    <message>
         <source>&amp;Remove</source>
         <translation>&amp;Remover</translation>
+    </message>
+    <message>
+        <source>The part above the film. Drag to turn the view, drag with the right button to move it, use the wheel to zoom. Drag a ring to turn the part.</source>
+        <translation>A peça acima da película. Arraste para girar a vista, com o botão direito para movê-la, use a roda para o zoom. Arraste um anel para girar a peça.</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>Salvar disposição</translation>
+    </message>
+    <message>
+        <source>No saved layouts</source>
+        <translation>Nenhuma disposição salva</translation>
     </message>
 </context>
 <context>
@@ -10059,14 +10051,6 @@ mm por mm</translation>
         <translation>Aj&amp;uda</translation>
     </message>
     <message>
-        <source>Open &amp;Recent</source>
-        <translation>Abrir &amp;recente</translation>
-    </message>
-    <message>
-        <source>Film &amp;Wears</source>
-        <translation>Filme &amp;veste</translation>
-    </message>
-    <message>
         <source>&amp;Layouts</source>
         <translation>&amp;Disposições</translation>
     </message>
@@ -10079,61 +10063,69 @@ mm por mm</translation>
         <translation>Vista</translation>
     </message>
     <message>
-        <source>What the film wears in the view</source>
-        <translation>O que o filme veste na vista</translation>
-    </message>
-    <message>
-        <source>Turn &amp;Body</source>
-        <translation>Girar &amp;corpo</translation>
-    </message>
-    <message>
-        <source>Mo&amp;ve Body</source>
-        <translation>&amp;Mover corpo</translation>
-    </message>
-    <message>
         <source>Film appearance</source>
-        <translation>Aparência do filme</translation>
+        <translation>Aparência da película</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Abrir &amp;recente</translation>
+    </message>
+    <message>
+        <source>Tur&amp;n part</source>
+        <translation>&amp;Girar peça</translation>
+    </message>
+    <message>
+        <source>Mo&amp;ve part</source>
+        <translation>Mo&amp;ver peça</translation>
+    </message>
+    <message>
+        <source>Film appearan&amp;ce</source>
+        <translation>&amp;Aparência da película</translation>
+    </message>
+    <message>
+        <source>What the film shows in the 3D view</source>
+        <translation>O que a película mostra na vista 3D</translation>
     </message>
 </context>
 <context>
     <name>dipwright::WindowMessages</name>
     <message>
-        <source>Read Them</source>
-        <translation>Ler</translation>
+        <source>Read these files only if they belong to the model. A model or project from someone else may name your private files; they would then be saved inside the project.</source>
+        <translation>Leia estes arquivos apenas se pertencerem ao modelo. Um modelo ou projeto de outra pessoa pode citar seus arquivos privados; eles seriam então salvos dentro do projeto.</translation>
     </message>
     <message>
-        <source>Read them only if they belong to the model. A stranger&apos;s model or project may name private files, so that they travel on inside the project.</source>
-        <translation>Leia-os apenas se pertencerem ao modelo. Um modelo ou projeto de um desconhecido pode citar arquivos privados, para que sigam viagem dentro do projeto.</translation>
+        <source>Read files</source>
+        <translation>Ler arquivos</translation>
     </message>
 </context>
 <context>
     <name>dipwright::Workbench</name>
     <message>
-        <source>Restore Project</source>
-        <translation>Restaurar projeto</translation>
-    </message>
-    <message>
-        <source>Dipwright was not closed properly. “%1” has changes that were not saved, from %2.</source>
-        <translation>O Dipwright não foi fechado corretamente. “%1” tem mudanças não salvas, de %2.</translation>
-    </message>
-    <message>
-        <source>It was never saved as a file.</source>
-        <translation>Nunca foi salvo como arquivo.</translation>
-    </message>
-    <message>
-        <source>Its file %1 is as it was last saved.</source>
-        <translation>Seu arquivo %1 está como foi salvo pela última vez.</translation>
-    </message>
-    <message>
         <source>Restore</source>
         <translation>Restaurar</translation>
     </message>
     <message>
-        <source>Discard Changes</source>
+        <source>Restore project</source>
+        <translation>Restaurar projeto</translation>
+    </message>
+    <message>
+        <source>Dipwright was not closed properly. “%1” has unsaved changes from %2.</source>
+        <translation>O Dipwright não foi fechado corretamente. “%1” tem mudanças não salvas, de %2.</translation>
+    </message>
+    <message>
+        <source>The project was never saved to a file.</source>
+        <translation>O projeto nunca foi salvo em um arquivo.</translation>
+    </message>
+    <message>
+        <source>The file %1 still holds the last saved version.</source>
+        <translation>O arquivo %1 ainda contém a última versão salva.</translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
         <translation>Descartar mudanças</translation>
     </message>
     <message>
-        <source>Decide Later</source>
+        <source>Decide later</source>
         <translation>Decidir depois</translation>
     </message>
 </context>
@@ -10144,28 +10136,28 @@ mm por mm</translation>
         <translation>Marca a zona %1</translation>
     </message>
     <message>
-        <source>What a click or a drag on the body in the view marks. Zone A is to be painted most exactly; what is not marked is zone C.</source>
-        <translation>O que um clique ou um arrasto no corpo na vista marca. A zona A deve ser pintada com mais exatidão; o que não é marcado é zona C.</translation>
+        <source>What a click or drag on the part in the view marks. Zone A must be painted most precisely. The surface without a mark is zone C.</source>
+        <translation>O que um clique ou arrasto sobre a peça na vista marca. A zona A deve ser pintada com mais exatidão. A superfície sem marca é a zona C.</translation>
     </message>
     <message>
-        <source>How far</source>
-        <translation>Até onde</translation>
+        <source>Extent</source>
+        <translation>Extensão</translation>
     </message>
     <message>
-        <source>A spot</source>
-        <translation>Uma mancha</translation>
+        <source>Spot</source>
+        <translation>Mancha</translation>
     </message>
     <message>
-        <source>The whole face</source>
-        <translation>A face inteira</translation>
+        <source>Whole face</source>
+        <translation>Face inteira</translation>
     </message>
     <message>
-        <source>All of the material</source>
-        <translation>Tudo desse material</translation>
+        <source>Whole material</source>
+        <translation>Material inteiro</translation>
     </message>
     <message>
-        <source>How far round the click the mark reaches: a radius along the surface, the face up to its edges, or all that has the same material in the model.</source>
-        <translation>Até onde em torno do clique a marca vai: um raio ao longo da superfície, a face até suas arestas ou tudo o que tem o mesmo material no modelo.</translation>
+        <source>How far the mark extends around the click: a radius along the surface, the face up to its edges, or everything with the same material in the model.</source>
+        <translation>Até onde a marca vai em torno do clique: um raio ao longo da superfície, a face até suas arestas ou tudo o que tem o mesmo material no modelo.</translation>
     </message>
 </context>
 <context>

@@ -109,7 +109,7 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     form->addRow(tr("T&heme"), theme_);
     form->addRow(tr("&Navigation"), navigation_);
     form->addRow(tr("&Film of new projects"), film_);
-    form->addRow(tr("Film p&rofile of new projects"), filmProfile_);
+    form->addRow(tr("Film pr&ofile of new projects"), filmProfile_);
     form->addRow(tr("&Printer of new projects"), printer_);
     form->addRow(tr("&Recovery copy after"), autosave_);
     form->addRow(QString(), live_);
