@@ -537,8 +537,10 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
         throw Error(Text::tr("The project has no model; import one first"), project.name);
     }
     checkSpots(project);
-    checkMemory(project);
-    if (const QString note = memoryNote(project); !note.isEmpty()) {
+    const Printed printed =
+        options.chessboard || !options.filmImage.isNull() ? Printed::WholeFilm : Printed::Texture;
+    checkMemory(project, printed);
+    if (const QString note = memoryNote(project, printed); !note.isEmpty()) {
         progress(0, note);
     }
     const Run run{project, registry, options, previous, progress.cancelToken, markedZones(project)};

@@ -7,14 +7,18 @@ namespace dipwright {
 
 struct Project;
 
-// Returns the peak memory of a run in bytes, estimated from measured bytes per pixel of the sheets'
-// pictures (docs/speed.md, "Memory"). Other data hardly count.
-double sheetMemory(const Project& project);
+// What a run prints on its films.
+enum class Printed { Texture, WholeFilm };
+
+// Returns the peak memory of a run in bytes, estimated from measured bytes per printed pixel
+// (docs/speed.md, "Memory"). Blank film needs no memory: with a texture, at most the body's surface
+// counts, with a margin for bleed and folds. Other data hardly count.
+double sheetMemory(const Project& project, Printed printed);
 
 // Returns a sentence for the user if the sheets need 1 GB or more; otherwise empty.
-QString memoryNote(const Project& project);
+QString memoryNote(const Project& project, Printed printed);
 
 // Throws Error if the sheets need more memory than this computer has.
-void checkMemory(const Project& project);
+void checkMemory(const Project& project, Printed printed);
 
 } // namespace dipwright

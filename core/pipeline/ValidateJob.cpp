@@ -91,9 +91,9 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
     sheetPixels(project.film.width, project.film.height, project.sheet.resolution);
     pageSize(Sheet{{}, project.film.width, project.film.height, project.sheet, {}});
     checkSpots(project);
-    checkMemory(project);
+    checkMemory(project, Printed::Texture);
     QStringList warnings;
-    if (const QString note = memoryNote(project); !note.isEmpty()) {
+    if (const QString note = memoryNote(project, Printed::Texture); !note.isEmpty()) {
         warnings.append(note);
     }
     warnings += chooseSolver(project.process.solver, registry).notes;
