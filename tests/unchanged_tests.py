@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Finds the tests of the release preset that scripts/test need not run again.
 
-    scripts/unchanged-tests            prints the tests that passed before with the same input
-    scripts/unchanged-tests --keep     records the tests that passed in the last run of ctest
+    tests/unchanged_tests.py            prints the tests that passed before with the same input
+    tests/unchanged_tests.py --keep     records the tests that passed in the last run of ctest
 
 The input of a test is its program, the programs and modules that the program names, all files of the
 repository except sources, the shared models, its command line and its environment variables. Tests
