@@ -154,7 +154,7 @@ void PrintCommandTest::calibrate_measuredRulers_makePrintsTrue() {
     const QStringList pages = cups_->received("pigment").mid(before);
     QCOMPARE(pages.size(), 2);
     QVERIFY(pdfWords(pages[0]).contains("Calibration"));
-    QVERIFY(pdfWords(pages[1]).contains("Corrected for X 1.004, Y 0.997"));
+    QVERIFY(pdfWords(pages[1]).contains("Scale correction: X 1.004, Y 0.997"));
     const double first[] = {calibrationRuler(pages[0], true, 171),
                             calibrationRuler(pages[0], false, 221)};
     const double second[] = {calibrationRuler(pages[1], true, 171),
