@@ -82,8 +82,9 @@ void paintSheet(QPainter& painter, const Sheet& sheet) {
     const SheetLayout layout = sheetLayout(sheet);
     painter.save();
     painter.setRenderHint(QPainter::LosslessImageRendering);
-    painter.drawImage(layout.film, replacesImages(painter) ? QImage(1, 1, QImage::Format_RGB888)
-                                                           : flattened(sheet.image));
+    QImage pixel(1, 1, QImage::Format_RGB888);
+    pixel.fill(Qt::white); // the same in every run
+    painter.drawImage(layout.film, replacesImages(painter) ? pixel : flattened(sheet.image));
     if (isInkedPage(painter)) {
         const SpotInk cutter{sheet.settings.cutName,
                              {0, 1, 0, 0}}; // magenta where the name is unknown

@@ -464,7 +464,7 @@ void WritersTest::profileSet_unreadableProfile_isNotReplaced() {
     const Outcome outcome =
         cli({"profile", "set", "film", "Mine", "--set", "swell=1.1;1.1"}, environment());
     QCOMPARE(outcome.exitCode, 1);
-    QVERIFY2(outcome.err.contains("cannot be read"), outcome.err.constData());
+    QVERIFY2(outcome.err.contains("is not a readable profile"), outcome.err.constData());
     QVERIFY_EXCEPTION_THROWN(library.replace(Profile(profile)), Error);
     QVERIFY(contentsOf(file) == before);
 }

@@ -121,7 +121,7 @@ private slots:
             writeFile(path("values.dipw"), zip(withDocument("{\"zz\":" + value + "}")));
             return refusal(path("values.dipw"));
         };
-        QVERIFY(with(QByteArray(40, '[') + QByteArray(40, ']')).contains("32 deep"));
+        QVERIFY(with(QByteArray(40, '[') + QByteArray(40, ']')).contains("32 levels"));
         QVERIFY(with("[" + QByteArray("[0],").repeated(600'000) + "0]").contains("1 million"));
         QVERIFY(with("\"[[[[" + QByteArray("[\\\",").repeated(600'000) + "\"")
                     .contains("not a Dipwright project"));

@@ -55,7 +55,8 @@ QString verdictTextOf(double change, bool isGraded) {
 }
 
 qsizetype mentions(const Verdict& verdict) {
-    return verdictText(QStringLiteral("Top"), verdict).count(QStringLiteral("equilibrium"));
+    return verdictText(QStringLiteral("Top"), verdict)
+        .count(QStringLiteral("the film did not converge"));
 }
 
 // Returns the verdict on a dip without numerical error, after `change` has changed the dip's
