@@ -110,21 +110,24 @@ def kept():
 
 def last_run():
     """Whether each test passed, by ctest's log: `1/144 Testing: Name`, and later `Test Passed.`"""
-    log = (BUILD / "Testing/Temporary/LastTest.log").read_text(errors="replace")
+    log = BUILD / "Testing/Temporary/LastTest.log"
+    log = log.read_text(errors="replace") if log.exists() else ""
     parts = re.split(r"^\d+/\d+ Testing: ", log, flags=re.MULTILINE)[1:]
     return {part.split("\n", 1)[0].strip(): bool(re.search(r"^Test Passed\.$", part, flags=re.MULTILINE))
             for part in parts}
 
 
 def main():
-    now = keys()
+    run = last_run()
+    now = keys()  # asks ctest for its tests, which empties its log
     before = kept()
     if sys.argv[1:] == ["--keep"]:
-        run = last_run()
         KEPT.write_text(json.dumps({name: key for name, key in now.items()
                                     if run.get(name, before.get(name) == key)}, indent=1))
         return
-    print("\n".join(sorted(name for name, key in now.items() if before.get(name) == key)))
+    for name in sorted(now):
+        if before.get(name) == now[name]:
+            print(name)
 
 
 main()
