@@ -54,7 +54,8 @@ void declareFit(CommandSyntax& syntax) {
         {fitOption,
          QStringLiteral("For `fit`: the quantities to find, joined by commas: shift_x, shift_z, "
                         "turn, swell_x, swell_y, relaxation, growth, contact_distance, depth. "
-                        "Without it: those of the first six that the photos determine."),
+                        "Default: those of the first six quantities that the photos "
+                        "determine."),
          QStringLiteral("LIST")});
     syntax.addOption(
         {updateOption, QStringLiteral("For `fit`: writes placement and depth into the job. For "

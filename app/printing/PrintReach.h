@@ -18,9 +18,10 @@ double widest(const QMarginsF& margins);
 // from the profile's measurement.
 QMarginsF unreachable(const QMarginsF& ofPrinter, const std::optional<PrinterProfile>& profile);
 
-// Returns the widths that are lost at the drawing's edges, in the drawing's own mm, when it is
-// drawn centred on `paper` with the correction's scales. These are the margins, and more if a scale
-// below 1 makes the drawing larger than the paper.
+// Returns how much of the drawing is lost at each edge, in mm of the drawing before scaling. It is
+// drawn centred on `paper` with the correction's scales. The loss is the margin, and more if the
+// drawing becomes larger than the paper. That happens if the printer prints too small (a scale
+// below 1), because the correction then enlarges the drawing.
 QMarginsF clippedEdges(QSizeF paper, const QMarginsF& margins, const PrintCorrection& correction);
 
 // Returns the sheet with its marks, ruler and job line moved clear of the paper's margins, and at

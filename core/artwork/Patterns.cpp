@@ -78,7 +78,7 @@ double carbon(double x, double y, std::uint32_t seed) {
     return std::clamp((0.15 + 0.85 * round) * shine * (0.8 + 0.2 * fibre), 0.0, 1.0);
 }
 
-// Blots in four tones; blots of later tones cover those of earlier tones.
+// Blots in four tones; each tone is painted over the earlier tones.
 double camouflage(double x, double y, std::uint32_t seed) {
     double tone = 1.0;
     constexpr std::array<double, 3> tones{0.62, 0.28, 0.0};

@@ -10,7 +10,8 @@
 
 namespace dipwright {
 
-// A body's surface in small pieces, sorted by which dip paints it, in the pose frame of this dip.
+// A body's surface, cut into small pieces that are grouped by the dip that paints them. Coordinates
+// are in this dip's pose frame.
 struct FilmSide {
     // The surface that this dip's film reaches or may reach: all that it paints, and every face
     // under the final waterline that turns up by no more than the overhang.

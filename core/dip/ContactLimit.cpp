@@ -8,13 +8,15 @@ namespace dipwright {
 
 namespace {
 
-// In cells: film between two places on the body counts as held up to this distance from the body.
+// In cells. Film that bridges two places on the body counts as held if it is at most this far from
+// the body.
 constexpr float largestGap = 0.1f;
 constexpr int stepsOfACell = 8;
-// The limit keeps at least this share of a side's length away from the side's ends. Thus the linear
+// The limit crosses a triangle's side at least this far from the side's ends, as a share of the
+// side's length. Thus the linear
 // function limit() exists for every triangle.
 constexpr float leastShare = 1e-3f;
-// The contact that the solver reports ends up to this many cells before the limit.
+// The solver's contact may stop short of the limit by at most this many cells.
 constexpr int rings = 2;
 constexpr int triedPlaces = 8;
 constexpr int halvings = 10;

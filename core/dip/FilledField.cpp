@@ -16,7 +16,7 @@ constexpr int exactCells = 5;
 constexpr int iterations = 2 * exactCells + 2;
 // In cells: a new distance replaces the body's own one only if it is larger by this much.
 constexpr float clearlyMore = 0.25f;
-// In cells of the air grid: height above a level at which its pocket is looked up.
+// In cells of the air grid. A pocket is looked up this far above its level, surely inside it.
 constexpr float overLevel = 0.02f;
 
 using Index = Eigen::Matrix<std::ptrdiff_t, 3, 1>;

@@ -23,7 +23,7 @@ TriangleMesh placedMesh(const JigPart& part) {
     return transformed(mesh, transform);
 }
 
-// Appends a part and shifts its indices past those of the parts before it.
+// Appends a part and adds the number of points before it to its indices.
 void append(TexturedMesh& jig, const JigPart& part, const TriangleMesh& placed) {
     const TexturedMesh& model = *part.model;
     const auto firstPosition = std::uint32_t(jig.mesh.positions.size());

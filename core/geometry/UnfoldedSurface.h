@@ -28,8 +28,8 @@ SurfaceFrame uprightFrame(const Eigen::Vector3d& outward);
 class UnfoldedSurface {
 public:
     // Unfolds everything within `radius` (> 0) mm of `middle` along the surface. Unfolding
-    // continues across seams whose sides differ only by rounding. Right and up of the plane are
-    // those of uprightFrame() for the middle's triangle.
+    // continues across seams whose sides differ only by rounding. uprightFrame() of the
+    // middle's triangle gives the plane's right and up.
     UnfoldedSurface(const TriangleMesh& mesh, const SurfacePoint& middle, double radius);
 
     // Returns where a place of the mesh lies in the plane, mm to the right and up from the middle;

@@ -15,9 +15,9 @@ namespace dipwright {
 //
 // `right` and `down` are the steps to the next
 // corners and give the start directions. Only pixels within 36 % of the steps, and within 15
-// pixels, are used. For larger squares the reduced pictures are used first. Returns none if the
-// picture does not fit the model. Also returns none if the place would move by more than about 25 %
-// of the steps or 10 pixels.
+// pixels, are used. If 36 % of a step is more than 15 pixels, reduced pictures are used first.
+// Returns none if the picture does not fit the model. Also returns none if the place would move by
+// more than about 25 % of the steps or 10 pixels.
 enum class BoardShape { Flat, Bent };
 std::optional<Eigen::Vector2d> refinedCorner(const GreyLevels& levels, Eigen::Vector2d place,
                                              const Eigen::Vector2d& right,

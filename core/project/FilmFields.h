@@ -2,8 +2,9 @@
 // path, unit, limits and texts from here: project file, profile file, `--set`, the window, the job
 // number and the check of docs/files-and-commands.md.
 //
-// Paths are relative to the part's own object. A project uses them as "film.swell", "ink.exponents"
-// and "process.overhang_deg"; a profile as "swell", "ink_exponents" and "overhang_deg".
+// Paths are relative to the JSON object of the group of settings. A project uses them as
+// "film.swell", "ink.exponents" and "process.overhang_deg"; a profile as "swell", "ink_exponents"
+// and "overhang_deg".
 #pragma once
 
 #include "base/Units.h"

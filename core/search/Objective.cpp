@@ -8,7 +8,7 @@ namespace {
 // Stretches with the best and the worst rating. At the usual tear stretch (process.tear_stretch),
 // film no longer shows its picture.
 constexpr double goodStretch = 1.2, uselessStretch = 4;
-constexpr double longestSeam = 2;        // in equators: length of a seam with the worst rating
+constexpr double longestSeam = 2; // seam length with the worst rating, relative to the equator
 constexpr double leastLimitScale = 0.01; // least divisor, for limits near 0
 
 // Returns 1 at `good` and 0 at `bad`, linear between.

@@ -20,9 +20,9 @@ struct SearchShard {
     std::vector<std::shared_ptr<const JudgedPose>> poses; // in the order of dipping
 };
 
-// Dips part `number` of a search. The part holds every `count`-th of the first dips of
-// searchPoses(). `number` is 1 … `count`; `count` is at most 1000. Throws as searchPoses() does;
-// after Cancelled there is no result.
+// Dips part `number` of a search. The part holds every `count`-th dip of the first
+// stage of searchPoses(). `number` is 1 … `count`; `count` is at most 1000. Throws as searchPoses()
+// does; after Cancelled there is no result.
 SearchShard searchShard(const SearchSubject& subject, const SearchSettings& settings,
                         const solver::SolverModule& module, int number, int count,
                         const Progress& progress);

@@ -26,7 +26,7 @@ enum class LayerPlacement : std::uint8_t {
     Decal,    // unfolds the surface around the place, which keeps lengths and straight lines
     Plane,    // projects along the axis onto the surface that faces it
     Cylinder, // wraps around the axis through the place, at the body's mean distance from the axis
-    Box       // projects from six sides; each face gets the side that it faces most
+    Box       // projects from six sides; each face takes the side that it faces most directly
 };
 
 // The direction of a projection's axis in the model's coordinates. Decals and boxes do not use it.

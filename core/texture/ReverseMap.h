@@ -26,9 +26,9 @@ struct FilmPiece {
     std::array<SurfacePoint, 3> surface;
     int depth = 0; // number of halvings
 
-    // Halving makes four pieces. A place is given by weights of the piece's corners; it lies in
-    // exactly one of the four. child() returns that piece's number, childWeights() the place's
-    // weights in it.
+    // Halving all edges divides a piece into four. A place is given by weights of the piece's
+    // corners; it lies in exactly one of the four. child() returns that piece's number,
+    // childWeights() the place's weights in it.
     static std::size_t child(const Eigen::Vector3f& weights);
     static Eigen::Vector3f childWeights(const Eigen::Vector3f& weights, std::size_t child);
 };
@@ -65,14 +65,14 @@ public:
     // Returns the place of the texture that the sheet shows at a place of the film.
     TexturePlace texture(const FilmWeights& place) const;
 
-    // Returns where the plane of a body triangle shows a texture coordinate, if the triangle's
-    // texture map is continued beyond its edges. None if the whole triangle shows a single point or
-    // line of the texture.
+    // Returns the point in the plane of a body triangle that has this texture coordinate. The
+    // triangle's texture map is continued beyond its edges. None if the whole triangle shows a
+    // single point or line of the texture.
     std::optional<Eigen::Vector3f> showing(const Eigen::Vector2f& coordinate,
                                            std::uint32_t bodyTriangle) const;
 
-    // Returns the steps on the texture that belong to `steps` on the body, in mm. Steps are
-    // columns. Zero if the triangle has no texture coordinates.
+    // Converts displacements on the body (mm, one per column) to differences of texture
+    // coordinates. Zero if the triangle has no texture coordinates.
     Eigen::Matrix2f textureSteps(std::uint32_t bodyTriangle,
                                  const Eigen::Matrix<float, 3, 2>& steps) const;
     // Returns the points of contact of a film triangle's corners, as columns.

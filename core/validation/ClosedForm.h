@@ -47,8 +47,8 @@ struct FloatingFilm {
 //   viscous   dR/ds = a/(J·R)
 //             held: J = (Ro² − a²)/(Ro² − R²)
 //             free: d(ln J)/ds = 2((a′ − 1)a + 2r²·g′/g)/(a² + 2r²)
-// The free edge is at r² = a² + J(Ro² − R²). For large Ro these equations approach those of an
-// infinite film.
+// The free edge is at r² = a² + J(Ro² − R²). For large Ro these equations approach the
+// equations of an infinite film.
 class ClosedForm {
 public:
     ClosedForm(const Meridian& profile, const FloatingFilm& film);

@@ -3,7 +3,8 @@
 // Dips the body of each job in N directions, which are chosen as in a search, with the job's own
 // film and with coarser films. Prints one line per film:
 // - milliseconds per dip
-// - difference between the film's objective and the own film's: mean and standard deviation
+// - difference of the objective from the objective with the job's own film: mean and standard
+//   deviation
 // - rank correlation with the own film (Spearman)
 // - how many of the own film's five best poses are among the coarse film's first twelve
 // - loss of objective if the best of the coarse film's first 1, 3, 6 or 12 poses is chosen

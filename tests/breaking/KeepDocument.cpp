@@ -8,8 +8,8 @@
 //                          resources held after a tenth of the cycles and after all, one line each
 //   count-allocations JOB  prints how many allocations opening and saving needs
 //   allocations JOB FIRST LAST STRIDE
-//                          opens and saves while one allocation fails, in a process for each
-//                          number from FIRST to LAST in steps of STRIDE; prints the outcomes
+//                          for each number N from FIRST to LAST in steps of STRIDE, opens and
+//                          saves in a new process whose allocation N fails; prints the outcomes
 
 #include "base/Error.h"
 #include "base/ProgramName.h"

@@ -27,8 +27,8 @@ public:
     // times as large. Uses all cores.
     std::vector<Eigen::Vector2f> touched(const LaidFilm& other, double swell) const;
 
-    // Returns how far the colour of the film point `film` lands from its place: the vector from
-    // that place to the painted place `place`, in model coordinates, mm. Computed to first order
+    // The colour of the film point `film` lands at `place`. Returns the vector to `place` from
+    // the point where this colour should land, in model coordinates, mm. Computed to first order
     // from the film's stretch at `place`. The vector lies in the surface and exists even if the
     // sheet has no colour at `film`.
     Eigen::Vector3f linearShift(std::size_t place, const Eigen::Vector2f& film) const;

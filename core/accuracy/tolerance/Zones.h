@@ -41,7 +41,7 @@ struct ZoneVerdict {
     double area = 0;      // painted area, mm²
     double unpainted = 0; // unpainted area, mm²
     double within = 0;   // share of painted area whose spread + numerical error is within the limit
-    Spread spread;       // spread of handling alone, without the numerical error
+    Spread spread;       // spread that handling causes, without the numerical error
     double together = 0; // mm: 95th percentile of spread + numerical error on the painted area
     WorstPlace worst;
     Contributor contributor = Contributor::PositionX; // the largest contributor in the zone

@@ -103,7 +103,7 @@ class ReasonList {
 public:
     void add(VerdictReason reason);
     // Adds a reason if the share exceeds its limit. The advice is to check first; above
-    // doNotPrintFactor the limit, not to print.
+    // doNotPrintFactor times the limit, it is not to print.
     void addShare(VerdictReason::Kind kind, double share, double limit,
                   std::optional<Zone> zone = {});
     bool isEmpty() const { return reasons_.empty(); }

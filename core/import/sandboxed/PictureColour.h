@@ -43,7 +43,7 @@ std::optional<LabPicture> readLab(const QByteArray& file);
 // contains the colours, otherwise wide (base/WideGamut.h). `profile` describes the picture's own
 // space: CMYK for inks, grey or RGB for an image. An image's own colour space is ignored.
 // All overloads throw Error, naming `where`, if the profile is damaged or does not match the
-// pixels. If colours lie visibly outside wide's primaries, the texture has a note of their share
+// pixels. If colours lie visibly outside wide colour, a note in the texture states their share
 // (base/ColourNote.h).
 QImage textureOf(const LabPicture& picture, const QString& where);
 QImage textureOf(const InkPicture& picture, const QByteArray& profile, const QString& where);

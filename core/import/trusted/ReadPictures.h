@@ -15,8 +15,8 @@ struct PackedPicture {
 };
 
 // Counts the pictures that are opened together, such as in one project, against Budgets.h. A
-// picture counts each time that it is named. A wide picture counts twice, since it takes twice the
-// bytes.
+// picture counts each time that it is named. A picture in wide colour counts twice, since its
+// pixels take twice the bytes.
 class PictureCount {
 public:
     // Adds a picture. `packedBytes` is the size of its file. Throws Error if the budget is
@@ -27,10 +27,10 @@ private:
     qint64 pixels_ = 0, packedBytes_ = 0;
 };
 
-// Decodes all pictures by the sandboxed process dipwright-reader, to RGBA8888 in sRGB or to wide
-// (base/WideGamut.h). Pictures with the same name share their pixels, but each counts. Throws Error
-// if one cannot be read or if together they exceed Budgets.h. Read pictures that belong together in
-// one call.
+// Decodes all pictures in the sandboxed process dipwright-reader. The results are RGBA8888 in sRGB,
+// or pictures in wide colour (base/WideGamut.h). Pictures with the same name share their pixels,
+// but each counts. Throws Error if one cannot be read or if together they exceed Budgets.h. Read
+// pictures that belong together in one call.
 std::vector<QImage> readPictures(const std::vector<PackedPicture>& pictures);
 
 // Reads one picture from a file that the user has chosen.

@@ -25,7 +25,7 @@ struct SharedFilm {
     FilmActivity activity;
 };
 
-// Returns the number of rows beside a band that one sweep reads.
+// Returns how many rows beyond each edge of a band one sweep reads.
 int rowsPerSweep(solver::Relaxation relaxation);
 
 class PaperBand {

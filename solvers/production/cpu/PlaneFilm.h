@@ -41,8 +41,8 @@ public:
     // Multiplies the Hessian at the last gradient by `direction`.
     void hessian(const PlaneVector& direction, numerics::Tangent tangent,
                  PlaneVector& result) const;
-    // Computes the projected stiffness of the first and second triangles in a row of cells. The
-    // lines are those of stiffnessRow().
+    // Computes the projected stiffness of the first and second triangles in a row of cells. `first`
+    // and `second` have the lines that stiffnessRow() describes.
     void stiffness(int row, const Lines<float>& first, const Lines<float>& second) const;
 
     // Triangles are numbered cell by cell, two per cell. Returns the inverse of the rest shape.

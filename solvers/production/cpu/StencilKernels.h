@@ -73,8 +73,8 @@ void residualRow(std::size_t columns, std::size_t pitch, const Lines<const float
                  const RowOfVectors<const float>& right, const RowOfVectors<const float>& now,
                  const RowOfVectors<float>& residual);
 
-// Applies the transpose of interpolateRow, from three fine rows to a coarse row. `sum` is memory
-// for a fine row, plus one number at the beginning and two at the end.
+// Applies the transpose of interpolateRow, from three fine rows to a coarse row. `sum` is scratch
+// memory: a fine row with one more number before it and two after it.
 void restrictRow(std::size_t fineColumns, std::size_t coarseColumns, std::size_t finePitch,
                  const float* fine, float* sum, float* coarse);
 // Adds the coarse grid's vector to a fine row, one half from each of two coarse rows. If the fine

@@ -40,7 +40,7 @@ struct GmresProblem {
 
 namespace detail {
 
-// Placeholders for the functions that a step passes to the backend.
+// The signatures of the functions that a step passes to the backend, for the concept below.
 struct PointWork {
     void operator()(int point) const;
 };

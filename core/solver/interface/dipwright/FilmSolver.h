@@ -141,8 +141,8 @@ struct Settings {
     double residual = 1e-4;
     // The following laws apply to isotropic film on water only (docs/film-model.md, "Assumed
     // constants"). Film adheres to faces that turn upwards from the vertical by at most `overhang`
-    // radians. The body releases film at steeper faces. Film that the body catches there
-    // (PointState::Trapped) is not painted and takes no part in the unfolding.
+    // radians. The body releases film at faces that turn upwards by more. Film that the body
+    // catches there (PointState::Trapped) is not painted and takes no part in the unfolding.
     double overhang = 0.35;
     // Range of angles before the overhang in which the grip fades, radians. Before that range the
     // grip is full.
