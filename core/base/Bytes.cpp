@@ -1,5 +1,7 @@
 #include "base/Bytes.h"
 
+#include "base/Error.h"
+
 #include <QBuffer>
 
 namespace dipwright {
@@ -10,6 +12,13 @@ QByteArray bytesOf(const std::function<void(QIODevice&)>& write) {
     buffer.open(QIODevice::WriteOnly);
     write(buffer);
     return bytes;
+}
+
+void writeTo(QIODevice& device, const QByteArray& bytes, const QString& message,
+             const QString& where) {
+    if (device.write(bytes) != bytes.size()) {
+        throw Error(message.arg(device.errorString()), where);
+    }
 }
 
 bool writeAll(QFileDevice& file, const QByteArray& bytes) {

@@ -107,11 +107,8 @@ QByteArray pngBytes(const QImage& image, const QString& where) {
 }
 
 void writePng(const QImage& image, QIODevice& device, const QString& where) {
-    const QByteArray bytes = pngBytes(image, where);
-    if (device.write(bytes) != bytes.size()) {
-        throw Error(Text::tr("The picture cannot be stored as PNG: %1").arg(device.errorString()),
-                    where);
-    }
+    writeTo(device, pngBytes(image, where), Text::tr("The picture cannot be stored as PNG: %1"),
+            where);
 }
 
 } // namespace dipwright

@@ -14,6 +14,7 @@ struct JobOptions {
     QString solver;          // replaces the project's solver; empty: uses the project's
     QImage filmImage;        // replaces the reverse texture; null: uses the reverse texture
     bool chessboard = false; // uses the built-in chessboard as film image
+    bool printsTexture() const { return !chessboard && filmImage.isNull(); }
     // Estimates the numerical error of each sheet from coarser dips. The coarser dips take at most
     // as long as the job's dips and run at the same time if cores are free.
     bool estimatesNumericalError = true;

@@ -126,10 +126,9 @@ void writeFilms(const PackedFilms& films, const QString& folder, const Progress&
         progress(double(number) / double(count), Text::tr("Writing film %1").arg(number + 1));
         progress.cancelToken.throwIfCancelled();
         const Sheet sheet = sheetOf(films, number);
-        results.write(filmFile(number, "png"),
-                      bytesOf([&](QIODevice& device) { writeSheetPng(sheet, device); }));
-        results.write(filmFile(number, "pdf"),
-                      bytesOf([&](QIODevice& device) { writeSheetPdf(sheet, device); }));
+        const PreparedSheet prepared = preparedSheet(sheet, {});
+        results.write(filmFile(number, "png"), sheetPng(prepared));
+        results.write(filmFile(number, "pdf"), sheetPdf(prepared, {}));
         results.write(filmFile(number, "tif"),
                       bytesOf([&](QIODevice& device) { writeSheetTiff(sheet, device); }));
         list.append(filmJson(sheet, films.plan.films[number], number));

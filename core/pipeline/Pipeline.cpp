@@ -537,8 +537,7 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
         throw Error(Text::tr("The project has no model; import one first"), project.name);
     }
     checkSpots(project);
-    const Printed printed =
-        options.chessboard || !options.filmImage.isNull() ? Printed::WholeFilm : Printed::Texture;
+    const Printed printed = options.printsTexture() ? Printed::Texture : Printed::WholeFilm;
     checkMemory(project, printed);
     if (const QString note = memoryNote(project, printed); !note.isEmpty()) {
         progress(0, note);

@@ -42,7 +42,7 @@ bool isShared(const Project& project) {
 
 std::optional<ShareInputs> shareInputs(const Project& project, const JobOptions& options,
                                        const QString& solver) {
-    if (!isShared(project) || options.chessboard || !options.filmImage.isNull()) {
+    if (!isShared(project) || !options.printsTexture()) {
         return std::nullopt;
     }
     return ShareInputs{{dipInputs(project, 0, solver), dipInputs(project, 1, solver)},
@@ -65,8 +65,7 @@ TextureInputs textureInputs(const Project& project, const JobOptions& options, s
 }
 
 bool isSheetCorrected(const Project& project, const JobOptions& options, std::size_t number) {
-    const bool isReversed = !options.chessboard && options.filmImage.isNull();
-    return isReversed && isCorrected(project.asBuilt, int(number) + 1);
+    return options.printsTexture() && isCorrected(project.asBuilt, int(number) + 1);
 }
 
 SheetInputs sheetInputs(const Project& project, const JobOptions& options, std::size_t number,

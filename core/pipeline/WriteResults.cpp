@@ -95,9 +95,9 @@ void addSheet(std::vector<Piece>& pieces, const ImmersionResult& result, const Q
               const FolderTransaction& folder) {
     const QString text = Text::tr("Writing the sheet of %1").arg(result.immersion.name);
     pieces.push_back({text, [&result, prefix, &folder] {
-                          const SheetPngPdf files = sheetPngPdf(result.sheet);
-                          folder.write(prefix + QStringLiteral("sheet.png"), files.png);
-                          folder.write(prefix + QStringLiteral("sheet.pdf"), files.pdf);
+                          const PreparedSheet sheet = preparedSheet(result.sheet, {});
+                          folder.write(prefix + QStringLiteral("sheet.png"), sheetPng(sheet));
+                          folder.write(prefix + QStringLiteral("sheet.pdf"), sheetPdf(sheet, {}));
                       }});
 }
 

@@ -1,5 +1,6 @@
 #include "sheet/page/CalibrationPage.h"
 
+#include "base/Bytes.h"
 #include "base/Error.h"
 #include "sheet/page/Sheet.h"
 #include "sheet/page/SheetInk.h"
@@ -124,11 +125,8 @@ void writeCalibrationPdf(const CalibrationPage& page, QIODevice& device) {
         paintCalibrationPage(painter, page);
     };
     const QByteArray pdf = pdfDocument({{page.paper, paint}}, settings);
-    if (device.write(pdf) != pdf.size()) {
-        throw Error(
-            Text::tr("The calibration page cannot be written: %1").arg(device.errorString()),
+    writeTo(device, pdf, Text::tr("The calibration page cannot be written: %1"),
             QStringLiteral("PDF"));
-    }
 }
 
 double calibratedScale(double printed, Millimetres length, Millimetres measured) {

@@ -1,6 +1,6 @@
 #include "sheet/page/DrawnPage.h"
 
-#include "base/Error.h"
+#include "base/Bytes.h"
 #include "base/Png.h"
 #include "sheet/page/Sheet.h"
 #include "sheet/pdf/PdfDocument.h"
@@ -30,10 +30,7 @@ void writeDrawnPdf(const DrawnPage& page, QIODevice& device) {
         page.paint(painter);
     };
     const QByteArray pdf = pdfDocument({{page.paper, paint}}, settings);
-    if (device.write(pdf) != pdf.size()) {
-        throw Error(Text::tr("The page cannot be written: %1").arg(device.errorString()),
-                    QStringLiteral("PDF"));
-    }
+    writeTo(device, pdf, Text::tr("The page cannot be written: %1"), QStringLiteral("PDF"));
 }
 
 void writeDrawnPng(const DrawnPage& page, DotsPerInch resolution, QIODevice& device) {

@@ -54,24 +54,23 @@ QImage inkedPixels(const Sheet& sheet, const QRect& part, InkedPlates plates) {
 }
 
 QRect inkedBox(const Sheet& sheet, InkedPlates plates) {
-    const QImage mask = inkedPixels(sheet, sheet.image.rect(), plates);
+    return markedBox(inkedPixels(sheet, sheet.image.rect(), plates));
+}
+
+QRect markedBox(const QImage& mask) {
     const auto isInked = [](uchar ink) { return ink != 0; };
-    int left = mask.width(), right = -1, top = -1, bottom = -1;
+    QRect box;
     for (int y = 0; y < mask.height(); ++y) {
         const uchar* const row = mask.constScanLine(y);
         const uchar* const end = row + mask.width();
         const uchar* const first = std::find_if(row, end, isInked);
-        if (first == end) {
-            continue;
+        if (first != end) {
+            const auto last =
+                std::find_if(std::reverse_iterator(end), std::reverse_iterator(first), isInked);
+            box |= QRect(QPoint(int(first - row), y), QPoint(int(last.base() - row) - 1, y));
         }
-        left = std::min(left, int(first - row));
-        const auto last =
-            std::find_if(std::reverse_iterator(end), std::reverse_iterator(row), isInked);
-        right = std::max(right, int(last.base() - row) - 1);
-        top = top < 0 ? y : top;
-        bottom = y;
     }
-    return {QPoint(left, top), QPoint(right, bottom)};
+    return box;
 }
 
 } // namespace dipwright

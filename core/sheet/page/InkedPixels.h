@@ -16,5 +16,8 @@ QImage inkedPixels(const Sheet& sheet, const QRect& part, InkedPlates plates = I
 // Returns the smallest box of the film image that contains all inked pixels; invalid if there are
 // none.
 QRect inkedBox(const Sheet& sheet, InkedPlates plates = InkedPlates::All);
+// Returns the smallest box of all pixels above 0 in a Grayscale8 picture; invalid if there are
+// none.
+QRect markedBox(const QImage& mask);
 
 } // namespace dipwright

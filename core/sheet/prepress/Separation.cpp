@@ -3,6 +3,7 @@
 #include "base/ImageRows.h"
 #include "parallel/ParallelFor.h"
 #include "sheet/page/InkDistance.h"
+#include "sheet/page/InkedPixels.h"
 #include "sheet/prepress/PlateCompensation.h"
 #include "sheet/prepress/PrinterColour.h"
 #include "texture/Bleed.h"
@@ -30,59 +31,30 @@ void limitInk(QByteArray& cmyk, double mostInk) {
     });
 }
 
-namespace {
-
-QImage chokedPart(const QImage& tint, double choke) {
-    const auto width = std::size_t(tint.width());
-    std::vector<unsigned char> bare(width * std::size_t(tint.height()));
-    for (int y = 0; y < tint.height(); ++y) {
-        const uchar* row = tint.constScanLine(y);
+QImage choked(const QImage& tint, double choke) {
+    // The bare pixels around the tints count, too.
+    const QRect box = markedBox(tint).adjusted(-1, -1, 1, 1).intersected(tint.rect());
+    if (choke <= 0 || box.isEmpty()) {
+        return tint;
+    }
+    const auto width = std::size_t(box.width());
+    std::vector<unsigned char> bare(width * std::size_t(box.height()));
+    for (int y = 0; y < box.height(); ++y) {
+        const uchar* row = tint.constScanLine(box.y() + y) + box.x();
         std::transform(row, row + width, bare.begin() + std::ptrdiff_t(width) * y,
                        [](uchar value) { return uchar(value == 0); });
     }
-    const std::vector<float> distances = distancesTo(bare, tint.size());
-    QImage smaller = tint;
-    for (int y = 0; y < tint.height(); ++y) {
-        uchar* row = smaller.scanLine(y);
+    const std::vector<float> distances = distancesTo(bare, box.size());
+    QImage smaller = blankImage(tint.size(), QImage::Format_Grayscale8);
+    for (int y = 0; y < box.height(); ++y) {
+        const uchar* const from = tint.constScanLine(box.y() + y) + box.x();
+        uchar* const to = smaller.scanLine(box.y() + y) + box.x();
         for (std::size_t x = 0; x < width; ++x) {
             // Subtracts the half pixel between a bare pixel's middle and its edge.
-            if (distances[std::size_t(y) * width + x] - 0.5 < choke) {
-                row[x] = 0;
+            if (distances[std::size_t(y) * width + x] - 0.5 >= choke) {
+                to[x] = from[x];
             }
         }
-    }
-    return smaller;
-}
-
-// Returns the smallest box around all tinted pixels, enlarged by one pixel on each side within the
-// picture.
-QRect tintedBox(const QImage& tint) {
-    QRect box;
-    for (int y = 0; y < tint.height(); ++y) {
-        const uchar* row = tint.constScanLine(y);
-        const uchar* const end = row + tint.width();
-        const auto isTinted = [](uchar value) { return value != 0; };
-        const uchar* const first = std::find_if(row, end, isTinted);
-        if (first != end) {
-            const auto last =
-                std::find_if(std::reverse_iterator(end), std::reverse_iterator(first), isTinted);
-            box |= QRect(QPoint(int(first - row), y), QPoint(int(last.base() - row) - 1, y));
-        }
-    }
-    return box.isEmpty() ? box : box.adjusted(-1, -1, 1, 1).intersected(tint.rect());
-}
-
-} // namespace
-
-QImage choked(const QImage& tint, double choke) {
-    const QRect box = choke > 0 ? tintedBox(tint) : QRect();
-    if (box.isEmpty()) {
-        return tint;
-    }
-    const QImage part = chokedPart(tint.copy(box), choke);
-    QImage smaller = blankImage(tint.size(), QImage::Format_Grayscale8);
-    for (int y = 0; y < part.height(); ++y) {
-        std::copy_n(part.constScanLine(y), part.width(), smaller.scanLine(box.y() + y) + box.x());
     }
     return smaller;
 }

@@ -1,5 +1,6 @@
 #include "sheet/prepress/SheetFiles.h"
 
+#include "base/Bytes.h"
 #include "base/Error.h"
 #include "base/ImageRows.h"
 #include "base/Png.h"
@@ -208,39 +209,8 @@ void setTags(TIFF* tiff, QSize size, int channels, Resolution resolution, const 
     TIFFSetField(tiff, TIFFTAG_ICCPROFILE, std::uint32_t(icc.size()), icc.constData());
 }
 
-QByteArray pngOf(const Sheet& sheet, const PackedPixels& film) {
-    const int dotsPerMetre =
-        int(std::lround(pixelsPerMillimetre(sheet.settings.resolution) * 1000));
-    return pngBytes(film, {dotsPerMetre, dotsPerMetre, QColorSpace(QColorSpace::SRgb)});
-}
-
-QByteArray pdfOf(const PreparedSheet& prepared, const PrintCorrection& correction) {
-    const auto paint = [&](QPainter& painter) {
-        paintCorrectedSheet(painter, prepared.sheet, correction);
-    };
-    const QSizeF page = pageSize(prepared.sheet);
-    const QSizeF paper = correction.acrossPaper ? page.transposed() : page;
-    return pdfDocument({{paper, paint}}, prepared.settings);
-}
-
-// Prepares everything except the colours.
-PreparedSheet unpreparedSheet(const Sheet& sheet) {
-    PreparedSheet prepared{sheet, {}};
-    QStringList names{sheet.job.project.simplified(), sheet.job.immersion.simplified()};
-    names.removeAll(QString());
-    prepared.settings.title = names.join(QStringLiteral(" – ")); // each dip has its own title
-    prepared.settings.date = sheet.job.date.simplified();
-    return prepared;
-}
-
-void write(const QByteArray& bytes, QIODevice& device, const QString& sentence, const char* where) {
-    if (device.write(bytes) != bytes.size()) {
-        throw Error(sentence.arg(device.errorString()), QLatin1String(where));
-    }
-}
-
-} // namespace
-
+// Returns the compressed film image on white for RGB files: in the RGB of `colour`, or in sRGB if
+// it is null.
 PackedPixels packedFilm(const Sheet& sheet, const PrinterColour* colour) {
     const QImage& image = sheet.image;
     return packedPixels({image.size(), 3, 8, [&](int first, int end) {
@@ -249,13 +219,14 @@ PackedPixels packedFilm(const Sheet& sheet, const PrinterColour* colour) {
                          }});
 }
 
-void writeSheetPng(const Sheet& sheet, QIODevice& device) {
-    write(pngOf(sheet, packedFilm(sheet)), device,
-          Text::tr("The sheet's PNG cannot be written: %1"), "sheet.png");
-}
+} // namespace
 
 PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correction) {
-    PreparedSheet prepared = unpreparedSheet(sheet);
+    PreparedSheet prepared{sheet, {}};
+    QStringList names{sheet.job.project.simplified(), sheet.job.immersion.simplified()};
+    names.removeAll(QString());
+    prepared.settings.title = names.join(QStringLiteral(" – ")); // each dip has its own title
+    prepared.settings.date = sheet.job.date.simplified();
     if (correction.colour) {
         prepared.settings.outputProfile = correction.colour->iccProfile();
         prepared.settings.outputName = correction.colour->description();
@@ -269,15 +240,30 @@ PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correctio
     return prepared;
 }
 
-void writeSheetPdf(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction) {
-    write(pdfOf(preparedSheet(sheet, correction), correction), device,
-          Text::tr("The sheet's PDF cannot be written: %1"), "sheet.pdf");
+QByteArray sheetPng(const PreparedSheet& prepared) {
+    const int dotsPerMetre =
+        int(std::lround(pixelsPerMillimetre(prepared.sheet.settings.resolution) * 1000));
+    return pngBytes(*prepared.settings.picture,
+                    {dotsPerMetre, dotsPerMetre, QColorSpace(QColorSpace::SRgb)});
 }
 
-SheetPngPdf sheetPngPdf(const Sheet& sheet) {
-    PreparedSheet prepared = unpreparedSheet(sheet);
-    prepared.settings.picture = std::make_shared<const PackedPixels>(packedFilm(sheet));
-    return {pngOf(sheet, *prepared.settings.picture), pdfOf(prepared, {})};
+QByteArray sheetPdf(const PreparedSheet& prepared, const PrintCorrection& correction) {
+    const auto paint = [&](QPainter& painter) {
+        paintCorrectedSheet(painter, prepared.sheet, correction);
+    };
+    const QSizeF page = pageSize(prepared.sheet);
+    const QSizeF paper = correction.acrossPaper ? page.transposed() : page;
+    return pdfDocument({{paper, paint}}, prepared.settings);
+}
+
+void writeSheetPng(const Sheet& sheet, QIODevice& device) {
+    writeTo(device, sheetPng(preparedSheet(sheet, {})),
+            Text::tr("The sheet's PNG cannot be written: %1"), QStringLiteral("sheet.png"));
+}
+
+void writeSheetPdf(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction) {
+    writeTo(device, sheetPdf(preparedSheet(sheet, correction), correction),
+            Text::tr("The sheet's PDF cannot be written: %1"), QStringLiteral("sheet.pdf"));
 }
 
 void writeSheetTiff(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction) {

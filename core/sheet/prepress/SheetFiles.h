@@ -9,20 +9,9 @@
 
 namespace dipwright {
 
-// Returns the compressed film image on white for RGB files: in the RGB of `colour`, or in sRGB if
-// it is null.
-PackedPixels packedFilm(const Sheet& sheet, const PrinterColour* colour = nullptr);
-
 // Writes a PNG of the film with its resolution and an sRGB profile. Unprinted areas are white.
 // Throws Error if `device` cannot be written.
 void writeSheetPng(const Sheet& sheet, QIODevice& device);
-
-// A sheet in the printer's colours, with the settings of its PDF.
-struct PreparedSheet {
-    Sheet sheet;
-    PdfSettings settings;
-};
-PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correction);
 
 // Writes a PDF at true size. The image is stored without loss, and viewers are asked not to scale.
 // The output intent is the printer's RGB or CMYK space, or sRGB. In CMYK, ruler and lettering are
@@ -30,11 +19,17 @@ PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correctio
 // bytes. Throws Error if `device` cannot be written.
 void writeSheetPdf(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction = {});
 
-// Returns both files in sRGB. The picture is compressed once for both.
-struct SheetPngPdf {
-    QByteArray png, pdf;
+// A sheet with its picture in the printer's colours, and the settings of its PDF. One prepared
+// sheet serves several files, so that the picture is compressed once.
+struct PreparedSheet {
+    Sheet sheet;
+    PdfSettings settings;
 };
-SheetPngPdf sheetPngPdf(const Sheet& sheet);
+PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correction);
+// The PNG of writeSheetPng(). `prepared` must be without a printer's colour.
+QByteArray sheetPng(const PreparedSheet& prepared);
+// The PDF of writeSheetPdf(), with the correction that `prepared` was made with.
+QByteArray sheetPdf(const PreparedSheet& prepared, const PrintCorrection& correction);
 
 // Writes a TIFF of the whole page for raster image processors, in RGB or CMYK, with resolution and
 // ICC profile, compressed without loss. In CMYK, a sheet's white is an additional named sample. The

@@ -1,5 +1,6 @@
 #include "sheet/prepress/TiledSheet.h"
 
+#include "base/Bytes.h"
 #include "base/Error.h"
 #include "sheet/page/SheetInk.h"
 #include "sheet/prepress/PrinterColour.h"
@@ -132,10 +133,8 @@ void writeTiledPdf(const Sheet& sheet, const TileSettings& settings, QIODevice& 
                          }});
     }
     const QByteArray pdf = pdfDocument(pages, prepared.settings);
-    if (device.write(pdf) != pdf.size()) {
-        throw Error(Text::tr("The sheet's PDF cannot be written: %1").arg(device.errorString()),
-                    QStringLiteral("sheet.pdf"));
-    }
+    writeTo(device, pdf, Text::tr("The sheet's PDF cannot be written: %1"),
+            QStringLiteral("sheet.pdf"));
 }
 
 } // namespace dipwright

@@ -367,6 +367,7 @@ private slots:
         QVERIFY(!validateJob(job, *registry_).join('\n').contains("memory"));
         QVERIFY(memoryNote(job, Printed::WholeFilm).contains("GB of memory"));
         const double whole = sheetMemory(job, Printed::WholeFilm);
+        QVERIFY(whole > 3.3e9 && whole < 9e9); // 3.3 GB with a chessboard, measured
         QVERIFY(sheetMemory(job, Printed::Texture) < 0.2 * whole); // blank film needs none
         job.immersions.pop_back();
         QVERIFY(sheetMemory(job, Printed::WholeFilm) < whole);

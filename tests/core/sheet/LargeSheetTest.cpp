@@ -38,14 +38,14 @@ class LargeSheetTest : public QObject {
 
 private slots:
     // One copy of the picture alone would be 390 MB.
-    void Sheet_mostlyBlank_filesTakeLittleMemory() {
+    void preparedSheet_mostlyBlankFilm_filesTakeLittleMemory() {
         const double before = peakMegabytes();
         const Sheet sheet = largeSheet();
         QCOMPARE(inkedBox(sheet), QRect(4000, 5000, 709, 709));
-        const SheetPngPdf files = sheetPngPdf(sheet);
-        QVERIFY(files.pdf.startsWith("%PDF"));
+        const PreparedSheet prepared = preparedSheet(sheet, {});
+        QVERIFY(sheetPdf(prepared, {}).startsWith("%PDF"));
         QBuffer png;
-        png.setData(files.png);
+        png.setData(sheetPng(prepared));
         png.open(QIODevice::ReadOnly);
         QCOMPARE(QImageReader(&png, "png").size(), sheet.image.size());
         const double risen = peakMegabytes() - before;
