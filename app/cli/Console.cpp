@@ -10,7 +10,7 @@ namespace {
 
 constexpr int barWidth = 30;
 constexpr int barInterval = 50;  // ms between two updates
-constexpr int linePercents = 10; // %, from one plain line of a task to the next
+constexpr int linePercents = 10; // %, progress between two plain lines of a task
 constexpr int textWidth = 44;
 
 } // namespace

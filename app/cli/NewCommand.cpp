@@ -108,7 +108,7 @@ JigSpec jigSpec(const QString& text) {
     QStringList words = text.split(next);
     JigSpec spec;
     spec.path = words.takeFirst();
-    Project place; // a project whose immersion parses and checks the values
+    Project place; // a project used only to parse and check the values of its immersion
     place.immersions.resize(1);
     place.immersions[0].name = QFileInfo(spec.path).completeBaseName();
     for (const QString& word : words) {
@@ -195,8 +195,9 @@ public:
                           QStringLiteral("A picture that replaces the model's own texture."),
                           QStringLiteral("FILE")});
         syntax.addOption(
-            {outsideOption, QStringLiteral("Also reads files that the model names outside its "
-                                           "folder. Without it such a model is refused.")});
+            {outsideOption, QStringLiteral("Also reads files outside the model's folder that the "
+                                           "model refers to. Without this option such a model is "
+                                           "refused.")});
         syntax.addOption({sizeOption,
                           QStringLiteral("Scales the longest edge of the bounding box to N mm. "
                                          "Without it one unit of the file is 1 mm."),

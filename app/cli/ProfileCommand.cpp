@@ -124,7 +124,8 @@ void remove(Words words, QTextStream& out) {
     out << QStringLiteral("Removed the %1 profile %2\n").arg(profileKindName(kind), name);
 }
 
-// Fits the law by which ink thins on stretched film to a step wedge's readings. Saves the law in a
+// From a step wedge's readings, finds the law by which ink thins on stretched film.
+// Saves the law in a
 // film profile.
 void takeWedge(Words words, QTextStream& out) {
     const QString name = words.take(QStringLiteral("NAME"));
@@ -179,10 +180,11 @@ public:
             QStringLiteral(
                 "list | show KIND NAME | set KIND NAME | import FILE | export KIND NAME FILE | "
                 "remove KIND NAME | use KIND NAME JOB.dipw | wedge NAME READINGS.csv"),
-            QStringLiteral("The action. KIND is printer, film or tank. `set` changes a profile or "
-                           "makes a new one. `use` copies a profile into a project. `wedge` fits "
-                           "how ink thins to the readings of a step wedge (`calibrate wedge`) and "
-                           "saves the result in a film profile."));
+            QStringLiteral(
+                "The action. KIND is printer, film or tank. `set` changes a profile or "
+                "makes a new one. `use` copies a profile into a project. `wedge` computes "
+                "how ink thins from the readings of a step wedge (`calibrate wedge`) "
+                "and saves the result in a film profile."));
         syntax.addOption({setOption,
                           QStringLiteral("For `set`: sets a value by its path in the profile, for "
                                          "example scale=1.004;0.997. May be repeated."),

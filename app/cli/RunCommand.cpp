@@ -170,7 +170,7 @@ void printSummary(const JobResult& result, QTextStream& out) {
                    .arg(film.grid.rows)
                    .arg(film.steps)
                    .arg(number(film.wallSeconds, 2), number(100 * immersion.coverage->share, 1),
-                        number(immersion.readBack.percentile95, 3),
+                        number(immersion.readBack->percentile95, 3),
                         number(film.grid.leastSpacing(), 2));
     }
     if (result.share) {

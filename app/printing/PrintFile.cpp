@@ -107,8 +107,10 @@ QStringList leftOut(const Sheet& sheet, const PrintCorrection& correction, bool 
     }
     const double area = inkShortfall(sheet, correction);
     if (area >= leastShortfall) {
-        sentences << Text::tr("%1 mm² of the part will be visibly too pale: the stretch needs more "
-                              "ink than full ink, the ink limit or the total area coverage allows")
+        sentences << Text::tr(
+                         "%1 mm² of the part will be visibly too pale: the stretch needs more "
+                         "ink than is possible with full ink, the ink limit and the total area "
+                         "coverage")
                          .arg(std::round(area));
     }
     return sentences;

@@ -321,7 +321,7 @@ void DipView::paintEvent(QPaintEvent* event) {
     } else if (picture.isNull()) {
         painter.fillRect(rect(), state_->background);
     } else {
-        // Until the next picture is drawn, this one may have another size.
+        // Until the next picture is drawn, the size of this one may differ from that of the view.
         painter.drawImage(rect(), picture);
     }
     if (isUsable() && !state_->legend.empty()) {
@@ -561,7 +561,7 @@ void DipView::leaveEvent(QEvent* event) {
 }
 
 void DipView::keyPressEvent(QKeyEvent* event) {
-    constexpr double step = 25; // pixels of the drag that has the same effect
+    constexpr double step = 25; // a key turns the camera like a drag of this many pixels
     const auto turn = [this](double right, double up) {
         change([right, up](ViewScene& scene) { scene.turn(right, up); });
     };

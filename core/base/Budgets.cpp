@@ -39,7 +39,7 @@ constexpr Row table[] = {
      QT_TRANSLATE_NOOP(
          "dipwright::Budgets",
          "The model has more than %1 million triangles, too many for a file of its size "
-         "or for any computer; reduce it")},
+         "or for any computer; reduce their number")},
     // assimp's time to triangulate a polygon grows with the square of its corners.
     {Budget::PolygonCorners, 4096, notFromTheFile, 4096, 1,
      QT_TRANSLATE_NOOP("dipwright::Budgets",

@@ -21,7 +21,8 @@ struct CradleStability {
     // Tilt of the plate in degrees at which the body tips over, for a body of uniform density.
     // Negative if it tips over without tilt.
     double tiltDegrees = -90;
-    // Slope in degrees of the steepest support against sliding, in the worst horizontal direction.
+    // For each horizontal direction, take the slope in degrees of the steepest support that stops
+    // the body from sliding that way. This is the smallest of these slopes.
     // 0 if nothing stops the body in some direction.
     double sideHoldDegrees = 0;
 };

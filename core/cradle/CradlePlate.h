@@ -22,7 +22,8 @@ struct CradlePlate {
     std::vector<PlateHole> pinHoles; // through the plate
     std::optional<PlateHole> bore;   // through plate and seat
     // Engraved into the top: an arrow to the film's upper edge, the number of the dip and the job.
-    // The symbol of an arrow into the plane shows the direction of the dip. Empty if there is no
+    // The symbol for an arrow that points into the plane shows the direction of the dip.
+    // Empty if there is no
     // room, or if engraving is switched off.
     QPainterPath engraving;
 
@@ -39,7 +40,8 @@ CradlePlate cradlePlate(const HeldDip& dip, const CradleSettings& settings,
 class EngravedArea {
 public:
     explicit EngravedArea(const QPainterPath& path);
-    // Returns the distance from the path's outline, mm; positive inside, and at least −1.
+    // Returns the distance from the path's outline, mm: positive inside, negative outside, but
+    // never below −1.
     double inside(const Eigen::Vector2d& place) const;
 
 private:

@@ -1,4 +1,4 @@
-// Records which film is on the body after the dip, and where each of its points lies.
+// Records which part of the film is on the body after the dip, and where each film point lies.
 // FilmThatPaints.h computes it.
 #pragma once
 
@@ -36,7 +36,8 @@ struct FilmContact {
     }
 };
 
-// Depth in film cells up to which the film over a hollow counts as touching it. The film's grid
+// The film over a hollow counts as touching it if the hollow is at most this deep, in
+// film cells. The film's grid
 // cannot resolve shallower hollows.
 inline constexpr double touchedHollow = 0.3;
 

@@ -58,7 +58,7 @@ float largestCell(const solver::FilmGrid& grid, const std::vector<std::uint32_t>
     return largest;
 }
 
-// Marks the triangles of the body that the queried mesh comes within about `reach` of.
+// Marks the triangles of the body whose distance from the queried mesh is at most about `reach`.
 std::vector<std::uint8_t> nearTriangles(const TriangleMesh& body, const SurfaceQuery& query,
                                         float reach) {
     std::vector<std::uint8_t> isNear(body.triangles.size());

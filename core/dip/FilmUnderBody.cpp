@@ -20,8 +20,8 @@ struct Text {
 
 // Number of cells that a film needs across the body's narrow parts.
 constexpr double cellsAcross = 8;
-// Share of the surface that meets the film; its narrowest parts, up to this share, may have fewer
-// cells across.
+// The narrowest parts may have fewer cells across if they are at most this share of the surface
+// that meets the film.
 constexpr double narrowestShare = 0.1;
 // Least number of cells along the longest side of the body's shadow, whatever the body's thickness.
 constexpr double leastCellsAlong = 60;
@@ -31,7 +31,7 @@ constexpr int fewestLines = 8;
 constexpr double wantedSamples = 4'000;
 // Faces whose normals point down by less than this count as upright.
 constexpr float steepest = 0.01f;
-// Number of fine cells beyond the film that is expected to be drawn in.
+// Number of fine cells that are added outside the film that is expected to be drawn in.
 constexpr double cellsOfMargin = 4;
 
 double narrowest(std::vector<float> thickness) {
@@ -43,7 +43,8 @@ double narrowest(std::vector<float> thickness) {
     return double(*nth);
 }
 
-// Returns up to which height above its lowest point the body goes under water, mm.
+// Returns the height of the part of the body that goes under water, from the body's lowest point,
+// mm.
 double wetHeight(const TriangleMesh& mesh, const Eigen::Isometry3f& toPose,
                  const ProcessSettings& process) {
     if (process.depth) {
@@ -108,8 +109,8 @@ Millimetres automaticCell(const Underside& underside, const FilmSettings& film) 
     const double coarsest = longest / leastCellsAlong;
     const double wanted = underside.thickness > 0 ? underside.thickness / cellsAcross : coarsest;
     const solver::FilmGrid whole = filmGrid(film);
-    // Smallest fine cell size that mostPoints allows: with it, a film with the coarsest allowed
-    // cells everywhere has mostPoints points.
+    // Smallest size of the fine cells that mostPoints allows. If all cells had the coarsest size
+    // that goes with this fine size, the film would have mostPoints points.
     const double affordable = std::sqrt(whole.width * whole.depth / mostPoints) / coarsestCell;
     return Millimetres(
         std::max(std::clamp(wanted, longest / mostCellsAlong, coarsest), affordable));

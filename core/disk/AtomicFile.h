@@ -48,7 +48,8 @@ void checkWritable(const QString& path);
 
 // The kinds of hidden files that lie beside a file while a program works on it.
 enum class Beside { NewContents, Lock };
-// Returns the path of the hidden file of kind `what` beside `path`, which is always the same. The
+// Returns the path of the hidden file of kind `what` beside `path`. Equal arguments always give the
+// same path. The
 // hidden file's name is a fixed prefix and the file's name. If that is too long, a hash replaces
 // the file's name.
 QString hiddenFilePath(const QString& path, Beside what);

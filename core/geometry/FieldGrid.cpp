@@ -14,7 +14,7 @@ namespace {
 
 constexpr int paddingCells = 3;
 // A plate is always resolved if at least this many cells lie across its thickness. Then a sample
-// lies inside the plate, and no sample beyond its middle determines its surface.
+// lies inside the plate, and each face is determined only by samples on its own side of the middle.
 constexpr double leastCellsAcross = 2;
 // A plate with fewer cells gets this many, because plates may lie obliquely in the grid.
 constexpr double cellsAcross = 4;

@@ -29,9 +29,9 @@ QStringList fitSentences(const FilmFit& fit);
 FilmProfile withFit(FilmProfile profile, const FilmFit& fit, const std::vector<FittedPhoto>& photos,
                     const WatchNotes& notes);
 
-// Returns the project with the fitted placement, depth and film. The film becomes a measured film
-// profile of the project. It updates the project's own film profile; if there is none, it makes one
-// named `newProfile`. Throws Error as withFit() and withPlacement() do.
+// Returns the project with the fitted placement, depth and film. The fitted film is stored as a
+// measured film profile of the project: in the project's own film profile or, if there is none, in
+// a new one named `newProfile`. Throws Error as withFit() and withPlacement() do.
 Project withFit(const Project& project, const FilmFit& fit, const std::vector<FittedPhoto>& photos,
                 const WatchNotes& notes, const QString& newProfile);
 

@@ -24,7 +24,7 @@ struct FoundPrint {
     std::vector<PrintedPlace> places; // photo by photo
     std::vector<int> expected;        // per photo: the number of corners that should be visible
     bool followsPrint = false;        // whether the camera is fitted to the found places
-    PartView view;                    // camera; its `off` belongs to the found places
+    PartView view;                    // camera; PartView::off is the error at the found places
 };
 
 // Returns the corners of the print that the photos show. `clicked` holds at least six pairs per

@@ -155,8 +155,8 @@ private:
     Places film_, card_, filmSeen_, cardSeen_;
 };
 
-// Returns the length of the step (p[first], p[first + 1]), the swell along one axis, with its
-// uncertainty.
+// Returns the swell along one axis, with its uncertainty. It is the length of the vector
+// (p[first], p[first + 1]).
 Measured swellOf(const LeastSquaresFit& fit, Eigen::Index first, double sigma) {
     const Eigen::Vector2d step = fit.parameters.segment<2>(first);
     const Eigen::Vector2d slope = step.normalized();

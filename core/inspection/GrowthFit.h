@@ -16,7 +16,7 @@ struct SwellAt {
 enum class GrowthKnowledge {
     No,       // not measured: fewer than three times
     None,     // the photos show no growth
-    RateOnly, // the film grew at the same rate until the last time
+    RateOnly, // the film grew at a constant rate until the last of the times
     Both      // rate and limit are known
 };
 

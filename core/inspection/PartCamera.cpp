@@ -32,7 +32,7 @@ constexpr double mostFocalOff = 0.6; // largest 95 % interval, as a share of the
 // A photo's pairs, one per column.
 struct PhotoPairs {
     Eigen::Matrix3Xd model; // mm
-    Eigen::Matrix2Xd seen;  // half diagonals
+    Eigen::Matrix2Xd seen;  // in units of half the picture's diagonal
 };
 
 PhotoPairs ownPairs(const std::vector<PlacePair>& pairs, int photo, QSize picture) {

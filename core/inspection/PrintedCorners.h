@@ -36,8 +36,8 @@ std::vector<PrintedCorner> textureCorners(const TexturedMesh& model,
                                           QSizeF sheet);
 
 enum class PartPrint { Chessboard, Texture };
-// Returns the corners of all dips of a job whose sheets showed the job's chessboard, or the model's
-// texture with its artwork. Pictures of text need a QGuiApplication.
+// Returns the corners of all dips of a job. The job's sheets must have shown its chessboard, or the
+// model's texture with its artwork. If the artwork contains text, a QGuiApplication is needed.
 std::vector<PrintedCorner> printedCorners(const Project& project,
                                           const std::vector<std::shared_ptr<const LaidFilm>>& dips,
                                           PartPrint print);

@@ -52,7 +52,7 @@ private:
     std::size_t hash(const Eigen::Vector3f& position) const {
         std::uint64_t value = seed_;
         for (const float coordinate : position) {
-            // Adding zero gives −0 and 0, which are equal, the same bits.
+            // −0 and 0 are equal. Adding zero gives both the same bits.
             value = (value ^ std::bit_cast<std::uint32_t>(coordinate + 0.0F)) * 0x9e3779b97f4a7c15u;
             value ^= value >> 29;
         }

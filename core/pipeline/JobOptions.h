@@ -18,6 +18,9 @@ struct JobOptions {
     // Estimates the numerical error of each sheet from coarser dips. The coarser dips take at most
     // as long as the job's dips and run at the same time if cores are free.
     bool estimatesNumericalError = true;
+    // Makes a draft (JobDraft.h): the proof has this size, relative to its full size; there is no
+    // coverage picture and no read-back error. None: makes the whole result.
+    std::optional<double> draftPictures;
     // Measures how much each sheet depends on the assumed laws. Takes eight more dips for each
     // immersion (LawChanges.h).
     bool variesLaws = false;

@@ -15,7 +15,10 @@
 
 namespace dipwright {
 
+class BodyColours;
+struct ProofStage;
 struct ReverseTexture;
+struct ShareStage;
 
 // The result of one dip. A later result shares the immutable members that it takes over from an
 // earlier result.
@@ -32,7 +35,7 @@ struct ImmersionResult {
     std::shared_ptr<const NumericalErrorEstimate> numericalError; // null: not requested
     Verdict verdict;                                              // verdict on this dip alone
     std::vector<LawChange> laws;                                  // empty: not requested
-    ReadBackError readBack;
+    std::optional<ReadBackError> readBack;                        // none: a draft
     std::shared_ptr<const ReverseTexture> texture;
     Sheet sheet;
     // Area of the part, in mm², that the project's printer leaves visibly too pale
@@ -56,6 +59,11 @@ struct JobResult {
     std::shared_ptr<const TexturedMesh> painted; // the model with texture and artwork
     std::vector<ImmersionResult> immersions;
     std::shared_ptr<const BodyShare> share; // null: each dip paints every place that it reaches
+    // Prepared from the model or from `painted`, for further results with the same inputs. Null if
+    // they were not needed.
+    std::shared_ptr<const ProofStage> proofStage;
+    std::shared_ptr<const ShareStage> shareStage;
+    std::shared_ptr<const BodyColours> colours;
     double coverageTotal = 0; // coverage of all dips together: painted share of the surface, 0 … 1
     QImage proof;
     QImage proofWithoutWhite; // null if there is no white or the part has no colour of its own

@@ -79,7 +79,8 @@ bool isPlain(const Project& project) {
            });
 }
 
-// Adds reasons that have no limit; the project's settings give the advice for them.
+// Adds reasons about where the job comes from: no picture, a changed model, a film that was never
+// measured. They either hold or not; the settings say which advice each gives.
 void addOriginReasons(ReasonList& found, const JobResult& result) {
     const Project& project = result.project;
     if (result.immersions.front().inputs.texture.isReversed() && isPlain(project)) {

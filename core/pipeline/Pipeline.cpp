@@ -47,7 +47,10 @@ constexpr double cradlesBegin = 0.6;
 constexpr double dipsDone = 0.7; // as a fraction of the time after the field
 constexpr double sharesDone = 0.75;
 constexpr double proofDone = 0.97;
-constexpr int coverageTile = 560; // pixels along the side of one view
+constexpr double draftTolerance = 1; // of a draft's texture, pixels
+// Pixels along the side of one view.
+constexpr double proofTile = 640;
+constexpr int coverageTile = 560;
 constexpr double picturesDone = 0.8;
 
 // The context that all steps of one run share.
@@ -131,14 +134,15 @@ void dip(ImmersionResult& result, const Run& run, std::size_t number, const Dist
 
 // Measures coverage and read-back error of a newly dipped or cached film. If only the body's
 // appearance has changed, measures the read-back error alone.
-void measure(ImmersionResult& result, const ImmersionResult* earlier, const CancelToken& user) {
+void measure(ImmersionResult& result, const ImmersionResult* earlier, bool measuresReadBack,
+             const CancelToken& user) {
     const bool isLaidAnew = !result.coverage;
     user.throwIfCancelled();
     if (isLaidAnew) {
         result.coverage = std::make_shared<const Coverage>(coverage(*result.laid));
     }
     user.throwIfCancelled();
-    if (isLaidAnew || earlier->appearance != result.appearance) {
+    if (measuresReadBack && (isLaidAnew || earlier->appearance != result.appearance)) {
         result.readBack = readBackError(*result.laid, *result.laid, *result.appearance);
     }
 }
@@ -179,19 +183,22 @@ std::vector<SpotAppearance> spotPlates(const TextureInputs& inputs, const Progre
     return plates;
 }
 
-// Returns the picture for the film: the reverse texture, or the picture that replaces the reverse
-// texture.
-ReverseTexture textureOf(const LaidFilm& laid, const SurfaceAppearance& appearance,
+// Returns the picture for the film: the reverse texture of `colours`, or the picture that replaces
+// the reverse texture.
+ReverseTexture textureOf(const LaidFilm& laid, const BodyColours* colours,
                          const TextureInputs& inputs, std::optional<PaintShare> share,
-                         const Progress& progress) {
+                         const Run& run, const Progress& progress) {
     const FilmSettings& film = inputs.dip.film;
     const QSize pixels = sheetPixels(film.width, film.height, inputs.resolution);
     if (inputs.isReversed()) {
         ReverseTextureOptions options{pixels, inputs.bleed.value(), inputs.ink, std::move(share),
                                       inputs.white};
+        if (run.options.draftPictures) {
+            options.tolerance = draftTolerance * film.width.value() / pixels.width();
+        }
         options.returnsWanted = inputs.isPerInk();
         options.spots = spotPlates(inputs, progress);
-        return reverseTexture(laid, appearance, options, progress);
+        return reverseTexture(laid, *colours, options, progress);
     }
     ReverseTexture picture;
     picture.image =
@@ -259,7 +266,7 @@ ImmersionResult dippedImmersion(const Run& run, std::size_t number, const SheetI
 }
 
 // Returns how the dips share the body; null if they do not share the body.
-std::shared_ptr<const BodyShare> shareOf(const Run& run, const TexturedMesh& model,
+std::shared_ptr<const BodyShare> shareOf(const Run& run, const ShareStage* stage,
                                          const std::vector<ImmersionResult>& immersions,
                                          const Progress& progress) {
     const std::optional<ShareInputs>& inputs = immersions.front().inputs.texture.share;
@@ -271,17 +278,17 @@ std::shared_ptr<const BodyShare> shareOf(const Run& run, const TexturedMesh& mod
         return run.previous->share;
     }
     return std::make_shared<const BodyShare>(shareBody(
-        model, {immersions[0].laid, immersions[1].laid}, inputs->settings, inputs->ink, progress));
+        *stage, {immersions[0].laid, immersions[1].laid}, inputs->settings, inputs->ink, progress));
 }
 
 // Does the second part: the picture on the film. `share` is null if the dips do not share the body.
-void paint(ImmersionResult& now, const Run& run, std::size_t number, const BodyShare* share,
+void paint(ImmersionResult& now, const Run& run, std::size_t number, const JobResult& job,
            const Progress& progress) {
     const ImmersionResult* earlier = run.earlier(number);
     if (!earlier || earlier->inputs.texture != now.inputs.texture) {
-        now.texture = std::make_shared<const ReverseTexture>(
-            textureOf(*now.laid, *now.appearance, now.inputs.texture,
-                      share ? std::optional(share->of(number)) : std::nullopt, progress));
+        now.texture = std::make_shared<const ReverseTexture>(textureOf(
+            *now.laid, job.colours.get(), now.inputs.texture,
+            job.share ? std::optional(job.share->of(number)) : std::nullopt, run, progress));
     }
 }
 
@@ -328,7 +335,7 @@ std::optional<double> shortfallOf(const Sheet& sheet,
 void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison& comparison) {
     const ImmersionResult* earlier = run.earlier(number);
     Tasks measuring;
-    measuring.run([&] { measure(now, earlier, run.user); });
+    measuring.run([&] { measure(now, earlier, !run.options.draftPictures, run.user); });
     if (!earlier || earlier->inputs != now.inputs) {
         run.user.throwIfCancelled();
         const PrintedFilm film = printedFilm(*now.texture, now.inputs, run.project, number);
@@ -397,17 +404,18 @@ bool hasOldNames(const JobResult* previous, const std::vector<SheetInputs>& inpu
 }
 
 // Returns the proof, with the white layer if `white` is true.
-QImage proofOf(const ProofStage& stage, const std::vector<ImmersionResult>& immersions, bool white,
-               const Progress& progress) {
+QImage proofOf(const JobResult& result, bool white, double scale, const Progress& progress) {
+    const std::vector<ImmersionResult>& immersions = result.immersions;
     const SheetInputs& inputs = immersions.front().inputs;
     ProofOptions options;
+    options.tile = (QSizeF(proofTile, proofTile) * scale).toSize();
     options.ink = inputs.texture.printedInk();
     options.ground = groundOf(inputs.settings, inputs.baseColour);
-    return proofPicture(stage, filmAppearances(immersions, white), options, progress);
+    return proofPicture(*result.proofStage, filmAppearances(immersions, white), options, progress);
 }
 
 // Returns the coverage picture; null if the dips do not share the body.
-QImage coverageOf(const ProofStage& stage, const JobResult& result, const Progress& progress) {
+QImage coverageOf(const JobResult& result, const Progress& progress) {
     if (!result.share) {
         return {};
     }
@@ -415,7 +423,7 @@ QImage coverageOf(const ProofStage& stage, const JobResult& result, const Progre
     for (const ImmersionResult& immersion : result.immersions) {
         films.push_back({immersion.laid, immersion.immersion.name});
     }
-    return coveragePicture(stage, *result.share, films, coverageTile, progress);
+    return coveragePicture(*result.proofStage, *result.share, films, coverageTile, progress);
 }
 
 // Tells whether the proof would look different without the white layer.
@@ -423,19 +431,45 @@ bool showsWhite(const SheetInputs& inputs) {
     return inputs.texture.white > 0 && !inputs.baseColour.isEmpty();
 }
 
-// Fills in the proofs and the coverage picture. Takes over the pictures that the earlier result
-// already has; `stage` may be null if it has all of them.
-void showTogether(JobResult& result, const Run& run, const ProofStage* stage, bool hasProof,
-                  bool hasCoverage, const Progress& progress) {
-    const std::vector<ImmersionResult>& immersions = result.immersions;
+// Fills in the proofs and, except in drafts, the coverage picture. Takes over the pictures that the
+// earlier result already has.
+void showTogether(JobResult& result, const Run& run, bool hasProof, bool hasCoverage,
+                  const Progress& progress) {
+    const double scale = run.options.draftPictures.value_or(1);
     const Progress proofs = progress.part(picturesDone, proofDone);
-    result.proof = hasProof ? run.previous->proof : proofOf(*stage, immersions, true, proofs);
-    if (showsWhite(immersions.front().inputs)) {
+    result.proof = hasProof ? run.previous->proof : proofOf(result, true, scale, proofs);
+    if (showsWhite(result.immersions.front().inputs)) {
         result.proofWithoutWhite = hasProof ? run.previous->proofWithoutWhite
-                                            : proofOf(*stage, immersions, false, proofs.silent());
+                                            : proofOf(result, false, scale, proofs.silent());
     }
-    result.coverage = hasCoverage ? run.previous->coverage
-                                  : coverageOf(*stage, result, progress.part(proofDone, 1));
+    if (!run.options.draftPictures) {
+        result.coverage =
+            hasCoverage ? run.previous->coverage : coverageOf(result, progress.part(proofDone, 1));
+    }
+}
+
+// Takes over the stages of an earlier result that still fit; `previous` may be null.
+void takeStages(JobResult& result, const JobResult* previous) {
+    if (previous && previous->project.model == result.project.model) {
+        result.proofStage = previous->proofStage;
+    }
+    if (previous && previous->painted == result.painted) {
+        result.shareStage = previous->shareStage;
+        result.colours = previous->colours;
+    }
+}
+
+// Starts tasks for the stages that are missing.
+void prepareStages(JobResult& result, const Run& run, const TextureInputs& inputs, Tasks& tasks) {
+    if (!result.proofStage) {
+        tasks.run([&] { result.proofStage = proofStage(*run.project.model); });
+    }
+    if (!result.colours && inputs.isReversed()) {
+        tasks.run([&] { result.colours = bodyColours(*result.painted); });
+    }
+    if (!result.shareStage && inputs.share) {
+        tasks.run([&] { result.shareStage = shareStage(*result.painted); });
+    }
 }
 
 // Fills in the immersions and the results about all of them together. Dips run one after the other.
@@ -451,20 +485,15 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
     // Declared before the tasks that use them, so that after an exception the tasks end before
     // these variables are destroyed.
     CancelToken left; // cancelled on an exception, so that the comparisons stop
-    std::shared_ptr<const ProofStage> stage;
     std::vector<Comparison> comparisons(inputs.size());
     Tasks sheets;
     Tasks pictures; // each picture starts the task of its sheet
+    Tasks stages;   // what pictures and shares need of the body alone
     const auto leave = qScopeGuard([&left] { left.cancel(); });
-    if (!hasProof || !hasCoverage) {
-        pictures.run([&] {
-            run.user.throwIfCancelled();
-            stage = proofStage(*run.project.model);
-        });
-    }
+    prepareStages(result, run, inputs.front().texture, stages);
     const auto beginPicture = [&](std::size_t number) {
         pictures.run([&, number] {
-            paint(immersions[number], run, number, result.share.get(), progress.silent());
+            paint(immersions[number], run, number, result, progress.silent());
             sheets.run(
                 [&, number] { finish(immersions[number], run, number, comparisons[number]); });
         });
@@ -479,13 +508,15 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
                                 left, progress.part(begin, begin + part));
         });
         if (!isShared) {
+            stages.wait();
             beginPicture(number);
         }
     }
     if (isShared) {
+        stages.wait();
         runIsolated([&] {
-            result.share =
-                shareOf(run, *result.painted, immersions, progress.part(dipsDone, sharesDone));
+            result.share = shareOf(run, result.shareStage.get(), immersions,
+                                   progress.part(dipsDone, sharesDone));
         });
         for (std::size_t number = 0; number < inputs.size(); ++number) {
             beginPicture(number);
@@ -493,7 +524,7 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
     }
     progress(sharesDone, Text::tr("Reversing the texture"));
     pictures.wait();
-    runIsolated([&] { showTogether(result, run, stage.get(), hasProof, hasCoverage, progress); });
+    runIsolated([&] { showTogether(result, run, hasProof, hasCoverage, progress); });
     sheets.wait();
     result.coverageTotal = coverageTotal(immersions, progress);
 }
@@ -558,6 +589,7 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     result.paintInputs = paintInputs(project);
     result.painted = paintedOf(run, result.paintInputs, progress.part(0, fieldDone / 2));
     result.field = fieldOf(run, inputs, progress.part(fieldDone / 2, fieldDone));
+    takeStages(result, previous);
 
     const Progress job = options.makesCradles ? progress.part(0, cradlesBegin) : progress;
     const Progress dips = options.computesTolerances ? job.part(0, tolerancesBegin) : job;

@@ -208,9 +208,9 @@ QJsonObject immersionJson(const ImmersionResult& result) {
         {"certainty", numericalErrorJson(result)},
         {"marked", markedJson(*result.coverage)},
         {"marked_area_mm2", result.coverage->marked.any}, // as in earlier versions
-        {"read_back_mm", toJson(result.readBack)},
+        {"read_back_mm", toJson(*result.readBack)},
         {"registration_mm",
-         toJson(result.readBack)}, // name of the read-back error in earlier versions
+         toJson(*result.readBack)}, // name of the read-back error in earlier versions
         {"ink", inkJson(result)},
         {"job", result.sheet.job.hash}};
     if (const QJsonArray spots = spotsJson(result); !spots.isEmpty()) {

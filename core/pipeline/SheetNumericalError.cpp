@@ -49,7 +49,7 @@ Project withHalfSpacing(Project project) {
     if (const solver::FilmGrid finer = filmGrid(film);
         !isGraded(film) && !mayHavePoints(finer.columns, finer.rows)) {
         throw Error(Text::tr("The comparison would need a film of %1 × %2 points, which is too "
-                             "many; set half as many points for it")
+                             "many; halve the number of points to allow the comparison")
                         .arg(finer.columns)
                         .arg(finer.rows),
                     QStringLiteral("film.points"));

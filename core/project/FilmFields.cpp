@@ -82,8 +82,8 @@ void addLaws(std::vector<MaterialField<Film>>& fields) {
         {notHashedIfDefault(number<Film>(
              "grip_fade_deg", 0.1, 45, [](auto& f) -> auto& { return f.gripFade; })),
          {.label = Text::tr("Grip fade range"),
-          .help = Text::tr("Range of angles before the overhang over which the part loses its grip "
-                           "on the film. This value is a guess; no film was measured."),
+          .help = Text::tr("The part loses its grip on the film gradually, in this range of angles "
+                           "before the overhang. This value is a guess; no film was measured."),
           .unit = Unit::Angle,
           .isOfProductionFilm = true}});
     fields.push_back(

@@ -1,4 +1,4 @@
-// Hatches marked film in pictures.
+// Draws hatching over marked film in pictures.
 #pragma once
 
 #include "dip/FilmMarks.h"

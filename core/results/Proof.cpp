@@ -142,6 +142,10 @@ std::shared_ptr<const ProofStage> proofStage(const TexturedMesh& model) {
     return std::make_shared<const ProofStage>(model.mesh);
 }
 
+const SurfaceQuery& queryOf(const ProofStage& stage) {
+    return stage.query;
+}
+
 QImage proofPicture(const ProofStage& stage, const std::vector<FilmAppearance>& films,
                     const ProofOptions& options, const Progress& progress) {
     progress(0, Text::tr("Preparing the proof"));

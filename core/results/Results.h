@@ -120,6 +120,8 @@ struct ProofStage;
 // Computes the stage by rays on all cores. The stage keeps a reference to the model; any thread may
 // read it.
 std::shared_ptr<const ProofStage> proofStage(const TexturedMesh& model);
+// Returns the ray queries of the stage's body.
+const SurfaceQuery& queryOf(const ProofStage& stage);
 
 // One dip of a body that two dips share.
 struct SharedFilm {

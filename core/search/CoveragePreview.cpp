@@ -12,10 +12,11 @@ namespace dipwright {
 namespace {
 
 constexpr double fewestTriangles = 6000;
-constexpr int heightCells = 160;     // number of cells along the longer side of the body's shadow
-constexpr float wallSlope = 0.25f;   // faces with a smaller −n.y count as upright (n: normal)
-constexpr float cellsOfSlack = 1.5f; // factor on a face's height above its cell's lowest place
-constexpr float steepestSlack = 4;   // a slope that is steeper than this counts as this
+constexpr int heightCells = 160;   // number of cells along the longer side of the body's shadow
+constexpr float wallSlope = 0.25f; // faces with a smaller −n.y count as upright (n: normal)
+constexpr float cellsOfSlack =
+    1.5f; // allowed height of a face above its cell's lowest place, in cells
+constexpr float steepestSlack = 4; // a slope that is steeper than this counts as this
 
 // The height of the body's lowest place over each cell of the water.
 class HeightField {
@@ -87,7 +88,7 @@ bool isSeenFromBelow(const HeightField& heights, const Eigen::Vector3f& place, f
 // Returns the y of the normal of the steepest upward face that is still painted
 // (docs/film-model.md, "Where film does not go"). On a face whose normal has y = u, the solver lays
 // a share g − (1 − g) u of the film's length. The grip g falls from 1 at u₁, where the fade begins,
-// to 0 at z = u₀ + u₀ (u₀ − u₁). The value u₀ is y at the overhang. If the share is less than 1/t,
+// to 0 at u₀ + u₀ (u₀ − u₁), where u₀ is the y at the overhang. If the share is less than 1/t,
 // the film is stretched by more than the tear stretch t.
 float steepestPainted(const FilmSettings& film, const ProcessSettings& process) {
     const double overhang = std::sin(radians(process.overhang));

@@ -16,7 +16,7 @@ std::optional<FilmInk> inkOf(const QString& name); // nothing if no ink has this
 // Returns text such as "cyan 0.3 0.48 0.11 2.9; …": ink, density, exponent, bend, greatest stretch.
 // inkTones() reads exactly the same numbers back.
 QString inkTonesText(const std::vector<InkTone>& tones);
-// Reads that text. Throws Error if it is malformed, and as checkInkLaw() does.
+// Reads that text. Throws Error if it is malformed, or where checkInkLaw() would throw.
 std::vector<InkTone> inkTones(const QString& text, const QString& where);
 
 // Throws Error if an ink's tones are not in ascending order, or if on stretched film a denser patch

@@ -22,8 +22,8 @@ enum class Measure : std::uint8_t {
     TrappedAir, // share of the surface that trapped air keeps from the film
     Join,       // length of the seam between two dips, mm; 0 for one dip
     Narrow,   // share of the seam whose overlap is too narrow for both films to fade; 0 for one dip
-    FilmUsed, // share of the sheet inside the bounding box of the film that paints; the mean of two
-              // dips
+    FilmUsed, // share of the sheet inside the bounding box of the film that paints; for two dips,
+              // the mean of both
 };
 inline constexpr std::size_t measureCount = 10;
 const std::array<Measure, measureCount>& allMeasures();
@@ -74,7 +74,7 @@ struct SearchSettings {
     int directions = 2000; // number of directions that are judged by geometry alone
     int simulated = 96;    // number of these that are simulated by one coarse dip each
     int refined = 6;       // number of the best that are refined in angle, turn and offset
-    int finer = 12;    // number of the best that are simulated with finer film, which ranks them
+    int finer = 12; // number of the best that are simulated with finer film; these dips rank them
     int confirmed = 3; // number of the best that are simulated with the film and field of the job
     int seed = 1;      // for the random directions
     PoseAims aims;

@@ -10,7 +10,7 @@ namespace dipwright {
 // Where the cut contour is drawn: around all ink, or along the film's edge.
 enum class CutLine { None, Ink, Film };
 
-// The white plate. Printed last, it touches the body and lies under the part's colour. Printed
+// The white plate. Printed last, it touches the body and lies under the colours. Printed
 // first, it lies outside, over the colour.
 enum class WhiteLayer { None, Last, First };
 
@@ -33,7 +33,7 @@ struct SheetSettings {
     Millimetres cutBleed{0};
     WhiteLayer white = WhiteLayer::None;
     double whiteDensity = 1; // wanted density on the body, as a share of full tint
-    // choke: how far white is smaller than the colour all round, on the film
+    // choke: how far the edge of the white stays inside the edge of the colour, on the film
     Millimetres whiteChoke{0.2};
     QString whiteName = QStringLiteral("White");
     bool operator==(const SheetSettings&) const = default;

@@ -1,5 +1,6 @@
 #include "share/BodyShare.h"
 
+#include "parallel/Tasks.h"
 #include "share/FadeOverlap.h"
 #include "share/MinimumCut.h"
 #include "share/SeamPlaces.h"
@@ -234,6 +235,14 @@ std::vector<UnpaintedPlace> unpaintedPlaces(const BodyShare& share) {
     return places;
 }
 
+// Runs both functions at the same time.
+void inParallel(const std::function<void()>& first, const std::function<void()>& second) {
+    Tasks tasks;
+    tasks.run(second);
+    runIsolated(first);
+    tasks.wait();
+}
+
 // Returns a field that is positive on the side of the body that faces down in the first dip.
 std::vector<float> equatorField(const TriangleMesh& mesh, const Films& films) {
     const auto down = [](const LaidFilm& laid) {
@@ -252,6 +261,21 @@ std::vector<float> equatorField(const TriangleMesh& mesh, const Films& films) {
 
 } // namespace
 
+struct ShareStage {
+    explicit ShareStage(const TexturedMesh& model)
+        : edge(edgeForTriangles(model.mesh, fineTriangles)),
+          body(std::make_shared<const RefinedMesh>(model.mesh, edge)),
+          places(seamPlaces(*body, model, SurfaceQuery(model.mesh))) {}
+
+    float edge; // longest edge of the fine triangles, mm
+    std::shared_ptr<const RefinedMesh> body;
+    SeamPlaces places;
+};
+
+std::shared_ptr<const ShareStage> shareStage(const TexturedMesh& model) {
+    return std::make_shared<const ShareStage>(model);
+}
+
 std::optional<std::size_t> recommendedLastDip(const BodyShare& share) {
     const auto [first, second] = share.seamStretch;
     return second > leastSwapRatio * first   ? std::optional<std::size_t>(0)
@@ -259,33 +283,44 @@ std::optional<std::size_t> recommendedLastDip(const BodyShare& share) {
                                              : std::nullopt;
 }
 
-BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSettings& settings,
+BodyShare shareBody(const ShareStage& stage, const Films& films, const ShareSettings& settings,
                     const InkSettings& ink, const Progress& progress) {
     const auto reportProgress = [&](double done) {
         progress(done, Text::tr("Splitting the part between the dips"));
     };
     reportProgress(0);
-    const float edge = edgeForTriangles(model.mesh, fineTriangles);
-    const auto body = std::make_shared<const RefinedMesh>(model.mesh, edge);
-    const TriangleMesh& mesh = body->mesh();
-    const SeamPlaces places = seamPlaces(*body, model, SurfaceQuery(model.mesh));
-    reportProgress(0.3);
+    const RefinedMesh& body = *stage.body;
+    const TriangleMesh& mesh = body.mesh();
+    const SeamPlaces& places = stage.places;
+    std::optional<FadeOverlap> overlap;
     Suitabilities dips;
-    for (std::size_t dip = 0; dip < 2; ++dip) {
-        dips[dip] = suitability(*body, *films[dip], places.colours, settings.stretchLimit, ink);
-    }
-    const FadeOverlap band(*body, *films[1], places.colours, settings);
-    const Reaches reaches{reachOf(mesh, dips[0].reached, band.measure()),
-                          reachOf(mesh, dips[1].reached, band.measure())};
+    inParallel([&] { overlap.emplace(body, *films[1], places.colours, settings); },
+               [&] {
+                   for (std::size_t dip = 0; dip < 2; ++dip) {
+                       dips[dip] = suitability(body, *films[dip], places.colours,
+                                               settings.stretchLimit, ink);
+                   }
+               });
+    const FadeOverlap& band = *overlap;
+    reportProgress(0.3);
+    Reaches reaches;
+    inParallel([&] { reaches[0] = reachOf(mesh, dips[0].reached, band.measure()); },
+               [&] { reaches[1] = reachOf(mesh, dips[1].reached, band.measure()); });
     reportProgress(0.6);
-    const std::vector<std::uint8_t> labels =
-        cutBody(*body, costsOf(mesh, dips, reaches), places.weights, settings);
+    std::vector<std::uint8_t> labels;
+    std::vector<float> equator;
+    inParallel(
+        [&] { labels = cutBody(body, costsOf(mesh, dips, reaches), places.weights, settings); },
+        [&] {
+            equator = signedDistance(mesh, equatorField(mesh, films), farthest, band.measure());
+            keepInReach(equator, reaches);
+        });
     reportProgress(0.8);
     BodyShare share;
     share.narrowest = band.narrowest();
-    const double width = std::max(smoothing, 2 * double(edge));
-    share.fade = {
-        body, signedDistance(mesh, smoothBorder(mesh, labels, width), farthest, band.measure())};
+    const double width = std::max(smoothing, 2 * double(stage.edge));
+    share.fade = {stage.body, signedDistance(mesh, smoothBorder(mesh, labels, width), farthest,
+                                             band.measure())};
     keepInReach(share.fade.values, reaches);
     findPainters(share, dips);
     share.narrow = band.tooNarrow(share.fade.values, share.painters);
@@ -296,9 +331,6 @@ BodyShare shareBody(const TexturedMesh& model, const Films& films, const ShareSe
     }
     share.overlap = overlapAlong(line, mesh, share.fade.values);
     share.cost = seamCost(line, places.weights);
-    std::vector<float> equator =
-        signedDistance(mesh, equatorField(mesh, films), farthest, band.measure());
-    keepInReach(equator, reaches);
     share.equator = seamCost(seamPieces(zeroLine(mesh, equator), dips), places.weights);
     for (const LinePiece& piece : line) {
         share.join.push_back(piece.ends);

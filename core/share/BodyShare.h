@@ -66,9 +66,16 @@ struct BodyShare {
     PaintShare of(std::size_t number) const { return {fade, number == 0, narrowest}; }
 };
 
-// Splits the body of `model` between its two dips; `films` are their results. Uses all cores;
+// The parts of a split that depend on no film: the body's fine triangles, and how visible a seam is
+// on each.
+struct ShareStage;
+// Computes the stage for a body that is to look like `model`. Uses all cores. Any thread may read
+// the stage. The model must outlive it.
+std::shared_ptr<const ShareStage> shareStage(const TexturedMesh& model);
+
+// Splits the body of `stage` between its two dips; `films` are their results. Uses all cores;
 // deterministic. Throws Cancelled.
-BodyShare shareBody(const TexturedMesh& model,
+BodyShare shareBody(const ShareStage& stage,
                     const std::array<std::shared_ptr<const LaidFilm>, 2>& films,
                     const ShareSettings& settings, const InkSettings& ink,
                     const Progress& progress);

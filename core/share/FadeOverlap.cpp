@@ -14,7 +14,8 @@ namespace {
 constexpr double visibleStep = 0.1; // smallest visible difference of reflectance
 constexpr double darkest = 0.01;    // reflectance of printed black
 constexpr double leastBand = 0.1;   // narrowest overlap, mm
-// Film has a gap where the flat film is more than this many times as long as the body under it.
+// The film counts as having a gap where its flat length is more than this many times the length of
+// the body's surface under it.
 constexpr float gapRatio = 2;
 // Factor on the overlap width, because neighbouring film may be stretched less.
 constexpr float widthReserve = 1.15f;

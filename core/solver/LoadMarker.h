@@ -9,7 +9,7 @@ namespace dipwright {
 
 // Only crashes count. A kill by the system for lack of memory, by a time limit or by the user is no
 // crash. A module is identified by its file's path, size and time, so that a replaced module starts
-// without crashes.
+// with no crashes counted.
 inline constexpr int crashesAllowed = 1; // one more disables the module
 
 int crashesOf(const QString& modulePath);

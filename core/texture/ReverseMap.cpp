@@ -65,9 +65,10 @@ Eigen::Vector3f FilmPiece::childWeights(const Eigen::Vector3f& weights, std::siz
     return 2 * weights - Eigen::Vector3f::Unit(int(child));
 }
 
-ReverseMap::ReverseMap(const LaidFilm& laid, const SurfaceAppearance& appearance)
-    : contact_(laid.contact()), appearance_(appearance), mesh_(laid.body().mesh),
-      query_(laid.body().query), triangles_(laid.triangles()), seam_(triangles_.size(), 0) {
+ReverseMap::ReverseMap(const LaidFilm& laid, const SurfaceAppearance& appearance, float tolerance)
+    : tolerance_(tolerance), contact_(laid.contact()), appearance_(appearance),
+      mesh_(laid.body().mesh), query_(laid.body().query), triangles_(laid.triangles()),
+      seam_(triangles_.size(), 0) {
     markSeams(laid);
 }
 
@@ -256,10 +257,10 @@ std::optional<LinearPiece> ReverseMap::linear(const FilmPiece& piece,
         return linear;
     }
     const auto& [a, b, c] = linear.coordinates;
-    const bool fits = mismatch(middles[0], (a + b) / 2) <= tolerance &&
-                      mismatch(middles[1], (b + c) / 2) <= tolerance &&
-                      mismatch(middles[2], (c + a) / 2) <= tolerance &&
-                      mismatch(middle, (a + b + c) / 3) <= tolerance;
+    const bool fits = mismatch(middles[0], (a + b) / 2) <= tolerance_ &&
+                      mismatch(middles[1], (b + c) / 2) <= tolerance_ &&
+                      mismatch(middles[2], (c + a) / 2) <= tolerance_ &&
+                      mismatch(middle, (a + b + c) / 3) <= tolerance_;
     return fits ? std::optional(linear) : std::nullopt;
 }
 

@@ -46,15 +46,14 @@ struct LinearPiece {
 
 // Projects a film place linearly to the flat triangle between the points of contact, and from there
 // to the nearest place on the body. Texture coordinates are interpolated directly in a piece where
-// they are linear within `tolerance` mm on the body. Other pieces are halved at the middles of
+// they are linear within a tolerance. Other pieces are halved at the middles of
 // their edges, which resolves the texture seams between charts (the paper's Figure 5). Keeps
 // references to the film and the appearance. Const members may be used from several threads.
 class ReverseMap {
 public:
-    static constexpr float tolerance = 0.03f; // mm on the body
-
-    // `appearance` describes the triangles of the body on which the film is laid.
-    ReverseMap(const LaidFilm& laid, const SurfaceAppearance& appearance);
+    // `appearance` describes the triangles of the body on which the film is laid. `tolerance` is in
+    // mm on the body.
+    ReverseMap(const LaidFilm& laid, const SurfaceAppearance& appearance, float tolerance = 0.03f);
 
     // Tells whether a texture seam runs through a painted triangle, by the body's topology.
     bool isSeam(std::uint32_t triangle) const { return seam_[triangle] != 0; }
@@ -94,6 +93,7 @@ private:
     float mismatch(const SurfacePoint& point, const Eigen::Vector2f& coordinate) const;
     void markSeams(const LaidFilm& laid);
 
+    float tolerance_;
     const FilmContact& contact_;
     const SurfaceAppearance& appearance_;
     const TriangleMesh& mesh_; // the body's

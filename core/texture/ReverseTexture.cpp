@@ -449,17 +449,16 @@ void blankPixels(const std::vector<FilmPainter::PaintedRow>& painted, std::ptrdi
 }
 
 // Reverses everything except the spot inks.
-ReverseTexture reversed(const LaidFilm& laid, const SurfaceAppearance& appearance, Shown shown,
+ReverseTexture reversed(const LaidFilm& laid, const BodyColours& colours, Shown shown,
                         const ReverseTextureOptions& options, const Progress& progress) {
     progress(0, Text::tr("Reversing the texture"));
     ReverseTexture result;
-    const BodyColours colours(appearance);
     result.image = unprinted(options.pixels, colours.isWide());
     if (options.returnsWanted) {
         result.wanted = unprinted(options.pixels, colours.isWide());
     }
     AsidePicture aside(options.pixels, options.white > 0 || options.returnsWanted);
-    const ReverseMap map(laid, appearance);
+    const ReverseMap map(laid, colours.appearance(), float(options.tolerance));
     result.seamTriangles = map.seamCount();
     progress(0.1, Text::tr("Reversing the texture"));
 
@@ -493,15 +492,25 @@ ReverseTexture reversed(const LaidFilm& laid, const SurfaceAppearance& appearanc
 
 } // namespace
 
+std::shared_ptr<const BodyColours> bodyColours(const SurfaceAppearance& appearance) {
+    return std::make_shared<const BodyColours>(appearance);
+}
+
 ReverseTexture reverseTexture(const LaidFilm& laid, const SurfaceAppearance& appearance,
                               const ReverseTextureOptions& options, const Progress& progress) {
-    ReverseTexture result = reversed(laid, appearance, Shown::Colours, options, progress);
+    return reverseTexture(laid, BodyColours(appearance), options, progress);
+}
+
+ReverseTexture reverseTexture(const LaidFilm& laid, const BodyColours& colours,
+                              const ReverseTextureOptions& options, const Progress& progress) {
+    ReverseTexture result = reversed(laid, colours, Shown::Colours, options, progress);
     ReverseTextureOptions tints = options;
     tints.white = 0;
     tints.returnsWanted = false;
     for (const SpotAppearance& spot : options.spots) {
         const SurfaceAppearance plate = spot();
-        result.spots.push_back(tintsOf(reversed(laid, plate, Shown::Plate, tints, progress).image));
+        result.spots.push_back(
+            tintsOf(reversed(laid, BodyColours(plate), Shown::Plate, tints, progress).image));
     }
     return result;
 }

@@ -20,12 +20,19 @@ namespace dipwright {
 // Makes the tints that the body should show in a spot ink: grey of 1 − tint in linear light.
 using SpotAppearance = std::function<SurfaceAppearance()>;
 
+// The colours of an appearance, prepared for filtering.
+class BodyColours;
+// Prepares the colours. Keeps a reference to the appearance. Uses all cores. Any thread may read
+// the result.
+std::shared_ptr<const BodyColours> bodyColours(const SurfaceAppearance& appearance);
+
 struct ReverseTextureOptions {
     QSize pixels;     // size of the whole film's image
     double bleed = 2; // mm by which the colour is continued past the painted area
     InkSettings ink;
     std::optional<PaintShare> share = {}; // none: the film gives the whole colour everywhere
     double white = 0;           // tint of the white layer on the body, 0 … 1; 0: no layer
+    double tolerance = 0.03;    // mm on the body by which the texture may be displaced
     bool returnsWanted = false; // whether to return `wanted` and `stretch`
     // Functions that make each spot appearance only when it is processed, because an appearance is
     // as large as the body's texture.
@@ -53,6 +60,9 @@ struct ReverseTexture {
 // not continued into that area. Uses all cores. Deterministic. Throws Cancelled, or Error if the
 // image does not fit into memory.
 ReverseTexture reverseTexture(const LaidFilm& laid, const SurfaceAppearance& appearance,
+                              const ReverseTextureOptions& options, const Progress& progress);
+// The same for colours that several films share.
+ReverseTexture reverseTexture(const LaidFilm& laid, const BodyColours& colours,
                               const ReverseTextureOptions& options, const Progress& progress);
 
 } // namespace dipwright

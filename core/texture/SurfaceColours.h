@@ -22,8 +22,8 @@ public:
     explicit SurfaceColours(const SurfaceAppearance& appearance);
     ~SurfaceColours();
 
-    // Returns the mean over a small piece of the surface. `steps` are the extents of this piece to
-    // the right and downwards, as weights of the triangle's corners. The colour is in wide colour's
+    // Returns the mean over a small parallelogram of the surface with its middle at `place`. The
+    // columns of `steps` are its two sides, as changes of the triangle's corner weights. The colour is in wide colour's
     // primaries if any of the appearance's textures is wide.
     LinearColour at(const SurfacePoint& place, const Eigen::Matrix<float, 3, 2>& steps) const;
 

@@ -27,7 +27,7 @@ LightTexel lightTexel(const LinearColour& light) {
     return texel;
 }
 
-// Returns the texels of a wide picture on white.
+// Returns the texels of a picture in wide colour, laid over white.
 std::vector<LightTexel> lightTexels(const QImage& wide) {
     const PixelCode code(wide);
     const auto columns = std::size_t(wide.width());
@@ -263,7 +263,7 @@ LinearColour TextureSampler::sampleWithin(const Eigen::Vector2f& coordinate,
 bool TextureSampler::isWithin(const std::array<Eigen::Vector2f, 3>& corners,
                               const TextureSteps& steps, const ChartMap& charts,
                               std::uint32_t chart) const {
-    // Half the pixel, plus the texels that the smaller level reads around its end.
+    // Half the pixel, plus the neighbouring texels that interpolation reads on the coarser level.
     const float margin = 2 + 2.5f * longestStep(steps);
     Eigen::AlignedBox2f box;
     for (const Eigen::Vector2f& corner : corners) {

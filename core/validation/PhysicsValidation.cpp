@@ -413,8 +413,8 @@ PhysicsResult compareFlatFace(const solver::SolverModule& module, const PhysicsO
     return result;
 }
 
-// Compares a long cylinder along Z in a film with free edges. Film that does not grow rolls on
-// without stretch.
+// Compares a long cylinder along Z in a film with free edges. Film that does not grow wraps the
+// cylinder without stretch.
 PhysicsResult compareCylinder(const solver::SolverModule& module, const FilmKind& film,
                               const PhysicsOptions& options, const Progress& progress) {
     PhysicsResult result;

@@ -71,8 +71,9 @@ void measure(const QString& path, const QString& points, QTextStream& out) {
         return;
     }
     const bench::Statistics seconds = bench::timed(5, [&] {
-        shareBody(*project.model, {result.immersions[0].laid, result.immersions[1].laid},
-                  project.share, project.ink, {});
+        shareBody(*shareStage(*project.model),
+                  {result.immersions[0].laid, result.immersions[1].laid}, project.share,
+                  project.ink, {});
     });
     const BodyShare& share = *result.share;
     const ShareAreas& areas = share.areas;

@@ -11,68 +11,16 @@
 
 #include "WindowDriver.h"
 
+#include "bench/Heartbeat.h"
+
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QElapsedTimer>
-#include <algorithm>
-#include <cstdio>
-#include <ctime>
 
 using namespace dipwright;
+using bench::Heartbeat;
 
 namespace {
-
-constexpr double longGap = 50; // ms
-
-// Returns the processor time of this thread in ms, without other programs' work; 0 if unknown.
-double threadMilliseconds() {
-#ifdef CLOCK_THREAD_CPUTIME_ID
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return double(time.tv_sec) * 1e3 + double(time.tv_nsec) / 1e6;
-#else
-    return 0;
-#endif
-}
-
-class Heartbeat : public QObject {
-public:
-    Heartbeat() {
-        timer_.setTimerType(Qt::PreciseTimer);
-        timer_.setInterval(1);
-        connect(&timer_, &QTimer::timeout, this, [this] {
-            gaps_.push_back(double(clock_.nsecsElapsed()) / 1e6);
-            const double now = threadMilliseconds();
-            mostWork_ = std::max(mostWork_, now - workBefore_);
-            workBefore_ = now;
-            clock_.start();
-        });
-    }
-    void start() {
-        gaps_.clear();
-        mostWork_ = 0;
-        workBefore_ = threadMilliseconds();
-        clock_.start();
-        timer_.start();
-    }
-    void print(const char* what) {
-        timer_.stop();
-        std::sort(gaps_.begin(), gaps_.end());
-        const auto longOnes =
-            std::count_if(gaps_.begin(), gaps_.end(), [](double gap) { return gap > longGap; });
-        std::printf("%-12s beats %6zu  99 %% below %6.1f ms  longest %6.1f ms  over %.0f ms: %td  "
-                    "most work %6.1f ms\n",
-                    what, gaps_.size(), gaps_[gaps_.size() * 99 / 100], gaps_.back(), longGap,
-                    longOnes, mostWork_);
-        std::fflush(stdout);
-    }
-
-private:
-    QTimer timer_;
-    QElapsedTimer clock_;
-    std::vector<double> gaps_;
-    double workBefore_ = 0, mostWork_ = 0; // processor time of this thread in one turn, ms
-};
 
 void measureCancel(MainWindow& window, const WindowDriver& driver) {
     window.document()->edit({}, {},
@@ -132,7 +80,7 @@ int main(int argc, char* argv[]) {
     QTest::qWait(500);
     heart.start();
     bool arrived = false;
-    QObject::connect(&window.session(), &DipSession::finished, &heart, [&] { arrived = true; });
+    QObject::connect(&window.session(), &DipSession::finished, [&] { arrived = true; });
     driver.trigger("run");
     while (window.session().isRunning()) {
         QTest::qWait(5);

@@ -14,10 +14,10 @@ const QString partsOption = QStringLiteral("parts");
 const QString quickOption = QStringLiteral("quick");
 const QString plotOption = QStringLiteral("plot");
 
-const QStringList allParts{QStringLiteral("steps"),      QStringLiteral("dips"),
-                           QStringLiteral("large-dips"), QStringLiteral("sweep"),
-                           QStringLiteral("field"),      QStringLiteral("texture"),
-                           QStringLiteral("parts"),      QStringLiteral("run")};
+const QStringList allParts{
+    QStringLiteral("steps"), QStringLiteral("dips"),  QStringLiteral("large-dips"),
+    QStringLiteral("sweep"), QStringLiteral("field"), QStringLiteral("texture"),
+    QStringLiteral("parts"), QStringLiteral("run"),   QStringLiteral("live")};
 const QStringList usualParts{QStringLiteral("steps"), QStringLiteral("dips")};
 
 constexpr int tableOneRows = 8;
@@ -72,7 +72,7 @@ void append(std::vector<TimedRow>& rows, std::vector<TimedRow> more) {
 }
 
 BenchReport measured(const BenchSolver& solver, const QStringList& parts, int rows, bool isQuick,
-                     const Progress& progress) {
+                     const QStringList& projects, const Progress& progress) {
     BenchReport report;
     BenchBodies bodies;
     PartProgress each(progress, parts);
@@ -95,6 +95,8 @@ BenchReport measured(const BenchSolver& solver, const QStringList& parts, int ro
             report.sheets = measureSheets(solver, resolutions, partProgress);
         } else if (part == QLatin1String("parts")) {
             report.runParts = measureParts(solver, partProgress);
+        } else if (part == QLatin1String("live")) {
+            report.live = measureLive(solver, projects, partProgress);
         } else {
             report.wholeRuns = measureRun(solver, partProgress);
         }
@@ -139,7 +141,8 @@ public:
                  "The parts to measure, joined by commas: steps (Table I), dips (20,400 points), "
                  "large-dips (110,880 points), sweep (Figure 7), field (building the distance "
                  "field), texture (with the sheet), parts (the steps of a job other than the dip), "
-                 "run (the whole job), or all. Without it: steps,dips."),
+                 "run (the whole job), live (how soon results follow a turn of the part), or all. "
+                 "Without it: steps,dips."),
              QStringLiteral("LIST")});
         syntax.addOption(
             {quickOption, QStringLiteral("Measures only the coarsest fields and sheets.")});
@@ -148,6 +151,9 @@ public:
              QStringLiteral(
                  "Draws the paper's Figures 6 and 7 with the measured rates of steps and sweep."),
              QStringLiteral("FILE.png|FILE.svg")});
+        syntax.addPositionalArgument(
+            QStringLiteral("[JOB.dipw …]"),
+            QStringLiteral("The projects to measure for live. Without one: the samples."));
         declareThreads(syntax);
     }
 
@@ -156,15 +162,18 @@ public:
         const int rows = wholeNumberOption(parser, rowsOption, 1, tableOneRows);
         const int runs = wholeNumberOption(parser, runsOption, 1, 1000);
         const QStringList parts = chosenParts(parser);
-        requireNoPositionalArgument(parser);
+        const QStringList projects = parser.positionalArguments();
+        if (!projects.isEmpty() && !parts.contains(QLatin1String("live"))) {
+            throw UsageError(QStringLiteral("Only the part live measures projects"), projects[0]);
+        }
         const QString plot = pictureOption(parser, plotOption, {".png", ".svg"});
         const SolverRegistry registry;
         const Progress progress = console.progress();
         const QString id = registry.info(parser.value(solverOption), progress.cancelToken).id;
         // Measured first, because this also wakes the device.
         const std::optional<solver::Ceiling> ceiling = ceilingOf(registry.module(id), id);
-        BenchReport report =
-            measured({registry, id, runs}, parts, rows, parser.isSet(quickOption), progress);
+        BenchReport report = measured({registry, id, runs}, parts, rows, parser.isSet(quickOption),
+                                      projects, progress);
         report.device = QString::fromUtf8(registry.module(id).device());
         report.solver = registry.info(id);
         report.ceiling = ceiling;

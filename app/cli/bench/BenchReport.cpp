@@ -95,6 +95,36 @@ void printSeconds(const QString& title, const std::vector<TimedRow>& rows, QText
     }
 }
 
+QJsonArray liveJson(const std::vector<LiveRow>& rows) {
+    QJsonArray array;
+    for (const LiveRow& row : rows) {
+        array.append(QJsonObject{{"model", row.model},
+                                 {"first_answer_s", row.firstAnswer.median},
+                                 {"first_answer_max_s", row.firstAnswer.maximum},
+                                 {"dips_per_second", row.dipsPerSecond},
+                                 {"final_s", row.final.median},
+                                 {"final_max_s", row.final.maximum}});
+    }
+    return array;
+}
+
+void printLive(const std::vector<LiveRow>& rows, QTextStream& out) {
+    if (rows.empty()) {
+        return;
+    }
+    out << "\nAfter the part is turned\n";
+    for (const LiveRow& row : rows) {
+        out << QStringLiteral("%1  first draft %2 s (at most %3), %4 drafts/s while dragging, "
+                              "result %5 s (at most %6)\n")
+                   .arg(row.model, -14)
+                   .arg(row.firstAnswer.median, 0, 'f', 3)
+                   .arg(row.firstAnswer.maximum, 0, 'f', 3)
+                   .arg(row.dipsPerSecond, 0, 'f', 1)
+                   .arg(row.final.median, 0, 'f', 2)
+                   .arg(row.final.maximum, 0, 'f', 2);
+    }
+}
+
 } // namespace
 
 QJsonObject toJson(const BenchReport& report) {
@@ -114,6 +144,7 @@ QJsonObject toJson(const BenchReport& report) {
     json["sheets"] = secondsJson(report.sheets);
     json["parts_of_a_run"] = secondsJson(report.runParts);
     json["runs_of_the_turtle"] = secondsJson(report.wholeRuns);
+    json["live"] = liveJson(report.live);
     return json;
 }
 
@@ -136,6 +167,7 @@ void print(const BenchReport& report, QTextStream& out) {
     printSeconds(QStringLiteral("The turtle's sheet"), report.sheets, out);
     printSeconds(QStringLiteral("The steps of a run other than the dip"), report.runParts, out);
     printSeconds(QStringLiteral("The whole job"), report.wholeRuns, out);
+    printLive(report.live, out);
 }
 
 } // namespace dipwright::cli

@@ -14,6 +14,7 @@ struct BenchReport {
     int runs = 1;
     std::optional<solver::Ceiling> ceiling; // empty if the solver cannot measure its device
     std::vector<StepRow> tableOne, fieldSweep;
+    std::vector<LiveRow> live;
     std::vector<TimedRow> dips, fields, sheets, runParts, wholeRuns;
 };
 

@@ -42,6 +42,14 @@ struct TimedRow {
     Statistics seconds;
 };
 
+// How soon results follow a change of the pose (pipeline/JobDraft.h).
+struct LiveRow {
+    QString model;            // name of the project
+    Statistics firstAnswer;   // s from the change to the coarsest draft
+    double dipsPerSecond = 0; // drafts per second while the body is dragged
+    Statistics final;         // s from the change to the result of the job
+};
+
 // Makes or reads the bodies "sphere", "tetrahedron" and "turtle" on first use. The sphere is that
 // of Table I: radius 35 mm, about 26,000 vertices.
 class BenchBodies {
@@ -96,5 +104,9 @@ std::vector<TimedRow> measureParts(const BenchSolver& solver, const Progress& pr
 // Measures the whole command `run` on the turtle, from project to files. The field is built each
 // time.
 std::vector<TimedRow> measureRun(const BenchSolver& solver, const Progress& progress);
+// Turns the body of each project file, or of each sample if there is none. Measures how soon
+// results follow, without a window.
+std::vector<LiveRow> measureLive(const BenchSolver& solver, QStringList projects,
+                                 const Progress& progress);
 
 } // namespace dipwright::cli

@@ -18,7 +18,7 @@ public:
     NumericalErrorCheck(JobRunner& jobs, const SolverRegistry& registry, Messages& messages,
                         QObject* parent = nullptr);
 
-    void start(const Document& document); // needs no earlier result
+    void start(const Document& document); // works even if no dip has been computed before
     void cancel();                        // cancels the check, so that a dip need not wait for it
 
 signals:

@@ -27,8 +27,8 @@ public:
     void setBrush(const MarkBrush& brush);
 
 signals:
-    // Gives the tolerances of the current project and one sentence for each zone. Null and empty if
-    // they are unknown.
+    // Gives the tolerances of the current project and one sentence for each zone. If they are
+    // unknown, `tolerances` is null and `verdicts` is empty.
     void changed(const std::shared_ptr<const dipwright::JobTolerances>& tolerances,
                  const QStringList& verdicts);
 

@@ -127,7 +127,9 @@ void VerdictPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion, 
     }
     const ImmersionResult& result = outcome.result->immersions[immersion];
     places_ = result.verdict.places;
-    text_->setHtml(html(*outcome.result, result, unit));
+    text_->setHtml(outcome.fineness.isDraft()
+                       ? paragraph(tr("This is a draft. The verdict follows with the result."))
+                       : html(*outcome.result, result, unit));
     fitText();
     const NumericalErrorEstimate* estimate = result.numericalError.get();
     if (estimate && estimate->failure.isEmpty()) {

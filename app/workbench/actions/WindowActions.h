@@ -36,7 +36,7 @@ public:
     QAction *run, *cancel, *live, *numericalError, *tolerances, *findPoses, *play;
     QAction *fit, *oblique, *front, *right, *top, *back, *left, *bottom, *resetLayout, *saveLayout,
         *parallel;
-    QAction *rings, *water, *body, *coverage, *bodyPrint, *zones, *filmOnBody, *section,
+    QAction *rings, *water, *body, *coverage, *bodyPrint, *zones, *filmOnBody, *wearsFilm, *section,
         *seeThrough, *measure;
     QActionGroup* filmLook;              // each action's data is its FilmLook
     QActionGroup *bodyTurns, *bodyMoves; // each action's data is its BodyStep

@@ -67,8 +67,8 @@ void WindowMenus::makeViewMenu(QMenu& menu, const WindowActions& a) {
     menu.addSeparator();
     film_ = menu.addMenu(icon(QStringLiteral("film")), tr("Film appearan&ce"));
     film_->addActions(a.filmLook->actions());
-    menu.addActions({a.filmOnBody, a.seeThrough, a.section, a.body, a.coverage, a.bodyPrint,
-                     a.zones, a.water, a.rings, a.measure});
+    menu.addActions({a.wearsFilm, a.filmOnBody, a.seeThrough, a.section, a.body, a.coverage,
+                     a.bodyPrint, a.zones, a.water, a.rings, a.measure});
 }
 
 void WindowMenus::makeWindowMenu(QMenu& menu, const WindowActions& a,

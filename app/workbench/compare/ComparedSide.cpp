@@ -23,7 +23,7 @@ ComparedSide::ComparedSide(const ComparedState& state, std::shared_ptr<const Job
 }
 
 void ComparedSide::run() {
-    session_.run(recordedPoints);
+    session_.run(recordedPoints, DipReach::JobOnly);
 }
 
 void ComparedSide::lookAt(std::size_t immersion) {

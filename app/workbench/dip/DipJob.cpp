@@ -1,5 +1,6 @@
 #include "workbench/dip/DipJob.h"
 
+#include "pipeline/Pipeline.h"
 #include "sheet/page/SheetLayout.h"
 
 #include <QCoreApplication>
@@ -11,7 +12,7 @@ namespace dipwright {
 namespace {
 
 constexpr std::size_t mostFrames = 240;
-constexpr double previewResolution = 150; // dpi
+constexpr double previewResolution = 150; // dpi, if the sheet has as many
 constexpr double longestPreview = 2800;   // pixels
 constexpr double dipDone = 0.95;
 
@@ -29,8 +30,8 @@ SheetPreview sheetPreview(const Sheet& sheet) {
     const SheetLayout layout = sheetLayout(sheet);
     SheetPreview preview{{}, layout.page, layout.film};
     const double longest = std::max(layout.page.width(), layout.page.height());
-    const double pixels =
-        std::min(previewResolution / millimetresPerInch, longestPreview / longest);
+    const double resolution = std::min(previewResolution, sheet.settings.resolution.value());
+    const double pixels = std::min(resolution / millimetresPerInch, longestPreview / longest);
     preview.page = QImage((layout.page * pixels).toSize(), QImage::Format_RGB32);
     preview.page.fill(Qt::white);
     QPainter painter(&preview.page);
@@ -41,24 +42,31 @@ SheetPreview sheetPreview(const Sheet& sheet) {
     return preview;
 }
 
-DipJob::DipJob(const Project& project, const SolverRegistry& registry,
-               std::shared_ptr<const JobResult> previous, DipRecordings recordings, Done done,
-               Failed failed)
-    : project_(project), registry_(registry), previous_(std::move(previous)),
-      recordings_(std::move(recordings)), done_(std::move(done)), failed_(std::move(failed)) {}
+DipJob::DipJob(Task task, const SolverRegistry& registry, Done done, Failed failed)
+    : task_(std::move(task)), registry_(registry), done_(std::move(done)),
+      failed_(std::move(failed)) {}
 
 QString DipJob::title() const {
     return QCoreApplication::translate("DipJob", "Simulating the dip");
 }
 
 void DipJob::process(const Progress& progress) {
-    JobOptions options;
-    options.observer = [this](std::size_t immersion, const FilmFrame& frame) {
-        recordings_[immersion]->add(frame);
-    };
-    outcome_.result = std::make_shared<JobResult>(
-        runJob(project_, registry_, options, previous_.get(), progress.part(0, dipDone)));
-    for (const ImmersionResult& immersion : outcome_.result->immersions) {
+    outcome_.project = task_.project;
+    Fineness& fineness = outcome_.fineness;
+    if (task_.stage == DipStage::FirstDraft) {
+        fineness.coarsest =
+            coarsestDraft(task_.project, task_.earlier.reusable(task_.project, 0).get());
+        fineness.level = fineness.coarsest;
+    } else if (task_.stage == DipStage::NextDraft) {
+        fineness.coarsest = task_.before.fineness.coarsest;
+        fineness.level = task_.before.fineness.level - 1;
+    }
+    const auto result = std::make_shared<const JobResult>(run(progress.part(0, dipDone)));
+    if (fineness.isDraft() && task_.before.result) {
+        fineness.moves = movesSince(*task_.before.result, *result);
+    }
+    outcome_.result = result;
+    for (const ImmersionResult& immersion : result->immersions) {
         progress(dipDone, QCoreApplication::translate("DipJob", "Preparing the views"));
         outcome_.readings.push_back(std::make_shared<FilmReadout>(immersion.laid));
         progress.cancelToken.throwIfCancelled();
@@ -66,9 +74,22 @@ void DipJob::process(const Progress& progress) {
     }
 }
 
+JobResult DipJob::run(const Progress& progress) {
+    const auto [level, coarsest, moves] = outcome_.fineness;
+    const auto previous = task_.earlier.reusable(task_.project, level);
+    if (level > 0) {
+        return runDraft(task_.project, level, coarsest, registry_, previous.get(), progress);
+    }
+    JobOptions options;
+    options.observer = [this](std::size_t immersion, const FilmFrame& frame) {
+        task_.recordings[immersion]->add(frame);
+    };
+    return runJob(task_.project, registry_, options, previous.get(), progress);
+}
+
 void DipJob::finalize(bool cancelled, std::exception_ptr failure) {
     if (cancelled || failure) {
-        failed_(cancelled, failure);
+        failed_(outcome_.fineness, cancelled, failure);
     } else {
         done_(outcome_);
     }

@@ -1,8 +1,8 @@
-// The main job, on the worker thread: computes the result of a project, records the film during the
-// dips, and prepares the previews and readouts for the window.
+// The main job, on the worker thread: computes a draft or the result of a project, records the film
+// during the dips, and prepares the previews and readouts for the window.
 #pragma once
 
-#include "pipeline/Pipeline.h"
+#include "pipeline/JobDraft.h"
 #include "workbench/dip/DipRecording.h"
 #include "workbench/dip/FilmReadout.h"
 #include "workbench/jobs/Job.h"
@@ -21,31 +21,51 @@ struct SheetPreview {
 };
 SheetPreview sheetPreview(const Sheet& sheet); // throws Error as pageSize() does
 
+// How fine a result is (pipeline/JobDraft.h).
+struct Fineness {
+    int level = 0;               // 0: the job itself
+    int coarsest = 0;            // level of the first draft
+    std::optional<double> moves; // mm since the draft before, movesSince(); none: not known
+    bool isDraft() const { return level > 0; }
+};
+
 struct DipOutcome {
     std::shared_ptr<const JobResult> result;
     std::vector<std::shared_ptr<const FilmReadout>> readings; // one for each dip
     std::vector<SheetPreview> sheets;
+    Project project = {}; // the project that was run; `result` of a draft has a coarser one
+    Fineness fineness = {};
 };
+
+// Which results a job computes.
+enum class DipStage { FirstDraft, NextDraft, Job };
 
 class DipJob : public Job {
 public:
+    // What the job computes, and what it can reuse.
+    struct Task {
+        Project project;
+        DipStage stage = DipStage::Job;
+        DipOutcome before;        // for NextDraft: the draft before
+        JobDrafts earlier;        // results to reuse
+        DipRecordings recordings; // of the job; drafts are not recorded
+    };
     using Done = std::function<void(const DipOutcome&)>;
-    using Failed = std::function<void(bool cancelled, std::exception_ptr)>;
+    // `fineness` is that of the failed draft or job.
+    using Failed =
+        std::function<void(const Fineness& fineness, bool cancelled, std::exception_ptr)>;
 
-    // Reuses the parts of `previous` (may be null) that still fit the project.
-    DipJob(const Project& project, const SolverRegistry& registry,
-           std::shared_ptr<const JobResult> previous, DipRecordings recordings, Done done,
-           Failed failed);
+    DipJob(Task task, const SolverRegistry& registry, Done done, Failed failed);
 
     QString title() const override;
     void process(const Progress& progress) override;
     void finalize(bool cancelled, std::exception_ptr failure) override;
 
 private:
-    Project project_;
+    JobResult run(const Progress& progress);
+
+    Task task_;
     const SolverRegistry& registry_;
-    std::shared_ptr<const JobResult> previous_;
-    DipRecordings recordings_;
     Done done_;
     Failed failed_;
     DipOutcome outcome_;

@@ -1,27 +1,37 @@
 #include "workbench/dip/DipSession.h"
 
+#include "pipeline/SameSheets.h"
+
 namespace dipwright {
 
 DipSession::DipSession(JobRunner& jobs, const SolverRegistry& registry, QObject* parent)
     : QObject(parent), jobs_(jobs), registry_(registry) {
     connect(&jobs, &JobRunner::idle, this, [this] {
         if (wanted_) {
-            run(mostPoints_);
+            run(mostPoints_, reach_);
+            if (!running_) {
+                emit stopped(nullptr);
+            }
         }
     });
 }
 
 void DipSession::setDocument(Document* document) {
-    wanted_ = false;
     jobs_.cancelAll();
     document_ = document;
     immersion_ = 0;
-    outcome_ = {};
-    kept_ = nullptr;
-    recordings_.clear();
+    clear();
     if (document) {
         connect(document, &Document::projectChanged, this, &DipSession::projectChanged);
     }
+}
+
+void DipSession::clear() {
+    wanted_ = false;
+    outcome_ = {};
+    shown_ = {};
+    results_.clear();
+    recordings_.clear();
 }
 
 void DipSession::projectChanged() {
@@ -29,42 +39,93 @@ void DipSession::projectChanged() {
         immersion_ = 0;
     }
     // Drops the result of another model.
-    if (outcome_.result && outcome_.result->project.model != document_->project().model) {
-        outcome_ = {};
-        recordings_.clear();
+    if (shown_.result && shown_.result->project.model != document_->project().model) {
+        clear();
         document_->setResult(nullptr);
         emit dropped();
     }
+    // After an undo, the last outcome may fit again.
+    if (shown_.fineness.isDraft() && document_->isFresh()) {
+        wanted_ = false;
+        dip_.cancel();
+        shown_ = outcome_;
+        emit shownChanged();
+    }
 }
 
-void DipSession::run(std::size_t mostPoints) {
+// Tells whether the draft on show is of the current project, so that the next draft can follow it.
+bool DipSession::mayGoOn() const {
+    return shown_.fineness.isDraft() && makeSameSheets(shown_.project, document_->project());
+}
+
+void DipSession::run(std::size_t mostPoints, DipReach reach) {
     wanted_ = false;
     mostPoints_ = mostPoints;
-    if (!document_ || document_->isFresh()) {
+    reach_ = reach;
+    if (!document_ || document_->isFresh() || (reach == DipReach::FirstDraft && mayGoOn())) {
         return;
+    }
+    if (running_ && makeSameSheets(started_, document_->project())) {
+        return; // what runs is wanted; `reach_` says how it goes on
     }
     if (jobs_.isBusy()) {
         wanted_ = true;
-        if (running_) {
+        if (running_ && stage_ != DipStage::FirstDraft) {
             dip_.cancel(); // leaves other jobs alone
         }
         return;
     }
+    started_ = document_->project();
     running_ = true;
-    live_ = makeRecordings(document_->project(), mostPoints);
-    dip_ = jobs_.start(std::make_unique<DipJob>(
-        document_->project(), registry_, document_->result() ? document_->result() : kept_, live_,
-        [this](const DipOutcome& outcome) { takeOutcome(outcome); },
-        [this](bool cancelled, std::exception_ptr failure) {
-            stop(cancelled ? nullptr : failure);
-        }));
+    if (reach != DipReach::JobOnly && mayGoOn()) {
+        goOn();
+    } else {
+        start(reach == DipReach::JobOnly ? DipStage::Job : DipStage::FirstDraft);
+    }
     emit started();
+}
+
+void DipSession::start(DipStage stage) {
+    stage_ = stage;
+    live_ = makeRecordings(started_, mostPoints_);
+    DipJob::Task task{started_, stage, {}, results_, live_};
+    if (stage == DipStage::NextDraft) {
+        task.before = shown_;
+    }
+    dip_ = jobs_.start(std::make_unique<DipJob>(
+        std::move(task), registry_, [this](const DipOutcome& outcome) { takeOutcome(outcome); },
+        [this](const Fineness& fineness, bool cancelled, const std::exception_ptr& failure) {
+            fail(fineness, cancelled, failure);
+        }));
+}
+
+// Starts what follows the draft on show.
+void DipSession::goOn() {
+    if (wanted_) {
+        running_ = false; // the next run starts when the jobs are idle
+    } else if (reach_ == DipReach::FirstDraft) {
+        stop(nullptr);
+    } else {
+        start(shown_.fineness.level > 1 ? DipStage::NextDraft : DipStage::Job);
+    }
 }
 
 void DipSession::cancel() {
     wanted_ = false;
     jobs_.cancelAll();
     stop(nullptr);
+}
+
+void DipSession::fail(const Fineness& fineness, bool cancelled, const std::exception_ptr& failure) {
+    if (!running_) {
+        return; // it was cancelled already
+    }
+    const bool isDraft = failure && fineness.isDraft(); // a coarse film may miss the body
+    if (isDraft && reach_ != DipReach::FirstDraft && !wanted_) {
+        start(DipStage::Job);
+    } else {
+        stop(cancelled || isDraft ? nullptr : failure);
+    }
 }
 
 void DipSession::stop(std::exception_ptr why) {
@@ -79,6 +140,17 @@ void DipSession::takeOutcome(const DipOutcome& outcome) {
     if (!running_) {
         return; // cancelled at the last moment
     }
+    if (!document_ || outcome.result->project.model != document_->project().model) {
+        stop(nullptr); // the model was replaced during the run
+        return;
+    }
+    results_.add(outcome.fineness.level, outcome.result);
+    shown_ = outcome;
+    if (outcome.fineness.isDraft()) {
+        emit shownChanged();
+        goOn();
+        return;
+    }
     running_ = false;
     // A reused dip has no new recording, so keep the old one.
     for (std::size_t number = 0; number < live_.size(); ++number) {
@@ -88,11 +160,6 @@ void DipSession::takeOutcome(const DipOutcome& outcome) {
     }
     recordings_ = std::move(live_);
     live_.clear();
-    if (!document_ || outcome.result->project.model != document_->project().model) {
-        recordings_.clear(); // the model was replaced during the run
-        emit stopped(nullptr);
-        return;
-    }
     outcome_ = outcome;
     document_->setResult(outcome.result);
     emit finished();
@@ -106,21 +173,27 @@ void DipSession::lookAt(std::size_t immersion) {
     }
 }
 
+Freshness DipSession::freshness() const {
+    if (!shown_.result || immersion_ >= shown_.project.immersions.size()) {
+        return {false, false, false};
+    }
+    if (!shown_.fineness.isDraft()) {
+        return document_->freshness(immersion_);
+    }
+    const auto inputsOf = [this](const Project& project) {
+        return sheetInputs(project, {}, immersion_, project.process.solver);
+    };
+    const SheetInputs then = inputsOf(shown_.project), now = inputsOf(document_->project());
+    return {now.texture.dip == then.texture.dip, now.texture == then.texture, now == then};
+}
+
 std::shared_ptr<const FilmReadout> DipSession::reading() const {
-    return immersion_ < outcome_.readings.size() ? outcome_.readings[immersion_] : nullptr;
+    return immersion_ < shown_.readings.size() ? shown_.readings[immersion_] : nullptr;
 }
 
 std::shared_ptr<const DipRecording> DipSession::recording() const {
-    return immersion_ < recordings_.size() ? recordings_[immersion_] : nullptr;
-}
-
-std::shared_ptr<const DipRecording> DipSession::liveRecording() const {
-    for (std::size_t number = live_.size(); number-- > 0;) {
-        if (live_[number]->size() > 0) {
-            return live_[number];
-        }
-    }
-    return nullptr;
+    return !shown_.fineness.isDraft() && immersion_ < recordings_.size() ? recordings_[immersion_]
+                                                                         : nullptr;
 }
 
 } // namespace dipwright

@@ -1,5 +1,5 @@
-// Runs the dips of one document, and keeps their last outcome, their recordings and the number of
-// the dip that is shown. UI thread only.
+// Runs the dips of one document: drafts that become finer, then the job itself. Keeps their
+// outcomes, their recordings and the number of the dip that is shown. UI thread only.
 #pragma once
 
 #include "workbench/dip/DipJob.h"
@@ -7,6 +7,13 @@
 #include "workbench/jobs/JobRunner.h"
 
 namespace dipwright {
+
+// How far a run goes.
+enum class DipReach {
+    FirstDraft, // only the coarsest draft: the user still changes the project
+    AllDrafts,  // all drafts, then the job
+    JobOnly     // the job without drafts
+};
 
 class DipSession : public QObject {
     Q_OBJECT
@@ -17,23 +24,28 @@ public:
     // Drops the results of the previous document. Null: no document.
     void setDocument(Document* document);
     Document* document() const { return document_; }
-    // Runs the dips that are out of date. Waits for running jobs first, but cancels a running dip
-    // with older values. `mostPoints`: approximate number of film points that are recorded.
-    void run(std::size_t mostPoints);
+    // Runs the dips that are out of date. Waits for other jobs first. Cancels a run with older
+    // values, but lets a first draft finish, so that drafts follow a drag. `mostPoints`:
+    // approximate number of film points that are recorded.
+    void run(std::size_t mostPoints, DipReach reach = DipReach::AllDrafts);
     // Sets the result that the first run can reuse.
-    void setKept(std::shared_ptr<const JobResult> kept) { kept_ = std::move(kept); }
+    void setKept(std::shared_ptr<const JobResult> kept) { results_.add(0, std::move(kept)); }
     // Cancels all jobs. Emits stopped() at once for a running dip. Its job ends on the worker
     // thread at its next progress report.
     void cancel();
     bool isRunning() const { return running_; }
 
-    // The outcome of the last finished run; empty before the first.
+    // The outcome of the last finished job; empty before the first. Sheets are printed from it.
     const DipOutcome& outcome() const { return outcome_; }
-    // Readout and recording of the dip that is shown; null if there is none.
+    // The outcome on show: a draft, or outcome().
+    const DipOutcome& shown() const { return shown_; }
+    // Which results on show were made from the current project; for a draft, from its coarser
+    // version.
+    Freshness freshness() const;
+    // Readout of the outcome on show, and recording of the last finished job, for the dip that is
+    // shown; null if there is none.
     std::shared_ptr<const FilmReadout> reading() const;
     std::shared_ptr<const DipRecording> recording() const;
-    // The recording of the dip that is being simulated; null before its first frame.
-    std::shared_ptr<const DipRecording> liveRecording() const;
 
     // The number of the dip that is shown, from 0.
     std::size_t immersion() const { return immersion_; }
@@ -41,14 +53,21 @@ public:
 
 signals:
     void started();
-    void finished();                      // there is a new outcome
-    void stopped(std::exception_ptr why); // null: cancelled
-    void dropped();                       // the outcome is gone, because the model was replaced
+    void shownChanged(); // another draft or outcome is on show
+    void finished();     // there is a new outcome, and it is on show
+    void
+    stopped(std::exception_ptr why); // null: cancelled, or a first draft was all that was asked
+    void dropped();                  // the outcome is gone, because the model was replaced
     void immersionChanged(std::size_t immersion); // another dip is shown
 
 private:
+    bool mayGoOn() const;
+    void start(DipStage stage);
     void takeOutcome(const DipOutcome& outcome);
+    void goOn();
+    void fail(const Fineness& fineness, bool cancelled, const std::exception_ptr& failure);
     void stop(std::exception_ptr why);
+    void clear();
     void projectChanged();
 
     JobRunner& jobs_;
@@ -56,8 +75,11 @@ private:
     Document* document_ = nullptr;
     std::size_t immersion_ = 0;
     DipRecordings recordings_, live_;
-    DipOutcome outcome_;
-    std::shared_ptr<const JobResult> kept_;
+    DipOutcome outcome_, shown_;
+    JobDrafts results_;
+    Project started_; // the project that runs
+    DipStage stage_ = DipStage::Job;
+    DipReach reach_ = DipReach::AllDrafts;
     CancelToken dip_; // cancels the running dip
     bool running_ = false;
     bool wanted_ = false; // run again when the current jobs have ended

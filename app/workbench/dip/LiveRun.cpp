@@ -4,34 +4,29 @@
 
 namespace dipwright {
 
-namespace {
-
-constexpr int delayAfterChange = 350; // ms
-
-} // namespace
-
 LiveRun::LiveRun(QObject* parent) : QObject(parent) {
-    delay_.setSingleShot(true);
-    delay_.setInterval(delayAfterChange);
-    connect(&delay_, &QTimer::timeout, this, &LiveRun::runAsked);
+    soon_.setSingleShot(true);
+    connect(&soon_, &QTimer::timeout, this, &LiveRun::runAsked);
 }
 
 void LiveRun::setDocument(const Document* document) {
-    stop();
-    held_ = false;
+    soon_.stop();
+    cancelled_.reset();
+    held_ = begun_ = false;
     document_ = document;
     if (document) {
         connect(document, &Document::projectChanged, this, &LiveRun::consider);
     }
 }
 
-void LiveRun::stop() {
-    delay_.stop();
+void LiveRun::begin() {
+    soon_.stop();
     cancelled_.reset();
+    begun_ = true;
 }
 
 void LiveRun::cancel() {
-    stop();
+    soon_.stop();
     if (document_) {
         cancelled_ = document_->project();
     }
@@ -43,11 +38,11 @@ void LiveRun::setHeld(bool held) {
 }
 
 void LiveRun::consider() {
-    if (!wanted_ || held_ || !document_ || !document_->result() || document_->isFresh()) {
+    if (!wanted_ || !document_ || !(begun_ || document_->result()) || document_->isFresh()) {
         return;
     }
     if (!cancelled_ || !makeSameSheets(*cancelled_, document_->project())) {
-        delay_.start();
+        soon_.start();
     }
 }
 

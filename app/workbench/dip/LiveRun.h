@@ -1,4 +1,4 @@
-// Requests a new run shortly after each change, once there is a result.
+// Requests a new run after each change, once there is a result or a run has begun.
 #pragma once
 
 #include "workbench/document/Document.h"
@@ -17,9 +17,11 @@ public:
     void setDocument(const Document* document); // may be null
     // Switches live runs on or off, from the next change on.
     void setWanted(bool wanted) { wanted_ = wanted; }
-    // Suspends runs during a drag, and requests one afterwards if something has changed.
+    // While the body is held, requests only first drafts. Requests a whole run afterwards if
+    // something has changed.
     void setHeld(bool held);
-    void stop(); // drops a pending request
+    bool isHeld() const { return held_; }
+    void begin(); // a run begins: drops a pending request
     // The user cancelled. Requests no run until a change affects the sheets.
     void cancel();
 
@@ -32,9 +34,10 @@ private:
     const Document* document_ = nullptr;
     bool wanted_ = false;
     bool held_ = false;
+    bool begun_ = false; // a run of the document has begun
     // The project at the last cancel. Projects with the same sheets do not run.
     std::optional<Project> cancelled_;
-    QTimer delay_;
+    QTimer soon_; // joins changes that come at once
 };
 
 } // namespace dipwright

@@ -181,10 +181,10 @@ void BuiltPage::setBusy(bool busy) {
 }
 
 void BuiltPage::enable() {
-    hint_->setText(keepable_ ? tr("Keep the measured part to store its photos, its error and who "
-                                  "accepted it with the job.")
+    hint_->setText(keepable_ ? tr("Keep the measured part to store with the job its photos, its "
+                                  "error and who accepted it.")
                              : tr("To keep a part, find its corners on the page “Dipped part”, "
-                                  "with pairs that are places on the part itself."));
+                                  "using pairs whose places lie on the part itself."));
     keep_->setEnabled(keepable_ && !busy_ && !acceptedBy_->text().trimmed().isEmpty());
     corrects_->setEnabled(!built_.parts.empty());
     strength_->setEnabled(!built_.parts.empty());

@@ -15,7 +15,7 @@ namespace dipwright {
 
 DipController::DipController(const WindowActions& actions, DipSession& session,
                              NumericalErrorCheck& check, JobRunner& jobs,
-                             const SolverRegistry& registry, const DipPlayback& playback,
+                             const SolverRegistry& registry, DipPlayback& playback,
                              Messages& messages, ResultsPanel& results, QLabel& staleBanner)
     : actions_(actions), session_(session), check_(check), playback_(playback), messages_(messages),
       results_(results), staleBanner_(staleBanner), keeper_(session, jobs, registry, messages) {
@@ -23,6 +23,7 @@ DipController::DipController(const WindowActions& actions, DipSession& session,
         messages_.notice({});
         showFreshness();
     });
+    connect(&session, &DipSession::shownChanged, this, &DipController::showResults);
     connect(&session, &DipSession::finished, this, &DipController::takeResult);
     connect(&session, &DipSession::stopped, this, [this](const std::exception_ptr& failure) {
         showResults();
@@ -40,6 +41,7 @@ DipController::DipController(const WindowActions& actions, DipSession& session,
     connect(actions.run, &QAction::triggered, this, [this] { run(false); });
     connect(actions.cancel, &QAction::triggered, this, &DipController::cancel);
     connect(actions.live, &QAction::toggled, &live_, &LiveRun::setWanted);
+    connect(actions.live, &QAction::toggled, &playback, &DipPlayback::setLive);
     connect(actions.numericalError, &QAction::triggered, this, &DipController::checkNumericalError);
     connect(&results.report(), &ReportPanel::smallerFilmTaken, this,
             &DipController::takeSmallerFilm);
@@ -61,13 +63,15 @@ void DipController::setPreferences(const Preferences& preferences) {
         actions_.live->setChecked(preferences.liveUpdate);
     }
     keeper_.setWanted(preferences.keepsResults);
+    unit_ = preferences.unit;
 }
 
 void DipController::run(bool live) {
     isLive_ = live;
-    live_.stop();
+    live_.begin();
     check_.cancel();
-    session_.run(playback_.mostPoints());
+    session_.run(playback_.mostPoints(),
+                 live_.isHeld() ? DipReach::FirstDraft : DipReach::AllDrafts);
 }
 
 void DipController::cancel() {
@@ -115,23 +119,39 @@ void DipController::takeResult() {
 }
 
 void DipController::showResults() {
-    results_.setOutcome(session_.outcome(), session_.immersion());
+    results_.setOutcome(session_.shown(), session_.immersion());
     showFreshness();
 }
 
 void DipController::showFreshness() {
-    const Document& document = *session_.document();
-    if (!document.result() || session_.isRunning()) {
+    const DipOutcome& shown = session_.shown();
+    if (!shown.result) {
         staleBanner_.hide();
         return;
     }
-    const Freshness fresh = document.freshness(session_.immersion());
+    const Freshness fresh = session_.freshness();
     results_.setFreshness(fresh);
-    staleBanner_.setText(fresh.dip
-                             ? tr("The sheet is out of date: it was made before the last changes.")
-                             : tr("The results are out of date: they were made before the last "
-                                  "changes."));
-    staleBanner_.setVisible(!fresh.sheet);
+    const bool isDraft = shown.fineness.isDraft();
+    staleBanner_.setText(
+        !fresh.sheet
+            ? tr("Out of date: made before the last changes.") + QLatin1Char(' ') +
+                  (session_.isRunning() ? tr("New results are being computed.") : QString())
+        : isDraft ? draftText(shown)
+                  : QString());
+    staleBanner_.setVisible(isDraft || !fresh.sheet);
+}
+
+// Returns how fine the draft is and how far it may be off.
+QString DipController::draftText(const DipOutcome& draft) const {
+    const solver::FilmGrid& grid = session_.reading()->film().grid;
+    QStringList parts{tr("Draft with %1 × %2 film points").arg(grid.columns).arg(grid.rows)};
+    if (draft.fineness.moves) {
+        parts +=
+            tr("95 % of the sheet within about %1").arg(shownLength(*draft.fineness.moves, unit_));
+    }
+    parts +=
+        session_.isRunning() ? tr("finer results follow") : tr("run the dip for sheets to print");
+    return parts.join(QStringLiteral(" · "));
 }
 
 } // namespace dipwright

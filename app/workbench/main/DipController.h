@@ -22,13 +22,13 @@ class DipController : public QObject {
 
 public:
     DipController(const WindowActions& actions, DipSession& session, NumericalErrorCheck& check,
-                  JobRunner& jobs, const SolverRegistry& registry, const DipPlayback& playback,
+                  JobRunner& jobs, const SolverRegistry& registry, DipPlayback& playback,
                   Messages& messages, ResultsPanel& results, QLabel& staleBanner);
 
     // Call this when the session has another document.
     void showDocument();
     void setPreferences(const Preferences& preferences);
-    // While the body is dragged, no live run starts.
+    // While the body is dragged, live runs make only first drafts.
     void setHeld(bool held) { live_.setHeld(held); }
 
 signals:
@@ -42,11 +42,12 @@ private:
     void takeResult();
     void showResults();
     void showFreshness();
+    QString draftText(const DipOutcome& draft) const;
 
     const WindowActions& actions_;
     DipSession& session_;
     NumericalErrorCheck& check_;
-    const DipPlayback& playback_;
+    DipPlayback& playback_;
     Messages& messages_;
     ResultsPanel& results_;
     QLabel& staleBanner_;
@@ -54,6 +55,7 @@ private:
     DipCacheUpdater keeper_;
     bool isLive_ = false; // whether the current or last run is a live run
     std::optional<bool> livePreference_;
+    LengthUnit unit_ = LengthUnit::Millimetre;
 };
 
 } // namespace dipwright

@@ -40,7 +40,7 @@ HelpController::HelpController(const WindowActions& actions, QMainWindow& window
     connect(parts.log, &LogPanel::reportAsked, this, &HelpController::copyReport);
 }
 
-// Steps about a hidden part are shown without pointing at it.
+// If a part of the window is hidden, the step about it is shown without pointing at it.
 void HelpController::showTour() {
     const bool atStart = parts_.startPage->isVisible();
     QWidget* tools = window_.findChild<QToolBar*>(QStringLiteral("mainToolBar"));

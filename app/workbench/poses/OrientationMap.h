@@ -1,4 +1,5 @@
-// Maps the objective of a dip over the side of the body that goes down first.
+// A map that shows, for each side of the body that could go down first, the objective of such a
+// dip.
 #pragma once
 
 #include "search/PoseSearch.h"
@@ -8,9 +9,10 @@
 
 namespace dipwright {
 
-// An equal-area map of the sphere of directions on a disc. The centre is the body's orientation in
-// its file, the rim is upside down. The body's right side is to the right, its front below. Each
-// place has the colour of the nearest simulated direction.
+// An equal-area map of the sphere of directions on a disc. The centre stands for the body's
+// orientation in its file, the rim for the body upside down. Directions to the body's right are to
+// the right, those to its front below. Each place has the colour of the nearest simulated
+// direction.
 class OrientationMap : public QWidget {
     Q_OBJECT
 

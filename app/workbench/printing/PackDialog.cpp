@@ -270,7 +270,7 @@ void PackDialog::chooseFilm() {
     length_->setToolTip(name == rollFilm
                             ? tr("The largest length. The roll is cut off after the last piece.")
                             : QString());
-    feed_->setEnabled(name != rollFilm); // a roll runs along its length
+    feed_->setEnabled(name != rollFilm); // a roll always enters the printer along its length
     changed();
 }
 

@@ -261,7 +261,7 @@ std::vector<PropertySection> shareProperties() {
           {.path = QStringLiteral("share.overlap_mm"),
            .label = Text::tr("Overlap"),
            .help = Text::tr(
-               "Width of the band along the seam on the part that both dips paint. The dips fade "
+               "Width, on the part, of the band along the seam that both dips paint. The dips fade "
                "into each other there. The band is wider where the registration error would show."),
            .unit = Unit::Length,
            .relevant = isShared},
@@ -331,8 +331,9 @@ std::vector<PropertySpec> whiteProperties() {
     return {
         {.path = QStringLiteral("body.base_colour"),
          .label = Text::tr("Part colour"),
-         .help = Text::tr("Colour of the bare part, such as #1a2b3c. Proof and view show the ink "
-                          "on this colour. Empty: light grey, with the ink as it looks on white."),
+         .help =
+             Text::tr("Colour of the bare part, such as #1a2b3c. Proof and view show the ink "
+                      "on this colour. Empty: the part is light grey, and the ink is as on white."),
          .isColour = true},
         {.path = QStringLiteral("sheet.white"),
          .label = Text::tr("White"),
@@ -481,7 +482,7 @@ PropertySection verdictProperties() {
         return PropertySpec{
             .path = QLatin1String(path), .label = label, .help = help, .unit = Unit::Share};
     };
-    PropertySection verdict{Text::tr("Verdict: check first above"), {}};
+    PropertySection verdict{Text::tr("Verdict: limits for “check first”"), {}};
     verdict.specs = {
         spec("verdict.air", Text::tr("Trapped air"),
              Text::tr("The share of the part's surface that trapped air may keep dry. Above five "

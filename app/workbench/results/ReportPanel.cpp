@@ -111,9 +111,11 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
               QStringLiteral("%1 · %2").arg(number(stretch.mean, 3), number(stretch.maximum, 3)));
     table.row(Text::tr("Area stretch, smallest and largest"),
               QStringLiteral("%1 · %2").arg(number(area.minimum, 3), number(area.maximum, 3)));
-    table.row(Text::tr("Read-back error, mean and 95 %"),
-              QStringLiteral("%1 · %2").arg(shownLength(result.readBack.mean, unit),
-                                            shownLength(result.readBack.percentile95, unit)));
+    if (result.readBack) {
+        table.row(Text::tr("Read-back error, mean and 95 %"),
+                  QStringLiteral("%1 · %2").arg(shownLength(result.readBack->mean, unit),
+                                                shownLength(result.readBack->percentile95, unit)));
+    }
     table.row(Text::tr("Film triangles across texture seams"),
               locale.toString(qulonglong(result.texture->seamTriangles)));
     table.row(Text::tr("Too pale for lack of ink"),

@@ -37,7 +37,6 @@ QColor colourOf(DipEvent event) {
     return markColour(solver::PointMark::LetGo);
 }
 
-constexpr int liveInterval = 33;           // ms between two pictures of a running dip
 constexpr std::size_t coarsePoints = 6000; // of the moving film, without a GPU
 constexpr std::size_t finePoints = 60000;
 
@@ -46,16 +45,14 @@ constexpr std::size_t finePoints = 60000;
 DipPlayback::DipPlayback(DipSession& session, DipView& view, DipScene& scene, Timeline& timeline,
                          QObject* parent)
     : QObject(parent), session_(session), view_(view), scene_(scene), timeline_(timeline) {
-    connect(&session, &DipSession::started, this, &DipPlayback::begin);
+    connect(&session, &DipSession::shownChanged, this, &DipPlayback::showResults);
     connect(&session, &DipSession::finished, this, &DipPlayback::showResults);
-    connect(&session, &DipSession::stopped, this, &DipPlayback::showResults);
     connect(&session, &DipSession::dropped, this, &DipPlayback::showResults);
     connect(&session, &DipSession::immersionChanged, this, [this] {
         scene_.setProject(session_.document()->project(), session_.immersion());
         showResults();
     });
     connect(&timeline, &Timeline::positionChanged, this, &DipPlayback::showMoment);
-    connect(&liveTimer_, &QTimer::timeout, this, &DipPlayback::showLiveFrame);
 }
 
 void DipPlayback::showDocument() {
@@ -71,47 +68,32 @@ std::size_t DipPlayback::mostPoints() const {
 }
 
 void DipPlayback::showProject() {
-    const Document& document = *session_.document();
-    scene_.setProject(document.project(), session_.immersion());
-    if (!document.isFresh(JobStep::Dip, session_.immersion()) && !session_.isRunning()) {
+    scene_.setProject(session_.document()->project(), session_.immersion());
+    if (!session_.freshness().dip) {
+        timeline_.pause();
         timeline_.setPosition(0); // the body in its current pose
+        scene_.setShowsDipped(live_);
     }
     emit momentShown();
 }
 
-void DipPlayback::begin() {
-    shownFrame_.reset();
-    timeline_.pause();
-    timeline_.setEnabled(false);
-    liveTimer_.start(liveInterval);
-}
-
-void DipPlayback::showLiveFrame() {
-    const auto recording = session_.liveRecording();
-    const auto frame = recording ? recording->latest() : nullptr;
-    if (frame && frame != shownFrame_) {
-        shownFrame_ = frame;
-        // If drawing is slow, this leaves most of the time for the user's input.
-        liveTimer_.setInterval(std::max(liveInterval, 2 * view_.pictureTime()));
-        scene_.showFrame(recording, *frame);
-        showDepth();
-    }
-}
-
 void DipPlayback::showResults() {
-    liveTimer_.stop();
     const auto reading = session_.reading();
     const auto recording = session_.recording();
-    scene_.setResult(reading ? session_.outcome().result : nullptr, reading);
+    scene_.setResult(reading ? session_.shown().result : nullptr, reading);
+    scene_.setShowsDipped(live_ || session_.freshness().dip);
     const QSignalBlocker quiet(&timeline_);
-    // Cached dips have only their end.
+    // Drafts and cached dips have only their end.
     const bool isRecorded = recording && recording->size() > 0;
-    timeline_.setFrames(isRecorded ? int(recording->size()) : reading ? 1 : 0);
-    if (isRecorded && reading) {
-        showMarks(*recording, session_.outcome().result->immersions[session_.immersion()]);
+    const int frames = isRecorded ? int(recording->size()) : reading ? 1 : 0;
+    if (timeline_.frames() != frames) {
+        timeline_.setFrames(frames);
+        timeline_.setPosition(0);
     }
-    const bool fresh = session_.document()->isFresh(JobStep::Dip, session_.immersion());
-    timeline_.setPosition(fresh ? timeline_.frames() : 0);
+    timeline_.setMarks({});
+    if (isRecorded && reading) {
+        showMarks(*recording, session_.shown().result->immersions[session_.immersion()]);
+    }
     showMoment(timeline_.position());
 }
 

@@ -1,11 +1,10 @@
-// Shows the dip in the view: live while it runs, then at the position of the timeline.
+// Shows the dip in the view at the position of the timeline. Position 0 is before the dip, where
+// the user places the body; there, the body wears the film of the results on show.
 #pragma once
 
 #include "workbench/dip/DipSession.h"
 #include "workbench/view/DipScene.h"
 #include "workbench/widgets/Units.h"
-
-#include <QTimer>
 
 namespace dipwright {
 
@@ -21,6 +20,8 @@ public:
     // Call this when the session has another document.
     void showDocument();
     void setLengthUnit(LengthUnit unit) { unit_ = unit; }
+    // Whether results follow each change, so that those on show are at most a moment old.
+    void setLive(bool live) { live_ = live; }
     // The largest number of film points that can be drawn while they move.
     std::size_t mostPoints() const;
 
@@ -30,8 +31,6 @@ signals:
 private:
     void showProject();
     void showResults();
-    void begin();
-    void showLiveFrame();
     void showMarks(const DipRecording& recording, const ImmersionResult& result);
     void showMoment(int position);
     void showDepth();
@@ -41,8 +40,7 @@ private:
     DipScene& scene_;
     Timeline& timeline_;
     LengthUnit unit_ = LengthUnit::Millimetre;
-    QTimer liveTimer_;
-    std::shared_ptr<const RecordedFrame> shownFrame_; // the shown frame of the dip in progress
+    bool live_ = false;
 };
 
 } // namespace dipwright

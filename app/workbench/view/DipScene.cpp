@@ -193,7 +193,9 @@ void DipScene::setResult(std::shared_ptr<const JobResult> result,
     result_ = std::move(result);
     reading_ = std::move(reading);
     filmSource_ = {};
-    updateBody();
+    if (!previewed_) { // else the preview stays until the body is released
+        updateBody();
+    }
 }
 
 void DipScene::placeBody(const Immersion& immersion, double descent) {
@@ -242,6 +244,10 @@ void DipScene::showSetup() {
         return;
     }
     placeBody(project_.immersions[immersion_], 0);
+    if (isDippedDrawn()) {
+        drawDipped(FilmExtent::OnBody);
+        return;
+    }
     if (filmSource_ == FilmSource(FlatFilm::OfProject)) {
         return;
     }
@@ -279,7 +285,19 @@ void DipScene::showEnd() {
     moment_ = Moment::End;
     const ImmersionResult& result = result_->immersions[immersion_];
     placeBody(result.immersion, dipTravel(result_->project.process, *result.body));
-    if (filmSource_ != FilmSource(reading_)) {
+    drawDipped(extent_);
+}
+
+bool DipScene::isDippedDrawn() const {
+    const bool fits = reading_ && result_ && immersion_ < result_->immersions.size() &&
+                      result_->project.model == project_.model;
+    return fits &&
+           (moment_ == Moment::End || (moment_ == Moment::Setup && showsDipped_ && wearsFilm_));
+}
+
+void DipScene::drawDipped(FilmExtent extent) {
+    const ImmersionResult& result = result_->immersions[immersion_];
+    if (filmSource_ != FilmSource(Dipped{reading_, extent})) {
         const DippedFilm& film = reading_->film();
         FilmShape shape;
         std::vector<float> positions;
@@ -292,24 +310,23 @@ void DipScene::showEnd() {
         }
         shape.longestSide = longestDrawnSide(film.grid, thinFilm(film.grid, film.grid.pointCount()),
                                              result_->project.process.tearStretch);
-        shape.triangles = shownTriangles(*result.laid);
+        shape.triangles = shownTriangles(*result.laid, extent);
         shapeGrid_ = film.grid;
         view_.setFilm(shape, positions);
-        filmSource_ = reading_;
+        filmSource_ = Dipped{reading_, extent};
     }
-    const Eigen::Isometry3d poseToModel = result.body->modelToPose.inverse();
-    view_.setFilmTransform(modelToWorld_ * poseToModel);
+    view_.setFilmTransform(modelToWorld_ * result.body->modelToPose.inverse());
     updateFilm();
 }
 
-std::vector<FilmTriangle> DipScene::shownTriangles(const LaidFilm& laid) const {
+std::vector<FilmTriangle> DipScene::shownTriangles(const LaidFilm& laid, FilmExtent extent) const {
     if (bodyLook_ != BodyLook::Own) { // floating film would hide the body
         return {};
     }
     const FilmContact& contact = laid.contact();
     std::vector<FilmTriangle> shown;
     for (std::uint32_t triangle = 0; triangle < laid.triangles().size(); ++triangle) {
-        if (extent_ == FilmExtent::Whole || contact.painted[triangle]) {
+        if (extent == FilmExtent::Whole || contact.painted[triangle]) {
             shown.push_back(laid.triangles()[triangle]);
         }
     }
@@ -324,13 +341,27 @@ void DipScene::setFilmLook(FilmLook look, const QImage& picture) {
 
 void DipScene::setFilmExtent(FilmExtent extent) {
     extent_ = extent;
-    showEndAnew();
+    showDippedAnew();
 }
 
-void DipScene::showEndAnew() {
+void DipScene::showDippedAnew() {
+    filmSource_ = {};
     if (moment_ == Moment::End) {
-        filmSource_ = {};
         showEnd();
+    } else if (moment_ == Moment::Setup) {
+        showSetup();
+    }
+}
+
+void DipScene::setShowsDipped(bool shows) {
+    if (shows != std::exchange(showsDipped_, shows) && moment_ == Moment::Setup) {
+        showSetup();
+    }
+}
+
+void DipScene::setWearsFilm(bool wears) {
+    if (wears != std::exchange(wearsFilm_, wears) && moment_ == Moment::Setup) {
+        showSetup();
     }
 }
 
@@ -346,7 +377,7 @@ void DipScene::setBodyLook(BodyLook look) {
     bodyLook_ = look;
     asksForDeeper_ = true;
     updateBody();
-    showEndAnew();
+    showDippedAnew();
 }
 
 void DipScene::setShownPrint(const ShownPrint& print) {
@@ -400,7 +431,7 @@ void DipScene::updateFilm() {
     const bool hasSheet = result_ && immersion_ < result_->immersions.size();
     switch (look_) {
     case FilmLook::Stretch:
-        if (moment_ == Moment::End) {
+        if (isDippedDrawn()) {
             std::vector<QRgb> colours;
             for (const float value : reading_->values(quantity_)) {
                 colours.push_back(scale_.colour(double(value)));
@@ -586,7 +617,7 @@ void DipScene::setFrame(std::vector<ViewLine> frame) {
 }
 
 std::optional<Eigen::Isometry3d> DipScene::worldToEnd() const {
-    if (moment_ != Moment::End) {
+    if (!isDippedDrawn()) {
         return std::nullopt;
     }
     const ImmersionResult& result = result_->immersions[immersion_];

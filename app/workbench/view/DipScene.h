@@ -28,7 +28,9 @@ public:
     void setResult(std::shared_ptr<const JobResult> result,
                    std::shared_ptr<const FilmReadout> reading);
 
-    void showSetup(); // before the dip, with the current settings
+    // Before the dip, with the current settings. The body wears the film of the result if
+    // setShowsDipped() and setWearsFilm() allow it; otherwise the flat film is drawn.
+    void showSetup();
     // Shows a moment during the dip.
     void showFrame(const std::shared_ptr<const DipRecording>& recording,
                    const RecordedFrame& frame);
@@ -52,13 +54,17 @@ public:
     // The tolerances for BodyLook::Zones; null: none that match the project.
     void setTolerances(std::shared_ptr<const JobTolerances> tolerances);
     void setShowHandles(bool show);
+    // Whether the result may be drawn before the dip: it fits the project, or soon will.
+    void setShowsDipped(bool shows);
+    // Whether the user wants the body before the dip to wear the film of the result.
+    void setWearsFilm(bool wears);
     // A frame around the selected artwork layer, in model coordinates; empty: none.
     void setFrame(std::vector<ViewLine> frame);
     // While the user turns the body, it shows an estimate of the coverage from its shape.
     void setPreviewed(bool previewed);
 
-    // Returns the transform from the world to the pose frame at the end of the dip; nullopt unless
-    // the end is shown.
+    // Returns the transform from the world to the pose frame of the dipped film; nullopt unless
+    // that film is drawn.
     std::optional<Eigen::Isometry3d> worldToEnd() const;
     std::shared_ptr<const TexturedMesh> model() const { return project_.model; } // null: none
     // The first place of the shown model that `ray` meets, in model coordinates.
@@ -79,8 +85,13 @@ private:
     // The source of the film that is drawn: the flat film of the project, a recording, or a
     // finished dip. Empty: it must be built again.
     enum class FlatFilm { OfProject };
-    using FilmSource = std::variant<std::monostate, FlatFilm, std::shared_ptr<const DipRecording>,
-                                    std::shared_ptr<const FilmReadout>>;
+    struct Dipped {
+        std::shared_ptr<const FilmReadout> reading;
+        FilmExtent extent = FilmExtent::Whole;
+        bool operator==(const Dipped&) const = default;
+    };
+    using FilmSource =
+        std::variant<std::monostate, FlatFilm, std::shared_ptr<const DipRecording>, Dipped>;
 
     void placeBody(const Immersion& immersion, double descent);
     void setBodyRoom(const Eigen::Isometry3d& modelToSetup);
@@ -95,9 +106,11 @@ private:
     void showZones();
     void showPreview();
     void showLines();
-    void showEndAnew(); // draws the end again if it is shown
-    // The triangles to draw at the end, by extent. Empty over a body that shows its coverage.
-    std::vector<FilmTriangle> shownTriangles(const LaidFilm& laid) const;
+    bool isDippedDrawn() const; // whether the film of the result is drawn
+    void drawDipped(FilmExtent extent);
+    void showDippedAnew(); // draws the film of the result again if it is drawn
+    // The triangles to draw of the dipped film. Empty over a body that shows its coverage.
+    std::vector<FilmTriangle> shownTriangles(const LaidFilm& laid, FilmExtent extent) const;
     std::vector<QRgb> frameColours() const;
 
     DipView& view_;
@@ -141,6 +154,8 @@ private:
     bool marking_ = false;
     bool handles_ = true;
     bool previewed_ = false;
+    bool showsDipped_ = false;
+    bool wearsFilm_ = true;
 };
 
 } // namespace dipwright

@@ -54,7 +54,7 @@ QString FilmProbe::describeBody(const Eigen::Vector3f& place) const {
 
 QString FilmProbe::describe(const FilmReadoutPoint& point) const {
     const solver::FilmGrid& grid = session_.reading()->film().grid;
-    const FilmSettings& film = session_.outcome().result->project.film;
+    const FilmSettings& film = session_.shown().result->project.film;
     const auto number = [](float value) { return QLocale().toString(double(value), 'f', 3); };
     return tr("Sheet %1, %2 · %3 · stretch %4 by %5, area %6")
         .arg(shownLength((double(point.rest.x()) / grid.width + 0.5) * film.width.value(), unit_),

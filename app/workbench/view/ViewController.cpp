@@ -49,6 +49,7 @@ void ViewController::connectDisplay(const WindowActions& actions) {
     connect(endMeasure, &QShortcut::activated, actions.measure,
             [&actions] { actions.measure->setChecked(false); });
     connect(actions.rings, &QAction::toggled, &scene_, &DipScene::setShowHandles);
+    connect(actions.wearsFilm, &QAction::toggled, &scene_, &DipScene::setWearsFilm);
     connect(actions.body, &QAction::toggled, &view_, &DipView::setBodyVisible);
     // Water is hidden so that it does not change the colours of the body.
     const auto showLooks = [this, &actions] {

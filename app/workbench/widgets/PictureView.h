@@ -1,4 +1,5 @@
-// Shows a picture of known size in millimetres: zoom, shift and read under the cursor.
+// Shows a picture of known size in millimetres. The user can zoom and move it, and read what is
+// under the cursor.
 #pragma once
 
 #include <QImage>
@@ -24,7 +25,7 @@ public:
 
     // Lines drawn over the picture, in its millimetres.
     void setLines(const QList<QLineF>& lines);
-    // The linked cursor, in millimetres from the upper left corner.
+    // Shows the place that is under the mouse in another view, in mm from the upper left corner.
     void setCursorAt(const std::optional<QPointF>& place);
 
     void zoomToFit();

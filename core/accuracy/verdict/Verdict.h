@@ -21,9 +21,10 @@ struct VerdictReason {
         Unpainted,    // the film paints nothing of the body
         NothingAlike, // this dip and the coarser dips paint no place in common
         Certain,      // numerical error: 95 % of the painted area is within `value` mm
-        OffBy,     // as Certain, above the limit; `most`: cell to try, mm; 0 if film is not graded
-        OffByMuch, // as OffBy, but too large to tell which cell would suffice
-        Step,      // as OffBy, and longer steps change the sheet more than wider cells do
+        OffBy, // as Certain, but `value` exceeds the limit; `most`: cell to try, mm; 0: film not
+               // graded
+        OffByMuch,    // as OffBy, but too large to tell which cell would suffice
+        Step,         // as OffBy, and longer steps change the sheet more than wider cells do
         FarOffPlaces, // numerical error exceeds `limit` mm on the share `value` of the painted area
         Border,       // only one of the compared dips paints the share `value` of the body
         Unbalanced,   // `value` steps ended without equilibrium; `most`: the largest residual
@@ -77,10 +78,11 @@ inline double allowedError(Zone zone, const ToleranceSettings& tolerance) {
     return numericalShare * tolerance.limits[std::size_t(zone)].value();
 }
 inline constexpr double mostFarOffArea = 0.01;
-// Do not print if only one of the compared dips paints more than this share of the body's surface.
+// Do not print if more than this share of the body's surface is painted by only one of the compared
+// dips.
 inline constexpr double spoiltPaintedOnce = 0.15;
-// The smallest cell that a reason proposes, relative to the film's own cell. If an error needed
-// even smaller cells, it would not shrink in proportion to the cells.
+// The smallest cell that a reason proposes, relative to the film's own cell. An error that
+// would need even smaller cells does not shrink in proportion to the cells.
 inline constexpr double finestCellNamed = 0.15;
 inline constexpr std::size_t mostPlaces = 12;
 inline constexpr double leastPlaceArea = 1; // mm²: smaller places cannot be inspected

@@ -150,7 +150,7 @@ void checkTextures(const QJsonObject& model, const ModelSource& source, QStringL
     }
 }
 
-// Returns the document without skins that have no bind matrices; nothing if there are none.
+// Returns the document without the skins that lack bind matrices; nothing if no skin lacks them.
 // Removing them loses nothing, because points are read as stored, with any skin.
 std::optional<QJsonObject> withoutUnboundSkins(const QJsonObject& model) {
     const QJsonArray skins = model[u"skins"].toArray();

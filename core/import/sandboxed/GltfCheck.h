@@ -7,7 +7,7 @@
 namespace dipwright {
 
 // Returns the file's bytes for assimp, without a byte order mark. Also removes skins without bind
-// matrices, at which assimp 5.2.5 crashes though glTF 2.0 allows them ("Skins"), and warns.
+// matrices and warns of it: glTF 2.0 allows them ("Skins"), but assimp 5.2.5 crashes on them.
 // Throws Error if the file requires an unsupported extension, or stores coordinates as integers,
 // which assimp 5.2 takes for floating-point numbers. Warns of pictures that are not read or that
 // are placed wrongly. Invalid JSON is left to assimp to refuse.

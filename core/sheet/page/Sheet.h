@@ -49,7 +49,7 @@ struct SheetPlate {
 
 // What a CMYK printer needs to compensate each ink separately, after separation.
 struct WantedInk {
-    QImage image;   // the wanted colours, size and colour space of the film image, not compensated
+    QImage image;   // the wanted colours, not compensated; size and colour space as the film image
     QImage stretch; // the film's stretch, same size: Grayscale16, codes of texture/StretchPlane.h
     InkSettings settings;
 };
@@ -94,8 +94,8 @@ void paintSheet(QPainter& painter, const Sheet& sheet);
 
 // Corrections that one printer's paper needs for true size and colour.
 struct PrintCorrection {
-    // Measured printed length over true length. The page is divided by these factors about its
-    // middle, so that it is printed at true size.
+    // Measured printed length over true length. The page is scaled about its middle by the inverse
+    // of these factors, so that it is printed at true size.
     double scaleX = 1, scaleY = 1;
     const PrinterColour* colour = nullptr; // not owned; null: sRGB
     // Limit of total area coverage: the largest sum of the four inks at one place. Full ink of one

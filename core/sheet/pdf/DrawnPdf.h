@@ -13,7 +13,7 @@ QSizeF inPoints(QSizeF millimetres);
 // Draws each page from the upper left corner of its box; the box is rounded up. If `imagesLater` is
 // true, the caller replaces the images. Needs a QGuiApplication.
 QByteArray drawnPdf(const std::vector<PdfPage>& pages, const QString& title, bool imagesLater);
-// Whether the painter draws on a page of drawnPdf() whose images are replaced.
+// Whether the painter draws a page for a call of drawnPdf() with `imagesLater`.
 bool drawsImagesLater(const QPainter& painter);
 
 } // namespace dipwright

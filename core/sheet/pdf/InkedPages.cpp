@@ -240,7 +240,8 @@ QPDFObjectHandle compressed(QPDF& pdf, const QByteArray& bytes) {
     return stream;
 }
 
-// Returns the image object of `bytes`. `format` is any format with as many bytes per pixel.
+// Returns the image object of `bytes`. `format` is any format with as many bytes per pixel as
+// `bytes` has.
 QPDFObjectHandle imageOf(QPDF& pdf, QSize size, const QByteArray& bytes, QImage::Format format,
                          const QPDFObjectHandle& space) {
     const int channels = int(bytes.size() / (qsizetype(size.width()) * size.height()));

@@ -48,7 +48,7 @@ struct PaperModel {
     double stepLength = 0;  // descent of the body in one step, mm
     double contactDistance = 0;
     float clearanceMargin = 0; // mm: a point farther than this from the body cannot touch it
-    // mm: a point that is farther away in single precision has no contact
+    // mm: a point has no contact if its distance, computed in single precision, exceeds this
     float noContactDistance = 0;
     int iterations = 0, passesPerStep = 0;
     PaperTiles tiles;
@@ -182,8 +182,8 @@ struct Point {
     Hold hold;
 };
 
-// The place where a point adheres if it touches the body. It lies at the contact distance, where ∇φ
-// leads from the point.
+// The place where a point adheres if it touches the body. It lies at the contact distance from the
+// body, on the way from the point along ∇φ.
 struct Anchor {
     float x, y, z; // displacement with the body at descent 0
     bool holds;

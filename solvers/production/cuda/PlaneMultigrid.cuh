@@ -1,7 +1,8 @@
 // The multigrid V-cycle on the GPU for the current stiffness of the film (GalerkinCycle.h). On the
 // way down, a block smooths one tile after the other, computes the residual and restricts it to the
 // coarser level. The block loads enough points around the tile for all smoothing steps, so it need
-// not exchange data. The way up works alike. The coarser levels that fit into one block are
+// not exchange data. The way up works in the same way.
+// The coarser levels that fit into one block are
 // computed by every block for itself, which saves barriers. Some loops must not be unrolled,
 // because their code would not fit into the instruction cache.
 #pragma once
@@ -47,8 +48,8 @@ __device__ inline void forRange(const PlaneRange& range, const Work& work,
     }
 }
 
-// The stiffness of a level. Each point has a block with itself and one with each of its eight
-// neighbours, row by row. Each block has the order xx, xz, zx, zz.
+// The stiffness of a level. Each point has nine blocks, row by row: one for itself and one for each
+// of its eight neighbours. Each block has the order xx, xz, zx, zz.
 struct PlaneStencils {
     float4* first;
     int points; // number of points of the level
@@ -179,8 +180,8 @@ private:
     // A thread with only one point reads its stencil once for all steps.
     static constexpr bool keepsStencils = most == 1;
 
-    // Inverts the symmetric part of the point's own block. A nearly singular block is replaced by
-    // the inverse of its trace. The result is 0 for a held point.
+    // Inverts the symmetric part of the point's own block. For a nearly singular block, the result
+    // is the identity matrix divided by the trace. The result is 0 for a held point.
     __device__ void setInverse(int k) {
         const float4 own = stencils_.at(middle, point_[k]);
         const float mixed = (own.y + own.z) / 2, trace = own.x + own.w;

@@ -122,7 +122,7 @@ private:
         }
         if (level == model.levelCount) {
             throw std::invalid_argument(
-                "the film is too long for its width to be computed on the GPU; choose the CPU");
+                "the film is too long and narrow for the GPU; choose the CPU");
         }
         sharedBytes_ = bytes + tileBytes;
         model.wholeLevel = level;

@@ -58,8 +58,8 @@ DIPWRIGHT_TEAM inline void newtonStep(Film& film, typename Film::Real drag, doub
         }
         stiffening = std::fmax(leastStiffening, stiffening * stiffeningFactor);
     }
-    // If that fails too, takes the whole step downhill. On the way past a crease, the forces may
-    // have to grow.
+    // If that fails too, takes the whole step downhill. To get past a crease, the film may have
+    // to pass through states with larger forces.
     film.solveLinear(drag, Tangent::Projected, before, tolerance);
     searchAlongStep(film, drag, now);
 }
@@ -75,9 +75,9 @@ struct EquilibriumResult {
 };
 
 // Moves the free points until the remaining forces are at most the model's `residual` times the
-// elastic forces, or zero within the precision of the numbers. If the search fails, restores the
-// displacement with the smallest remaining forces after any step. `farthest`, in mm, is the largest
-// displacement of a point from rest, or the longest cell edge if that is larger.
+// elastic forces, or zero within the precision of the numbers. If the search fails, goes back to
+// the step that left the smallest forces, and restores its displacement. `farthest`, in mm, is the
+// largest displacement of a point from rest, or the longest cell edge if that is larger.
 template <FilmEquilibrium Film>
 DIPWRIGHT_TEAM inline EquilibriumResult findEquilibrium(Film& film, typename Film::Real drag,
                                                         double farthest) {

@@ -118,7 +118,7 @@ private slots:
         const QImage image = inSrgb(result.texture->image);
         QVERIFY(image.pixelColor(image.width() / 2, image.height() / 2).red() > 150);
         QVERIFY(image.pixelColor(image.width() / 2 + 40, image.height() / 2).lightness() > 250);
-        QVERIFY(result.readBack.samples > 0 && result.readBack.percentile95 < 0.5);
+        QVERIFY(result.readBack->samples > 0 && result.readBack->percentile95 < 0.5);
     }
 
     void runJob_layerMoved_reusesTheDipAndEqualsAFullRun() {
@@ -137,7 +137,7 @@ private slots:
         QCOMPARE(live.immersions[0].texture->image, whole.immersions[0].texture->image);
         QCOMPARE(live.immersions[0].sheet.job.hash, whole.immersions[0].sheet.job.hash);
         QCOMPARE(live.proof, whole.proof);
-        QCOMPARE(live.immersions[0].readBack.mean, whole.immersions[0].readBack.mean);
+        QCOMPARE(live.immersions[0].readBack->mean, whole.immersions[0].readBack->mean);
         QCOMPARE(live.coverageTotal, whole.coverageTotal);
     }
 

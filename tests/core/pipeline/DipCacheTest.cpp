@@ -100,7 +100,7 @@ private slots:
             QCOMPARE(dip.sheet.image, before.sheet.image);
             QCOMPARE(dip.sheet.job.hash, before.sheet.job.hash);
             QCOMPARE(dip.coverage->share, before.coverage->share);
-            QCOMPARE(dip.readBack.samples, before.readBack.samples);
+            QCOMPARE(dip.readBack->samples, before.readBack->samples);
             QCOMPARE(int(dip.verdict.advice), int(before.verdict.advice));
             QCOMPARE(dip.numericalError->offBy.percentile95,
                      before.numericalError->offBy.percentile95);

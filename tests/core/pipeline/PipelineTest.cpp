@@ -90,7 +90,7 @@ private slots:
         QCOMPARE(first_.immersions.size(), 2U);
         for (const ImmersionResult& immersion : first_.immersions) {
             QVERIFY(immersion.body && immersion.laid && immersion.coverage && immersion.texture);
-            QVERIFY(immersion.readBack.samples > 0);
+            QVERIFY(immersion.readBack->samples > 0);
             QCOMPARE(immersion.sheet.image.size(), QSize(255, 255));
             QCOMPARE(immersion.sheet.job.project, QStringLiteral("ball"));
         }

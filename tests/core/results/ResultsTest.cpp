@@ -637,7 +637,7 @@ struct OppositeDips {
     std::array<std::shared_ptr<const LaidFilm>, 2> films{
         test::laidOnTurnedSphere(model.mesh, radius, 2, 0),
         test::laidOnTurnedSphere(model.mesh, radius, 2, 180)};
-    BodyShare share = shareBody(model, films, {}, {}, {});
+    BodyShare share = shareBody(*shareStage(model), films, {}, {}, {});
 };
 
 std::size_t countOf(const QImage& picture, const QColor& colour, const QRect& part) {

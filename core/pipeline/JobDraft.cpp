@@ -1,0 +1,113 @@
+#include "pipeline/JobDraft.h"
+
+#include "accuracy/error/SheetChange.h"
+#include "dip/FilmUnderBody.h"
+#include "film/FilmGrid.h"
+#include "pipeline/Pipeline.h"
+#include "results/Results.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+constexpr double coarsestResolution = 50; // dpi of the coarsest draft; doubled by each further one
+constexpr double coarsestPictures = 0.15;  // size of its proof, relative to a proof of full size
+
+int cellsAlong(const solver::FilmGrid& grid) {
+    return std::max(grid.columns, grid.rows) - 1;
+}
+
+// Returns the fewest cells along the longer edge among the films of all dips.
+int cellsOf(const Project& project, const ProofStage* stage) {
+    if (!isGraded(project.film)) {
+        return cellsAlong(filmGrid(project.film));
+    }
+    const TriangleMesh& mesh = project.model->mesh;
+    const auto own = stage ? nullptr : std::make_unique<SurfaceQuery>(mesh);
+    int fewest = maximumFilmGrid;
+    for (const Immersion& immersion : project.immersions) {
+        const Underside underside = undersideOf(mesh, stage ? queryOf(*stage) : *own,
+                                                poseTransform(mesh, immersion), project.process);
+        fewest =
+            std::min(fewest, cellsAlong(filmUnderBody(project.film, underside, immersion.offset)));
+    }
+    return fewest;
+}
+
+} // namespace
+
+void JobDrafts::add(int level, std::shared_ptr<const JobResult> result) {
+    results_[level] = std::move(result);
+    newest_ = level;
+}
+
+std::shared_ptr<const JobResult> JobDrafts::reusable(const Project& project, int level) const {
+    const auto own = results_.find(level);
+    const auto newest = results_.find(newest_);
+    if (own == results_.end() || own == newest) {
+        return newest == results_.end() ? nullptr : newest->second;
+    }
+    auto result = std::make_shared<JobResult>(*own->second);
+    const JobResult& newer = *newest->second;
+    if (!result->field) {
+        result->field = newer.field;
+        result->fieldInputs = newer.fieldInputs;
+    }
+    result->proofStage = newer.proofStage;
+    const std::size_t count = std::min(project.immersions.size(), newer.immersions.size());
+    result->immersions.resize(std::max(result->immersions.size(), count));
+    for (std::size_t number = 0; number < count; ++number) {
+        const BodyInputs wanted = bodyInputs(project, number);
+        if (result->immersions[number].inputs.texture.dip.body != wanted &&
+            newer.immersions[number].inputs.texture.dip.body == wanted) {
+            result->immersions[number] = newer.immersions[number];
+        }
+    }
+    return result;
+}
+
+int coarsestDraft(const Project& project, const JobResult* earlier) {
+    const bool fits = earlier && earlier->project.model == project.model;
+    const ProofStage* stage = fits ? earlier->proofStage.get() : nullptr;
+    int level = 0;
+    for (int cells = cellsOf(project, stage) / 2; cells >= fewestDraftCells; cells /= 2) {
+        ++level;
+    }
+    return level;
+}
+
+Project draftProject(Project project, int level, int coarsest) {
+    const double scale = std::ldexp(1.0, level);
+    project.film.refinement /= scale;
+    project.process.timeStep = Seconds(scale * project.process.timeStep.value());
+    if (level > 0) {
+        project.sheet.resolution = DotsPerInch(std::min(
+            project.sheet.resolution.value(), std::ldexp(coarsestResolution, coarsest - level)));
+    }
+    return project;
+}
+
+JobResult runDraft(const Project& project, int level, int coarsest, const SolverRegistry& registry,
+                   const JobResult* previous, const Progress& progress) {
+    JobOptions options;
+    options.estimatesNumericalError = false;
+    options.draftPictures = std::min(1.0, std::ldexp(coarsestPictures, coarsest - level));
+    return runJob(draftProject(project, level, coarsest), registry, options, previous, progress);
+}
+
+std::optional<double> movesSince(const JobResult& coarser, const JobResult& result) {
+    std::optional<double> most;
+    for (std::size_t number = 0; number < result.immersions.size(); ++number) {
+        const LaidFilm& laid = *result.immersions[number].laid;
+        const SheetChange change = sheetChange(
+            sheetMoves(laid, *coarser.immersions[number].laid, comparedPlaces(laid.body().mesh)));
+        if (change.painted > 0) {
+            most = std::max(most.value_or(0), change.distance.percentile95);
+        }
+    }
+    return most;
+}
+
+} // namespace dipwright

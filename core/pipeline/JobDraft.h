@@ -1,0 +1,50 @@
+// Computes drafts of a job: the same steps with a coarser film and smaller pictures, fast enough to
+// follow the user's hand.
+//
+// Level n has film cells 2ⁿ times as long as the project's. Level 0 is the job itself (runJob()).
+#pragma once
+
+#include "base/Progress.h"
+#include "pipeline/JobResult.h"
+
+#include <map>
+#include <optional>
+
+namespace dipwright {
+
+// The coarsest draft has at least this many cells along the longer edge of each film.
+inline constexpr int fewestDraftCells = 20;
+
+// Keeps the latest result of each level, so that the next run takes over what still fits.
+class JobDrafts {
+public:
+    void clear() { results_.clear(); }
+    void add(int level, std::shared_ptr<const JobResult> result);
+    // Returns what a run of `project` at `level` can take over (runJob(), `previous`); null if
+    // there is nothing. Takes the results of `level`, and of others what does not depend on the
+    // level, such as bodies in their poses.
+    std::shared_ptr<const JobResult> reusable(const Project& project, int level) const;
+
+private:
+    std::map<int, std::shared_ptr<const JobResult>> results_;
+    int newest_ = 0;
+};
+
+// Returns the level of the coarsest draft of `project`; 0 if its film is coarse already. The
+// project must have a model. `earlier` (may be null) saves the time to prepare the model.
+int coarsestDraft(const Project& project, const JobResult* earlier);
+
+// Returns `project` with the cells and the resolution of level `level`, of `coarsest` levels.
+Project draftProject(Project project, int level, int coarsest);
+
+// Runs the draft `level`, of `coarsest` levels. Estimates no numerical error and no read-back
+// error. Takes over from `previous` (may be null) and throws like runJob().
+JobResult runDraft(const Project& project, int level, int coarsest, const SolverRegistry& registry,
+                   const JobResult* previous, const Progress& progress);
+
+// Returns how far 95 % of the sheets' points move from the draft `coarser` to `result`, whose cells
+// are half as long, in mm; the largest of all dips. For an error of first order, this is the error
+// of `result`. None if the films paint no common place.
+std::optional<double> movesSince(const JobResult& coarser, const JobResult& result);
+
+} // namespace dipwright
