@@ -474,10 +474,6 @@
         <translation>Ein Filmpunkt berührt das Teil, wenn er dessen Oberfläche so nahe kommt.</translation>
     </message>
     <message>
-        <source>Range of angles before the overhang over which the part loses its grip on the film. This value is a guess; no film was measured.</source>
-        <translation>Winkelbereich vor dem Überhang, in dem das Teil den Halt am Film verliert. Dieser Wert ist eine Annahme; kein Film wurde gemessen.</translation>
-    </message>
-    <message>
         <source>Compressed film gathers where its mean stretch falls below this value; there it hardly resists. This value is a guess; no film was measured.</source>
         <translation>Gestauchter Film rafft sich, wo seine mittlere Dehnung unter diesen Wert fällt; dort leistet er kaum Widerstand. Dieser Wert ist eine Annahme; kein Film wurde gemessen.</translation>
     </message>
@@ -524,6 +520,10 @@
     <message>
         <source>Tear stretch</source>
         <translation>Reißt bei</translation>
+    </message>
+    <message>
+        <source>The part loses its grip on the film gradually, in this range of angles before the overhang. This value is a guess; no film was measured.</source>
+        <translation>Winkelbereich vor dem Überhang, in dem das Teil den Halt am Film allmählich verliert. Dieser Wert ist eine Annahme; kein Film wurde gemessen.</translation>
     </message>
 </context>
 <context>
@@ -1160,10 +1160,6 @@
         <translation>Die Blätter brauchen etwa %1 GB Speicher, aber dieser Rechner hat %2 GB; wählen Sie eine niedrigere Auflösung oder einen kleineren Film</translation>
     </message>
     <message>
-        <source>The comparison would need a film of %1 × %2 points, which is too many; set half as many points for it</source>
-        <translation>Der Vergleich bräuchte einen Film von %1 × %2 Punkten; das sind zu viele. Setzen Sie dafür halb so viele Punkte</translation>
-    </message>
-    <message>
         <source>The CPU takes over from %1, which is not available: %2</source>
         <translation>Die CPU übernimmt für %1, das nicht verfügbar ist: %2</translation>
     </message>
@@ -1206,6 +1202,10 @@
     <message>
         <source>Writing the coverage picture</source>
         <translation>Abdeckungsbild wird geschrieben</translation>
+    </message>
+    <message>
+        <source>The comparison would need a film of %1 × %2 points, which is too many; halve the number of points to allow the comparison</source>
+        <translation>Der Vergleich bräuchte einen Film von %1 × %2 Punkten; das sind zu viele. Halbieren Sie die Zahl der Punkte, um ihn zu ermöglichen</translation>
     </message>
 </context>
 <context>
@@ -2318,10 +2318,6 @@
         <translation>Nicht drucken</translation>
     </message>
     <message>
-        <source>Verdict: check first above</source>
-        <translation>Urteil: zuerst prüfen oberhalb von</translation>
-    </message>
-    <message>
         <source>Trapped air</source>
         <translation>Eingeschlossene Luft</translation>
     </message>
@@ -2594,10 +2590,6 @@
         <translation>Farbe des Teils</translation>
     </message>
     <message>
-        <source>Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this colour. Empty: light grey, with the ink as it looks on white.</source>
-        <translation>Farbe des unbemalten Teils, zum Beispiel #1a2b3c. Vorschau und Ansicht zeigen die Druckfarbe darauf. Leer: hellgrau, mit der Druckfarbe, wie sie auf Weiß aussieht.</translation>
-    </message>
-    <message>
         <source>A plate of white ink. White that is printed last touches the part, under the colours. White that is printed first lies outside, over the colours. For PDF and TIFF in CMYK.</source>
         <translation>Eine Platte mit weißer Farbe. Zuletzt gedrucktes Weiß berührt das Teil, unter den Farben. Zuerst gedrucktes Weiß liegt außen, über den Farben. Für PDF und TIFF in CMYK.</translation>
     </message>
@@ -2778,10 +2770,6 @@
         <translation>Erweitert: nicht gemessene Materialgesetze</translation>
     </message>
     <message>
-        <source>Width of the band along the seam on the part that both dips paint. The dips fade into each other there. The band is wider where the registration error would show.</source>
-        <translation>Breite des Streifens längs der Naht auf dem Teil, den beide Tauchvorgänge bemalen. Die Tauchvorgänge gehen dort ineinander über. Der Streifen ist breiter, wo der Passfehler sichtbar würde.</translation>
-    </message>
-    <message>
         <source>Width (W) and height (H) of the page.</source>
         <translation>Breite (B) und Höhe (H) der Seite.</translation>
     </message>
@@ -2804,6 +2792,18 @@
     <message>
         <source>Check with simulated dips</source>
         <translation>Prüfung mit simulierten Tauchvorgängen</translation>
+    </message>
+    <message>
+        <source>Width, on the part, of the band along the seam that both dips paint. The dips fade into each other there. The band is wider where the registration error would show.</source>
+        <translation>Breite, auf dem Teil gemessen, des Streifens längs der Naht, den beide Tauchvorgänge bemalen. Die Tauchvorgänge gehen dort ineinander über. Der Streifen ist breiter, wo der Passfehler sichtbar würde.</translation>
+    </message>
+    <message>
+        <source>Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this colour. Empty: the part is light grey, and the ink is as on white.</source>
+        <translation>Farbe des unbemalten Teils, zum Beispiel #1a2b3c. Vorschau und Ansicht zeigen die Druckfarbe darauf. Leer: Das Teil ist hellgrau, die Druckfarbe wie auf Weiß.</translation>
+    </message>
+    <message>
+        <source>Verdict: limits for “check first”</source>
+        <translation>Urteil: Grenzen für „zuerst prüfen“</translation>
     </message>
 </context>
 <context>
@@ -3487,10 +3487,6 @@
         <translation>Der numerische Fehler ließ sich nicht schätzen: %1.</translation>
     </message>
     <message>
-        <source>95 % of the sheet is within %1 (numerical error).</source>
-        <translation>95 % des Blatts liegen innerhalb von %1 (numerischer Fehler).</translation>
-    </message>
-    <message>
         <source>The model has no texture and no artwork: one plain colour is printed.</source>
         <translation>Das Modell hat weder Textur noch Gestaltung: Gedruckt wird eine einzige Farbe.</translation>
     </message>
@@ -3577,6 +3573,10 @@
     <message>
         <source>%1 % of the zone is not painted; the limit is %2 %. Turn the part so that film reaches it.</source>
         <translation>%1 % der Zone sind nicht bemalt; die Grenze ist %2 %. Drehen Sie das Teil so, dass Film die Zone erreicht.</translation>
+    </message>
+    <message>
+        <source>95 % of the sheet is within %1 (numerical error).</source>
+        <translation>95 % des Blatts liegen innerhalb von %1 (numerischer Fehler).</translation>
     </message>
 </context>
 <context>
@@ -3981,10 +3981,6 @@
         <translation>Die Datei ist größer als %1 MB; verkleinern Sie sie</translation>
     </message>
     <message>
-        <source>The model has more than %1 million triangles, too many for a file of its size or for any computer; reduce it</source>
-        <translation>Das Modell hat mehr als %1 Millionen Dreiecke, zu viele für eine Datei dieser Größe oder für jeden Rechner; verkleinern Sie es</translation>
-    </message>
-    <message>
         <source>A face of the model has more than %1 corners; cut it into triangles in a modelling program</source>
         <translation>Eine Fläche des Modells hat mehr als %1 Ecken; zerlegen Sie sie in einem Modellierprogramm in Dreiecke</translation>
     </message>
@@ -4039,6 +4035,10 @@
     <message>
         <source>Reading the file takes more than %1 seconds, far too long for its size; make the file smaller or save it again</source>
         <translation>Die Datei zu lesen dauert länger als %1 Sekunden, viel zu lange für ihre Größe; verkleinern Sie die Datei oder speichern Sie sie neu</translation>
+    </message>
+    <message>
+        <source>The model has more than %1 million triangles, too many for a file of its size or for any computer; reduce their number</source>
+        <translation>Das Modell hat mehr als %1 Millionen Dreiecke, zu viele für eine Datei dieser Größe oder für jeden Rechner; verringern Sie ihre Zahl</translation>
     </message>
 </context>
 <context>
@@ -4139,20 +4139,20 @@
         <translation>Das Bild zeigt, wie die nächsten Blätter korrigiert werden.</translation>
     </message>
     <message>
-        <source>Keep the measured part to store its photos, its error and who accepted it with the job.</source>
-        <translation>Behalten Sie das gemessene Teil, um seine Fotos, seinen Fehler und wer es abgenommen hat beim Auftrag zu speichern.</translation>
-    </message>
-    <message>
-        <source>To keep a part, find its corners on the page “Dipped part”, with pairs that are places on the part itself.</source>
-        <translation>Um ein Teil zu behalten, suchen Sie seine Ecken auf der Seite „Getauchtes Teil“, mit Paaren, die Stellen auf dem Teil selbst sind.</translation>
-    </message>
-    <message>
         <source>Root mean square of the part&apos;s error, measured on the sheet</source>
         <translation>Quadratisches Mittel des Fehlers des Teils, auf dem Blatt gemessen</translation>
     </message>
     <message>
         <source>The correction is off. The picture shows how it would change the next sheets.</source>
         <translation>Die Korrektur ist aus. Das Bild zeigt, wie sie die nächsten Blätter ändern würde.</translation>
+    </message>
+    <message>
+        <source>Keep the measured part to store with the job its photos, its error and who accepted it.</source>
+        <translation>Behalten Sie das gemessene Teil, um seine Fotos, seinen Fehler und wer es abgenommen hat beim Auftrag zu speichern.</translation>
+    </message>
+    <message>
+        <source>To keep a part, find its corners on the page “Dipped part”, using pairs whose places lie on the part itself.</source>
+        <translation>Um ein Teil zu behalten, suchen Sie seine Ecken auf der Seite „Getauchtes Teil“, mit Paaren, deren Stellen auf dem Teil selbst liegen.</translation>
     </message>
 </context>
 <context>
@@ -4486,6 +4486,26 @@
     <message>
         <source>Use film %1</source>
         <translation>Film %1 verwenden</translation>
+    </message>
+    <message>
+        <source>Out of date: new results are being computed.</source>
+        <translation>Veraltet: Neue Ergebnisse werden berechnet.</translation>
+    </message>
+    <message>
+        <source>Draft with %1 × %2 film points</source>
+        <translation>Entwurf mit %1 × %2 Filmpunkten</translation>
+    </message>
+    <message>
+        <source>95 % of the sheet within about %1</source>
+        <translation>95 % des Blatts auf etwa %1 genau</translation>
+    </message>
+    <message>
+        <source>finer results follow</source>
+        <translation>feinere Ergebnisse folgen</translation>
+    </message>
+    <message>
+        <source>run the dip for sheets to print</source>
+        <translation>für druckbare Blätter den Tauchvorgang rechnen</translation>
     </message>
 </context>
 <context>
@@ -7630,16 +7650,16 @@ Dehnung</translation>
         <translation>der Drucker würde die Größe der Seite ändern</translation>
     </message>
     <message>
-        <source>%1 mm² of the part will be visibly too pale: the stretch needs more ink than full ink, the ink limit or the total area coverage allows</source>
-        <translation>%1 mm² des Teils werden sichtbar zu blass: Die Dehnung erfordert mehr Farbe, als Vollton, Farbgrenze oder Gesamtfarbauftrag zulassen</translation>
-    </message>
-    <message>
         <source>no reason was given</source>
         <translation>kein Grund angegeben</translation>
     </message>
     <message>
         <source>The printer feeds this paper only with its other edge first; rotate the page by 90°</source>
         <translation>Der Drucker nimmt dieses Papier nur mit der anderen Kante voran; drehen Sie die Seite um 90°</translation>
+    </message>
+    <message>
+        <source>%1 mm² of the part will be visibly too pale: the stretch needs more ink than is possible with full ink, the ink limit and the total area coverage</source>
+        <translation>%1 mm² des Teils werden sichtbar zu blass: Die Dehnung erfordert mehr Farbe, als Vollton, Farbgrenze und Gesamtfarbauftrag zulassen</translation>
     </message>
 </context>
 <context>
@@ -9298,6 +9318,10 @@ mm je mm</translation>
         <source>Run the dip to see the numerical error of the sheet.</source>
         <translation>Starten Sie den Tauchvorgang, um den numerischen Fehler des Blatts zu sehen.</translation>
     </message>
+    <message>
+        <source>This is a draft. The verdict follows with the result.</source>
+        <translation>Dies ist ein Entwurf. Das Urteil folgt mit dem Ergebnis.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ViewController</name>
@@ -9983,6 +10007,14 @@ mm je mm</translation>
     <message>
         <source>Compute the sheets with finer steps and cells, and show how far and where the image moves</source>
         <translation>Berechnet die Blätter mit feineren Schritten und Zellen und zeigt, wie weit und wo sich das Bild verschiebt</translation>
+    </message>
+    <message>
+        <source>Film on the part before the d&amp;ip</source>
+        <translation>Film auf dem Teil &amp;vor dem Tauchvorgang</translation>
+    </message>
+    <message>
+        <source>While the part is placed, show it with the film of the results; otherwise show the flat film</source>
+        <translation>Beim Platzieren das Teil mit dem Film der Ergebnisse zeigen, sonst den flachen Film</translation>
     </message>
 </context>
 <context>

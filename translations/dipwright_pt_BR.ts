@@ -474,10 +474,6 @@
         <translation>Um ponto da película toca a peça quando chega a esta distância da superfície dela.</translation>
     </message>
     <message>
-        <source>Range of angles before the overhang over which the part loses its grip on the film. This value is a guess; no film was measured.</source>
-        <translation>Faixa de ângulos antes da saliência em que a peça perde a aderência à película. Este valor é uma suposição; nenhuma película foi medida.</translation>
-    </message>
-    <message>
         <source>Compressed film gathers where its mean stretch falls below this value; there it hardly resists. This value is a guess; no film was measured.</source>
         <translation>A película comprimida franze onde seu estiramento médio cai abaixo deste valor; ali quase não resiste. Este valor é uma suposição; nenhuma película foi medida.</translation>
     </message>
@@ -524,6 +520,10 @@
     <message>
         <source>Tear stretch</source>
         <translation>Estiramento de ruptura</translation>
+    </message>
+    <message>
+        <source>The part loses its grip on the film gradually, in this range of angles before the overhang. This value is a guess; no film was measured.</source>
+        <translation>A peça perde aos poucos a aderência à película nesta faixa de ângulos antes da saliência. Este valor é uma suposição; nenhuma película foi medida.</translation>
     </message>
 </context>
 <context>
@@ -1160,10 +1160,6 @@
         <translation>As folhas precisam de cerca de %1 GB de memória, mas este computador tem %2 GB; escolha uma resolução menor ou uma película menor</translation>
     </message>
     <message>
-        <source>The comparison would need a film of %1 × %2 points, which is too many; set half as many points for it</source>
-        <translation>A comparação precisaria de uma película de %1 × %2 pontos, o que é demais; ponha metade dos pontos para ela</translation>
-    </message>
-    <message>
         <source>The CPU takes over from %1, which is not available: %2</source>
         <translation>A CPU assume o lugar de %1, que não está disponível: %2</translation>
     </message>
@@ -1206,6 +1202,10 @@
     <message>
         <source>Writing the coverage picture</source>
         <translation>Gravando a imagem de cobertura</translation>
+    </message>
+    <message>
+        <source>The comparison would need a film of %1 × %2 points, which is too many; halve the number of points to allow the comparison</source>
+        <translation>A comparação precisaria de uma película de %1 × %2 pontos, o que é demais; reduza o número de pontos à metade para permiti-la</translation>
     </message>
 </context>
 <context>
@@ -2318,10 +2318,6 @@
         <translation>Não imprima</translation>
     </message>
     <message>
-        <source>Verdict: check first above</source>
-        <translation>Veredito: verificar primeiro acima de</translation>
-    </message>
-    <message>
         <source>Trapped air</source>
         <translation>Ar preso</translation>
     </message>
@@ -2594,10 +2590,6 @@
         <translation>Cor da peça</translation>
     </message>
     <message>
-        <source>Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this colour. Empty: light grey, with the ink as it looks on white.</source>
-        <translation>Cor da peça nua, por exemplo #1a2b3c. A prova e a vista mostram a tinta sobre esta cor. Vazio: cinza-claro, com a tinta como é vista sobre branco.</translation>
-    </message>
-    <message>
         <source>A plate of white ink. White that is printed last touches the part, under the colours. White that is printed first lies outside, over the colours. For PDF and TIFF in CMYK.</source>
         <translation>Uma chapa de tinta branca. O branco impresso por último toca a peça, sob as cores. O branco impresso primeiro fica por fora, sobre as cores. Para PDF e TIFF em CMYK.</translation>
     </message>
@@ -2778,10 +2770,6 @@
         <translation>Avançado: leis do material não medidas</translation>
     </message>
     <message>
-        <source>Width of the band along the seam on the part that both dips paint. The dips fade into each other there. The band is wider where the registration error would show.</source>
-        <translation>Largura da faixa ao longo da emenda na peça que as duas imersões pintam. As imersões se fundem uma na outra ali. A faixa é mais larga onde o erro de registro apareceria.</translation>
-    </message>
-    <message>
         <source>Width (W) and height (H) of the page.</source>
         <translation>Largura (L) e altura (A) da página.</translation>
     </message>
@@ -2804,6 +2792,18 @@
     <message>
         <source>Check with simulated dips</source>
         <translation>Verificação com imersões simuladas</translation>
+    </message>
+    <message>
+        <source>Width, on the part, of the band along the seam that both dips paint. The dips fade into each other there. The band is wider where the registration error would show.</source>
+        <translation>Largura, medida na peça, da faixa ao longo da emenda que as duas imersões pintam. As imersões se fundem uma na outra ali. A faixa é mais larga onde o erro de registro apareceria.</translation>
+    </message>
+    <message>
+        <source>Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this colour. Empty: the part is light grey, and the ink is as on white.</source>
+        <translation>Cor da peça nua, por exemplo #1a2b3c. A prova e a vista mostram a tinta sobre esta cor. Vazio: a peça é cinza-clara, e a tinta como sobre branco.</translation>
+    </message>
+    <message>
+        <source>Verdict: limits for “check first”</source>
+        <translation>Veredito: limites para “verificar primeiro”</translation>
     </message>
 </context>
 <context>
@@ -3487,10 +3487,6 @@
         <translation>O erro numérico não pôde ser estimado: %1.</translation>
     </message>
     <message>
-        <source>95 % of the sheet is within %1 (numerical error).</source>
-        <translation>95 % da folha ficam dentro de %1 (erro numérico).</translation>
-    </message>
-    <message>
         <source>The model has no texture and no artwork: one plain colour is printed.</source>
         <translation>O modelo não tem textura nem arte: imprime-se uma só cor.</translation>
     </message>
@@ -3577,6 +3573,10 @@
     <message>
         <source>%1 % of the zone is not painted; the limit is %2 %. Turn the part so that film reaches it.</source>
         <translation>%1 % da zona não são pintados; o limite é %2 %. Gire a peça de modo que a película alcance a zona.</translation>
+    </message>
+    <message>
+        <source>95 % of the sheet is within %1 (numerical error).</source>
+        <translation>95 % da folha ficam dentro de %1 (erro numérico).</translation>
     </message>
 </context>
 <context>
@@ -3981,10 +3981,6 @@
         <translation>O arquivo é maior que %1 MB; reduza-o</translation>
     </message>
     <message>
-        <source>The model has more than %1 million triangles, too many for a file of its size or for any computer; reduce it</source>
-        <translation>O modelo tem mais de %1 milhões de triângulos, demais para um arquivo deste tamanho ou para qualquer computador; reduza-o</translation>
-    </message>
-    <message>
         <source>A face of the model has more than %1 corners; cut it into triangles in a modelling program</source>
         <translation>Uma face do modelo tem mais de %1 cantos; divida-a em triângulos em um programa de modelagem</translation>
     </message>
@@ -4039,6 +4035,10 @@
     <message>
         <source>Reading the file takes more than %1 seconds, far too long for its size; make the file smaller or save it again</source>
         <translation>Ler o arquivo leva mais de %1 segundos, muito para o seu tamanho; reduza o arquivo ou salve-o de novo</translation>
+    </message>
+    <message>
+        <source>The model has more than %1 million triangles, too many for a file of its size or for any computer; reduce their number</source>
+        <translation>O modelo tem mais de %1 milhões de triângulos, demais para um arquivo deste tamanho ou para qualquer computador; reduza o número deles</translation>
     </message>
 </context>
 <context>
@@ -4139,20 +4139,20 @@
         <translation>A imagem mostra como as próximas folhas são corrigidas.</translation>
     </message>
     <message>
-        <source>Keep the measured part to store its photos, its error and who accepted it with the job.</source>
-        <translation>Guarde a peça medida para registrar no trabalho as fotos, o erro e quem a aceitou.</translation>
-    </message>
-    <message>
-        <source>To keep a part, find its corners on the page “Dipped part”, with pairs that are places on the part itself.</source>
-        <translation>Para guardar uma peça, procure os cantos dela na página “Peça mergulhada”, com pares que são lugares da própria peça.</translation>
-    </message>
-    <message>
         <source>Root mean square of the part&apos;s error, measured on the sheet</source>
         <translation>Média quadrática do erro da peça, medida na folha</translation>
     </message>
     <message>
         <source>The correction is off. The picture shows how it would change the next sheets.</source>
         <translation>A correção está desligada. A imagem mostra como ela mudaria as próximas folhas.</translation>
+    </message>
+    <message>
+        <source>Keep the measured part to store with the job its photos, its error and who accepted it.</source>
+        <translation>Guarde a peça medida para registrar no trabalho as fotos, o erro e quem a aceitou.</translation>
+    </message>
+    <message>
+        <source>To keep a part, find its corners on the page “Dipped part”, using pairs whose places lie on the part itself.</source>
+        <translation>Para guardar uma peça, procure os cantos dela na página “Peça mergulhada”, com pares cujos lugares estão na própria peça.</translation>
     </message>
 </context>
 <context>
@@ -4486,6 +4486,26 @@
     <message>
         <source>Use film %1</source>
         <translation>Usar película %1</translation>
+    </message>
+    <message>
+        <source>Out of date: new results are being computed.</source>
+        <translation>Desatualizado: novos resultados estão sendo calculados.</translation>
+    </message>
+    <message>
+        <source>Draft with %1 × %2 film points</source>
+        <translation>Rascunho com %1 × %2 pontos da película</translation>
+    </message>
+    <message>
+        <source>95 % of the sheet within about %1</source>
+        <translation>95 % da folha dentro de cerca de %1</translation>
+    </message>
+    <message>
+        <source>finer results follow</source>
+        <translation>resultados mais finos virão</translation>
+    </message>
+    <message>
+        <source>run the dip for sheets to print</source>
+        <translation>execute a imersão para ter folhas para imprimir</translation>
     </message>
 </context>
 <context>
@@ -7630,16 +7650,16 @@ estiramento</translation>
         <translation>a impressora alteraria o tamanho da página</translation>
     </message>
     <message>
-        <source>%1 mm² of the part will be visibly too pale: the stretch needs more ink than full ink, the ink limit or the total area coverage allows</source>
-        <translation>%1 mm² da peça ficarão visivelmente pálidos demais: o estiramento exige mais tinta do que permitem a tinta cheia, o limite de tinta ou a carga total de tinta</translation>
-    </message>
-    <message>
         <source>no reason was given</source>
         <translation>nenhum motivo informado</translation>
     </message>
     <message>
         <source>The printer feeds this paper only with its other edge first; rotate the page by 90°</source>
         <translation>A impressora só aceita este papel com a outra borda primeiro; gire a página em 90°</translation>
+    </message>
+    <message>
+        <source>%1 mm² of the part will be visibly too pale: the stretch needs more ink than is possible with full ink, the ink limit and the total area coverage</source>
+        <translation>%1 mm² da peça ficarão visivelmente pálidos demais: o estiramento exige mais tinta do que permitem a tinta cheia, o limite de tinta e a carga total de tinta</translation>
     </message>
 </context>
 <context>
@@ -9298,6 +9318,10 @@ mm por mm</translation>
         <source>Run the dip to see the numerical error of the sheet.</source>
         <translation>Execute a imersão para ver o erro numérico da folha.</translation>
     </message>
+    <message>
+        <source>This is a draft. The verdict follows with the result.</source>
+        <translation>Este é um rascunho. O veredito vem com o resultado.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ViewController</name>
@@ -9983,6 +10007,14 @@ mm por mm</translation>
     <message>
         <source>Compute the sheets with finer steps and cells, and show how far and where the image moves</source>
         <translation>Calcula as folhas com passos e células mais finos e mostra quanto e onde a imagem se desloca</translation>
+    </message>
+    <message>
+        <source>Film on the part before the d&amp;ip</source>
+        <translation>Película na peça antes da &amp;imersão</translation>
+    </message>
+    <message>
+        <source>While the part is placed, show it with the film of the results; otherwise show the flat film</source>
+        <translation>Ao posicionar a peça, mostrá-la com a película dos resultados; senão, mostrar a película plana</translation>
     </message>
 </context>
 <context>

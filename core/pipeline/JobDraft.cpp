@@ -13,7 +13,7 @@ namespace dipwright {
 namespace {
 
 constexpr double coarsestResolution = 50; // dpi of the coarsest draft; doubled by each further one
-constexpr double coarsestPictures = 0.15;  // size of its proof, relative to a proof of full size
+constexpr double coarsestPictures = 0.15; // size of its proof, relative to a proof of full size
 
 int cellsAlong(const solver::FilmGrid& grid) {
     return std::max(grid.columns, grid.rows) - 1;

@@ -1,5 +1,5 @@
 // Predicts the painted area of a dip from the body's shape alone. Used while the user turns a pose,
-// and in the first stage of the pose search (docs/pose-search.md, "By its shape").
+// and in the first stage of the pose search (docs/pose-search.md, "By the body's shape").
 #pragma once
 
 #include "geometry/RefinedMesh.h"

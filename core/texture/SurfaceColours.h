@@ -23,8 +23,8 @@ public:
     ~SurfaceColours();
 
     // Returns the mean over a small parallelogram of the surface with its middle at `place`. The
-    // columns of `steps` are its two sides, as changes of the triangle's corner weights. The colour is in wide colour's
-    // primaries if any of the appearance's textures is wide.
+    // columns of `steps` are its two sides, as changes of the triangle's corner weights. The colour
+    // is in wide colour's primaries if any of the appearance's textures is wide.
     LinearColour at(const SurfacePoint& place, const Eigen::Matrix<float, 3, 2>& steps) const;
 
 private:

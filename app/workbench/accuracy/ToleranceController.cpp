@@ -52,11 +52,13 @@ void ToleranceController::take(const ToleranceResult& result) {
 }
 
 void ToleranceController::showTolerances() {
-    if (isTrue()) {
+    const bool isShown = isTrue();
+    if (isShown) {
         emit changed(result_.tolerances, verdicts());
-    } else {
+    } else if (isShown_) {
         emit changed(nullptr, {});
     }
+    isShown_ = isShown;
 }
 
 QStringList ToleranceController::verdicts() const {

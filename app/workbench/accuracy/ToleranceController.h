@@ -45,6 +45,7 @@ private:
     QWidget& window_;
     LengthUnit unit_ = LengthUnit::Millimetre;
     ToleranceResult result_;
+    bool isShown_ = false; // whether tolerances were given last
 };
 
 } // namespace dipwright

@@ -132,13 +132,16 @@ void DipController::showFreshness() {
     const Freshness fresh = session_.freshness();
     results_.setFreshness(fresh);
     const bool isDraft = shown.fineness.isDraft();
-    staleBanner_.setText(
-        !fresh.sheet
-            ? tr("Out of date: made before the last changes.") + QLatin1Char(' ') +
-                  (session_.isRunning() ? tr("New results are being computed.") : QString())
-        : isDraft ? draftText(shown)
-                  : QString());
     staleBanner_.setVisible(isDraft || !fresh.sheet);
+    if (!fresh.sheet) {
+        staleBanner_.setText(
+            session_.isRunning() ? tr("Out of date: new results are being computed.")
+            : fresh.dip ? tr("The sheet is out of date: it was made before the last changes.")
+                        : tr("The results are out of date: they were made before the last "
+                             "changes."));
+    } else if (isDraft) {
+        staleBanner_.setText(draftText(shown));
+    }
 }
 
 // Returns how fine the draft is and how far it may be off.

@@ -163,6 +163,7 @@ void MainWindow::connectPanels() {
     connect(parts_.properties, &PropertyPanel::brushChanged, this, [this](const MarkBrush& brush) {
         marks_.setBrush(brush);
         scene_.setMarking(std::holds_alternative<ShareMark>(brush));
+        scene_.setBrushed(!std::holds_alternative<std::monostate>(brush));
     });
     connect(&marks_, &MarkTool::begun, this, [this] { dip_.setHeld(true); });
     connect(&marks_, &MarkTool::ended, this, [this] { dip_.setHeld(false); });

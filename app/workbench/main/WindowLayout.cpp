@@ -53,6 +53,10 @@ void WindowLayout::makeCentre() {
     banner->setAutoFillBackground(true);
     banner->setContentsMargins(8, 4, 8, 4);
     banner->setWordWrap(true);
+    banner->setText(QStringLiteral(" ")); // as high as one line
+    QSizePolicy keepsRoom = banner->sizePolicy();
+    keepsRoom.setRetainSizeWhenHidden(true); // else the part would jump under the user's hand
+    banner->setSizePolicy(keepsRoom);
     banner->hide();
     parts_.staleBanner = banner;
     parts_.notice = new NoticeBar;

@@ -151,6 +151,7 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
     project_ = project;
     immersion_ = std::min(immersion, project.immersions.size() - 1);
     if (otherModel) {
+        modelBox_ = boundingBox(project.model->mesh);
         query_ = std::make_unique<SurfaceQuery>(project.model->mesh);
         marks_.reset();
         zones_ = nullptr;
@@ -165,7 +166,7 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
     }
     if (otherModel || otherFilm) {
         const solver::FilmGrid grid = filmGrid(project.film);
-        const double height = double(boundingBox(project.model->mesh).diagonal().norm());
+        const double height = double(modelBox_.diagonal().norm());
         view_.setTank({grid.width, grid.depth}, std::max(40.0, 0.8 * height));
         filmSource_ = {};
     }
@@ -206,10 +207,10 @@ void DipScene::placeBody(const Immersion& immersion, double descent) {
     const Eigen::Isometry3d pose = poseTransform(project_.model->mesh, immersion);
     modelToWorld_ = Eigen::Translation3d(poseToWorld(immersion, descent)) * pose;
     view_.setBodyTransform(modelToWorld_);
-    const BoundingBox box = boundingBox(project_.model->mesh);
+    const BoundingBox& box = modelBox_;
     const Eigen::Vector3f centre = (modelToWorld_ * box.center().cast<double>()).cast<float>();
     const double radius = 0.58 * double(box.diagonal().norm());
-    const bool isHeld = handles_ && moment_ == Moment::Setup; // while it can be placed
+    const bool isHeld = handles_ && !brushed_ && moment_ == Moment::Setup; // while it can be placed
     view_.setRotationRings(isHeld, centre, radius);
     view_.setMoveArrows({isHeld, isHeld && project_.process.depth.has_value(), isHeld}, centre,
                         1.08 * radius, 1.4 * radius);
@@ -219,7 +220,7 @@ void DipScene::placeBody(const Immersion& immersion, double descent) {
 // From the start above the film to the same distance below the water.
 void DipScene::setBodyRoom(const Eigen::Isometry3d& modelToSetup) {
     BoundingBox room;
-    const BoundingBox box = boundingBox(project_.model->mesh);
+    const BoundingBox& box = modelBox_;
     for (int corner = 0; corner < 8; ++corner) {
         room.extend((modelToSetup * box.corner(BoundingBox::CornerType(corner)).cast<double>())
                         .cast<float>());
@@ -314,9 +315,9 @@ void DipScene::drawDipped(FilmExtent extent) {
         shapeGrid_ = film.grid;
         view_.setFilm(shape, positions);
         filmSource_ = Dipped{reading_, extent};
+        updateFilm();
     }
     view_.setFilmTransform(modelToWorld_ * result.body->modelToPose.inverse());
-    updateFilm();
 }
 
 std::vector<FilmTriangle> DipScene::shownTriangles(const LaidFilm& laid, FilmExtent extent) const {
@@ -419,6 +420,12 @@ void DipScene::setTolerances(std::shared_ptr<const JobTolerances> tolerances) {
 void DipScene::setShowHandles(bool show) {
     handles_ = show;
     if (moment_ == Moment::Setup) {
+        showSetup();
+    }
+}
+
+void DipScene::setBrushed(bool brushed) {
+    if (brushed != std::exchange(brushed_, brushed) && moment_ == Moment::Setup) {
         showSetup();
     }
 }

@@ -54,6 +54,8 @@ public:
     // The tolerances for BodyLook::Zones; null: none that match the project.
     void setTolerances(std::shared_ptr<const JobTolerances> tolerances);
     void setShowHandles(bool show);
+    // While the user has a brush, there are no handles, which would catch its strokes.
+    void setBrushed(bool brushed);
     // Whether the result may be drawn before the dip: it fits the project, or soon will.
     void setShowsDipped(bool shows);
     // Whether the user wants the body before the dip to wear the film of the result.
@@ -135,6 +137,7 @@ private:
     // Whether the deeper film may be requested. Reset when result, look or print change, so that
     // redrawing the view does not restart a cancelled dip.
     bool asksForDeeper_ = true;
+    BoundingBox modelBox_;                // of the model
     std::unique_ptr<SurfaceQuery> query_; // for the model
     Moment moment_ = Moment::Setup;
     Eigen::Isometry3d modelToWorld_ = Eigen::Isometry3d::Identity();
@@ -152,7 +155,7 @@ private:
     BodyLook bodyLook_ = BodyLook::Own;
     ShownPrint shownPrint_;
     bool marking_ = false;
-    bool handles_ = true;
+    bool handles_ = true, brushed_ = false;
     bool previewed_ = false;
     bool showsDipped_ = false;
     bool wearsFilm_ = true;

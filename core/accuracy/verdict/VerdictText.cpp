@@ -26,7 +26,7 @@ QString errorText(const VerdictReason& reason, const LengthText& length) {
         return Text::tr("The numerical error is not known: this dip and the coarser dips for "
                         "comparison paint no place in common. Set smaller cells (Film > Cells).");
     case Kind::Certain:
-        return Text::tr("The numerical error is at most %1 on 95 % of the sheet.")
+        return Text::tr("95 % of the sheet is within %1 (numerical error).")
             .arg(length(reason.value));
     case Kind::OffBy:
         return reason.most > 0

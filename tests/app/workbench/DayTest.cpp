@@ -314,7 +314,9 @@ private slots:
         driver.find<ProjectTree>("projectTree")->select({ProjectPart::Share, 0});
         driver.find<QDoubleSpinBox>("joinBrushRadius")->setValue(15);
         driver.trigger("coverage"); // hides the film over the body
-        driver.trigger("right");    // shows where both dips reach
+        auto* timeline = window.findChild<Timeline*>();
+        timeline->setPosition(timeline->frames());
+        driver.trigger("right"); // shows where both dips reach
         const auto areaGivenTo = [&](ShareMarkKind kind) {
             auto* brush = driver.find<QComboBox>("joinBrush");
             brush->setCurrentIndex(brush->findData(int(kind)));
@@ -457,6 +459,7 @@ private:
     void scrub(MainWindow& window) {
         auto* timeline = window.findChild<Timeline*>();
         QVERIFY(timeline->frames() > 2);
+        timeline->setPosition(timeline->frames());
         const QImage end = window.view().picture();
         timeline->setPosition(timeline->frames() / 2);
         const QImage middle = window.view().picture();

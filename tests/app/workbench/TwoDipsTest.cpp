@@ -9,6 +9,7 @@
 #include "results/Results.h"
 #include "workbench/project/ProjectTree.h"
 #include "workbench/results/ResultsPanel.h"
+#include "workbench/results/Timeline.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -102,6 +103,8 @@ private slots:
         auto* brush = driver().find<QComboBox>("joinBrush");
         brush->setCurrentIndex(brush->findData(int(ShareMarkKind::Second)));
         driver().trigger("coverage");
+        auto* timeline = window_->findChild<Timeline*>();
+        timeline->setPosition(timeline->frames());
         driver().trigger("right"); // shows where both dips reach
         window_->view().picture();
         WindowDriver::drag(window_->view(), {0.35, 0.5}, {0.65, 0.5});

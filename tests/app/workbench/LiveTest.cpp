@@ -1,0 +1,125 @@
+// Tests that results follow the hand: drafts while the part is dragged, then the result, in a real
+// window.
+#include "Patience.h"
+#include "TestFolders.h"
+#include "WindowDriver.h"
+#include "pipeline/Pipeline.h"
+#include "workbench/results/Timeline.h"
+
+#include <QLabel>
+#include <QTextBrowser>
+#include <QUndoStack>
+
+using namespace dipwright;
+
+class LiveTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        workbench_ = std::make_unique<Workbench>(home_.path());
+        window_ = std::make_unique<MainWindow>(*workbench_);
+        window_->show();
+        WindowDriver driver(*window_);
+        QVERIFY(driver.open(sampleFolder("/sphere.dipw")));
+        document().edit({}, {}, [](Project& project) {
+            makeCoarse(project);
+            project.film.columns = project.film.rows = 60; // one draft before the result
+        });
+        QVERIFY(driver.run());
+        before_ = document().result();
+    }
+    void cleanup() {
+        window_ = nullptr;
+        workbench_ = nullptr;
+    }
+
+    void dip_finished_staysWithTheHand() {
+        const auto* timeline = window_->findChild<Timeline*>();
+        QCOMPARE(timeline->position(), 0);
+        QVERIFY(timeline->frames() > 1); // it can be played
+        QVERIFY(!banner().isVisible());
+    }
+
+    void drag_ring_showsDraftsButKeepsResult() {
+        drag(10);
+        QTRY_VERIFY_WITH_TIMEOUT(isDraftShown(), patience());
+        QVERIFY(banner().isVisible() && banner().text().contains(QStringLiteral("Draft with")));
+        QVERIFY(window_->findChild<QTextBrowser*>(QStringLiteral("verdict"))
+                    ->toPlainText()
+                    .contains(QStringLiteral("draft")));
+        QCOMPARE(document().result(), before_); // sheets are printed from it
+        drag(20);
+        QTRY_VERIFY_WITH_TIMEOUT(isDraftShown(), patience());
+        QTRY_VERIFY_WITH_TIMEOUT(!session().isRunning(), patience()); // no more while it is held
+        QCOMPARE(document().result(), before_);
+    }
+
+    void release_ring_givesTheResultOfRun() {
+        drag(15);
+        release();
+        QTRY_VERIFY_WITH_TIMEOUT(document().isFresh() && !session().isRunning(), patience());
+        QVERIFY(!session().shown().fineness.isDraft() && !banner().isVisible());
+        const JobResult alone =
+            runJob(document().project(), workbench_->registry(), {}, nullptr, {});
+        QCOMPARE(document().result()->immersions[0].sheet.image, alone.immersions[0].sheet.image);
+        QCOMPARE(document().result()->immersions[0].sheet.job.hash,
+                 alone.immersions[0].sheet.job.hash);
+    }
+
+    void undo_whileRefining_showsTheResultBefore() {
+        drag(15);
+        QTRY_VERIFY_WITH_TIMEOUT(isDraftShown(), patience());
+        release();
+        document().undoStack().undo();
+        QVERIFY(document().isFresh());
+        QCOMPARE(session().shown().result, before_);
+        QTRY_VERIFY_WITH_TIMEOUT(!session().isRunning(), patience());
+        QCOMPARE(session().shown().result, before_);
+        QVERIFY(!banner().isVisible());
+    }
+
+    void cancel_whileRefining_saysThatItIsADraft() {
+        drag(15);
+        QTRY_VERIFY_WITH_TIMEOUT(isDraftShown(), patience());
+        release();
+        WindowDriver(*window_).trigger("cancel");
+        QTRY_VERIFY_WITH_TIMEOUT(!session().isRunning(), patience());
+        if (!document().isFresh()) { // else it was too late
+            QVERIFY(banner().isVisible() &&
+                    banner().text().contains(QStringLiteral("run the dip")));
+        }
+    }
+
+    void close_whileRefining_ends() {
+        drag(15);
+        release();
+        document().markUnmodified();
+        window_ = nullptr; // waits for the job
+    }
+
+private:
+    Document& document() const { return *window_->document(); }
+    DipSession& session() const { return window_->session(); }
+    const QLabel& banner() const {
+        return *window_->findChild<QLabel*>(QStringLiteral("staleBanner"));
+    }
+    void drag(double degrees) const { emit window_->view().rotationDragged(0, degrees); }
+    void release() const { emit window_->view().rotationFinished(); }
+    // Tells whether a draft of the part as it is turned now is on show.
+    bool isDraftShown() const {
+        const DipOutcome& shown = session().shown();
+        return shown.fineness.isDraft() &&
+               shown.project.immersions == document().project().immersions;
+    }
+
+    QTemporaryDir home_;
+    std::unique_ptr<Workbench> workbench_;
+    std::unique_ptr<MainWindow> window_;
+    std::shared_ptr<const JobResult> before_;
+};
+
+int main(int argc, char** argv) {
+    return runWindowTest<LiveTest>(argc, argv);
+}
+#include "LiveTest.moc"
