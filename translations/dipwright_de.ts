@@ -4468,14 +4468,6 @@
         <translation>Simuliert mit %1 auf %2</translation>
     </message>
     <message>
-        <source>The sheet is out of date: it was made before the last changes.</source>
-        <translation>Das Blatt ist veraltet: Es entstand vor den letzten Änderungen.</translation>
-    </message>
-    <message>
-        <source>The results are out of date: they were made before the last changes.</source>
-        <translation>Die Ergebnisse sind veraltet: Sie entstanden vor den letzten Änderungen.</translation>
-    </message>
-    <message>
         <source>The results are out of date; run the dip again first.</source>
         <translation>Die Ergebnisse sind veraltet; starten Sie zuerst das Tauchen neu.</translation>
     </message>
@@ -4492,20 +4484,28 @@
         <translation>Veraltet: Neue Ergebnisse werden berechnet.</translation>
     </message>
     <message>
-        <source>Draft with %1 × %2 film points</source>
-        <translation>Entwurf mit %1 × %2 Filmpunkten</translation>
+        <source>Sheet out of date: made before the last changes.</source>
+        <translation>Blatt veraltet: vor den letzten Änderungen berechnet.</translation>
     </message>
     <message>
-        <source>95 % of the sheet within about %1</source>
-        <translation>95 % des Blatts auf etwa %1 genau</translation>
+        <source>Results out of date: made before the last changes.</source>
+        <translation>Ergebnisse veraltet: vor den letzten Änderungen berechnet.</translation>
     </message>
     <message>
-        <source>finer results follow</source>
-        <translation>feinere Ergebnisse folgen</translation>
+        <source>Draft with %1 × %2 points</source>
+        <translation>Entwurf mit %1 × %2 Punkten</translation>
     </message>
     <message>
-        <source>run the dip for sheets to print</source>
-        <translation>für druckbare Blätter den Tauchvorgang rechnen</translation>
+        <source>95 % within about %1</source>
+        <translation>95 % auf etwa %1 genau</translation>
+    </message>
+    <message>
+        <source>being refined</source>
+        <translation>wird verfeinert</translation>
+    </message>
+    <message>
+        <source>run the dip to print</source>
+        <translation>zum Drucken den Tauchvorgang starten</translation>
     </message>
 </context>
 <context>

@@ -4468,14 +4468,6 @@
         <translation>Simulado com %1 em %2</translation>
     </message>
     <message>
-        <source>The sheet is out of date: it was made before the last changes.</source>
-        <translation>A folha está desatualizada: foi feita antes das últimas mudanças.</translation>
-    </message>
-    <message>
-        <source>The results are out of date: they were made before the last changes.</source>
-        <translation>Os resultados estão desatualizados: foram feitos antes das últimas mudanças.</translation>
-    </message>
-    <message>
         <source>The results are out of date; run the dip again first.</source>
         <translation>Os resultados estão desatualizados; execute a imersão de novo antes.</translation>
     </message>
@@ -4492,20 +4484,28 @@
         <translation>Desatualizado: novos resultados estão sendo calculados.</translation>
     </message>
     <message>
-        <source>Draft with %1 × %2 film points</source>
-        <translation>Rascunho com %1 × %2 pontos da película</translation>
+        <source>Sheet out of date: made before the last changes.</source>
+        <translation>Folha desatualizada: feita antes das últimas mudanças.</translation>
     </message>
     <message>
-        <source>95 % of the sheet within about %1</source>
-        <translation>95 % da folha dentro de cerca de %1</translation>
+        <source>Results out of date: made before the last changes.</source>
+        <translation>Resultados desatualizados: feitos antes das últimas mudanças.</translation>
     </message>
     <message>
-        <source>finer results follow</source>
-        <translation>resultados mais finos virão</translation>
+        <source>Draft with %1 × %2 points</source>
+        <translation>Rascunho com %1 × %2 pontos</translation>
     </message>
     <message>
-        <source>run the dip for sheets to print</source>
-        <translation>execute a imersão para ter folhas para imprimir</translation>
+        <source>95 % within about %1</source>
+        <translation>95 % dentro de cerca de %1</translation>
+    </message>
+    <message>
+        <source>being refined</source>
+        <translation>em refinamento</translation>
+    </message>
+    <message>
+        <source>run the dip to print</source>
+        <translation>execute a imersão para imprimir</translation>
     </message>
 </context>
 <context>

@@ -39,8 +39,10 @@ int cellsOf(const Project& project, const ProofStage* stage) {
 } // namespace
 
 void JobDrafts::add(int level, std::shared_ptr<const JobResult> result) {
-    results_[level] = std::move(result);
-    newest_ = level;
+    if (result) {
+        results_[level] = std::move(result);
+        newest_ = level;
+    }
 }
 
 std::shared_ptr<const JobResult> JobDrafts::reusable(const Project& project, int level) const {
@@ -55,7 +57,9 @@ std::shared_ptr<const JobResult> JobDrafts::reusable(const Project& project, int
         result->field = newer.field;
         result->fieldInputs = newer.fieldInputs;
     }
-    result->proofStage = newer.proofStage;
+    if (newer.project.model == result->project.model) {
+        result->proofStage = newer.proofStage;
+    }
     const std::size_t count = std::min(project.immersions.size(), newer.immersions.size());
     result->immersions.resize(std::max(result->immersions.size(), count));
     for (std::size_t number = 0; number < count; ++number) {

@@ -19,7 +19,7 @@ inline constexpr int fewestDraftCells = 20;
 class JobDrafts {
 public:
     void clear() { results_.clear(); }
-    void add(int level, std::shared_ptr<const JobResult> result);
+    void add(int level, std::shared_ptr<const JobResult> result); // ignores null
     // Returns what a run of `project` at `level` can take over (runJob(), `previous`); null if
     // there is nothing. Takes the results of `level`, and of others what does not depend on the
     // level, such as bodies in their poses.

@@ -328,9 +328,12 @@ void WindowActions::enable(const WindowState& state) {
     numericalError->setEnabled(any && !state.isBusy);
     tolerances->setEnabled(any && !state.isBusy);
     cancel->setEnabled(state.isBusy);
-    for (QAction* action : {print, exportResults, exportPdf, exportPng, exportCradles, coverage,
-                            bodyPrint, filmOnBody}) {
-        action->setEnabled(any && state.document->result());
+    for (QAction* action : {print, coverage, bodyPrint, filmOnBody}) {
+        action->setEnabled(state.hasSheet);
+    }
+    // What is exported is what is on show.
+    for (QAction* action : {exportResults, exportPdf, exportPng, exportCradles}) {
+        action->setEnabled(state.hasSheet && !state.isDraft);
     }
     play->setEnabled(state.isRecorded);
     nameUndo(state.document);

@@ -20,6 +20,8 @@ struct WindowState {
     bool isBusy = false;          // any job runs
     bool isDipping = false;
     bool isRecorded = false; // there is a recorded dip to play
+    bool hasSheet = false;   // there is a result with a sheet for the dip that is shown
+    bool isDraft = false;    // a draft is on show
 };
 
 class WindowActions : public QObject {

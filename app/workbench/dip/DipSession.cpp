@@ -2,6 +2,8 @@
 
 #include "pipeline/SameSheets.h"
 
+#include <utility>
+
 namespace dipwright {
 
 DipSession::DipSession(JobRunner& jobs, const SolverRegistry& registry, QObject* parent)
@@ -35,21 +37,26 @@ void DipSession::clear() {
 }
 
 void DipSession::projectChanged() {
-    if (immersion_ >= document_->project().immersions.size()) {
-        immersion_ = 0;
-    }
     // Drops the result of another model.
     if (shown_.result && shown_.result->project.model != document_->project().model) {
         clear();
         document_->setResult(nullptr);
         emit dropped();
     }
+    if (immersion_ >= document_->project().immersions.size()) {
+        immersion_ = 0;
+        emit immersionChanged(0);
+    }
     // After an undo, the last outcome may fit again.
-    if (shown_.fineness.isDraft() && document_->isFresh()) {
+    if (document_->isFresh()) {
         wanted_ = false;
-        dip_.cancel();
-        shown_ = outcome_;
-        emit shownChanged();
+        if (running_) {
+            dip_.cancel();
+        }
+        if (shown_.fineness.isDraft()) {
+            shown_ = outcome_;
+            emit shownChanged();
+        }
     }
 }
 
@@ -65,7 +72,7 @@ void DipSession::run(std::size_t mostPoints, DipReach reach) {
     if (!document_ || document_->isFresh() || (reach == DipReach::FirstDraft && mayGoOn())) {
         return;
     }
-    if (running_ && makeSameSheets(started_, document_->project())) {
+    if (running_ && !dip_.isCancelled() && makeSameSheets(started_, document_->project())) {
         return; // what runs is wanted; `reach_` says how it goes on
     }
     if (jobs_.isBusy()) {
@@ -111,9 +118,12 @@ void DipSession::goOn() {
 }
 
 void DipSession::cancel() {
-    wanted_ = false;
+    const bool isPending = std::exchange(wanted_, false) && !running_;
     jobs_.cancelAll();
     stop(nullptr);
+    if (isPending) {
+        emit stopped(nullptr);
+    }
 }
 
 void DipSession::fail(const Fineness& fineness, bool cancelled, const std::exception_ptr& failure) {
@@ -121,7 +131,10 @@ void DipSession::fail(const Fineness& fineness, bool cancelled, const std::excep
         return; // it was cancelled already
     }
     const bool isDraft = failure && fineness.isDraft(); // a coarse film may miss the body
-    if (isDraft && reach_ != DipReach::FirstDraft && !wanted_) {
+    if (wanted_) {
+        running_ = false; // the next run starts when the jobs are idle
+    } else if (isDraft && reach_ != DipReach::FirstDraft && document_ &&
+               started_.model == document_->project().model) {
         start(DipStage::Job);
     } else {
         stop(cancelled || isDraft ? nullptr : failure);
@@ -145,6 +158,10 @@ void DipSession::takeOutcome(const DipOutcome& outcome) {
         return;
     }
     results_.add(outcome.fineness.level, outcome.result);
+    if (document_->isFresh()) {
+        stop(nullptr); // an undo made the last outcome current
+        return;
+    }
     shown_ = outcome;
     if (outcome.fineness.isDraft()) {
         emit shownChanged();

@@ -71,7 +71,7 @@ void DipController::run(bool live) {
     live_.begin();
     check_.cancel();
     session_.run(playback_.mostPoints(),
-                 live_.isHeld() ? DipReach::FirstDraft : DipReach::AllDrafts);
+                 live && live_.isHeld() ? DipReach::FirstDraft : DipReach::AllDrafts);
 }
 
 void DipController::cancel() {
@@ -134,26 +134,29 @@ void DipController::showFreshness() {
     const bool isDraft = shown.fineness.isDraft();
     staleBanner_.setVisible(isDraft || !fresh.sheet);
     if (!fresh.sheet) {
-        staleBanner_.setText(
-            session_.isRunning() ? tr("Out of date: new results are being computed.")
-            : fresh.dip ? tr("The sheet is out of date: it was made before the last changes.")
-                        : tr("The results are out of date: they were made before the last "
-                             "changes."));
+        showBanner(session_.isRunning() ? tr("Out of date: new results are being computed.")
+                   : fresh.dip          ? tr("Sheet out of date: made before the last changes.")
+                                        : tr("Results out of date: made before the last changes."));
     } else if (isDraft) {
-        staleBanner_.setText(draftText(shown));
+        showBanner(draftText(shown));
     }
+}
+
+// The banner has one line, so that the view keeps its size. In a narrow window the tooltip has the
+// whole text.
+void DipController::showBanner(const QString& text) {
+    staleBanner_.setText(text);
+    staleBanner_.setToolTip(text);
 }
 
 // Returns how fine the draft is and how far it may be off.
 QString DipController::draftText(const DipOutcome& draft) const {
     const solver::FilmGrid& grid = session_.reading()->film().grid;
-    QStringList parts{tr("Draft with %1 × %2 film points").arg(grid.columns).arg(grid.rows)};
+    QStringList parts{tr("Draft with %1 × %2 points").arg(grid.columns).arg(grid.rows)};
     if (draft.fineness.moves) {
-        parts +=
-            tr("95 % of the sheet within about %1").arg(shownLength(*draft.fineness.moves, unit_));
+        parts += tr("95 % within about %1").arg(shownLength(*draft.fineness.moves, unit_));
     }
-    parts +=
-        session_.isRunning() ? tr("finer results follow") : tr("run the dip for sheets to print");
+    parts += session_.isRunning() ? tr("being refined") : tr("run the dip to print");
     return parts.join(QStringLiteral(" · "));
 }
 

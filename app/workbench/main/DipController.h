@@ -42,6 +42,7 @@ private:
     void takeResult();
     void showResults();
     void showFreshness();
+    void showBanner(const QString& text);
     QString draftText(const DipOutcome& draft) const;
 
     const WindowActions& actions_;

@@ -182,7 +182,8 @@ void MainWindow::connectSession() {
             });
     connect(&jobs_, &JobRunner::busy, this, &MainWindow::updateActions);
     connect(&jobs_, &JobRunner::idle, this, &MainWindow::updateActions);
-    for (const auto changed : {&DipSession::started, &DipSession::finished, &DipSession::dropped}) {
+    for (const auto changed : {&DipSession::started, &DipSession::shownChanged,
+                               &DipSession::finished, &DipSession::dropped}) {
         connect(&session_, changed, this, &MainWindow::updateActions);
     }
     connect(&session_, &DipSession::stopped, this, &MainWindow::updateActions);
@@ -279,8 +280,11 @@ void MainWindow::updateTitle() {
 }
 
 void MainWindow::updateActions() {
-    actions_.enable(
-        {document(), jobs_.isBusy(), session_.isRunning(), parts_.timeline->frames() > 1});
+    const JobResult* result = session_.outcome().result.get();
+    actions_.enable({document(), jobs_.isBusy(), session_.isRunning(),
+                     parts_.timeline->frames() > 1,
+                     result && session_.immersion() < result->immersions.size(),
+                     session_.shown().fineness.isDraft()});
 }
 
 void MainWindow::keepThumbnail() {

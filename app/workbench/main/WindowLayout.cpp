@@ -52,9 +52,8 @@ void WindowLayout::makeCentre() {
     banner->setAlignment(Qt::AlignCenter);
     banner->setAutoFillBackground(true);
     banner->setContentsMargins(8, 4, 8, 4);
-    banner->setWordWrap(true);
     banner->setText(QStringLiteral(" ")); // as high as one line
-    QSizePolicy keepsRoom = banner->sizePolicy();
+    QSizePolicy keepsRoom(QSizePolicy::Ignored, QSizePolicy::Fixed);
     keepsRoom.setRetainSizeWhenHidden(true); // else the part would jump under the user's hand
     banner->setSizePolicy(keepsRoom);
     banner->hide();

@@ -113,7 +113,7 @@ void ResultsPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion) 
         }
         return;
     }
-    stretch_->setReading(outcome.readings[immersion]);
+    stretch_->setReading(outcome.readings[immersion], outcome.fineness.isDraft());
     const FilmSettings& film = outcome.result->project.film;
     texture_->setPicture(outcome.result->immersions[immersion].texture->image,
                          {film.width.value(), film.height.value()});

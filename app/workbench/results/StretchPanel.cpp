@@ -160,8 +160,9 @@ void StretchPanel::makeScaleRow(QVBoxLayout& layout) {
     layout.addLayout(marks);
 }
 
-void StretchPanel::setReading(std::shared_ptr<const FilmReadout> reading) {
+void StretchPanel::setReading(std::shared_ptr<const FilmReadout> reading, bool isDraft) {
     reading_ = std::move(reading);
+    isDraft_ = isDraft;
     redraw();
 }
 
@@ -173,7 +174,7 @@ void StretchPanel::redraw() {
     lowBox_->setEnabled(!automaticBox_->isChecked());
     highBox_->setEnabled(!automaticBox_->isChecked());
     limitBox_->setEnabled(limitTick_->isChecked());
-    exportButton_->setEnabled(reading_ != nullptr);
+    exportButton_->setEnabled(reading_ && !isDraft_);
     scale_.map = mapBox_->currentData().toString();
     scale_.limit.reset();
     if (limitTick_->isChecked()) {

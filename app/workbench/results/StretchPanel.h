@@ -23,8 +23,8 @@ class StretchPanel : public QWidget {
 public:
     explicit StretchPanel(QWidget* parent = nullptr);
 
-    // Null: nothing has been simulated yet.
-    void setReading(std::shared_ptr<const FilmReadout> reading);
+    // Null: nothing has been simulated yet. A draft is not exported.
+    void setReading(std::shared_ptr<const FilmReadout> reading, bool isDraft = false);
     FilmQuantity quantity() const;
     const HeatScale& scale() const { return scale_; }
     // The map as shown, with isolines and key, large enough to print.
@@ -49,6 +49,7 @@ private:
     QList<QLineF> shownIsolines() const;
 
     std::shared_ptr<const FilmReadout> reading_;
+    bool isDraft_ = false;
     HeatScale scale_;
     QComboBox* quantityBox_;
     QComboBox* mapBox_;

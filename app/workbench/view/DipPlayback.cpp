@@ -48,6 +48,8 @@ DipPlayback::DipPlayback(DipSession& session, DipView& view, DipScene& scene, Ti
     connect(&session, &DipSession::shownChanged, this, &DipPlayback::showResults);
     connect(&session, &DipSession::finished, this, &DipPlayback::showResults);
     connect(&session, &DipSession::dropped, this, &DipPlayback::showResults);
+    connect(&session, &DipSession::stopped, this,
+            [this] { scene_.setShowsDipped(session_.freshness().dip); });
     connect(&session, &DipSession::immersionChanged, this, [this] {
         scene_.setProject(session_.document()->project(), session_.immersion());
         showResults();
@@ -69,11 +71,12 @@ std::size_t DipPlayback::mostPoints() const {
 
 void DipPlayback::showProject() {
     scene_.setProject(session_.document()->project(), session_.immersion());
-    if (!session_.freshness().dip) {
+    const bool isFresh = session_.freshness().dip;
+    if (!isFresh) {
         timeline_.pause();
         timeline_.setPosition(0); // the body in its current pose
-        scene_.setShowsDipped(live_);
     }
+    scene_.setShowsDipped(live_ || isFresh);
     emit momentShown();
 }
 

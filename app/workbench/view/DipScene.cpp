@@ -280,7 +280,7 @@ void DipScene::showFrame(const std::shared_ptr<const DipRecording>& recording,
 }
 
 void DipScene::showEnd() {
-    if (!reading_ || !result_) {
+    if (!reading_ || !result_ || immersion_ >= result_->immersions.size()) {
         return;
     }
     moment_ = Moment::End;

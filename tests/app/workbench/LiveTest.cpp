@@ -1,5 +1,5 @@
 // Tests that results follow the hand: drafts while the part is dragged, then the result, in a real
-// window.
+// window. Takes half a minute, because each case runs a job of two films.
 #include "Patience.h"
 #include "TestFolders.h"
 #include "WindowDriver.h"
@@ -24,7 +24,7 @@ private slots:
         QVERIFY(driver.open(sampleFolder("/sphere.dipw")));
         document().edit({}, {}, [](Project& project) {
             makeCoarse(project);
-            project.film.columns = project.film.rows = 60; // one draft before the result
+            project.film.columns = project.film.rows = 44; // one draft before the result
         });
         QVERIFY(driver.run());
         before_ = document().result();
@@ -77,6 +77,37 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!session().isRunning(), patience());
         QCOMPARE(session().shown().result, before_);
         QVERIFY(!banner().isVisible());
+    }
+
+    void undo_beforeFirstDraft_keepsTheResult() {
+        drag(15);
+        release();
+        QTRY_VERIFY_WITH_TIMEOUT(session().isRunning(), patience());
+        document().undoStack().undo();
+        QTRY_VERIFY_WITH_TIMEOUT(!session().isRunning(), patience());
+        QCOMPARE(session().shown().result, before_);
+        QVERIFY(document().isFresh() && !banner().isVisible());
+    }
+
+    void undoAndRedo_whileRefining_givesTheResult() {
+        drag(15);
+        release();
+        QTRY_VERIFY_WITH_TIMEOUT(isDraftShown(), patience());
+        document().undoStack().undo();
+        document().undoStack().redo();
+        QTRY_VERIFY_WITH_TIMEOUT(document().isFresh() && !session().isRunning(), patience());
+        QVERIFY(document().result() != before_ && !session().shown().fineness.isDraft());
+    }
+
+    void draft_onShow_isNotExported() {
+        const QAction* pdf = WindowDriver(*window_).action("exportPdf");
+        QVERIFY(pdf->isEnabled());
+        drag(15);
+        QTRY_VERIFY_WITH_TIMEOUT(isDraftShown(), patience());
+        QVERIFY(!pdf->isEnabled());
+        release();
+        QTRY_VERIFY_WITH_TIMEOUT(document().isFresh() && !session().isRunning(), patience());
+        QVERIFY(pdf->isEnabled());
     }
 
     void cancel_whileRefining_saysThatItIsADraft() {
