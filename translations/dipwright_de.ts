@@ -226,11 +226,11 @@
     </message>
     <message>
         <source>The solver failed: %1</source>
-        <translation>Der Löser ist gescheitert: %1</translation>
+        <translation>Der Solver ist gescheitert: %1</translation>
     </message>
     <message>
         <source>The solver failed with an unknown exception</source>
-        <translation>Der Löser ist mit einer unbekannten Ausnahme gescheitert</translation>
+        <translation>Der Solver ist mit einer unbekannten Ausnahme gescheitert</translation>
     </message>
     <message>
         <source>%1 mm²</source>
@@ -266,7 +266,7 @@
     </message>
     <message>
         <source>The solver did not find the part: it is only %1 mm thick in places, and the distance field has cells of %2 mm; make it thicker there, or dip only a section of it</source>
-        <translation>Der Löser hat das Teil nicht gefunden: Es ist stellenweise nur %1 mm dick, und das Abstandsfeld hat Zellen von %2 mm; machen Sie es dort dicker, oder tauchen Sie nur einen Abschnitt davon</translation>
+        <translation>Der Solver hat das Teil nicht gefunden: Es ist stellenweise nur %1 mm dick, und das Abstandsfeld hat Zellen von %2 mm; machen Sie es dort dicker, oder tauchen Sie nur einen Abschnitt davon</translation>
     </message>
     <message>
         <source>The part, %1 × %2 mm on the water, reaches past the film on all sides, so no film is left to wrap round it; %3</source>
@@ -966,7 +966,7 @@
     </message>
     <message>
         <source>The solver failed: %1</source>
-        <translation>Der Löser ist gescheitert: %1</translation>
+        <translation>Der Solver ist gescheitert: %1</translation>
     </message>
     <message>
         <source>physics validation</source>
@@ -1034,7 +1034,7 @@
     </message>
     <message>
         <source>The film never touched the body; do not use this solver</source>
-        <translation>Der Film hat den Körper nie berührt; verwenden Sie diesen Löser nicht</translation>
+        <translation>Der Film hat den Körper nie berührt; verwenden Sie diesen Solver nicht</translation>
     </message>
 </context>
 <context>
@@ -1274,7 +1274,7 @@
     </message>
     <message>
         <source>This part belongs to another search; make all parts from the same project with the same options and solver</source>
-        <translation>Dieser Teil gehört zu einer anderen Suche; erzeugen Sie alle Teile aus demselben Projekt mit denselben Optionen und demselben Löser</translation>
+        <translation>Dieser Teil gehört zu einer anderen Suche; erzeugen Sie alle Teile aus demselben Projekt mit denselben Optionen und demselben Solver</translation>
     </message>
     <message>
         <source>Narrow overlap</source>
@@ -3073,15 +3073,15 @@
     </message>
     <message>
         <source>No solver can run here; install one or set DIPWRIGHT_PLUGIN_PATH</source>
-        <translation>Hier kann kein Löser laufen; installieren Sie einen oder setzen Sie DIPWRIGHT_PLUGIN_PATH</translation>
+        <translation>Hier kann kein Solver laufen; installieren Sie einen oder setzen Sie DIPWRIGHT_PLUGIN_PATH</translation>
     </message>
     <message>
         <source>There is no such solver; choose one of %1</source>
-        <translation>Diesen Löser gibt es nicht; wählen Sie einen von %1</translation>
+        <translation>Diesen Solver gibt es nicht; wählen Sie einen von %1</translation>
     </message>
     <message>
         <source>This solver cannot be used: %1</source>
-        <translation>Dieser Löser kann nicht verwendet werden: %1</translation>
+        <translation>Dieser Solver kann nicht verwendet werden: %1</translation>
     </message>
     <message>
         <source>It has crashed twice; replace it, or set DIPWRIGHT_RETRY_SOLVERS=1 to try it again</source>
@@ -3093,7 +3093,7 @@
     </message>
     <message>
         <source>Its module does not match this program&apos;s solver interface %1, although its description file says so; build it again</source>
-        <translation>Sein Modul passt nicht zur Löserschnittstelle %1 dieses Programms, obwohl seine Beschreibungsdatei das sagt; bauen Sie es neu</translation>
+        <translation>Sein Modul passt nicht zur Solverschnittstelle %1 dieses Programms, obwohl seine Beschreibungsdatei das sagt; bauen Sie es neu</translation>
     </message>
     <message>
         <source>It cannot run here and does not say why; ask its author</source>
@@ -3105,11 +3105,11 @@
     </message>
     <message>
         <source>It was built for solver interface %1, but this program has %2; get the plugin for this version of the program, or build it again</source>
-        <translation>Er wurde für die Löserschnittstelle %1 gebaut, dieses Programm hat aber %2; besorgen Sie das Plugin für diese Version des Programms, oder bauen Sie es neu</translation>
+        <translation>Er wurde für die Solverschnittstelle %1 gebaut, dieses Programm hat aber %2; besorgen Sie das Plugin für diese Version des Programms, oder bauen Sie es neu</translation>
     </message>
     <message>
         <source>Its description file does not describe a solver</source>
-        <translation>Seine Beschreibungsdatei beschreibt keinen Löser</translation>
+        <translation>Seine Beschreibungsdatei beschreibt keinen Solver</translation>
     </message>
     <message>
         <source>Its id may contain only lower-case letters, digits and hyphens</source>
@@ -6904,7 +6904,7 @@ Dehnung</translation>
     </message>
     <message>
         <source>Solvers</source>
-        <translation>Löser</translation>
+        <translation>Solver</translation>
     </message>
     <message>
         <source>As the system</source>
@@ -7942,7 +7942,7 @@ Dehnung</translation>
     </message>
     <message>
         <source>None</source>
-        <translation>Keine</translation>
+        <translation>Keines</translation>
     </message>
     <message>
         <source>Best available</source>
@@ -7954,7 +7954,7 @@ Dehnung</translation>
     </message>
     <message>
         <source>Solver</source>
-        <translation>Löser</translation>
+        <translation>Solver</translation>
     </message>
     <message>
         <source>%1 (not installed)</source>
@@ -8038,7 +8038,7 @@ Dehnung</translation>
     </message>
     <message>
         <source>Choose solver</source>
-        <translation>Löser wählen</translation>
+        <translation>Solver wählen</translation>
     </message>
     <message>
         <source>Read from %1</source>
@@ -8228,7 +8228,7 @@ Ergebnisse: %2</translation>
     </message>
     <message>
         <source>Solver</source>
-        <translation>Löser</translation>
+        <translation>Solver</translation>
     </message>
     <message>
         <source>Device</source>
@@ -8263,19 +8263,19 @@ Ergebnisse: %2</translation>
     </message>
     <message>
         <source>Front</source>
-        <translation>Vorn</translation>
+        <translation>Von vorn</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation>Rechts</translation>
+        <translation>Von rechts</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation>Hinten</translation>
+        <translation>Von hinten</translation>
     </message>
     <message>
         <source>Left</source>
-        <translation>Links</translation>
+        <translation>Von links</translation>
     </message>
     <message>
         <source>Stretch of the film</source>
@@ -8861,11 +8861,11 @@ mm je mm</translation>
     <name>dipwright::SolverPage</name>
     <message>
         <source>Solvers</source>
-        <translation>Löser</translation>
+        <translation>Solver</translation>
     </message>
     <message>
         <source>Solver</source>
-        <translation>Löser</translation>
+        <translation>Solver</translation>
     </message>
     <message>
         <source>Version</source>
@@ -8883,11 +8883,11 @@ mm je mm</translation>
     </message>
     <message>
         <source>Put solver plugins into %1</source>
-        <translation>Legen Sie Löser-Plugins in %1</translation>
+        <translation>Legen Sie Solver-Plugins in %1</translation>
     </message>
     <message>
         <source>Choose the solver of a project under Dipping. “Best available” uses the best solver that can run on this computer.</source>
-        <translation>Den Löser eines Projekts wählen Sie unter „Tauchen“. „Bester verfügbarer“ verwendet den besten, der auf diesem Rechner laufen kann.</translation>
+        <translation>Den Solver eines Projekts wählen Sie unter „Tauchen“. „Bester verfügbarer“ verwendet den besten, der auf diesem Rechner laufen kann.</translation>
     </message>
     <message>
         <source>Checking whether it can run here …</source>
@@ -8895,7 +8895,7 @@ mm je mm</translation>
     </message>
     <message>
         <source>No solver found</source>
-        <translation>Kein Löser gefunden</translation>
+        <translation>Kein Solver gefunden</translation>
     </message>
 </context>
 <context>
@@ -9802,7 +9802,7 @@ mm je mm</translation>
     </message>
     <message>
         <source>Set units, language, theme, shortcuts and solvers</source>
-        <translation>Einheiten, Sprache, Aussehen, Tastenkürzel und Löser einstellen</translation>
+        <translation>Einheiten, Sprache, Aussehen, Tastenkürzel und Solver einstellen</translation>
     </message>
     <message>
         <source>Simulate the dip and compute the sheets</source>

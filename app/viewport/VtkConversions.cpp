@@ -19,13 +19,15 @@ vtkSmartPointer<vtkMatrix4x4> vtkMatrix(const Eigen::Isometry3d& transform) {
 }
 
 vtkSmartPointer<vtkTexture> vtkTextureOf(const QImage& picture) {
-    const QImage pixels = inSrgb(picture).convertToFormat(QImage::Format_RGBA8888);
+    // Without alpha: VTK would draw a body as translucent if unused parts of its texture are clear.
+    constexpr int bytes = 3;
+    const QImage pixels = inSrgb(picture).convertToFormat(QImage::Format_RGB888);
     auto image = vtkSmartPointer<vtkImageData>::New();
     image->SetDimensions(pixels.width(), pixels.height(), 1);
-    image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, bytes);
     for (int row = 0; row < pixels.height(); ++row) {
         std::memcpy(image->GetScalarPointer(0, pixels.height() - 1 - row, 0),
-                    pixels.constScanLine(row), std::size_t(pixels.width()) * 4);
+                    pixels.constScanLine(row), std::size_t(pixels.width()) * bytes);
     }
     auto texture = vtkSmartPointer<vtkTexture>::New();
     texture->SetInputData(image);

@@ -121,6 +121,7 @@ VerdictPanel::VerdictPanel(QWidget* parent)
 void VerdictPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion, LengthUnit unit) {
     const bool isThere = outcome.result && immersion < outcome.result->immersions.size();
     text_->setVisible(isThere);
+    map_->setVisible(!outcome.fineness.isDraft());
     map_->clear();
     if (!isThere) {
         return;
