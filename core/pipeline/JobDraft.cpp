@@ -36,6 +36,16 @@ int cellsOf(const Project& project, const ProofStage* stage) {
     return fewest;
 }
 
+// Returns `project` with the cells and the resolution of the draft `level`, of `coarsest` levels.
+Project draftProject(Project project, int level, int coarsest) {
+    const double scale = std::ldexp(1.0, level);
+    project.film.refinement /= scale;
+    project.process.timeStep = Seconds(scale * project.process.timeStep.value());
+    project.sheet.resolution = DotsPerInch(std::min(
+        project.sheet.resolution.value(), std::ldexp(coarsestResolution, coarsest - level)));
+    return project;
+}
+
 } // namespace
 
 void JobDrafts::add(int level, std::shared_ptr<const JobResult> result) {
@@ -72,33 +82,30 @@ std::shared_ptr<const JobResult> JobDrafts::reusable(const Project& project, int
     return result;
 }
 
-int coarsestDraft(const Project& project, const JobResult* earlier) {
-    const bool fits = earlier && earlier->project.model == project.model;
-    const ProofStage* stage = fits ? earlier->proofStage.get() : nullptr;
+int coarsestDraft(const Project& project, const JobDrafts& earlier) {
+    const std::shared_ptr<const JobResult> known = earlier.reusable(project, 0);
+    const bool fits = known && known->project.model == project.model;
     int level = 0;
-    for (int cells = cellsOf(project, stage) / 2; cells >= fewestDraftCells; cells /= 2) {
+    for (int cells = cellsOf(project, fits ? known->proofStage.get() : nullptr) / 2;
+         cells >= fewestDraftCells; cells /= 2) {
         ++level;
     }
     return level;
 }
 
-Project draftProject(Project project, int level, int coarsest) {
-    const double scale = std::ldexp(1.0, level);
-    project.film.refinement /= scale;
-    project.process.timeStep = Seconds(scale * project.process.timeStep.value());
-    if (level > 0) {
-        project.sheet.resolution = DotsPerInch(std::min(
-            project.sheet.resolution.value(), std::ldexp(coarsestResolution, coarsest - level)));
-    }
-    return project;
-}
-
-JobResult runDraft(const Project& project, int level, int coarsest, const SolverRegistry& registry,
-                   const JobResult* previous, const Progress& progress) {
+JobResult runLevel(const Project& project, int level, int coarsest, const SolverRegistry& registry,
+                   const JobDrafts& earlier, const Progress& progress,
+                   decltype(JobOptions::observer) observer) {
+    const std::shared_ptr<const JobResult> previous = earlier.reusable(project, level);
     JobOptions options;
+    if (level == 0) {
+        options.observer = std::move(observer);
+        return runJob(project, registry, options, previous.get(), progress);
+    }
     options.estimatesNumericalError = false;
     options.draftPictures = std::min(1.0, std::ldexp(coarsestPictures, coarsest - level));
-    return runJob(draftProject(project, level, coarsest), registry, options, previous, progress);
+    return runJob(draftProject(project, level, coarsest), registry, options, previous.get(),
+                  progress);
 }
 
 std::optional<double> movesSince(const JobResult& coarser, const JobResult& result) {

@@ -31,16 +31,15 @@ private:
 };
 
 // Returns the level of the coarsest draft of `project`; 0 if its film is coarse already. The
-// project must have a model. `earlier` (may be null) saves the time to prepare the model.
-int coarsestDraft(const Project& project, const JobResult* earlier);
+// project must have a model. `earlier` may save the time to prepare the model.
+int coarsestDraft(const Project& project, const JobDrafts& earlier);
 
-// Returns `project` with the cells and the resolution of level `level`, of `coarsest` levels.
-Project draftProject(Project project, int level, int coarsest);
-
-// Runs the draft `level`, of `coarsest` levels. Estimates no numerical error and no read-back
-// error. Takes over from `previous` (may be null) and throws like runJob().
-JobResult runDraft(const Project& project, int level, int coarsest, const SolverRegistry& registry,
-                   const JobResult* previous, const Progress& progress);
+// Runs `level`, of `coarsest` levels, with what `earlier` has to take over. A draft estimates no
+// numerical error and no read-back error; level 0 is runJob() with `observer` (JobOptions.h).
+// Throws like runJob().
+JobResult runLevel(const Project& project, int level, int coarsest, const SolverRegistry& registry,
+                   const JobDrafts& earlier, const Progress& progress,
+                   decltype(JobOptions::observer) observer = {});
 
 // Returns how far 95 % of the sheets' points move from the draft `coarser` to `result`, whose cells
 // are half as long, in mm; the largest of all dips. For an error of first order, this is the error

@@ -134,15 +134,14 @@ void dip(ImmersionResult& result, const Run& run, std::size_t number, const Dist
 
 // Measures coverage and read-back error of a newly dipped or cached film. If only the body's
 // appearance has changed, measures the read-back error alone.
-void measure(ImmersionResult& result, const ImmersionResult* earlier, bool measuresReadBack,
-             const CancelToken& user) {
+void measure(ImmersionResult& result, const ImmersionResult* earlier, const Run& run) {
     const bool isLaidAnew = !result.coverage;
-    user.throwIfCancelled();
+    run.user.throwIfCancelled();
     if (isLaidAnew) {
         result.coverage = std::make_shared<const Coverage>(coverage(*result.laid));
     }
-    user.throwIfCancelled();
-    if (measuresReadBack && (isLaidAnew || earlier->appearance != result.appearance)) {
+    run.user.throwIfCancelled();
+    if (!run.options.draftPictures && (isLaidAnew || earlier->appearance != result.appearance)) {
         result.readBack = readBackError(*result.laid, *result.laid, *result.appearance);
     }
 }
@@ -335,7 +334,7 @@ std::optional<double> shortfallOf(const Sheet& sheet,
 void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison& comparison) {
     const ImmersionResult* earlier = run.earlier(number);
     Tasks measuring;
-    measuring.run([&] { measure(now, earlier, !run.options.draftPictures, run.user); });
+    measuring.run([&] { measure(now, earlier, run); });
     if (!earlier || earlier->inputs != now.inputs) {
         run.user.throwIfCancelled();
         const PrintedFilm film = printedFilm(*now.texture, now.inputs, run.project, number);

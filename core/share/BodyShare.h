@@ -70,7 +70,7 @@ struct BodyShare {
 // on each.
 struct ShareStage;
 // Computes the stage for a body that is to look like `model`. Uses all cores. Any thread may read
-// the stage. The model must outlive it.
+// the stage.
 std::shared_ptr<const ShareStage> shareStage(const TexturedMesh& model);
 
 // Splits the body of `stage` between its two dips; `films` are their results. Uses all cores;

@@ -1,10 +1,8 @@
 #include "cli/bench/Measurements.h"
 
 #include "pipeline/JobDraft.h"
-#include "pipeline/Pipeline.h"
 #include "project/ProjectStore.h"
 #include "project/Samples.h"
-#include "results/Results.h"
 
 namespace dipwright::cli {
 namespace {
@@ -29,7 +27,7 @@ public:
         rotation[1] = Degrees(rotation[1].value() + degrees);
     }
     void draft() {
-        coarsest_ = coarsestDraft(project_, results_.reusable(project_, 0).get());
+        coarsest_ = coarsestDraft(project_, results_);
         run(coarsest_);
     }
     // Runs all further drafts, then the job.
@@ -41,12 +39,9 @@ public:
 
 private:
     void run(int level) {
-        const std::shared_ptr<const JobResult> previous = results_.reusable(project_, level);
-        results_.add(level, std::make_shared<JobResult>(
-                                level > 0 ? runDraft(project_, level, coarsest_, solver_.registry,
-                                                     previous.get(), progress_.silent())
-                                          : runJob(project_, solver_.registry, {}, previous.get(),
-                                                   progress_.silent())));
+        results_.add(level, std::make_shared<JobResult>(runLevel(project_, level, coarsest_,
+                                                                 solver_.registry, results_,
+                                                                 progress_.silent())));
     }
 
     Project project_;

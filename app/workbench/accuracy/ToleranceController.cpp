@@ -52,13 +52,11 @@ void ToleranceController::take(const ToleranceResult& result) {
 }
 
 void ToleranceController::showTolerances() {
-    const bool isShown = isTrue();
-    if (isShown) {
+    if (isTrue()) {
         emit changed(result_.tolerances, verdicts());
-    } else if (isShown_) {
+    } else {
         emit changed(nullptr, {});
     }
-    isShown_ = isShown;
 }
 
 QStringList ToleranceController::verdicts() const {

@@ -45,7 +45,6 @@ private:
     QWidget& window_;
     LengthUnit unit_ = LengthUnit::Millimetre;
     ToleranceResult result_;
-    bool isShown_ = false; // whether tolerances were given last
 };
 
 } // namespace dipwright

@@ -1,6 +1,5 @@
 #include "workbench/dip/DipJob.h"
 
-#include "pipeline/Pipeline.h"
 #include "sheet/page/SheetLayout.h"
 
 #include <QCoreApplication>
@@ -54,14 +53,17 @@ void DipJob::process(const Progress& progress) {
     outcome_.project = task_.project;
     Fineness& fineness = outcome_.fineness;
     if (task_.stage == DipStage::FirstDraft) {
-        fineness.coarsest =
-            coarsestDraft(task_.project, task_.earlier.reusable(task_.project, 0).get());
+        fineness.coarsest = coarsestDraft(task_.project, task_.earlier);
         fineness.level = fineness.coarsest;
     } else if (task_.stage == DipStage::NextDraft) {
         fineness.coarsest = task_.before.fineness.coarsest;
         fineness.level = task_.before.fineness.level - 1;
     }
-    const auto result = std::make_shared<const JobResult>(run(progress.part(0, dipDone)));
+    const auto result = std::make_shared<const JobResult>(
+        runLevel(task_.project, fineness.level, fineness.coarsest, registry_, task_.earlier,
+                 progress.part(0, dipDone), [this](std::size_t immersion, const FilmFrame& frame) {
+                     task_.recordings[immersion]->add(frame);
+                 }));
     if (fineness.isDraft() && task_.before.result) {
         fineness.moves = movesSince(*task_.before.result, *result);
     }
@@ -72,19 +74,6 @@ void DipJob::process(const Progress& progress) {
         progress.cancelToken.throwIfCancelled();
         outcome_.sheets.push_back(sheetPreview(immersion.sheet));
     }
-}
-
-JobResult DipJob::run(const Progress& progress) {
-    const auto [level, coarsest, moves] = outcome_.fineness;
-    const auto previous = task_.earlier.reusable(task_.project, level);
-    if (level > 0) {
-        return runDraft(task_.project, level, coarsest, registry_, previous.get(), progress);
-    }
-    JobOptions options;
-    options.observer = [this](std::size_t immersion, const FilmFrame& frame) {
-        task_.recordings[immersion]->add(frame);
-    };
-    return runJob(task_.project, registry_, options, previous.get(), progress);
 }
 
 void DipJob::finalize(bool cancelled, std::exception_ptr failure) {

@@ -62,8 +62,6 @@ public:
     void finalize(bool cancelled, std::exception_ptr failure) override;
 
 private:
-    JobResult run(const Progress& progress);
-
     Task task_;
     const SolverRegistry& registry_;
     Done done_;

@@ -200,8 +200,7 @@ Freshness DipSession::freshness() const {
     const auto inputsOf = [this](const Project& project) {
         return sheetInputs(project, {}, immersion_, project.process.solver);
     };
-    const SheetInputs then = inputsOf(shown_.project), now = inputsOf(document_->project());
-    return {now.texture.dip == then.texture.dip, now.texture == then.texture, now == then};
+    return dipwright::freshness(inputsOf(shown_.project), inputsOf(document_->project()));
 }
 
 std::shared_ptr<const FilmReadout> DipSession::reading() const {

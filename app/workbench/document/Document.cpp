@@ -115,27 +115,24 @@ void Document::setResult(std::shared_ptr<const JobResult> result) {
     emit resultChanged();
 }
 
+Freshness freshness(const SheetInputs& then, const SheetInputs& now) {
+    return {now.texture.dip == then.texture.dip, now.texture == then.texture, now == then};
+}
+
 bool Document::isFresh(JobStep step, std::size_t number) const {
-    if (!result_ || number >= result_->immersions.size() || number >= project_.immersions.size()) {
-        return false;
-    }
-    const SheetInputs& then = result_->immersions[number].inputs;
-    const SheetInputs now =
-        sheetInputs(project_, {}, number, solverFor(project_.process.solver, *result_));
-    switch (step) {
-    case JobStep::Dip:
-        return now.texture.dip == then.texture.dip;
-    case JobStep::Texture:
-        return now.texture == then.texture;
-    case JobStep::Sheet:
-        return now == then;
-    }
-    return false;
+    const Freshness fresh = freshness(number);
+    return step == JobStep::Dip       ? fresh.dip
+           : step == JobStep::Texture ? fresh.texture
+                                      : fresh.sheet;
 }
 
 Freshness Document::freshness(std::size_t number) const {
-    return {isFresh(JobStep::Dip, number), isFresh(JobStep::Texture, number),
-            isFresh(JobStep::Sheet, number)};
+    if (!result_ || number >= result_->immersions.size() || number >= project_.immersions.size()) {
+        return {false, false, false};
+    }
+    return dipwright::freshness(
+        result_->immersions[number].inputs,
+        sheetInputs(project_, {}, number, solverFor(project_.process.solver, *result_)));
 }
 
 bool Document::isFresh() const {

@@ -23,6 +23,9 @@ struct Freshness {
     bool operator==(const Freshness&) const = default;
 };
 
+// Returns which steps have the same inputs now as then.
+Freshness freshness(const SheetInputs& then, const SheetInputs& now);
+
 class Document : public QObject {
     Q_OBJECT
 

@@ -170,8 +170,10 @@ void ReportPanel::setResult(std::shared_ptr<const JobResult> result, LengthUnit 
 }
 
 void ReportPanel::setTolerances(const QStringList& sentences) {
-    tolerances_ = sentences;
-    show();
+    if (sentences != tolerances_) {
+        tolerances_ = sentences;
+        show();
+    }
 }
 
 void ReportPanel::show() {

@@ -346,11 +346,9 @@ void DipScene::setFilmExtent(FilmExtent extent) {
 }
 
 void DipScene::showDippedAnew() {
-    filmSource_ = {};
-    if (moment_ == Moment::End) {
-        showEnd();
-    } else if (moment_ == Moment::Setup) {
-        showSetup();
+    if (isDippedDrawn()) {
+        filmSource_ = {};
+        drawDipped(moment_ == Moment::End ? extent_ : FilmExtent::OnBody);
     }
 }
 

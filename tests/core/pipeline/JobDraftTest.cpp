@@ -47,25 +47,24 @@ private slots:
     void coarsestDraft_evenFilms_keepsEnoughCells() {
         QFETCH(int, points);
         QFETCH(int, level);
-        QCOMPARE(coarsestDraft(sphereOn(points), nullptr), level);
+        QCOMPARE(coarsestDraft(sphereOn(points), {}), level);
     }
 
     void coarsestDraft_gradedFilm_countsItsCells() {
         Project project = sphereOn(60);
         project.film.resolution = FilmResolution::Automatic;
-        const int level = coarsestDraft(project, nullptr);
+        const int level = coarsestDraft(project, {});
         QVERIFY(level >= 1);
         project.film.refinement = 2;
-        QCOMPARE(coarsestDraft(project, nullptr), level + 1);
+        QCOMPARE(coarsestDraft(project, {}), level + 1);
     }
 
     void runJob_afterDrafts_isTheSame() {
         const Project project = sphereOn(61);
         const JobResult alone = runJob(project, registry_, {}, nullptr, {});
         JobDrafts drafts;
-        drafts.add(1, std::make_shared<JobResult>(runDraft(project, 1, 1, registry_, nullptr, {})));
-        const JobResult after =
-            runJob(project, registry_, {}, drafts.reusable(project, 0).get(), {});
+        drafts.add(1, std::make_shared<JobResult>(runLevel(project, 1, 1, registry_, {}, {})));
+        const JobResult after = runLevel(project, 0, 1, registry_, drafts, {});
         for (std::size_t dip = 0; dip < 2; ++dip) {
             QCOMPARE(after.immersions[dip].sheet.job.hash, alone.immersions[dip].sheet.job.hash);
             QCOMPARE(after.immersions[dip].sheet.image, alone.immersions[dip].sheet.image);
@@ -76,9 +75,10 @@ private slots:
 
     void runDraft_sphere_isNearTheJob() {
         const Project project = sphereOn(121);
-        const auto coarse =
-            std::make_shared<JobResult>(runDraft(project, 2, 2, registry_, nullptr, {}));
-        const JobResult fine = runDraft(project, 1, 2, registry_, coarse.get(), {});
+        const auto coarse = std::make_shared<JobResult>(runLevel(project, 2, 2, registry_, {}, {}));
+        JobDrafts drafts;
+        drafts.add(2, coarse);
+        const JobResult fine = runLevel(project, 1, 2, registry_, drafts, {});
         QVERIFY(coarse->proof.width() < fine.proof.width());
         QVERIFY(!coarse->immersions[0].readBack && !coarse->immersions[0].numericalError);
         QVERIFY2(std::abs(coarse->coverageTotal - fine.coverageTotal) < 0.05,
@@ -92,14 +92,13 @@ private slots:
         JobDrafts drafts;
         const auto job = std::make_shared<JobResult>(runJob(project, registry_, {}, nullptr, {}));
         drafts.add(0, job);
-        const auto before = std::make_shared<JobResult>(
-            runDraft(project, 1, 1, registry_, drafts.reusable(project, 1).get(), {}));
+        const auto before =
+            std::make_shared<JobResult>(runLevel(project, 1, 1, registry_, drafts, {}));
         QVERIFY(before->immersions[0].body == job->immersions[0].body);
         QVERIFY(before->field == job->field && before->proofStage == job->proofStage);
         drafts.add(1, before);
         project.immersions[0].rotation[0] = Degrees(30);
-        const JobResult turned =
-            runDraft(project, 1, 1, registry_, drafts.reusable(project, 1).get(), {});
+        const JobResult turned = runLevel(project, 1, 1, registry_, drafts, {});
         QVERIFY(turned.immersions[0].laid != before->immersions[0].laid);
         QVERIFY(turned.immersions[1].laid == before->immersions[1].laid);
     }
