@@ -309,10 +309,6 @@ const QImage& DipView::shownPicture() const {
     return state_->shown.image;
 }
 
-int DipView::pictureTime() const {
-    return state_->shown.milliseconds;
-}
-
 void DipView::paintEvent(QPaintEvent* event) {
     QPainter painter(this);
     const QImage& picture = state_->shown.image;

@@ -148,8 +148,6 @@ public:
     // Returns a picture of the current state at the view's size. Waits until it has been drawn.
     QImage picture();
     const QImage& shownPicture() const; // the last drawn picture; null before the first picture
-    // The drawing time of the last picture, in milliseconds.
-    int pictureTime() const;
     // Requests a new picture. All requests during drawing cause only one more picture.
     void requestPicture();
 

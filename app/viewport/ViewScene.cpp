@@ -3,7 +3,6 @@
 #include "VtkConversions.h"
 #include "base/Units.h"
 
-#include <QElapsedTimer>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -303,12 +302,9 @@ ViewPicture ViewScene::draw() {
         window_.vtk()->Render(); // the renderer knows its size only after this
         orientation_->SquareResize();
     }
-    QElapsedTimer clock;
-    clock.start();
-    ViewPicture picture{window_.draw(), projectionOf(*renderer_, size_.size), 0, cameraNow(),
+    ViewPicture picture{window_.draw(), projectionOf(*renderer_, size_.size), cameraNow(),
                         isMovedByUser_};
     picture.image.setDevicePixelRatio(size_.pixelRatio);
-    picture.milliseconds = int(clock.elapsed());
     return picture;
 }
 

@@ -18,11 +18,10 @@
 
 namespace dipwright {
 
-// A picture, its projection and its drawing time.
+// A picture, with its projection and its camera.
 struct ViewPicture {
     QImage image;
     ViewProjection projection;
-    int milliseconds = 0;
     ViewCamera camera;
     bool isMovedByUser = false; // the camera was last moved here, not by setCamera()
 };

@@ -23,8 +23,8 @@ QImage afterDip(const PoseView& view, const Progress& progress) {
     return pictures;
 }
 
-// Returns the verdict on the job, then its reasons: those that
-// concern this dip, and those that concern all dips together.
+// Returns the verdict on the job, then its reasons: those that concern this dip, and those that
+// concern all dips together.
 QStringList verdictLines(const JobResult& result, std::size_t number) {
     QStringList lines{adviceText(adviceOf(result))};
     for (const JobReason& reason : reasonsOf(result)) {
