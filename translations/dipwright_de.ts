@@ -186,10 +186,6 @@
         <translation>Halterung wird geprüft</translation>
     </message>
     <message>
-        <source>%1: the part tips out of its cradle unless it is fixed, because its dry surface does not surround its centre of mass. Fix it through the bore, or turn the part</source>
-        <translation>%1: Das Teil kippt aus seiner Halterung, wenn es nicht befestigt ist, weil seine trockene Fläche den Schwerpunkt nicht umgibt. Befestigen Sie es durch die Bohrung, oder drehen Sie das Teil</translation>
-    </message>
-    <message>
         <source>%1: the part can slide sideways in its cradle, because its dry surface is too flat; mark its position and fix it there</source>
         <translation>%1: Das Teil kann in seiner Halterung seitlich rutschen, weil seine trockene Fläche zu flach ist; zeichnen Sie seine Lage an, und befestigen Sie es dort</translation>
     </message>
@@ -212,6 +208,10 @@
     <message>
         <source>Finding the surface that stays dry</source>
         <translation>Trocken bleibende Fläche wird gesucht</translation>
+    </message>
+    <message>
+        <source>%1: the part tips out of its cradle unless it is fixed, because the cradle cannot hold it on all sides of its centre of mass. Fix it through the bore, or turn the part</source>
+        <translation>%1: Das Teil kippt aus seiner Halterung, wenn es nicht befestigt wird, weil die Halterung es nicht auf allen Seiten seines Schwerpunkts halten kann. Befestigen Sie es durch die Bohrung, oder drehen Sie das Teil</translation>
     </message>
 </context>
 <context>
@@ -588,10 +588,6 @@
         <translation>Ein anderes Programm schreibt Ergebnisse in diesen Ordner (%1); warten Sie darauf, oder wählen Sie einen anderen Ordner</translation>
     </message>
     <message>
-        <source>Earlier results in this folder are incomplete and cannot be completed now; close the programs that have files there open, or move %1 out of the folder</source>
-        <translation>Frühere Ergebnisse in diesem Ordner sind unvollständig und können jetzt nicht vervollständigt werden; schließen Sie die Programme, die dort Dateien geöffnet haben, oder verschieben Sie %1 aus dem Ordner</translation>
-    </message>
-    <message>
         <source>The folder cannot be written; choose another folder</source>
         <translation>In den Ordner kann nicht geschrieben werden; wählen Sie einen anderen Ordner</translation>
     </message>
@@ -606,6 +602,10 @@
     <message>
         <source>Only some of the results were moved into the folder; close the programs that have files there open, then start this program again to move the rest</source>
         <translation>Nur ein Teil der Ergebnisse wurde in den Ordner verschoben; schließen Sie die Programme, die dort Dateien geöffnet haben, und starten Sie dieses Programm neu, um den Rest zu verschieben</translation>
+    </message>
+    <message>
+        <source>Earlier results in this folder are incomplete, and another program keeps them from being completed. Close the programs that use files in the folder, or move %1 out of the folder</source>
+        <translation>Frühere Ergebnisse in diesem Ordner sind unvollständig, und ein anderes Programm verhindert, dass sie vervollständigt werden. Schließen Sie die Programme, die Dateien in diesem Ordner benutzen, oder verschieben Sie %1 aus dem Ordner</translation>
     </message>
 </context>
 <context>
@@ -736,6 +736,10 @@
     <message>
         <source>Swap dips</source>
         <translation>Tauchvorgänge tauschen</translation>
+    </message>
+    <message>
+        <source>Try poses</source>
+        <translation>Lagen ausprobieren</translation>
     </message>
 </context>
 <context>
@@ -2426,14 +2430,6 @@
         <translation>Abstand der Halterung zu allen Stellen, die der Film erreicht oder die frühere Tauchvorgänge bemalt haben.</translation>
     </message>
     <message>
-        <source>Rest on paint</source>
-        <translation>Auf Farbe auflegen</translation>
-    </message>
-    <message>
-        <source>Whether the cradle may rest on areas that earlier dips have painted, with padding in between.</source>
-        <translation>Ob die Halterung auf Flächen liegen darf, die frühere Tauchvorgänge bemalt haben, mit einem Polster dazwischen.</translation>
-    </message>
-    <message>
         <source>Space for felt or foam where the cradle rests on paint.</source>
         <translation>Raum für Filz oder Schaum, wo die Halterung auf Farbe liegt.</translation>
     </message>
@@ -2805,6 +2801,14 @@
         <source>Verdict: limits for “check first”</source>
         <translation>Urteil: Grenzen für „zuerst prüfen“</translation>
     </message>
+    <message>
+        <source>May touch painted areas</source>
+        <translation>Darf bemalte Flächen berühren</translation>
+    </message>
+    <message>
+        <source>Whether the cradle may support the part on areas that earlier dips have painted, with padding in between.</source>
+        <translation>Ob die Halterung das Teil auf Flächen stützen darf, die frühere Tauchvorgänge bemalt haben, mit Polster dazwischen.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -3044,10 +3048,6 @@
         <translation>Seine Beschreibung ist kein gültiges JSON: %1</translation>
     </message>
     <message>
-        <source>Its module has to be a file beside its description</source>
-        <translation>Sein Modul muss eine Datei neben seiner Beschreibung sein</translation>
-    </message>
-    <message>
         <source>Its module %1 is missing</source>
         <translation>Sein Modul %1 fehlt</translation>
     </message>
@@ -3119,6 +3119,10 @@
         <source>Other users can write to %1; remove that permission, or move the plugin</source>
         <translation>Andere Benutzer können %1 schreiben; entziehen Sie ihnen dieses Recht, oder verschieben Sie das Plugin</translation>
     </message>
+    <message>
+        <source>Its module must be in the same folder as its description; give the file&apos;s name without a path</source>
+        <translation>Sein Modul muss im selben Ordner liegen wie seine Beschreibung; geben Sie den Dateinamen ohne Pfad an</translation>
+    </message>
 </context>
 <context>
     <name>StateFigures</name>
@@ -3129,14 +3133,6 @@
     <message>
         <source>the same</source>
         <translation>gleich</translation>
-    </message>
-    <message>
-        <source>%1, better</source>
-        <translation>%1, besser</translation>
-    </message>
-    <message>
-        <source>%1, worse</source>
-        <translation>%1, schlechter</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -3153,6 +3149,14 @@
     <message>
         <source>Stretch of the film on the part, 95th percentile</source>
         <translation>Dehnung des Films auf dem Teil, 95. Perzentil</translation>
+    </message>
+    <message>
+        <source>%1 (better)</source>
+        <translation>%1 (besser)</translation>
+    </message>
+    <message>
+        <source>%1 (worse)</source>
+        <translation>%1 (schlechter)</translation>
     </message>
 </context>
 <context>
@@ -4506,6 +4510,14 @@
     <message>
         <source>run the dip to print</source>
         <translation>zum Drucken den Tauchvorgang starten</translation>
+    </message>
+    <message>
+        <source>These results were saved without the course of the dip. The dip is simulated again to play it; the results stay the same.</source>
+        <translation>Diese Ergebnisse wurden ohne den Verlauf des Tauchvorgangs gespeichert. Er wird noch einmal simuliert, um ihn abzuspielen; die Ergebnisse bleiben gleich.</translation>
+    </message>
+    <message>
+        <source>The dip can be played when the running job has ended.</source>
+        <translation>Der Tauchvorgang kann abgespielt werden, wenn der laufende Auftrag zu Ende ist.</translation>
     </message>
 </context>
 <context>
@@ -6764,10 +6776,6 @@ zuerst eintaucht</translation>
         <translation>Klicken Sie nun dieselbe Stelle auf dem Teil in der 3D-Ansicht an.</translation>
     </message>
     <message>
-        <source>The camera follows the image: a shift or rotation of the whole image does not show.</source>
-        <translation>Die Kamera folgt dem Bild: Eine Verschiebung oder Drehung des ganzen Bilds zeigt sich nicht.</translation>
-    </message>
-    <message>
         <source>The camera was fitted to the pairs.</source>
         <translation>Die Kamera wurde an die Paare angepasst.</translation>
     </message>
@@ -6806,6 +6814,10 @@ zuerst eintaucht</translation>
     <message>
         <source>Tick this if the pairs are tips and edges of the part, not places in the image. Then only the pairs set the camera, so that a shift of the whole image becomes visible.</source>
         <translation>Setzen Sie das Häkchen, wenn die Paare Spitzen und Kanten des Teils sind, nicht Stellen im Bild. Dann legen nur die Paare die Kamera fest, sodass eine Verschiebung des ganzen Bilds sichtbar wird.</translation>
+    </message>
+    <message>
+        <source>The camera was fitted to the printed pattern, so a shift or rotation of the whole image is not measured.</source>
+        <translation>Die Kamera wurde am gedruckten Muster ausgerichtet; eine Verschiebung oder Drehung des ganzen Bildes wird deshalb nicht gemessen.</translation>
     </message>
 </context>
 <context>
@@ -8258,7 +8270,7 @@ Ergebnisse: %2</translation>
         <translation>Vorschau wird vorbereitet</translation>
     </message>
     <message>
-        <source>Tracing the proof</source>
+        <source>Drawing the proof</source>
         <translation>Vorschau wird gezeichnet</translation>
     </message>
     <message>
@@ -8658,6 +8670,14 @@ mm je mm</translation>
     <message>
         <source>Shows two selected poses side by side with linked cameras. If only one pose is selected, shows it beside the project&apos;s own pose.</source>
         <translation>Zeigt zwei ausgewählte Lagen nebeneinander mit gekoppelten Kameras. Ist nur eine Lage ausgewählt, zeigt es sie neben der Lage des Projekts.</translation>
+    </message>
+    <message>
+        <source>Continues after the project&apos;s own dip</source>
+        <translation>Geht nach dem Tauchvorgang des Projekts weiter</translation>
+    </message>
+    <message>
+        <source>Click a pose to see its film on the part, also during the search. Undo brings back your own pose. Select two poses to compare them.</source>
+        <translation>Klicken Sie auf eine Lage, um ihren Film auf dem Teil zu sehen, auch während der Suche. Rückgängig stellt Ihre eigene Lage wieder her. Wählen Sie zwei Lagen, um sie zu vergleichen.</translation>
     </message>
 </context>
 <context>
@@ -9865,10 +9885,6 @@ mm je mm</translation>
         <translation>&amp;Parallelprojektion</translation>
     </message>
     <message>
-        <source>Show equal lengths at equal size, near or far</source>
-        <translation>Gleiche Längen gleich groß zeigen, nah oder fern</translation>
-    </message>
-    <message>
         <source>Rings an&amp;d arrows</source>
         <translation>Rin&amp;ge und Pfeile</translation>
     </message>
@@ -10015,6 +10031,10 @@ mm je mm</translation>
     <message>
         <source>While the part is placed, show it with the film of the results; otherwise show the flat film</source>
         <translation>Beim Platzieren das Teil mit dem Film der Ergebnisse zeigen, sonst den flachen Film</translation>
+    </message>
+    <message>
+        <source>Draw near and far places at the same scale, without perspective</source>
+        <translation>Nahe und ferne Stellen im gleichen Maßstab zeichnen, ohne Perspektive</translation>
     </message>
 </context>
 <context>

@@ -186,10 +186,6 @@
         <translation>Verificando o berço</translation>
     </message>
     <message>
-        <source>%1: the part tips out of its cradle unless it is fixed, because its dry surface does not surround its centre of mass. Fix it through the bore, or turn the part</source>
-        <translation>%1: a peça tomba do seu berço se não for fixada, porque sua superfície seca não envolve o centro de massa. Fixe-a pelo furo ou gire a peça</translation>
-    </message>
-    <message>
         <source>%1: the part can slide sideways in its cradle, because its dry surface is too flat; mark its position and fix it there</source>
         <translation>%1: a peça pode escorregar de lado no seu berço, porque sua superfície seca é plana demais; marque a sua posição e fixe-a ali</translation>
     </message>
@@ -212,6 +208,10 @@
     <message>
         <source>Finding the surface that stays dry</source>
         <translation>Procurando a superfície que fica seca</translation>
+    </message>
+    <message>
+        <source>%1: the part tips out of its cradle unless it is fixed, because the cradle cannot hold it on all sides of its centre of mass. Fix it through the bore, or turn the part</source>
+        <translation>%1: a peça tomba do berço se não for fixada, porque o berço não consegue segurá-la em todos os lados do centro de massa. Fixe-a pelo furo ou gire a peça</translation>
     </message>
 </context>
 <context>
@@ -588,10 +588,6 @@
         <translation>Outro programa está gravando resultados nesta pasta (%1); espere por ele ou escolha outra pasta</translation>
     </message>
     <message>
-        <source>Earlier results in this folder are incomplete and cannot be completed now; close the programs that have files there open, or move %1 out of the folder</source>
-        <translation>Resultados anteriores nesta pasta estão incompletos e não podem ser concluídos agora; feche os programas que têm arquivos abertos ali, ou mova %1 para fora da pasta</translation>
-    </message>
-    <message>
         <source>The folder cannot be written; choose another folder</source>
         <translation>Não é possível gravar na pasta; escolha outra pasta</translation>
     </message>
@@ -606,6 +602,10 @@
     <message>
         <source>Only some of the results were moved into the folder; close the programs that have files there open, then start this program again to move the rest</source>
         <translation>Só uma parte dos resultados foi movida para a pasta; feche os programas que têm arquivos abertos ali e inicie este programa de novo para mover o resto</translation>
+    </message>
+    <message>
+        <source>Earlier results in this folder are incomplete, and another program keeps them from being completed. Close the programs that use files in the folder, or move %1 out of the folder</source>
+        <translation>Resultados anteriores nesta pasta estão incompletos, e outro programa impede que sejam completados. Feche os programas que usam arquivos da pasta ou mova %1 para fora dela</translation>
     </message>
 </context>
 <context>
@@ -736,6 +736,10 @@
     <message>
         <source>Swap dips</source>
         <translation>Trocar imersões</translation>
+    </message>
+    <message>
+        <source>Try poses</source>
+        <translation>Experimentar poses</translation>
     </message>
 </context>
 <context>
@@ -2426,14 +2430,6 @@
         <translation>Distância do berço a todos os lugares que a película alcança ou que imersões anteriores pintaram.</translation>
     </message>
     <message>
-        <source>Rest on paint</source>
-        <translation>Apoiar na tinta</translation>
-    </message>
-    <message>
-        <source>Whether the cradle may rest on areas that earlier dips have painted, with padding in between.</source>
-        <translation>Se o berço pode apoiar-se em áreas que imersões anteriores pintaram, com um forro no meio.</translation>
-    </message>
-    <message>
         <source>Space for felt or foam where the cradle rests on paint.</source>
         <translation>Espaço para feltro ou espuma onde o berço se apoia em tinta.</translation>
     </message>
@@ -2805,6 +2801,14 @@
         <source>Verdict: limits for “check first”</source>
         <translation>Veredito: limites para “verificar primeiro”</translation>
     </message>
+    <message>
+        <source>May touch painted areas</source>
+        <translation>Pode tocar áreas pintadas</translation>
+    </message>
+    <message>
+        <source>Whether the cradle may support the part on areas that earlier dips have painted, with padding in between.</source>
+        <translation>Se o berço pode apoiar a peça em áreas que imersões anteriores pintaram, com acolchoamento no meio.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -3044,10 +3048,6 @@
         <translation>Sua descrição não é JSON válido: %1</translation>
     </message>
     <message>
-        <source>Its module has to be a file beside its description</source>
-        <translation>Seu módulo deve ser um arquivo ao lado da descrição</translation>
-    </message>
-    <message>
         <source>Its module %1 is missing</source>
         <translation>Falta seu módulo %1</translation>
     </message>
@@ -3119,6 +3119,10 @@
         <source>Other users can write to %1; remove that permission, or move the plugin</source>
         <translation>Outros usuários podem gravar em %1; retire essa permissão ou mova o plugin</translation>
     </message>
+    <message>
+        <source>Its module must be in the same folder as its description; give the file&apos;s name without a path</source>
+        <translation>O módulo dele deve estar na mesma pasta que a descrição; informe o nome do arquivo sem caminho</translation>
+    </message>
 </context>
 <context>
     <name>StateFigures</name>
@@ -3129,14 +3133,6 @@
     <message>
         <source>the same</source>
         <translation>igual</translation>
-    </message>
-    <message>
-        <source>%1, better</source>
-        <translation>%1, melhor</translation>
-    </message>
-    <message>
-        <source>%1, worse</source>
-        <translation>%1, pior</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -3153,6 +3149,14 @@
     <message>
         <source>Stretch of the film on the part, 95th percentile</source>
         <translation>Estiramento da película na peça, percentil 95</translation>
+    </message>
+    <message>
+        <source>%1 (better)</source>
+        <translation>%1 (melhor)</translation>
+    </message>
+    <message>
+        <source>%1 (worse)</source>
+        <translation>%1 (pior)</translation>
     </message>
 </context>
 <context>
@@ -4506,6 +4510,14 @@
     <message>
         <source>run the dip to print</source>
         <translation>execute a imersão para imprimir</translation>
+    </message>
+    <message>
+        <source>These results were saved without the course of the dip. The dip is simulated again to play it; the results stay the same.</source>
+        <translation>Estes resultados foram salvos sem o decorrer da imersão. A imersão é simulada de novo para ser reproduzida; os resultados permanecem iguais.</translation>
+    </message>
+    <message>
+        <source>The dip can be played when the running job has ended.</source>
+        <translation>A imersão pode ser reproduzida quando o trabalho em andamento terminar.</translation>
     </message>
 </context>
 <context>
@@ -6764,10 +6776,6 @@ desce primeiro</translation>
         <translation>Agora clique no mesmo ponto da peça na vista 3D.</translation>
     </message>
     <message>
-        <source>The camera follows the image: a shift or rotation of the whole image does not show.</source>
-        <translation>A câmera segue a imagem: um deslocamento ou giro de toda a imagem não aparece.</translation>
-    </message>
-    <message>
         <source>The camera was fitted to the pairs.</source>
         <translation>A câmera foi ajustada aos pares.</translation>
     </message>
@@ -6806,6 +6814,10 @@ desce primeiro</translation>
     <message>
         <source>Tick this if the pairs are tips and edges of the part, not places in the image. Then only the pairs set the camera, so that a shift of the whole image becomes visible.</source>
         <translation>Marque se os pares são pontas e arestas da peça, não lugares na imagem. Então só os pares definem a câmera, e um deslocamento da imagem inteira fica visível.</translation>
+    </message>
+    <message>
+        <source>The camera was fitted to the printed pattern, so a shift or rotation of the whole image is not measured.</source>
+        <translation>A câmera foi ajustada ao padrão impresso; por isso, um deslocamento ou giro da imagem inteira não é medido.</translation>
     </message>
 </context>
 <context>
@@ -8258,7 +8270,7 @@ Resultados: %2</translation>
         <translation>Preparando a prova</translation>
     </message>
     <message>
-        <source>Tracing the proof</source>
+        <source>Drawing the proof</source>
         <translation>Traçando a prova</translation>
     </message>
     <message>
@@ -8658,6 +8670,14 @@ mm por mm</translation>
     <message>
         <source>Shows two selected poses side by side with linked cameras. If only one pose is selected, shows it beside the project&apos;s own pose.</source>
         <translation>Mostra duas poses selecionadas lado a lado com câmeras ligadas. Se só uma pose está selecionada, mostra-a ao lado da pose do projeto.</translation>
+    </message>
+    <message>
+        <source>Continues after the project&apos;s own dip</source>
+        <translation>Continua depois da imersão do próprio projeto</translation>
+    </message>
+    <message>
+        <source>Click a pose to see its film on the part, also during the search. Undo brings back your own pose. Select two poses to compare them.</source>
+        <translation>Clique em uma pose para ver o filme dela na peça, também durante a busca. Desfazer traz de volta a sua pose. Selecione duas poses para compará-las.</translation>
     </message>
 </context>
 <context>
@@ -9865,10 +9885,6 @@ mm por mm</translation>
         <translation>Projeção parale&amp;la</translation>
     </message>
     <message>
-        <source>Show equal lengths at equal size, near or far</source>
-        <translation>Mostra comprimentos iguais com o mesmo tamanho, perto ou longe</translation>
-    </message>
-    <message>
         <source>Rings an&amp;d arrows</source>
         <translation>A&amp;néis e setas</translation>
     </message>
@@ -10015,6 +10031,10 @@ mm por mm</translation>
     <message>
         <source>While the part is placed, show it with the film of the results; otherwise show the flat film</source>
         <translation>Ao posicionar a peça, mostrá-la com a película dos resultados; senão, mostrar a película plana</translation>
+    </message>
+    <message>
+        <source>Draw near and far places at the same scale, without perspective</source>
+        <translation>Desenhar lugares próximos e distantes na mesma escala, sem perspectiva</translation>
     </message>
 </context>
 <context>

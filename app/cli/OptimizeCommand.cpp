@@ -72,6 +72,14 @@ void printRanking(const SearchResult& result, const SearchSettings& settings, QT
     if (result.current) {
         printRow(QStringLiteral("now"), *result.current, out);
     }
+    for (std::size_t rank = 0; rank < shown; ++rank) {
+        const RankedPoses& poses = result.ranking[rank];
+        for (std::size_t dip = 0; dip < poses.verdicts.size(); ++dip) {
+            out << QStringLiteral("Rank %1, %2\n")
+                       .arg(rank + 1)
+                       .arg(verdictText(poses.immersions[dip].name, poses.verdicts[dip]));
+        }
+    }
     const auto reasons = [&](const RankedPoses& one, const RankedPoses& other) {
         return reasonText(differences(one, other, settings, result.equator));
     };

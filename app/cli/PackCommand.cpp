@@ -1,6 +1,7 @@
 #include "cli/Arguments.h"
 #include "cli/PrintOptions.h"
 
+#include "pipeline/DipCache.h"
 #include "pipeline/JobPacking.h"
 #include "pipeline/Pipeline.h"
 #include "printing/PrintReach.h"
@@ -182,8 +183,9 @@ private:
                             QStringLiteral("--dpi"));
             }
             const auto count = double(projects.size());
-            results.push_back(runJob(project, registry, options, nullptr,
-                                     progress.part(double(i) / count, double(i + 1) / count)));
+            const Progress part = progress.part(double(i) / count, double(i + 1) / count);
+            const auto kept = usableDips(project, registry, projects[i].path, part.silent());
+            results.push_back(runJob(project, registry, options, kept.get(), part));
         }
         return results;
     }

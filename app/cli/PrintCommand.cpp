@@ -5,6 +5,7 @@
 
 #include "base/Png.h"
 #include "disk/AtomicFile.h"
+#include "pipeline/DipCache.h"
 #include "pipeline/Pipeline.h"
 #include "project/FilmSizes.h"
 
@@ -227,7 +228,9 @@ public:
         applyFilmImage(options, parser);
         const SolverRegistry registry;
         const Progress progress = console.progress();
-        const JobResult result = runJob(project, registry, options, nullptr, progress.part(0, 0.8));
+        const auto kept = usableDips(project, registry, projectPath(parser), progress.silent());
+        const JobResult result =
+            runJob(project, registry, options, kept.get(), progress.part(0, 0.8));
         for (const QString& note : result.notes) {
             console.out() << note << '\n';
         }

@@ -369,7 +369,7 @@ private:
             setByOption(project, QStringLiteral("sheet.dpi"), parser.value(dpiOption),
                         QStringLiteral("--dpi"));
         }
-        const JobResult result = runAndWrite(project, registry, options, folder, progress);
+        const JobResult result = runAndWrite(project, registry, options, nullptr, folder, progress);
         printSummary(result, console.out());
         console.out() << QStringLiteral("Wrote %1\n").arg(folder);
         return verdictToCompare(result);

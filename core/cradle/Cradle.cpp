@@ -98,8 +98,9 @@ QStringList notesOn(const Cradle& cradle, const HeldDip& dip, const CradleSettin
     const CradleCheck& check = cradle.check;
     const QString& name = dip.immersion.name;
     if (check.standing.tiltDegrees < steadyTilt) {
-        notes << Text::tr("%1: the part tips out of its cradle unless it is fixed, because its dry "
-                          "surface does not surround its centre of mass. Fix it through the bore, "
+        notes << Text::tr("%1: the part tips out of its cradle unless it is fixed, because the "
+                          "cradle cannot hold it on all sides of its centre of mass. Fix it "
+                          "through the bore, "
                           "or turn the part")
                      .arg(name);
     }

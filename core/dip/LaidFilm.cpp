@@ -9,12 +9,6 @@
 
 namespace dipwright {
 
-namespace {
-
-constexpr float rounding = 1e-4f; // tolerance of barycentric weights
-
-} // namespace
-
 LaidFilm::LaidFilm(std::shared_ptr<const PosedBody> body, DippedFilm film, FilmContact contact)
     : body_(std::move(body)), film_(std::move(film)), contact_(std::move(contact)),
       triangles_(filmTriangles(film_.grid)), stretches_(principalStretches(film_)),
@@ -60,10 +54,7 @@ std::optional<FilmPlace> LaidFilm::flat(const Eigen::Vector2f& rest) const {
     if (!(column >= 0 && row >= 0 && column <= grid.columns - 1 && row <= grid.rows - 1)) {
         return std::nullopt;
     }
-    const int i = std::min(int(column), grid.columns - 2), j = std::min(int(row), grid.rows - 2);
-    const auto first = 2 * std::uint32_t(j * (grid.columns - 1) + i);
-    const FilmPlace one{rest, first};
-    return weights(one).minCoeff() >= -rounding ? one : FilmPlace{rest, first + 1};
+    return FilmPlace{rest, std::uint32_t(triangleAt(grid, column, row))};
 }
 
 std::optional<Eigen::Vector3f> LaidFilm::onBody(const FilmPlace& place) const {

@@ -303,8 +303,10 @@ void FolderTransaction::lockTarget() {
     Work work(target_);
     if (!work.completeTransaction(names_)) {
         throw Error(
-            Text::tr("Earlier results in this folder are incomplete and cannot be completed now; "
-                     "close the programs that have files there open, or move %1 out of the folder")
+            Text::tr(
+                "Earlier results in this folder are incomplete, and another program keeps them "
+                "from being completed. Close the programs that use files in the folder, or "
+                "move %1 out of the folder")
                 .arg(workName()),
             target_);
     }

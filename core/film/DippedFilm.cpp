@@ -83,6 +83,17 @@ double rowAt(const solver::FilmGrid& grid, double share) {
     return lineAt(grid.rowPlaces, grid.rows, grid.depth, share);
 }
 
+std::size_t triangleAt(const solver::FilmGrid& grid, double column, double row) {
+    const int i = std::clamp(int(column), 0, grid.columns - 2);
+    const int j = std::clamp(int(row), 0, grid.rows - 2);
+    const double x = column - i;
+    const double y = row - j;
+    // filmTriangles() divides the cells this way; the first triangle is the left one.
+    const bool isFirst = (i + j) % 2 == 0 ? y >= x : x + y <= 1;
+    return 2 * (std::size_t(j) * std::size_t(grid.columns - 1) + std::size_t(i)) +
+           (isFirst ? 0 : 1);
+}
+
 std::size_t constraintCount(const solver::FilmGrid& grid, bool isotropic) {
     const auto columns = std::size_t(grid.columns);
     const auto rows = std::size_t(grid.rows);

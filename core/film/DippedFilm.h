@@ -53,6 +53,9 @@ double columnAt(const solver::FilmGrid& grid, double share);
 // Returns the row in the same way. `share` is the distance from the upper edge as a share of the
 // film's depth.
 double rowAt(const solver::FilmGrid& grid, double share);
+// Returns the index in filmTriangles() of the triangle that contains a place, given as columnAt()
+// and rowAt().
+std::size_t triangleAt(const solver::FilmGrid& grid, double column, double row);
 // Returns the number of distance constraints: columns·(rows−1) + rows·(columns−1), plus two for
 // each cell of an isotropic lattice (docs/film-model.md, "The paper's model").
 std::size_t constraintCount(const solver::FilmGrid& grid, bool isotropic);

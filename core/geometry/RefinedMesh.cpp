@@ -9,6 +9,7 @@
 namespace dipwright {
 namespace {
 
+constexpr double fineTriangles = 40'000; // number of triangles of fineBody()
 constexpr std::uint32_t noMiddle = 0xffffffffu;
 
 using Triangle = std::array<std::uint32_t, 3>;
@@ -101,6 +102,14 @@ float edgeForTriangles(const TriangleMesh& mesh, double triangles) {
     return float(std::max(1.5 * std::sqrt(4 * area / std::sqrt(3.0)), 1e-3));
 }
 
+float fineEdge(const TriangleMesh& body) {
+    return edgeForTriangles(body, fineTriangles);
+}
+
+std::shared_ptr<const RefinedMesh> fineBody(const TriangleMesh& body) {
+    return std::make_shared<const RefinedMesh>(body, fineEdge(body));
+}
+
 RefinedMesh::RefinedMesh(const TriangleMesh& coarse, float longestEdge)
     : RefinedMesh(coarse, [longestEdge](const Eigen::Vector3f& from, const Eigen::Vector3f& to) {
           return (to - from).norm() > longestEdge;
@@ -180,8 +189,7 @@ SurfacePoint RefinedMesh::onFine(const SurfacePoint& coarse) const {
     return {part->first, weights / weights.sum()};
 }
 
-float SurfaceField::at(const SurfacePoint& coarse) const {
-    const SurfacePoint fine = mesh->onFine(coarse);
+float SurfaceField::atFine(const SurfacePoint& fine) const {
     const auto& [a, b, c] = mesh->mesh().triangles[fine.triangle];
     return fine.weights[0] * values[a] + fine.weights[1] * values[b] + fine.weights[2] * values[c];
 }

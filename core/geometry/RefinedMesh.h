@@ -49,13 +49,20 @@ private:
     std::vector<std::uint32_t> fineParts_; // index into parts_ for each fine triangle
 };
 
+// Refines a body to about 40,000 triangles for work on its surface, such as splitting it between
+// dips and drawing it. A body with more triangles is kept as it is.
+std::shared_ptr<const RefinedMesh> fineBody(const TriangleMesh& body);
+// Returns the longest edge of fineBody(), mm, if the body was refined.
+float fineEdge(const TriangleMesh& body);
+
 // A field on the surface: values at the positions of a refined mesh, linear in between. It can be
 // evaluated at places on the coarse mesh.
 struct SurfaceField {
     std::shared_ptr<const RefinedMesh> mesh;
     std::vector<float> values; // one for each position
 
-    float at(const SurfacePoint& coarse) const;
+    float at(const SurfacePoint& coarse) const { return atFine(mesh->onFine(coarse)); }
+    float atFine(const SurfacePoint& fine) const;
 };
 
 } // namespace dipwright

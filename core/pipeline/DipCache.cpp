@@ -165,7 +165,9 @@ void cacheDips(const JobResult& result, const QString& project, qint64 most) {
             continue;
         }
         const QString key = keys.of(dip.immersion, dip.solver);
-        QByteArray bytes = cachedDip({dip.laid->film(), dip.numericalError});
+        // A failed comparison is tried again next time.
+        const bool isKnown = dip.numericalError && dip.numericalError->failure.isEmpty();
+        QByteArray bytes = cachedDip({dip.laid->film(), isKnown ? dip.numericalError : nullptr});
         const auto known = std::find_if(dips.begin(), dips.end(),
                                         [&](const auto& other) { return other.first == key; });
         isNew = isNew || known == dips.end() || known->second != bytes;
@@ -221,6 +223,15 @@ std::shared_ptr<const JobResult> cachedDips(const Project& project, const Solver
         restore(dip, project, kept[number], file);
     }
     return kept.empty() ? nullptr : result;
+}
+
+std::shared_ptr<const JobResult> usableDips(const Project& project, const SolverRegistry& registry,
+                                            const QString& path, const Progress& progress) {
+    try {
+        return cachedDips(project, registry, path, progress);
+    } catch (const Error&) {
+        return nullptr;
+    }
 }
 
 } // namespace dipwright

@@ -32,4 +32,8 @@ void cacheDips(const JobResult& result, const QString& project, qint64 most = mo
 std::shared_ptr<const JobResult> cachedDips(const Project& project, const SolverRegistry& registry,
                                             const QString& path, const Progress& progress);
 
+// As cachedDips(), but null if the file cannot be read, for work that dips again in that case.
+std::shared_ptr<const JobResult> usableDips(const Project& project, const SolverRegistry& registry,
+                                            const QString& path, const Progress& progress);
+
 } // namespace dipwright

@@ -68,6 +68,7 @@ std::shared_ptr<const JobResult> JobDrafts::reusable(const Project& project, int
         result->fieldInputs = newer.fieldInputs;
     }
     if (newer.project.model == result->project.model) {
+        result->fine = newer.fine;
         result->proofStage = newer.proofStage;
     }
     const std::size_t count = std::min(project.immersions.size(), newer.immersions.size());

@@ -61,6 +61,7 @@ struct JobResult {
     std::shared_ptr<const BodyShare> share; // null: each dip paints every place that it reaches
     // Prepared from the model or from `painted`, for further results with the same inputs. Null if
     // they were not needed.
+    std::shared_ptr<const RefinedMesh> fine; // fineBody() of the model
     std::shared_ptr<const ProofStage> proofStage;
     std::shared_ptr<const ShareStage> shareStage;
     std::shared_ptr<const BodyColours> colours;

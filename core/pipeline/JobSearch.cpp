@@ -55,7 +55,8 @@ SearchSubject searchSubject(const Project& project, const QString& solver) {
     subject.film = project.film;
     subject.process = project.process;
     subject.fieldResolution = project.fieldResolution;
-    subject.marks = project.tolerance.marks;
+    subject.tolerance = project.tolerance;
+    subject.verdict = project.verdict;
     subject.registrationError = project.share.registrationError;
     subject.immersions = project.immersions;
     return subject;

@@ -10,6 +10,8 @@ namespace {
 
 const QSize posePixels(900, 560), afterPixels(620, 480);
 constexpr int sheetPixelsAcross = 500;
+// On a mesh with more triangles than this, the pictures show fewer places than a table would have.
+constexpr std::size_t mostInTable = 400'000;
 
 // Draws the body without its cradle from the front, the right and below, side by side.
 QImage afterDip(const PoseView& view, const Progress& progress) {
@@ -60,11 +62,12 @@ Traveller jobTraveller(const JobResult& result, const Progress& progress) {
     traveller.pins =
         datumPins(result.immersions.front().sheet, project.film, project.cradle.pinSpan);
     const std::vector<FilmAppearance> dipped = filmAppearances(result.immersions, false);
-    std::vector<FilmAppearance> films;
+    const auto fine = result.fine ? result.fine : fineBody(project.model->mesh);
+    std::vector<PoseFilm> films;
     for (std::size_t i = 0; i < result.immersions.size(); ++i) {
         const ImmersionResult& immersion = result.immersions[i];
         const Cradle* cradle = i < result.cradles.size() ? &result.cradles[i] : nullptr;
-        const PoseView view{*immersion.body, cradle ? &cradle->mesh : nullptr, films};
+        const PoseView view{*immersion.body, *fine, cradle ? &cradle->mesh : nullptr, films};
         TravellerDip dip;
         dip.immersion = immersion.immersion;
         dip.job = immersion.sheet.job.hash;
@@ -78,8 +81,11 @@ Traveller jobTraveller(const JobResult& result, const Progress& progress) {
         dip.verdict = verdictLines(result, i);
         dip.sheet = reduced(immersion.sheet.image, sheetPixelsAcross);
         dip.body = boundingBox(immersion.body->mesh);
-        films.push_back(dipped[i]);
-        dip.after = afterDip({*immersion.body, nullptr, films}, progress.silent());
+        films.push_back({dipped[i]});
+        if (fine->mesh().triangles.size() <= mostInTable) {
+            films.back().places = std::make_shared<const FilmPlaces>(*fine, *dipped[i].laid);
+        }
+        dip.after = afterDip({*immersion.body, *fine, nullptr, films}, progress.silent());
         traveller.dips.push_back(std::move(dip));
     }
     return traveller;

@@ -228,8 +228,9 @@ void compare(Comparison& comparison, const Run& run, const ImmersionResult& resu
         // for this task.
         runIsolated([&] {
             comparison.films =
-                coarserFilms(body, field, immersion, run.project.film, run.project.process,
-                             run.registry.module(solver), isCancelled);
+                coarserFilms({{body, immersion}}, field, run.project.film, run.project.process,
+                             run.registry.module(solver), isCancelled)
+                    .front();
         });
     });
 }
@@ -450,6 +451,7 @@ void showTogether(JobResult& result, const Run& run, bool hasProof, bool hasCove
 // Takes over the stages of an earlier result that still fit; `previous` may be null.
 void takeStages(JobResult& result, const JobResult* previous) {
     if (previous && previous->project.model == result.project.model) {
+        result.fine = previous->fine;
         result.proofStage = previous->proofStage;
     }
     if (previous && previous->painted == result.painted) {
@@ -460,14 +462,17 @@ void takeStages(JobResult& result, const JobResult* previous) {
 
 // Starts tasks for the stages that are missing.
 void prepareStages(JobResult& result, const Run& run, const TextureInputs& inputs, Tasks& tasks) {
+    if (!result.fine) {
+        result.fine = fineBody(run.project.model->mesh);
+    }
     if (!result.proofStage) {
-        tasks.run([&] { result.proofStage = proofStage(*run.project.model); });
+        tasks.run([&] { result.proofStage = proofStage(*run.project.model, result.fine); });
     }
     if (!result.colours && inputs.isReversed()) {
         tasks.run([&] { result.colours = bodyColours(*result.painted); });
     }
     if (!result.shareStage && inputs.share) {
-        tasks.run([&] { result.shareStage = shareStage(*result.painted); });
+        tasks.run([&] { result.shareStage = shareStage(*result.painted, result.fine); });
     }
 }
 

@@ -276,7 +276,8 @@ std::vector<Cradle> writeCradles(const JobResult& result, const QString& folder,
 }
 
 JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
-                      const JobOptions& options, const QString& folder, const Progress& progress) {
+                      const JobOptions& options, const JobResult* previous, const QString& folder,
+                      const Progress& progress) {
     FolderTransaction results(folder, resultFiles());
     const MotionTemplate motion = options.motion ? *options.motion : motionTemplate();
     filledTemplate({}, motion.text, motion.where); // throws Error before the job
@@ -292,7 +293,7 @@ JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
             writeTogether(immersionPieces(project, immersion, number, results), progress.silent());
         });
     };
-    const JobResult result = runJob(project, registry, watched, nullptr, progress.part(0, 0.95));
+    const JobResult result = runJob(project, registry, watched, previous, progress.part(0, 0.95));
     std::vector<Piece> pieces = jobPieces(project, result, results);
     addTraveller(pieces, result, motion, results, progress.cancelToken);
     writeTogether(pieces, progress.part(0.95, 1));

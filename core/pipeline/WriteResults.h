@@ -21,8 +21,10 @@ std::vector<Cradle> writeCradles(const JobResult& result, const QString& folder,
                                  const Progress& progress);
 
 // Runs the job (runJob) and writes its results (writeResults). Writes the files of one immersion
-// while the next dip runs. Throws Error before the job if the folder cannot be written.
+// while the next dip runs. `previous` as in runJob(). Throws Error before the job if the folder
+// cannot be written.
 JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
-                      const JobOptions& options, const QString& folder, const Progress& progress);
+                      const JobOptions& options, const JobResult* previous, const QString& folder,
+                      const Progress& progress);
 
 } // namespace dipwright

@@ -1,5 +1,5 @@
-// Decides which pixels of a ray-traced picture need more than one ray: only pixels that differ from
-// their neighbours.
+// Decides which pixels of a picture need more than one sample: only pixels that differ from their
+// neighbours.
 #pragma once
 
 #include <QSize>
@@ -14,7 +14,7 @@ namespace dipwright {
 using PixelBytes = std::array<std::uint8_t, 3>;
 
 // Tells whether a pixel looks the same as its neighbours. `pixels` holds the colours row by row,
-// each from one ray through the pixel's centre.
+// each from one sample in the pixel's centre.
 bool isEven(const std::vector<PixelBytes>& pixels, QSize size, int x, int y);
 
 } // namespace dipwright

@@ -16,20 +16,22 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Results)
 };
 
-constexpr int samplesAcross = 3;      // rays per pixel in each direction
+constexpr int samplesAcross = 3;      // samples per pixel in each direction; odd
 constexpr float marginFactor = 1.22f; // span of the view divided by the body's own span
 
 // One view: the light in each pixel.
 class View {
 public:
-    View(const RayLight& light, const BodyCamera& camera, float span, QSize size)
-        : light_(light), camera_(camera), span_(span), size_(size),
+    View(const SeenBody& body, const RayLight& light, const BodyCamera& camera, float span,
+         QSize size)
+        : body_(body), light_(light), camera_(camera), span_(span), size_(size),
           centres_(std::size_t(size.width()) * std::size_t(size.height())),
           shown_(centres_.size()) {
         parallelFor(0, size.height(), [&](int y) {
             for (int x = 0; x < size.width(); ++x) {
                 const std::size_t at = index(x, y);
-                centres_[at] = sample(float(x) + 0.5f, float(y) + 0.5f);
+                centres_[at] = sample(samplesAcross * x + samplesAcross / 2,
+                                      samplesAcross * y + samplesAcross / 2);
                 shown_[at] = encoded(centres_[at]);
             }
         });
@@ -48,8 +50,9 @@ private:
         return {encodedByte(light[0]), encodedByte(light[1]), encodedByte(light[2])};
     }
 
-    LinearColour sample(float x, float y) const {
-        return light_(camera_.ray(QPointF(double(x), double(y)), span_, size_))
+    LinearColour sample(int column, int row) const {
+        const QPointF pixel((column + 0.5) / samplesAcross, (row + 0.5) / samplesAcross);
+        return light_(camera_.ray(pixel, span_, size_), body_.at(column, row))
             .min(1.0f); // before averaging, so that edges of highlights stay smooth
     }
 
@@ -59,13 +62,13 @@ private:
             for (int i = 0; i < samplesAcross; ++i) {
                 const bool isCentre = 2 * i + 1 == samplesAcross && 2 * j + 1 == samplesAcross;
                 sum += isCentre ? centres_[index(x, y)]
-                                : sample(float(x) + (float(i) + 0.5f) / samplesAcross,
-                                         float(y) + (float(j) + 0.5f) / samplesAcross);
+                                : sample(samplesAcross * x + i, samplesAcross * y + j);
             }
         }
         return sum / float(samplesAcross * samplesAcross);
     }
 
+    const SeenBody& body_;
     const RayLight& light_;
     const BodyCamera& camera_;
     float span_;
@@ -102,6 +105,21 @@ BodyRay BodyCamera::ray(QPointF pixel, float span, QSize tile) const {
             (-back_ + span * (x * aspect * right_ + y * up_)).normalized()};
 }
 
+SeenBody BodyCamera::see(const TriangleMesh& mesh, float span, QSize tile) const {
+    const QSize samples = samplesAcross * tile;
+    const double across = double(span) * tile.width() / tile.height();
+    std::vector<ViewedPoint> points(mesh.positions.size());
+    parallelFor(std::size_t(0), points.size(), [&](std::size_t position) {
+        const Eigen::Vector3d offset = (mesh.positions[position] - middle_).cast<double>();
+        const double nearness = 1 / (double(distance_) - offset.dot(back_.cast<double>()));
+        const double x = offset.dot(right_.cast<double>()) * nearness / across;
+        const double y = offset.dot(up_.cast<double>()) * nearness / double(span);
+        points[position] = {(x + 1) / 2 * samples.width(), (1 - y) / 2 * samples.height(), nearness,
+                            nearness};
+    });
+    return {mesh, std::move(points), samples};
+}
+
 std::vector<BodyCamera> sixSides(const BoundingBox& box, float elevation) {
     constexpr float straight = std::numbers::pi_v<float> / 2;
     return {BodyCamera(box, 0, elevation),
@@ -124,9 +142,13 @@ float commonSpan(const std::vector<BodyCamera>& cameras, const TriangleMesh& mes
     return span;
 }
 
-void traceView(QImage& picture, const QRect& tile, const RayLight& light, const BodyCamera& camera,
-               float span, const CancelToken& cancelToken) {
-    const View view(light, camera, span, tile.size());
+SurfacePoint middleOf(const SeenBody& body, int x, int y) {
+    return body.at(samplesAcross * x + samplesAcross / 2, samplesAcross * y + samplesAcross / 2);
+}
+
+void drawView(QImage& picture, const QRect& tile, const SeenBody& body, const RayLight& light,
+              const BodyCamera& camera, float span, const CancelToken& cancelToken) {
+    const View view(body, light, camera, span, tile.size());
     uchar* bits = picture.bits();
     const qsizetype stride = picture.bytesPerLine();
     parallelFor(0, tile.height(), [&](int y) {

@@ -1,8 +1,8 @@
-// Draws pictures of a body from several sides by ray tracing.
+// Draws pictures of a body from several sides.
 #pragma once
 
 #include "base/Progress.h"
-#include "geometry/TriangleMesh.h"
+#include "results/SeenBody.h"
 #include "texture/LinearLight.h"
 
 #include <QImage>
@@ -29,6 +29,9 @@ public:
     // Returns the ray through `pixel`, which counts from the upper left corner of a view of the
     // given span and size.
     BodyRay ray(QPointF pixel, float span, QSize tile) const;
+    // Returns what a view of the given span and size shows of `mesh`, with several sample points in
+    // each pixel (middleOf() is one of them). Uses all cores.
+    SeenBody see(const TriangleMesh& mesh, float span, QSize tile) const;
 
     bool isBelow() const { return back_.y() < -0.5f; }
     const Eigen::Vector3f& right() const { return right_; }
@@ -48,13 +51,18 @@ QRect sideBox(int side, QSize tile);
 // Returns the span with which each of these cameras shows the whole body with a margin.
 float commonSpan(const std::vector<BodyCamera>& cameras, const TriangleMesh& mesh, QSize tile);
 
-// A function that returns the light along a ray; it is called on many threads.
-using RayLight = std::function<LinearColour(const BodyRay&)>;
+// A function that returns the light along a ray and the place of the body that the ray meets first
+// (invalid: none). It is called on many threads.
+using RayLight = std::function<LinearColour(const BodyRay&, const SurfacePoint&)>;
 
-// Traces a view into a tile of an RGB888 picture. Uses one ray for most pixels and several rays
-// where neighbours differ. Uses all cores. Throws Cancelled.
-void traceView(QImage& picture, const QRect& tile, const RayLight& light, const BodyCamera& camera,
-               float span, const CancelToken& cancelToken);
+// Returns the place that `body`, from BodyCamera::see(), shows in the middle of a pixel.
+SurfacePoint middleOf(const SeenBody& body, int x, int y);
+
+// Draws a view into a tile of an RGB888 picture. `body` is from BodyCamera::see() of the same view.
+// Uses one sample for most pixels and several where neighbours differ. Uses all cores. Throws
+// Cancelled.
+void drawView(QImage& picture, const QRect& tile, const SeenBody& body, const RayLight& light,
+              const BodyCamera& camera, float span, const CancelToken& cancelToken);
 
 // Draws the sides' names and lines between the tiles.
 void nameSides(QPainter& painter, QSize tile);

@@ -51,22 +51,23 @@ public:
     SharedBody(const ProofStage& stage, const BodyShare& share)
         : stage_(stage), share_(share), joinWidth_(seamWidthIn(share, stage.box)) {}
 
-    LinearColour light(const BodyRay& ray) const {
-        const RayHit hit = stage_.query.hit(ray.origin, ray.direction);
-        if (!hit.point.isValid()) {
+    LinearColour light(const BodyRay& ray, const SurfacePoint& seen) const {
+        if (!seen.isValid()) {
             return linear(background);
         }
-        const float facing = std::abs(normalAt(stage_.normals, hit.point).dot(ray.direction));
-        return linear(colour(hit.point)) * (0.35f + 0.65f * facing);
+        const SurfacePoint point = stage_.fine->onCoarse(seen);
+        const float facing = std::abs(normalAt(stage_.normals, point).dot(ray.direction));
+        return linear(colour(share_.fade.mesh == stage_.fine ? seen
+                                                             : share_.fade.mesh->onFine(point))) *
+               (0.35f + 0.65f * facing);
     }
 
 private:
-    QColor colour(const SurfacePoint& point) const {
-        const SurfacePoint fine = share_.fade.mesh->onFine(point);
+    QColor colour(const SurfacePoint& fine) const {
         if (share_.painters[fine.triangle] == Painter::None) {
             return painterColour(Painter::None);
         }
-        const float inside = share_.fade.at(point);
+        const float inside = share_.fade.atFine(fine);
         const bool joins = share_.painters[fine.triangle] == Painter::Both;
         return joins && std::abs(inside) < joinWidth_ / 2 ? seamColour
                                                           : painterColour(painterAt(inside, 0));
@@ -173,9 +174,11 @@ QImage coveragePicture(const ProofStage& stage, const BodyShare& share,
     const SharedBody body(stage, share);
     for (int number = 0; number < int(cameras.size()); ++number) {
         progress(0.9 * number / double(cameras.size()), Text::tr("Drawing the coverage picture"));
-        traceView(
-            picture, sideBox(number, view), [&](const BodyRay& ray) { return body.light(ray); },
-            cameras[std::size_t(number)], span, progress.cancelToken);
+        const BodyCamera& camera = cameras[std::size_t(number)];
+        drawView(
+            picture, sideBox(number, view), camera.see(stage.fine->mesh(), span, view),
+            [&](const BodyRay& ray, const SurfacePoint& seen) { return body.light(ray, seen); },
+            camera, span, progress.cancelToken);
     }
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);

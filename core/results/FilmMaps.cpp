@@ -113,6 +113,12 @@ public:
                 QSize size)
         : film_(film), grid_(grid), scale_(scale), size_(size), colours_(colourTable(scale)),
           reach_(std::max(1, size.height() / 1000)), hatch_(std::max(size.width(), size.height())) {
+        for (int x = -margin(); x < size.width() + margin(); ++x) {
+            columns_.push_back(columnAt(grid, (x + 0.5) / size.width()));
+        }
+        for (int y = -margin(); y < size.height() + margin(); ++y) {
+            rows_.push_back(rowAt(grid, (y + 0.5) / size.height()));
+        }
     }
 
     QImage draw() const {
@@ -150,8 +156,9 @@ private:
                                                     : colour;
     }
 
-    double column(int x) const { return columnAt(grid_, (x + 0.5) / size_.width()); }
-    double row(int y) const { return rowAt(grid_, (y + 0.5) / size_.height()); }
+    int margin() const { return 2 * reach_; } // pixels beyond the picture that isBorder() needs
+    double column(int x) const { return columns_[std::size_t(x + margin())]; }
+    double row(int y) const { return rows_[std::size_t(y + margin())]; }
 
     // Tells whether any pixel at this distance to a side does not satisfy `is`.
     template <typename Is>
@@ -167,6 +174,7 @@ private:
     std::array<QRgb, 256> colours_;
     int reach_; // half the width of the outline of painted film, pixels
     Hatch hatch_;
+    std::vector<double> columns_, rows_; // of the pixels and a margin, in cells
 };
 
 QString unitSign(LengthUnit unit) {

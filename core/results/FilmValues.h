@@ -61,16 +61,7 @@ public:
     }
 
 private:
-    std::size_t triangle(double column, double row) const {
-        const int i = std::clamp(int(column), 0, grid_.columns - 2);
-        const int j = std::clamp(int(row), 0, grid_.rows - 2);
-        const double x = column - i;
-        const double y = row - j;
-        // filmTriangles() divides the cells this way; the first triangle is the left one.
-        const bool first = (i + j) % 2 == 0 ? y >= x : x + y <= 1;
-        return 2 * (std::size_t(j) * std::size_t(grid_.columns - 1) + std::size_t(i)) +
-               (first ? 0 : 1);
-    }
+    std::size_t triangle(double column, double row) const { return triangleAt(grid_, column, row); }
 
     solver::FilmGrid grid_;
     std::vector<float> values_;

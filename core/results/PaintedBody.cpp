@@ -2,6 +2,7 @@
 
 #include "base/WideGamut.h"
 #include "parallel/ParallelFor.h"
+#include "results/FilmPlaces.h"
 #include "texture/Ink.h"
 
 #include <Eigen/Geometry>
@@ -66,11 +67,14 @@ private:
 // The paint of one dip on the body.
 class PaintedFilm {
 public:
-    PaintedFilm(const FilmAppearance& appearance, const InkSettings& ink)
-        : laid_(appearance.laid), picture_(appearance.image, appearance.laid->film().grid),
-          ink_(ink), isCompensated_(ink.compensate), white_(appearance.white),
-          slip_(appearance.slip),
+    PaintedFilm(const FilmAppearance& appearance, const InkSettings& ink, const PlacesOn& places)
+        : laid_(appearance.laid), fine_(places.fine),
+          picture_(appearance.image, appearance.laid->film().grid), ink_(ink),
+          isCompensated_(ink.compensate), white_(appearance.white), slip_(appearance.slip),
           highest_(float(appearance.depth + appearance.slip.deeper.value())) {
+        if (places.areMany) {
+            places_.emplace(*fine_, *laid_);
+        }
         for (const PrintedSpot& spot : appearance.spots) {
             spots_.push_back({spot.tints, linearColour(spot.colour)});
         }
@@ -147,8 +151,11 @@ private:
 
     // Returns the film on a place of the body; none above the water's highest level.
     std::optional<FilmPlace> placeOf(const SurfacePoint& point) const {
-        return position(laid_->body().mesh, point).y() > highest_ ? std::nullopt
-                                                                  : laid_->place(point);
+        const SurfacePoint onBody = fine_ ? fine_->onCoarse(point) : point;
+        if (position(laid_->body().mesh, onBody).y() > highest_) {
+            return std::nullopt;
+        }
+        return places_ ? places_->at(point) : laid_->place(onBody);
     }
     // Returns the place of the picture that lies at `rest` after the film has slipped.
     Eigen::Vector2f printedAt(const Eigen::Vector2f& rest) const {
@@ -165,6 +172,8 @@ private:
     }
 
     std::shared_ptr<const LaidFilm> laid_;
+    const RefinedMesh* fine_;
+    std::optional<FilmPlaces> places_;
     FilmPicture picture_;
     InkCompensation ink_;
     bool isCompensated_;
@@ -175,13 +184,13 @@ private:
 };
 
 PaintedBody::PaintedBody(const std::vector<FilmAppearance>& films, const InkSettings& ink,
-                         const Ground& ground)
+                         const Ground& ground, const PlacesOn& places)
     : whiteOutside_(ground.whiteOutside) {
     if (ground.base) {
         base_ = linearColour(*ground.base);
     }
     for (const FilmAppearance& appearance : films) {
-        films_.push_back(std::make_unique<const PaintedFilm>(appearance, ink));
+        films_.push_back(std::make_unique<const PaintedFilm>(appearance, ink, places));
     }
 }
 

@@ -11,12 +11,20 @@ namespace dipwright {
 
 class PaintedFilm;
 
-// A body with the ink of its films. Keeps the films. Any thread may read it.
+// The mesh on which places of a body are given: a refined mesh, or the films' own if `fine` is
+// null.
+struct PlacesOn {
+    const RefinedMesh* fine = nullptr;
+    bool areMany = false; // whether a table of them pays (FilmPlaces.h)
+};
+
+// A body with the ink of its films. Keeps the films, and a reference to the refined mesh. Any
+// thread may read it.
 class PaintedBody {
 public:
-    // `ink` holds the settings by which the images were compensated.
+    // `ink` holds the settings by which the images were compensated. Uses all cores.
     PaintedBody(const std::vector<FilmAppearance>& films, const InkSettings& ink,
-                const Ground& ground = {});
+                const Ground& ground = {}, const PlacesOn& places = {});
     ~PaintedBody();
 
     // Returns the colour of a place: the bare body's colour, or the ink of all films on white or on

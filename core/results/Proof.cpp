@@ -24,14 +24,15 @@ const LinearColour table(0.93f, 0.935f, 0.94f);
 constexpr float elevation =
     22 * std::numbers::pi_v<float> / 180; // camera over the horizon, radians
 
-// Computes the light along a ray from the table, the body and its paint.
+// Computes the light from the table, the body and its paint.
 class Scene {
 public:
     Scene(const ProofStage& stage, const std::vector<FilmAppearance>& films,
           const ProofOptions& options)
-        : query_(stage.query), normals_(stage.normals), sky_(stage.sky),
-          middle_(stage.box.center()), size_(stage.box.diagonal().norm()),
-          films_(films, options.ink, options.ground) {
+        : fine_(*stage.fine), normals_(stage.normals), sky_(stage.sky), middle_(stage.box.center()),
+          size_(stage.box.diagonal().norm()),
+          films_(films, options.ink, options.ground,
+                 PlacesOn{stage.fine.get(), showsMany(stage, options)}) {
         for (const FilmAppearance& appearance : films) {
             marks_ |= paintedMarks(*appearance.laid);
         }
@@ -39,22 +40,30 @@ public:
 
     // Returns the solver::PointMark bits of all films.
     std::uint8_t marks() const { return marks_; }
-    // Returns the gravest mark of the last dipped film at the place that a ray hits.
-    std::optional<solver::PointMark> mark(const BodyRay& ray) const {
-        const RayHit hit = query_.hit(ray.origin, ray.direction);
-        const auto marks = hit.point.isValid() ? films_.marks(hit.point) : std::nullopt;
+    // Returns the gravest mark of the last dipped film at a place of the fine body.
+    std::optional<solver::PointMark> mark(const SurfacePoint& seen) const {
+        const auto marks = seen.isValid() ? films_.marks(seen) : std::nullopt;
         return marks ? mostSeriousMark(*marks) : std::nullopt;
     }
 
-    LinearColour light(const BodyRay& ray, const BodyCamera& camera) const {
-        const RayHit hit = query_.hit(ray.origin, ray.direction);
-        return hit.point.isValid() ? bodyLight(hit.point, ray, camera) : tableLight(ray);
+    // Returns the light along a ray that meets the fine body at `seen`.
+    LinearColour light(const BodyRay& ray, const SurfacePoint& seen,
+                       const BodyCamera& camera) const {
+        return seen.isValid() ? bodyLight(seen, ray, camera) : tableLight(ray);
     }
 
 private:
-    LinearColour bodyLight(const SurfacePoint& point, const BodyRay& ray,
+    // Whether the proof has more pixels than the fine body has triangles, so that a table of the
+    // film's places pays.
+    static bool showsMany(const ProofStage& stage, const ProofOptions& options) {
+        const double pixels = 6.0 * options.tile.width() * options.tile.height();
+        return pixels > 4 * double(stage.fine->mesh().triangles.size());
+    }
+
+    LinearColour bodyLight(const SurfacePoint& seen, const BodyRay& ray,
                            const BodyCamera& camera) const {
-        const LinearColour colour = films_.colour(point);
+        const LinearColour colour = films_.colour(seen);
+        const SurfacePoint point = fine_.onCoarse(seen);
         Eigen::Vector3f normal = normalAt(normals_, point);
         if (normal.dot(ray.direction) > 0) {
             normal = -normal;
@@ -84,7 +93,7 @@ private:
         return table * vignette * (0.3f + 0.7f * open);
     }
 
-    const SurfaceQuery& query_;
+    const RefinedMesh& fine_;
     const CornerNormals& normals_;
     const SkyLight& sky_;
     Eigen::Vector3f middle_;
@@ -94,16 +103,14 @@ private:
 };
 
 // Hatches the area that marked film paints in one tile of the picture.
-void hatchView(QImage& picture, const QRect& tile, const Scene& scene, const BodyCamera& camera,
-               float span) {
+void hatchView(QImage& picture, const QRect& tile, const Scene& scene, const SeenBody& body) {
     const Hatch hatch(picture.height());
     uchar* bits = picture.bits();
     const qsizetype stride = picture.bytesPerLine();
     parallelFor(0, tile.height(), [&](int y) {
         uchar* out = bits + (tile.y() + y) * stride + qsizetype(tile.x()) * 3;
         for (int x = 0; x < tile.width(); ++x, out += 3) {
-            const BodyRay ray = camera.ray(QPointF(x + 0.5, y + 0.5), span, tile.size());
-            const auto mark = hatch.isOn(x, y) ? scene.mark(ray) : std::nullopt;
+            const auto mark = hatch.isOn(x, y) ? scene.mark(middleOf(body, x, y)) : std::nullopt;
             if (mark) {
                 const QColor colour = hatch.colour(x, y, *mark);
                 out[0] = uchar(colour.red());
@@ -138,8 +145,9 @@ void drawMarks(QImage& picture, std::uint8_t marks) {
 
 } // namespace
 
-std::shared_ptr<const ProofStage> proofStage(const TexturedMesh& model) {
-    return std::make_shared<const ProofStage>(model.mesh);
+std::shared_ptr<const ProofStage> proofStage(const TexturedMesh& model,
+                                             std::shared_ptr<const RefinedMesh> fine) {
+    return std::make_shared<const ProofStage>(model.mesh, std::move(fine));
 }
 
 const SurfaceQuery& queryOf(const ProofStage& stage) {
@@ -155,13 +163,16 @@ QImage proofPicture(const ProofStage& stage, const std::vector<FilmAppearance>& 
     QImage picture(sideColumns * options.tile.width(), 2 * options.tile.height(),
                    QImage::Format_RGB888);
     for (int side = 0; side < int(cameras.size()); ++side) {
-        progress(0.1 + 0.15 * side, Text::tr("Tracing the proof"));
+        progress(0.1 + 0.15 * side, Text::tr("Drawing the proof"));
         const BodyCamera& camera = cameras[std::size_t(side)];
         const QRect tile = sideBox(side, options.tile);
-        const RayLight light = [&](const BodyRay& ray) { return scene.light(ray, camera); };
-        traceView(picture, tile, light, camera, span, progress.cancelToken);
+        const SeenBody body = camera.see(stage.fine->mesh(), span, tile.size());
+        const RayLight light = [&](const BodyRay& ray, const SurfacePoint& seen) {
+            return scene.light(ray, seen, camera);
+        };
+        drawView(picture, tile, body, light, camera, span, progress.cancelToken);
         if (scene.marks() != 0) {
-            hatchView(picture, tile, scene, camera, span);
+            hatchView(picture, tile, scene, body);
         }
     }
     QPainter painter(&picture);

@@ -1,7 +1,8 @@
-// Prepares a body on a light table for ray tracing: ray queries, normals and ambient light.
+// Prepares a body on a light table for pictures: its fine mesh, normals and ambient light.
 #pragma once
 
 #include "geometry/CornerNormals.h"
+#include "geometry/RefinedMesh.h"
 #include "geometry/SurfaceQuery.h"
 
 namespace dipwright {
@@ -29,13 +30,14 @@ private:
     std::vector<float> table_; // shares at (tableCells + 1)² points, rows along x
 };
 
-// A body with everything that ray tracing needs. Keeps a reference to the mesh.
+// A body with everything that pictures of it need. Keeps a reference to the mesh.
 struct ProofStage {
-    explicit ProofStage(const TriangleMesh& body)
-        : mesh(body), query(body), normals(cornerNormals(body)), sky(body, query),
-          box(boundingBox(body)) {}
+    ProofStage(const TriangleMesh& body, std::shared_ptr<const RefinedMesh> refined)
+        : mesh(body), fine(std::move(refined)), query(body), normals(cornerNormals(body)),
+          sky(body, query), box(boundingBox(body)) {}
 
     const TriangleMesh& mesh;
+    std::shared_ptr<const RefinedMesh> fine; // of `mesh`
     SurfaceQuery query;
     CornerNormals normals;
     SkyLight sky;

@@ -117,9 +117,10 @@ struct ProofOptions {
 
 // A body on a light table: the part of a proof that does not depend on the films.
 struct ProofStage;
-// Computes the stage by rays on all cores. The stage keeps a reference to the model; any thread may
-// read it.
-std::shared_ptr<const ProofStage> proofStage(const TexturedMesh& model);
+// Computes the stage by rays on all cores. `fine` is fineBody() of the model's mesh. The stage
+// keeps a reference to the model; any thread may read it.
+std::shared_ptr<const ProofStage> proofStage(const TexturedMesh& model,
+                                             std::shared_ptr<const RefinedMesh> fine);
 // Returns the ray queries of the stage's body.
 const SurfaceQuery& queryOf(const ProofStage& stage);
 
@@ -135,8 +136,8 @@ QImage coveragePicture(const ProofStage& stage, const BodyShare& share,
 
 // Draws the painted body in model orientation: front (along −Z), right and above in the upper row;
 // back, left and below in the lower. The four sides are seen from slightly above. Densities of
-// overlapping films add up, the bare body is light grey, and marked film is hatched. Embree traces
-// the rays on all cores, without OpenGL. Throws Cancelled.
+// overlapping films add up, the bare body is light grey, and marked film is hatched. Uses all
+// cores, without OpenGL. Throws Cancelled.
 QImage proofPicture(const ProofStage& stage, const std::vector<FilmAppearance>& films,
                     const ProofOptions& options, const Progress& progress);
 

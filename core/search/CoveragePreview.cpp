@@ -21,40 +21,42 @@ constexpr float steepestSlack = 4; // a slope that is steeper than this counts a
 // The height of the body's lowest place over each cell of the water.
 class HeightField {
 public:
+    // `places` are the positions of the body that add() is called for.
     explicit HeightField(const std::vector<Eigen::Vector3f>& places) {
         Eigen::AlignedBox2f box;
         for (const Eigen::Vector3f& place : places) {
             box.extend(Eigen::Vector2f(place.x(), place.z()));
         }
         cell_ = std::max(box.sizes().maxCoeff(), 1e-6f) / float(heightCells);
+        perCell_ = 1 / cell_;
         corner_ = box.min();
         columns_ = int(box.sizes().x() / cell_) + 1;
         rows_ = int(box.sizes().y() / cell_) + 1;
         lowest_.assign(std::size_t(columns_) * std::size_t(rows_),
                        std::numeric_limits<float>::infinity());
+        for (const Eigen::Vector3f& place : places) {
+            lower(index(place), place.y());
+        }
     }
 
     float cell() const { return cell_; }
     float lowestAt(const Eigen::Vector3f& place) const { return lowest_[index(place)]; }
 
     void add(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c) {
-        for (const Eigen::Vector3f* place : {&a, &b, &c}) {
-            lower(index(*place), place->y());
-        }
         const float area = (b.x() - a.x()) * (c.z() - a.z()) - (b.z() - a.z()) * (c.x() - a.x());
         if (!(std::abs(area) > 1e-12f)) {
             return; // a vertical triangle: its corners suffice
         }
         const auto [left, right] = std::minmax({a.x(), b.x(), c.x()});
         const auto [top, bottom] = std::minmax({a.z(), b.z(), c.z()});
-        for (int row = rowOf(top); row <= rowOf(bottom); ++row) {
-            for (int column = columnOf(left); column <= columnOf(right); ++column) {
-                const float x = corner_.x() + (float(column) + 0.5f) * cell_;
-                const float z = corner_.y() + (float(row) + 0.5f) * cell_;
-                const float ofB =
-                    ((x - a.x()) * (c.z() - a.z()) - (z - a.z()) * (c.x() - a.x())) / area;
-                const float ofC =
-                    ((b.x() - a.x()) * (z - a.z()) - (b.z() - a.z()) * (x - a.x())) / area;
+        const int first = columnOf(left), last = columnOf(right), lastRow = rowOf(bottom);
+        const Eigen::Vector3f ab = (b - a) / area, ac = (c - a) / area;
+        for (int row = rowOf(top); row <= lastRow; ++row) {
+            const float z = corner_.y() + (float(row) + 0.5f) * cell_ - a.z();
+            for (int column = first; column <= last; ++column) {
+                const float x = corner_.x() + (float(column) + 0.5f) * cell_ - a.x();
+                const float ofB = x * ac.z() - z * ac.x();
+                const float ofC = ab.x() * z - ab.z() * x;
                 if (ofB >= 0 && ofC >= 0 && ofB + ofC <= 1) {
                     lower(std::size_t(row * columns_ + column),
                           a.y() + ofB * (b.y() - a.y()) + ofC * (c.y() - a.y()));
@@ -65,16 +67,16 @@ public:
 
 private:
     int columnOf(float x) const {
-        return std::clamp(int((x - corner_.x()) / cell_), 0, columns_ - 1);
+        return std::clamp(int((x - corner_.x()) * perCell_), 0, columns_ - 1);
     }
-    int rowOf(float z) const { return std::clamp(int((z - corner_.y()) / cell_), 0, rows_ - 1); }
+    int rowOf(float z) const { return std::clamp(int((z - corner_.y()) * perCell_), 0, rows_ - 1); }
     std::size_t index(const Eigen::Vector3f& place) const {
         return std::size_t(rowOf(place.z()) * columns_ + columnOf(place.x()));
     }
     void lower(std::size_t at, float height) { lowest_[at] = std::min(lowest_[at], height); }
 
     Eigen::Vector2f corner_;
-    float cell_ = 0;
+    float cell_ = 0, perCell_ = 0;
     int columns_ = 0, rows_ = 0;
     std::vector<float> lowest_;
 };

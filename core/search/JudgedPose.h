@@ -2,6 +2,7 @@
 // measurements of one or two dips. Private to this folder.
 #pragma once
 
+#include "accuracy/verdict/Verdict.h"
 #include "dip/LaidFilm.h"
 #include "search/SearchSubject.h"
 #include "settings/SearchSettings.h"
@@ -23,6 +24,7 @@ struct JudgedPose {
     std::vector<float> depths; // mm along the surface from each place to the end of the paint
     double trappedAir = 0;     // share of the surface that is in trapped air
     double filmUsed = 0;       // share of the film's area that paints
+    Verdict verdict;           // of the dip, without its ink; not judged unless confirmed
 };
 
 // The places of a body at which its dips are measured. Immutable; any thread may use it.

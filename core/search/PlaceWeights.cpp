@@ -18,9 +18,9 @@ std::vector<float> placeWeights(const SearchSubject& subject,
                                 const std::vector<SurfacePoint>& places,
                                 const std::vector<LinearColour>& colours) {
     std::vector<float> weights(places.size(), 1.f);
-    if (!subject.marks.empty()) {
+    if (!subject.tolerance.marks.empty()) {
         ZonedBody zoned(subject.model);
-        zoned.setMarks(subject.marks);
+        zoned.setMarks(subject.tolerance.marks);
         std::transform(places.begin(), places.end(), weights.begin(),
                        [&](const SurfacePoint& place) {
                            return float(zoneWeights[std::size_t(zoned.at(place))]);

@@ -215,6 +215,8 @@ PoseCandidates poseCandidates(const CoveragePreview& preview, const std::vector<
         result.all.push_back({down, 0, 0, {}, result.all.size()});
     }
     const solver::FilmGrid grid = filmGrid(film);
+    // Two dips are searched with similar poses, because these may paint different places.
+    const bool leavesOutAlike = settings.immersions == 1;
     std::vector<Signature> signatures(result.all.size());
     parallelFor(std::size_t(0), result.all.size(), [&](std::size_t index) {
         progress.cancelToken.throwIfCancelled();
@@ -225,10 +227,11 @@ PoseCandidates poseCandidates(const CoveragePreview& preview, const std::vector<
         const Eigen::Vector3f down = candidate.down.cast<float>();
         candidate.coverage = coverage.share;
         candidate.promise = promiseOf(preview, zoneWeights, coverage, down);
-        signatures[index] = signatureOf(preview, zoneWeights, coverage, down);
+        if (leavesOutAlike) {
+            signatures[index] = signatureOf(preview, zoneWeights, coverage, down);
+        }
     });
-    // Two dips are searched without this, because similar poses may paint different places.
-    if (settings.immersions == 1) {
+    if (leavesOutAlike) {
         findAlike(result.all, signatures);
     }
     result.chosen = choose(result.all, std::size_t(settings.simulated));

@@ -1,5 +1,6 @@
 #include "search/PoseDips.h"
 
+#include "accuracy/error/NumericalErrorEstimate.h"
 #include "dip/Dip.h"
 #include "dip/FilmUnderBody.h"
 #include "parallel/ParallelFor.h"
@@ -13,7 +14,14 @@ namespace dipwright {
 namespace {
 
 constexpr int fewestPoints = 8;
-constexpr std::size_t batchSize = 32;
+constexpr std::size_t mostInBatch = 32, fewestInBatch = 2;
+// A batch of large films is smaller, so that the search reports its progress more often.
+constexpr std::size_t pointsInBatch = 100'000;
+// The time of one dip is proportional to dipOverhead plus its points to the power of 1.5, times
+// jobSteps for the job's shorter steps. Measured on nine models (docs/pose-search.md).
+constexpr double dipOverhead = 7.5e4, jobSteps = 1.8;
+// Time of a dip with its verdict, relative to the dip alone.
+constexpr double withVerdict = 1.9;
 constexpr int searchedAirCells = 48; // number of air grid cells along the body's longest edge
 // The borders of the fine cells are moved outwards to multiples of this share of the body's longest
 // edge. Many films of a batch then become equal, and a device can simulate their dips together.
@@ -46,14 +54,46 @@ Eigen::AlignedBox2d roundedOut(const Eigen::AlignedBox2d& box, double step) {
 
 } // namespace
 
+PoseFilms::PoseFilms(const SearchSubject& subject, const DipDetail& detail)
+    : subject_(subject), isJobs_(std::isinf(detail.cells)),
+      film_(isJobs_ ? subject.film : coarseFilm(subject.film, subject.model->mesh, detail.cells)) {}
+
+// Whether the search chooses the films, so that it can make them equal.
+bool PoseFilms::areChosen() const {
+    return !isJobs_ && isGraded(film_);
+}
+
+// Returns the part of the film that needs fine cells.
+Eigen::AlignedBox2d PoseFilms::fineCellsOf(const PosedBody& body) const {
+    const Underside underside = undersideOf(body, subject_.process);
+    const Eigen::Vector2d further = Eigen::Vector2d::Constant(drawIn(underside));
+    const Eigen::AlignedBox2d wanted(underside.shadow.min() - further,
+                                     underside.shadow.max() + further);
+    return roundedOut(wanted, alikeShare * longestEdgeOf(subject_.model->mesh));
+}
+
+solver::FilmGrid PoseFilms::gridOf(const PosedBody& body, const Immersion& immersion) const {
+    return areChosen()
+               ? gradedFilm(film_, fineCellsOf(body), 0, film_.cell, immersion.offset)
+               : filmUnderBody(film_, undersideOf(body, subject_.process), immersion.offset);
+}
+
+double PoseFilms::cost(const Immersion& immersion) const {
+    const PosedBody body = posedBody(subject_.model->mesh, immersion, searchedAirCells);
+    const auto points = double(gridOf(body, immersion).pointCount());
+    return dipOverhead + (isJobs_ ? jobSteps * withVerdict : 1) * std::pow(points, 1.5);
+}
+
 PoseDips::PoseDips(const SearchSubject& subject, const JudgedBody& body,
                    const solver::SolverModule& module, const DipDetail& detail,
                    const Progress& progress)
     : subject_(subject), body_(body), module_(module), cancelToken_(progress.cancelToken),
-      isJobs_(std::isinf(detail.cells)), film_(subject.film), process_(subject.process) {
+      films_(subject, detail), isJobs_(std::isinf(detail.cells)), process_(subject.process) {
     const TriangleMesh& mesh = subject.model->mesh;
-    if (!isJobs_) {
-        film_ = coarseFilm(subject.film, mesh, detail.cells);
+    if (isJobs_ && !subject.tolerance.marks.empty()) {
+        auto zones = std::make_unique<ZonedBody>(subject.model);
+        zones->setMarks(subject.tolerance.marks);
+        zones_ = std::move(zones);
     }
     process_.contactTravel = std::max(process_.contactTravel, detail.travel);
     field_ = cachedDistanceField(mesh, std::min(subject.fieldResolution, detail.field), progress);
@@ -61,41 +101,37 @@ PoseDips::PoseDips(const SearchSubject& subject, const JudgedBody& body,
 
 void PoseDips::dip(const std::vector<Immersion>& immersions,
                    std::vector<std::shared_ptr<const JudgedPose>>& judged,
-                   const std::function<void(std::size_t)>& batchDone) const {
+                   const std::function<void(std::size_t)>& batchDone, std::size_t first) const {
     const std::vector<std::size_t> order = orderedByFilm(immersions);
-    for (std::size_t begin = 0; begin < order.size(); begin += batchSize) {
-        const std::size_t end = std::min(begin + batchSize, order.size());
+    const std::size_t batch = batchSizeFor(immersions);
+    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+        end = std::min(begin + (begin == 0 ? std::min(batch, first) : batch), order.size());
         dipBatch(immersions, {order.begin() + std::ptrdiff_t(begin), end - begin}, judged);
         batchDone(end);
     }
 }
 
-// Whether the search chooses the films, so that it can make them equal.
-bool PoseDips::choosesFilms() const {
-    return !isJobs_ && isGraded(film_);
-}
-
-// Returns the part of the film that needs fine cells.
-Eigen::AlignedBox2d PoseDips::fineCellsOf(const PosedBody& body) const {
-    const Underside underside = undersideOf(body, process_);
-    const Eigen::Vector2d further = Eigen::Vector2d::Constant(drawIn(underside));
-    const Eigen::AlignedBox2d wanted(underside.shadow.min() - further,
-                                     underside.shadow.max() + further);
-    return roundedOut(wanted, alikeShare * longestEdgeOf(subject_.model->mesh));
+std::size_t PoseDips::batchSizeFor(const std::vector<Immersion>& immersions) const {
+    if (immersions.empty()) {
+        return mostInBatch;
+    }
+    const PosedBody body = posedBody(subject_.model->mesh, immersions.front(), searchedAirCells);
+    return std::clamp(pointsInBatch / films_.gridOf(body, immersions.front()).pointCount(),
+                      fewestInBatch, mostInBatch);
 }
 
 // Returns the immersions' indices, ordered so that equal films follow each other.
 std::vector<std::size_t> PoseDips::orderedByFilm(const std::vector<Immersion>& immersions) const {
     std::vector<std::size_t> order(immersions.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    if (!choosesFilms()) {
+    if (!films_.areChosen()) {
         return order;
     }
     std::vector<std::array<double, 6>> films(immersions.size());
     parallelFor(std::size_t(0), films.size(), [&](std::size_t index) {
         const Immersion& immersion = immersions[index];
         const Eigen::AlignedBox2d box =
-            fineCellsOf(posedBody(subject_.model->mesh, immersion, searchedAirCells));
+            films_.fineCellsOf(posedBody(subject_.model->mesh, immersion, searchedAirCells));
         films[index] = {box.min().x(),
                         box.min().y(),
                         box.max().x(),
@@ -110,12 +146,8 @@ std::vector<std::size_t> PoseDips::orderedByFilm(const std::vector<Immersion>& i
 
 solver::DipSetup PoseDips::setupOf(const PosedBody& body, const FilledField& field,
                                    const Immersion& immersion) const {
-    if (!choosesFilms()) {
-        return dipSetup(body, field, immersion, film_, process_);
-    }
-    const solver::FilmGrid grid =
-        gradedFilm(film_, fineCellsOf(body), 0, film_.cell, immersion.offset);
-    return dipSetup(body, field, immersion, film_, grid, process_);
+    return dipSetup(body, field, immersion, films_.film(), films_.gridOf(body, immersion),
+                    process_);
 }
 
 void PoseDips::dipBatch(const std::vector<Immersion>& immersions,
@@ -133,17 +165,52 @@ void PoseDips::dipBatch(const std::vector<Immersion>& immersions,
         items[item].setup = setupOf(*bodies[item], *fields[item], immersion);
     });
     simulateDips(items, module_, [this] { return cancelToken_.isCancelled(); });
+    std::vector<std::shared_ptr<const LaidFilm>> laid(items.size());
+    std::vector<JudgedPose> poses(items.size());
     parallelFor(std::size_t(0), items.size(), [&](std::size_t item) {
         const Immersion& immersion = immersions[batch[item]];
         const solver::DipSetup& setup = items[item].setup;
         DippedFilm film = dippedFilm(items[item], immersion);
-        JudgedPose pose;
-        pose.immersion = immersion;
+        poses[item].immersion = immersion;
         if (isStable(film, setup.motion.travel)) {
-            pose = body_.judged(*layFilm(bodies[item], std::move(film), process_), immersion);
+            laid[item] = layFilm(bodies[item], std::move(film), process_);
+            poses[item] = body_.judged(*laid[item], immersion);
         }
-        judged[batch[item]] = std::make_shared<const JudgedPose>(std::move(pose));
     });
+    if (isJobs_) {
+        addVerdicts(poses, bodies, laid);
+    }
+    for (std::size_t item = 0; item < items.size(); ++item) {
+        judged[batch[item]] = std::make_shared<const JudgedPose>(std::move(poses[item]));
+    }
+}
+
+// Judges dips as the job would, but for their ink. `laid` is null for a dip that failed.
+void PoseDips::addVerdicts(std::vector<JudgedPose>& poses,
+                           const std::vector<std::shared_ptr<const PosedBody>>& bodies,
+                           const std::vector<std::shared_ptr<const LaidFilm>>& laid) const {
+    std::vector<PosedDip> dips;
+    std::vector<std::size_t> places; // of `dips` in `poses`
+    for (std::size_t place = 0; place < poses.size(); ++place) {
+        if (laid[place]) {
+            dips.push_back({bodies[place], poses[place].immersion});
+            places.push_back(place);
+        } else {
+            ReasonList reasons;
+            reasons.add({VerdictReason::Kind::Unpainted, Advice::DoNotPrint});
+            poses[place].verdict = std::move(reasons).verdict();
+        }
+    }
+    const std::vector<CoarserFilms> coarser =
+        coarserFilms(dips, *field_, films_.film(), process_, module_,
+                     [this] { return cancelToken_.isCancelled(); });
+    for (std::size_t dip = 0; dip < dips.size(); ++dip) {
+        const LaidFilm& own = *laid[places[dip]];
+        const NumericalErrorEstimate error = estimateNumericalError(own, coarser[dip]);
+        const Coverage covered = coverage(own);
+        poses[places[dip]].verdict =
+            verdict({own, covered, &error, 0, zones_.get()}, subject_.tolerance, subject_.verdict);
+    }
 }
 
 } // namespace dipwright

@@ -1,6 +1,7 @@
 // Simulates the dips of many poses in batches. Private to this folder.
 #pragma once
 
+#include "accuracy/tolerance/Zones.h"
 #include "base/Progress.h"
 #include "dip/FilledField.h"
 #include "search/JudgedPose.h"
@@ -22,6 +23,26 @@ struct DipDetail {
 inline constexpr DipDetail coarseDetail{20, 128, 0.5}, finerDetail{40, 128, 0.5},
     jobDetail{std::numeric_limits<double>::infinity(), std::numeric_limits<int>::max(), 0};
 
+// The films for the dips of a search at one resolution. Keeps a reference to the subject.
+class PoseFilms {
+public:
+    PoseFilms(const SearchSubject& subject, const DipDetail& detail);
+
+    const FilmSettings& film() const { return film_; }
+    bool areChosen() const;
+    Eigen::AlignedBox2d fineCellsOf(const PosedBody& body) const;
+    // Returns the film's points for a pose. Throws like filmUnderBody().
+    solver::FilmGrid gridOf(const PosedBody& body, const Immersion& immersion) const;
+    // Returns the time that a dip takes, within about a third, in units that are the same for all
+    // resolutions.
+    double cost(const Immersion& immersion) const;
+
+private:
+    const SearchSubject& subject_;
+    bool isJobs_; // uses the job's film
+    FilmSettings film_;
+};
+
 class PoseDips {
 public:
     PoseDips(const SearchSubject& subject, const JudgedBody& body,
@@ -30,28 +51,33 @@ public:
     // Simulates a dip with each of `immersions` and stores its result in `judged` at the same
     // index; both have the same length. After an exception the finished dips remain. Dips with
     // similar films run together, so the order of the dips may differ. Calls `batchDone` after each
-    // batch with the number of finished dips. A dip that misses the film or becomes unstable has no
-    // samples. Throws Error if the solver fails. Throws Cancelled.
+    // batch with the number of finished dips. The first batch has at most `first` dips. A dip that
+    // misses the film or becomes unstable has no samples. Dips with the job's film get a verdict.
+    // Throws Error if the solver fails. Throws Cancelled.
     void dip(const std::vector<Immersion>& immersions,
              std::vector<std::shared_ptr<const JudgedPose>>& judged,
-             const std::function<void(std::size_t)>& batchDone) const;
+             const std::function<void(std::size_t)>& batchDone,
+             std::size_t first = std::numeric_limits<std::size_t>::max()) const;
 
 private:
-    bool choosesFilms() const;
-    Eigen::AlignedBox2d fineCellsOf(const PosedBody& body) const;
+    std::size_t batchSizeFor(const std::vector<Immersion>& immersions) const;
     std::vector<std::size_t> orderedByFilm(const std::vector<Immersion>& immersions) const;
     solver::DipSetup setupOf(const PosedBody& body, const FilledField& field,
                              const Immersion& immersion) const;
     void dipBatch(const std::vector<Immersion>& immersions, std::span<const std::size_t> batch,
                   std::vector<std::shared_ptr<const JudgedPose>>& judged) const;
+    void addVerdicts(std::vector<JudgedPose>& poses,
+                     const std::vector<std::shared_ptr<const PosedBody>>& bodies,
+                     const std::vector<std::shared_ptr<const LaidFilm>>& laid) const;
 
     const SearchSubject& subject_;
     const JudgedBody& body_;
     const solver::SolverModule& module_;
     const CancelToken cancelToken_;
-    const bool isJobs_; // uses the job's film
-    FilmSettings film_;
+    PoseFilms films_;
+    const bool isJobs_; // with the job's film; its dips get a verdict
     ProcessSettings process_;
+    std::unique_ptr<const ZonedBody> zones_; // for verdicts; null: no zones are marked
     std::shared_ptr<const DistanceField> field_;
 };
 

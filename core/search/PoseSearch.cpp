@@ -18,6 +18,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace dipwright {
 namespace {
@@ -27,6 +28,8 @@ struct Text {
 };
 
 constexpr std::size_t keptPoses = 24;
+constexpr int confirmedRounds = 3;     // at most; in each, `confirmed` poses are confirmed
+constexpr std::size_t firstRanked = 8; // number of dips before the first ranking
 // Number of best pairs from which distinct ones are ranked.
 constexpr std::size_t comparedPairs = 1000;
 constexpr double distinct = 5;                     // least angle between ranked poses, degrees
@@ -34,6 +37,10 @@ constexpr std::array<double, 3> tilts{10, 5, 2.5}; // degrees, one for each roun
 constexpr double turn = 5;                         // degrees about the vertical, in the last round
 constexpr double shift = 0.05;                     // share of the film's sides, in the last round
 constexpr double fieldShare = 0.05, geometryShare = 0.1; // progress after these steps, 0 … 1
+
+// The share of the dips of the best pairs that differ; most pairs have a dip in common with
+// another.
+constexpr double distinctDips = 0.6;
 
 using Judged = std::shared_ptr<const JudgedPose>;
 
@@ -43,7 +50,13 @@ struct Entry {
     RankedPoses ranked;
 };
 
+// Confirmed poses are compared by their verdicts first: a pose whose sheet must not be printed is
+// never better than one whose sheet can be.
 bool isBetter(const Entry& one, const Entry& other) {
+    if (one.ranked.isConfirmed && other.ranked.isConfirmed &&
+        one.ranked.advice() != other.ranked.advice()) {
+        return one.ranked.advice() < other.ranked.advice();
+    }
     if (one.ranked.limitsMissed != other.ranked.limitsMissed) {
         return one.ranked.limitsMissed < other.ranked.limitsMissed;
     }
@@ -119,6 +132,47 @@ QByteArray searchKey(const SearchSubject& subject, const SearchSettings& setting
     return sha256(text).toHex();
 }
 
+// How fast the search is, in units of PoseFilms::cost(): measured over the last two stages, because
+// later stages dip better poses, which take less time.
+class SearchRate {
+public:
+    void beginStage() {
+        if (marks_.size() == 2) {
+            marks_.erase(marks_.begin());
+        }
+        marks_.push_back({Clock::now(), done_});
+    }
+    void add(double cost) { done_ += cost; }
+    double done() const { return done_; }
+    // Leaves time out in which the search waited.
+    void leaveOut(std::chrono::duration<double> waited) {
+        for (Mark& mark : marks_) {
+            mark.at += std::chrono::duration_cast<Clock::duration>(waited);
+        }
+    }
+    // None if no dip is done.
+    std::optional<double> secondsFor(double cost) const {
+        if (marks_.empty() || done_ <= marks_.front().done) {
+            return std::nullopt;
+        }
+        const double spent =
+            std::chrono::duration<double>(Clock::now() - marks_.front().at).count();
+        return spent * cost / (done_ - marks_.front().done);
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    struct Mark {
+        Clock::time_point at;
+        double done; // cost of the dips done by then
+    };
+    double done_ = 0;
+    std::vector<Mark> marks_; // beginnings of the last two stages, the earlier one first
+};
+
+// The resolutions of a search (PoseDips.h).
+enum Resolution : std::uint8_t { Coarse, Finer, Own };
+
 class Search {
 public:
     Search(const SearchSubject& subject, const SearchSettings& settings,
@@ -133,10 +187,15 @@ public:
         const int each = settings.immersions;
         const int rounds = int(tilts.size());
         const int tried = int(candidates_.chosen.size());
-        wanted_ = tried + settings.refined * each * (4 * rounds + 6) +
-                  each * (std::min(settings.finer + settings.refined, tried) +
-                          std::min(settings.confirmed, tried)) +
-                  3 * int(subject.immersions.size());
+        const int own = int(subject.immersions.size());
+        const auto differing = [&](int entries) {
+            return own +
+                   int(std::lround((each == 1 ? 1 : 2 * distinctDips) * std::min(entries, tried)));
+        };
+        left_ = {own + tried + settings.refined * each * (4 * rounds + 6),
+                 differing(settings.finer + settings.refined),
+                 settings.confirmed > 0 ? differing(settings.confirmed) : 0};
+        estimateCosts();
         result_.equator = body_.equator();
     }
 
@@ -147,8 +206,8 @@ public:
              at += std::size_t(count)) {
             immersions.push_back(candidates_.all[candidates_.chosen[at]].immersion);
         }
-        wanted_ = int(immersions.size());
-        return dipped(coarse_, immersions);
+        left_ = {int(immersions.size()), 0, 0};
+        return dipped(coarse_, Coarse, immersions);
     }
 
     // Takes the dips of other processes in place of the first dips.
@@ -185,6 +244,7 @@ public:
             poses_.push_back(std::make_shared<const JudgedPose>(std::move(pose)));
         }
         done_ = int(poses_.size());
+        left_[Coarse] -= done_;
     }
 
     SearchResult run(const SearchWatch& watch) {
@@ -218,39 +278,61 @@ private:
         entry.ranked.objective = objective(entry.ranked.measures, settings_, body_.equator());
         entry.ranked.limitsMissed = limitsMissed(entry.ranked.measures, settings_);
         entry.ranked.isConfirmed = isConfirmed;
+        for (const Judged& dip : entry.ranked.isConfirmed ? dips : std::vector<Judged>()) {
+            entry.ranked.verdicts.push_back(dip->verdict);
+        }
         entry.dips = std::move(dips);
         return entry;
     }
 
-    std::vector<Judged> dipped(const PoseDips& dips, const std::vector<Immersion>& immersions) {
+    // The films of one pose stand for the films of all.
+    void estimateCosts() {
+        const Immersion& pose = candidates_.chosen.empty()
+                                    ? subject_.immersions.front()
+                                    : candidates_.all[candidates_.chosen.front()].immersion;
+        constexpr std::array details{coarseDetail, finerDetail, jobDetail};
+        for (std::size_t resolution = 0; resolution < details.size(); ++resolution) {
+            if (left_[resolution] > 0) {
+                cost_[resolution] = PoseFilms(subject_, details[resolution]).cost(pose);
+            }
+        }
+    }
+
+    std::vector<Judged> dipped(const PoseDips& dips, Resolution resolution,
+                               const std::vector<Immersion>& immersions) {
         std::vector<Judged> judged(immersions.size());
-        const int before = done_;
+        rate_.beginStage();
+        std::size_t before = 0;
         dips.dip(immersions, judged, [&](std::size_t done) {
-            done_ = before + int(done);
+            count(resolution, int(done - before));
+            before = done;
             tell();
         });
         return judged;
     }
 
+    void count(Resolution resolution, int dips) {
+        done_ += dips;
+        left_[resolution] -= dips;
+        rate_.add(dips * cost_[resolution]);
+    }
+
     void tell() {
-        using Seconds = std::chrono::duration<double>;
-        const double share = std::min(double(done_) / std::max(wanted_, 1), 1.0);
+        double left = 0;
+        for (std::size_t resolution = 0; resolution < left_.size(); ++resolution) {
+            left += cost_[resolution] * std::max(left_[resolution], 0);
+        }
+        const double share = rate_.done() / std::max(rate_.done() + left, 1.0);
         progress_(geometryShare + (1 - geometryShare) * share, Text::tr("Trying poses"));
         if (watch_ && *watch_) {
-            const double spent = Seconds(std::chrono::steady_clock::now() - begin_).count();
-            std::optional<double> left;
-            if (const int made = done_ - taken_; made > 0) {
-                left = spent * (wanted_ - done_) / made;
-            }
-            (*watch_)({done_, wanted_, left, result_});
+            const int wanted = std::accumulate(left_.begin(), left_.end(), done_);
+            rate_.leaveOut((*watch_)({done_, wanted, rate_.secondsFor(left), result_}));
         }
     }
 
     // Dips the job's own poses and the first candidates.
     void simulate() {
-        taken_ = done_;
-        begin_ = std::chrono::steady_clock::now();
-        own_ = dipped(coarse_, subject_.immersions);
+        own_ = dipped(coarse_, Coarse, subject_.immersions);
         if (poses_.empty()) {
             dipFirst();
         }
@@ -269,16 +351,18 @@ private:
             immersions.push_back(candidates_.all[chosen].immersion);
         }
         poses_.resize(immersions.size());
-        const int before = done_;
-        std::size_t rankAt = 0;
-        coarse_.dip(immersions, poses_, [&](std::size_t done) {
-            done_ = before + int(done);
+        rate_.beginStage();
+        std::size_t before = 0, rankAt = 0;
+        const auto batchDone = [&](std::size_t done) {
+            count(Coarse, int(done - before));
+            before = done;
             if (done >= rankAt && done < poses_.size()) {
                 rankFirstDips();
                 rankAt = 2 * done;
             }
             tell();
-        });
+        };
+        coarse_.dip(immersions, poses_, batchDone, firstRanked);
     }
 
     void rankFirstDips() {
@@ -387,7 +471,7 @@ private:
                 owner.push_back(index);
             }
         }
-        const std::vector<Judged> judged = dipped(coarse_, trials);
+        const std::vector<Judged> judged = dipped(coarse_, Coarse, trials);
         const std::vector<Entry> before(best_.begin(), best_.begin() + std::ptrdiff_t(count));
         for (std::size_t trial = 0; trial < trials.size(); ++trial) {
             std::vector<Judged> dips = before[owner[trial]].dips;
@@ -402,9 +486,14 @@ private:
 
     // Dips the best entries and the job's own poses again with film of another resolution, each dip
     // once.
-    std::vector<Entry> dippedAgain(const std::vector<Entry>& entries, const DipDetail& detail,
-                                   bool isConfirmed) {
-        std::vector<Immersion> immersions = subject_.immersions;
+    std::vector<Entry> dippedAgain(const std::vector<Entry>& entries, Resolution resolution) {
+        const bool isConfirmed = resolution == Own;
+        const bool isOwnDone = isConfirmed && current_ && current_->ranked.isConfirmed;
+        std::vector<Immersion> immersions;
+        if (!isOwnDone) {
+            immersions = subject_.immersions;
+        }
+        const auto own = std::ptrdiff_t(immersions.size());
         std::map<const JudgedPose*, std::size_t> places;
         for (const Entry& each : entries) {
             for (const Judged& dip : each.dips) {
@@ -413,12 +502,13 @@ private:
                 }
             }
         }
-        const PoseDips dips(subject_, body_, module_, detail, progress_.silent());
-        const std::vector<Judged> judged = dipped(dips, immersions);
-        if (!subject_.immersions.empty()) {
-            current_ =
-                entry({judged.begin(), judged.begin() + std::ptrdiff_t(subject_.immersions.size())},
-                      isConfirmed);
+        left_[Coarse] = 0;
+        left_[resolution] = int(immersions.size());
+        const PoseDips dips(subject_, body_, module_, isConfirmed ? jobDetail : finerDetail,
+                            progress_.silent());
+        const std::vector<Judged> judged = dipped(dips, resolution, immersions);
+        if (own > 0) {
+            current_ = entry({judged.begin(), judged.begin() + own}, isConfirmed);
         }
         std::vector<Entry> again;
         for (const Entry& each : entries) {
@@ -443,15 +533,27 @@ private:
     void rankWithFinerFilm() {
         std::vector<Entry> entries = first(settings_.finer);
         entries.insert(entries.end(), unrefined_.begin(), unrefined_.end());
-        best_ = dippedAgain(entries, finerDetail, false);
+        best_ = dippedAgain(entries, Finer);
         rank();
     }
 
+    // Confirms further poses while none of the confirmed ones may be printed.
     void confirm() {
-        if (settings_.confirmed > 0) {
-            const std::vector<Entry> all = ranked();
-            best_ = dippedAgain(first(settings_.confirmed), jobDetail, true);
-            best_.insert(best_.end(), all.begin() + std::ptrdiff_t(best_.size()), all.end());
+        std::vector<Entry> open = ranked(), confirmed;
+        const auto mayBePrinted = [](const Entry& each) {
+            return each.ranked.advice() != Advice::DoNotPrint;
+        };
+        const auto count = std::ptrdiff_t(settings_.confirmed);
+        for (int round = 0; round < confirmedRounds && count > 0 && !open.empty() &&
+                            std::none_of(confirmed.begin(), confirmed.end(), mayBePrinted);
+             ++round) {
+            const auto end = open.begin() + std::min(count, std::ptrdiff_t(open.size()));
+            for (Entry& each : dippedAgain({open.begin(), end}, Own)) {
+                confirmed.push_back(std::move(each));
+            }
+            open.erase(open.begin(), end);
+            best_ = confirmed;
+            best_.insert(best_.end(), open.begin(), open.end());
             rank();
         }
     }
@@ -528,9 +630,11 @@ private:
     std::vector<Entry> unrefined_; // best_ before refinement
     std::optional<Entry> current_;
     SearchResult result_;
-    bool isRefining_ = false; // all first dips are ranked
-    int done_ = 0, wanted_ = 0, taken_ = 0;
-    std::chrono::steady_clock::time_point begin_;
+    bool isRefining_ = false;      // all first dips are ranked
+    int done_ = 0;                 // dips
+    std::array<int, 3> left_{};    // dips at each resolution, estimated
+    std::array<double, 3> cost_{}; // of one dip at each resolution
+    SearchRate rate_;
 };
 
 } // namespace
@@ -556,6 +660,14 @@ SearchShard searchShard(const SearchSubject& subject, const SearchSettings& sett
     part.count = count;
     part.poses = Search(subject, settings, module, progress).part(number, count);
     return part;
+}
+
+Advice RankedPoses::advice() const {
+    Advice advice = Advice::NotJudged;
+    for (const Verdict& verdict : verdicts) {
+        advice = std::max(advice, verdict.advice);
+    }
+    return advice;
 }
 
 std::vector<MeasureDifference> differences(const RankedPoses& poses, const RankedPoses& others,

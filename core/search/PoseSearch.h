@@ -3,12 +3,14 @@
 // dips them as the job would.
 #pragma once
 
+#include "accuracy/verdict/Verdict.h"
 #include "base/Progress.h"
 #include "search/SearchShard.h"
 #include "search/SearchSubject.h"
 #include "settings/SearchSettings.h"
 
 #include <Eigen/Core>
+#include <chrono>
 #include <functional>
 
 namespace dipwright {
@@ -19,7 +21,11 @@ struct RankedPoses {
     double objective = 0;    // 0 … 1
     double limitsMissed = 0; // 0 if all limits are kept
     PoseMeasures measures;
-    bool isConfirmed = false; // dipped with the job's own film
+    bool isConfirmed = false;      // dipped with the job's own film
+    std::vector<Verdict> verdicts; // on each dip, without its ink; empty if not confirmed
+
+    // Returns the worst of the verdicts.
+    Advice advice() const;
 };
 
 // A direction of the model that the search tried to dip first.
@@ -60,8 +66,9 @@ struct SearchState {
     std::optional<double> secondsLeft; // none if not known yet
     const SearchResult& soFar;         // ranking of the dips done
 };
-// Called from the working thread between batches of dips. If it blocks, the search waits.
-using SearchWatch = std::function<void(const SearchState&)>;
+// Called from the working thread between batches of dips. If it blocks, the search waits. Returns
+// how long it waited for something else; this does not count as the search's time.
+using SearchWatch = std::function<std::chrono::duration<double>(const SearchState&)>;
 
 // Runs the search on `module` in batches. Deterministic except for SearchState::secondsLeft: the
 // same subject, settings and module give bitwise equal results for any number of threads. `parts`

@@ -6,6 +6,7 @@
 #include "settings/Immersion.h"
 #include "settings/ProcessSettings.h"
 #include "settings/ToleranceSettings.h"
+#include "settings/VerdictSettings.h"
 
 #include <QByteArray>
 #include <memory>
@@ -25,7 +26,8 @@ struct SearchSubject {
     FilmSettings film;
     ProcessSettings process;
     int fieldResolution = 128;
-    std::vector<ZoneMark> marks;        // marked zones
+    ToleranceSettings tolerance;        // marked zones and their limits
+    VerdictSettings verdict;            // limits for the verdict on confirmed poses
     Millimetres registrationError{0.7}; // expected between the two dips
     std::vector<Immersion> immersions;  // the job's own poses
 };

@@ -22,8 +22,6 @@ struct Text {
 };
 
 // Chosen constants (docs/film-model.md, "Two dips, one body").
-// A body with fewer triangles is refined to about this number.
-constexpr double fineTriangles = 40'000;
 // 1 mm of seam costs as much as this many mm² of body at cost 1.
 constexpr double seamWeight = 20;
 constexpr float reachEdgeCost = 5; // cost of 1 mm² of body at the end of a dip's film
@@ -262,9 +260,8 @@ std::vector<float> equatorField(const TriangleMesh& mesh, const Films& films) {
 } // namespace
 
 struct ShareStage {
-    explicit ShareStage(const TexturedMesh& model)
-        : edge(edgeForTriangles(model.mesh, fineTriangles)),
-          body(std::make_shared<const RefinedMesh>(model.mesh, edge)),
+    ShareStage(const TexturedMesh& model, std::shared_ptr<const RefinedMesh> fine)
+        : edge(fineEdge(model.mesh)), body(std::move(fine)),
           places(seamPlaces(*body, model, SurfaceQuery(model.mesh))) {}
 
     float edge; // longest edge of the fine triangles, mm
@@ -272,8 +269,9 @@ struct ShareStage {
     SeamPlaces places;
 };
 
-std::shared_ptr<const ShareStage> shareStage(const TexturedMesh& model) {
-    return std::make_shared<const ShareStage>(model);
+std::shared_ptr<const ShareStage> shareStage(const TexturedMesh& model,
+                                             std::shared_ptr<const RefinedMesh> fine) {
+    return std::make_shared<const ShareStage>(model, std::move(fine));
 }
 
 std::optional<std::size_t> recommendedLastDip(const BodyShare& share) {

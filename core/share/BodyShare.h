@@ -69,9 +69,10 @@ struct BodyShare {
 // The parts of a split that depend on no film: the body's fine triangles, and how visible a seam is
 // on each.
 struct ShareStage;
-// Computes the stage for a body that is to look like `model`. Uses all cores. Any thread may read
-// the stage.
-std::shared_ptr<const ShareStage> shareStage(const TexturedMesh& model);
+// Computes the stage for a body that is to look like `model`. `fine` is fineBody() of its mesh.
+// Uses all cores. Any thread may read the stage.
+std::shared_ptr<const ShareStage> shareStage(const TexturedMesh& model,
+                                             std::shared_ptr<const RefinedMesh> fine);
 
 // Splits the body of `stage` between its two dips; `films` are their results. Uses all cores;
 // deterministic. Throws Cancelled.

@@ -112,7 +112,9 @@ void readMetadata(SolverInfo& info) {
     requireInterfaceVersion(metadata);
     const QString module = requiredText(metadata, "module");
     if (QFileInfo(module).fileName() != module) {
-        throw Refusal(Text::tr("Its module has to be a file beside its description"));
+        throw Refusal(Text::tr("Its module must be in the same folder as its description; give the "
+                               "file's name without a "
+                               "path"));
     }
     // The link's target is checked, remembered and loaded, even if the link changes later.
     const QFileInfo file(QFileInfo(info.metadataPath).dir().filePath(module));

@@ -2,6 +2,7 @@
 
 #include "parallel/ParallelFor.h"
 #include "results/AdaptiveSampling.h"
+#include "results/SeenBody.h"
 
 #include <algorithm>
 #include <optional>
@@ -9,69 +10,105 @@
 namespace dipwright {
 namespace {
 
-constexpr int samplesAcross = 2; // rays per pixel along each axis
+constexpr int samplesAcross = 3; // samples per pixel along each axis; odd
 constexpr double room = 1.06;    // picture size divided by body size
 const Eigen::Array3f bareBody(0.78F, 0.78F, 0.76F), cradleColour(0.93F, 0.80F, 0.55F);
 
+// Returns the positions of a refined mesh in the pose frame.
+TriangleMesh posed(const RefinedMesh& fine, const PosedBody& body) {
+    TriangleMesh mesh = fine.mesh();
+    for (Eigen::Vector3f& position : mesh.positions) {
+        position = (body.modelToPose * position.cast<double>()).cast<float>();
+    }
+    return mesh;
+}
+
+// A parallel projection that shows body and cradle.
+struct Projection {
+    Eigen::Vector3f right, up, back, middle;
+    float scale = 1; // pixels per mm
+
+    Projection(const BoundingBox& box, PoseSide side, QSize size)
+        : right(side == PoseSide::Front   ? Eigen::Vector3f(1, 0, 0)
+                : side == PoseSide::Right ? Eigen::Vector3f(0, 0, -1)
+                                          : Eigen::Vector3f(-1, 0, 0)),
+          back(side == PoseSide::Front   ? Eigen::Vector3f(0, 0, 1)
+               : side == PoseSide::Right ? Eigen::Vector3f(1, 0, 0)
+                                         : Eigen::Vector3f(0, -1, 0)),
+          middle(box.center()) {
+        up = back.cross(right);
+        const float width = std::abs(box.diagonal().dot(right)),
+                    height = std::abs(box.diagonal().dot(up));
+        scale = float(std::min(size.width() / (room * double(width)),
+                               size.height() / (room * double(height))));
+    }
+
+    SeenBody see(const TriangleMesh& mesh, QSize size) const {
+        std::vector<ViewedPoint> points;
+        points.reserve(mesh.positions.size());
+        for (const Eigen::Vector3f& position : mesh.positions) {
+            const Eigen::Vector3f offset = (position - middle) * scale;
+            points.push_back({samplesAcross * (size.width() / 2.0 + double(offset.dot(right))),
+                              samplesAcross * (size.height() / 2.0 - double(offset.dot(up))),
+                              double(offset.dot(back))});
+        }
+        return {mesh, std::move(points), samplesAcross * size};
+    }
+};
+
 class Drawing {
 public:
-    Drawing(const PoseView& view, PoseSide side, QSize size) : view_(view), size_(size) {
-        BoundingBox box = boundingBox(view.body.mesh);
-        if (view.cradle && !view.cradle->triangles.empty()) {
-            cradle_.emplace(*view.cradle);
-            box.extend(boundingBox(*view.cradle));
+    Drawing(const PoseView& view, PoseSide side, QSize size)
+        : view_(view), fine_(posed(view.fine, view.body)), projection_(boxOf(view), side, size),
+          body_(projection_.see(fine_, size)) {
+        if (hasCradle(view)) {
+            cradle_.emplace(projection_.see(*view.cradle, size));
         }
-        right_ = side == PoseSide::Front   ? Eigen::Vector3f(1, 0, 0)
-                 : side == PoseSide::Right ? Eigen::Vector3f(0, 0, -1)
-                                           : Eigen::Vector3f(-1, 0, 0);
-        back_ = side == PoseSide::Front   ? Eigen::Vector3f(0, 0, 1)
-                : side == PoseSide::Right ? Eigen::Vector3f(1, 0, 0)
-                                          : Eigen::Vector3f(0, -1, 0);
-        up_ = back_.cross(right_);
-        middle_ = box.center();
-        away_ = box.diagonal().norm();
-        const float width = std::abs(box.diagonal().dot(right_)),
-                    height = std::abs(box.diagonal().dot(up_));
-        scale_ = float(std::min(size.width() / (room * double(width)),
-                                size.height() / (room * double(height))));
     }
 
     PixelBytes middleOf(int x, int y) const {
-        return bytes(colour(float(x) + 0.5F, float(y) + 0.5F));
+        return bytes(
+            colour(samplesAcross * x + samplesAcross / 2, samplesAcross * y + samplesAcross / 2));
     }
     PixelBytes meanOf(int x, int y) const {
         Eigen::Array3f sum = Eigen::Array3f::Zero();
         for (int j = 0; j < samplesAcross; ++j) {
             for (int i = 0; i < samplesAcross; ++i) {
-                sum += colour(float(x) + (float(i) + 0.5F) / samplesAcross,
-                              float(y) + (float(j) + 0.5F) / samplesAcross);
+                sum += colour(samplesAcross * x + i, samplesAcross * y + j);
             }
         }
         return bytes(sum / (samplesAcross * samplesAcross));
     }
 
-    double scale() const { return double(scale_); }
-    double bottom() const { return double(middle_.y()) - size_.height() / 2.0 / double(scale_); }
+    double scale() const { return double(projection_.scale); }
+    // Returns the y of the lower edge of a picture of this height, pose frame, mm.
+    double bottom(int height) const {
+        return double(projection_.middle.y()) - height / 2.0 / double(projection_.scale);
+    }
 
 private:
+    static bool hasCradle(const PoseView& view) {
+        return view.cradle && !view.cradle->triangles.empty();
+    }
+    static BoundingBox boxOf(const PoseView& view) {
+        BoundingBox box = boundingBox(view.body.mesh);
+        return hasCradle(view) ? box.extend(boundingBox(*view.cradle)) : box;
+    }
+
     static PixelBytes bytes(const Eigen::Array3f& colour) {
         const auto byte = [](float share) { return std::uint8_t(255.0F * share + 0.5F); };
         return {byte(colour[0]), byte(colour[1]), byte(colour[2])};
     }
 
-    Eigen::Array3f colour(float x, float y) const {
-        const Eigen::Vector3f origin = middle_ + away_ * back_ +
-                                       (x - float(size_.width()) / 2) / scale_ * right_ +
-                                       (float(size_.height()) / 2 - y) / scale_ * up_;
-        const RayHit body = view_.body.query.hit(origin, -back_);
-        const RayHit cradle = cradle_ ? cradle_->hit(origin, -back_) : RayHit();
-        if (cradle.point.isValid() && cradle.distance < body.distance) {
-            return lit(cradleColour, triangleNormal(*view_.cradle, cradle.point.triangle));
+    // Returns the colour of a sample point.
+    Eigen::Array3f colour(int column, int row) const {
+        if (cradle_ && cradle_->nearness(column, row) > body_.nearness(column, row)) {
+            const SurfacePoint point = cradle_->at(column, row);
+            return lit(cradleColour, triangleNormal(*view_.cradle, point.triangle));
         }
-        if (!body.point.isValid()) {
-            return Eigen::Array3f::Ones();
-        }
-        return lit(filmColour(body.point), triangleNormal(view_.body.mesh, body.point.triangle));
+        const SurfacePoint point = body_.at(column, row);
+        return point.isValid() ? lit(filmColour(point), triangleNormal(fine_, point.triangle))
+                               : Eigen::Array3f::Ones();
     }
 
     static Eigen::Array3f channels(const QColor& colour) {
@@ -85,14 +122,17 @@ private:
 
     Eigen::Array3f filmColour(const SurfacePoint& point) const {
         for (auto film = view_.films.rbegin(); film != view_.films.rend(); ++film) {
-            if (const auto place = film->laid->place(point)) {
-                const solver::FilmGrid& grid = film->laid->film().grid;
+            const auto place = film->places
+                                   ? film->places->at(point)
+                                   : film->appearance.laid->place(view_.fine.onCoarse(point));
+            if (place) {
+                const solver::FilmGrid& grid = film->appearance.laid->film().grid;
                 const double u = double(place->rest.x()) / grid.width + 0.5;
                 const double v = double(place->rest.y()) / grid.depth + 0.5;
-                const QColor printed = pixelOf(film->image, u, v);
+                const QColor printed = pixelOf(film->appearance.image, u, v);
                 if (printed.alpha() > 127) {
                     Eigen::Array3f light = channels(printed);
-                    for (const PrintedSpot& spot : film->spots) {
+                    for (const PrintedSpot& spot : film->appearance.spots) {
                         const float tint = float(pixelOf(spot.tints, u, v).redF());
                         light *= 1 - tint * (1 - channels(spot.colour));
                     }
@@ -105,22 +145,24 @@ private:
 
     // Returns the colour of the surface in the light of a lamp over the viewer's left shoulder.
     Eigen::Array3f lit(const Eigen::Array3f& colour, const Eigen::Vector3f& normal) const {
-        const Eigen::Vector3f lamp = (back_ - 0.5F * right_ + 0.6F * up_).normalized();
+        const Eigen::Vector3f lamp =
+            (projection_.back - 0.5F * projection_.right + 0.6F * projection_.up).normalized();
         return colour * (0.55F + 0.45F * std::max(0.0F, normal.dot(lamp)));
     }
 
     const PoseView& view_;
-    QSize size_;
-    std::optional<SurfaceQuery> cradle_;
-    Eigen::Vector3f right_, up_, back_, middle_;
-    float away_ = 0, scale_ = 1;
+    TriangleMesh fine_; // in the pose frame
+    Projection projection_;
+    SeenBody body_;
+    std::optional<SeenBody> cradle_;
 };
 
 } // namespace
 
 PosePicture posePicture(const PoseView& view, PoseSide side, QSize size, const Progress& progress) {
     const Drawing drawing(view, side, size);
-    PosePicture result{QImage(size, QImage::Format_RGB32), drawing.scale(), drawing.bottom()};
+    PosePicture result{QImage(size, QImage::Format_RGB32), drawing.scale(),
+                       drawing.bottom(size.height())};
     const auto width = std::size_t(size.width());
     std::vector<PixelBytes> middles(width * std::size_t(size.height()));
     parallelFor(0, size.height(), [&](int y) {

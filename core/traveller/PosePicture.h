@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dip/LaidFilm.h"
+#include "results/FilmPlaces.h"
 #include "results/Results.h"
 
 #include <QImage>
@@ -13,10 +14,18 @@ namespace dipwright {
 // film's upper edge up and its right edge on the left.
 enum class PoseSide { Front, Right, Below };
 
+// A film on the body, and the table of its places on a refined mesh of the body. Without a table,
+// each place is searched for.
+struct PoseFilm {
+    FilmAppearance appearance;
+    std::shared_ptr<const FilmPlaces> places = nullptr;
+};
+
 struct PoseView {
     const PosedBody& body;
+    const RefinedMesh& fine;              // of the body; films' tables are of this mesh
     const TriangleMesh* cradle = nullptr; // in the body's frame; null or empty: no cradle
-    std::vector<FilmAppearance> films;    // films on the body; later ones lie over earlier ones
+    std::vector<PoseFilm> films;          // later ones lie over earlier ones
 };
 
 struct PosePicture {
@@ -25,7 +34,7 @@ struct PosePicture {
     double bottom = 0; // y of the picture's lower edge, pose frame, mm
 };
 
-// Draws the whole body and cradle by casting rays on all cores. Deterministic. Throws Cancelled.
+// Draws the whole body and cradle. Uses all cores. Deterministic. Throws Cancelled.
 PosePicture posePicture(const PoseView& view, PoseSide side, QSize size, const Progress& progress);
 
 } // namespace dipwright

@@ -27,7 +27,11 @@ void measure(const QString& path, const QString& solver, const SearchSettings& s
     SearchResult result;
     const bench::Elapsed time = bench::elapsed([&] {
         result = searchPoses(searchSubject(project, solver), settings, registry.module(solver), {},
-                             [&](const SearchState& state) { dips = state.done; }, {});
+                             [&](const SearchState& state) {
+                                 dips = state.done;
+                                 return std::chrono::seconds(0);
+                             },
+                             {});
     });
     const CoveragePreview preview(project.model->mesh);
     constexpr int previews = 50;

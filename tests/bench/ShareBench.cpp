@@ -71,7 +71,7 @@ void measure(const QString& path, const QString& points, QTextStream& out) {
         return;
     }
     const bench::Statistics seconds = bench::timed(5, [&] {
-        shareBody(*shareStage(*project.model),
+        shareBody(*shareStage(*project.model, fineBody(project.model->mesh)),
                   {result.immersions[0].laid, result.immersions[1].laid}, project.share,
                   project.ink, {});
     });

@@ -130,7 +130,7 @@ std::vector<TimedRow> measureParts(const BenchSolver& solver, const Progress& pr
         films.push_back(immersion.laid);
         appearances.push_back({immersion.laid, immersion.texture->image});
     }
-    const auto stage = proofStage(model);
+    const auto stage = proofStage(model, fineBody(model.mesh));
     constexpr int mapEdge = 1600;
     const QString nowhere;
     const std::vector<std::pair<QString, std::function<void()>>> parts{
@@ -157,7 +157,7 @@ std::vector<TimedRow> measureParts(const BenchSolver& solver, const Progress& pr
         {QStringLiteral("film as VTK file"), [&] { filmVtp(laid, model); }},
         {QStringLiteral("body as VTK file"),
          [&] { bodyVtp(*dipped.body, model, *dipped.coverage); }},
-        {QStringLiteral("stage of the proof"), [&] { proofStage(model); }},
+        {QStringLiteral("stage of the proof"), [&] { proofStage(model, fineBody(model.mesh)); }},
         {QStringLiteral("proof"), [&] { proofPicture(*stage, appearances, {}, {}); }},
         {QStringLiteral("proof as PNG"), [&] { pngBytes(turtle.job().proof, nowhere); }}};
     std::vector<TimedRow> results;
@@ -181,8 +181,8 @@ std::vector<TimedRow> measureRun(const BenchSolver& solver, const Progress& prog
                         folder.path());
         }
         const Progress part = progress.part(done, done + 1.0 / solver.runs);
-        runAndWrite(turtle, solver.registry, options, folder.filePath(QStringLiteral("results")),
-                    part);
+        runAndWrite(turtle, solver.registry, options, nullptr,
+                    folder.filePath(QStringLiteral("results")), part);
         done += 1.0 / solver.runs;
     });
     const int immersions = int(turtle.immersions.size());

@@ -175,7 +175,7 @@ std::vector<WindowActions::Entry> WindowActions::cameraEntries() {
          "parallel",
          "parallel",
          tr("&Parallel projection"),
-         tr("Show equal lengths at equal size, near or far"),
+         tr("Draw near and far places at the same scale, without perspective"),
          {},
          Kind::ToggledOff},
     };

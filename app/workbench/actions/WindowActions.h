@@ -19,7 +19,7 @@ struct WindowState {
     Document* document = nullptr; // null: the start page is shown
     bool isBusy = false;          // any job runs
     bool isDipping = false;
-    bool isRecorded = false; // there is a recorded dip to play
+    bool isRecorded = false; // there is a dip that can be played, or recorded and then played
     bool hasSheet = false;   // there is a result with a sheet for the dip that is shown
     bool isDraft = false;    // a draft is on show
 };

@@ -49,8 +49,10 @@ void DipSession::projectChanged() {
     }
     // After an undo, the last outcome may fit again.
     if (document_->isFresh()) {
-        wanted_ = false;
-        if (running_) {
+        if (std::exchange(wanted_, false) && !running_) {
+            emit stopped(nullptr);
+        }
+        if (running_ && !records_) {
             dip_.cancel();
         }
         if (shown_.fineness.isDraft()) {
@@ -92,10 +94,28 @@ void DipSession::run(std::size_t mostPoints, DipReach reach) {
     emit started();
 }
 
+bool DipSession::canRecord() const {
+    const auto recorded = recording();
+    return document_ && document_->isFresh() && !shown_.fineness.isDraft() && reading() &&
+           !(recorded && recorded->size() > 0);
+}
+
+bool DipSession::record(std::size_t mostPoints) {
+    if (!canRecord() || jobs_.isBusy()) {
+        return false;
+    }
+    mostPoints_ = mostPoints;
+    started_ = document_->project();
+    running_ = records_ = true;
+    start(DipStage::Job);
+    emit started();
+    return true;
+}
+
 void DipSession::start(DipStage stage) {
     stage_ = stage;
     live_ = makeRecordings(started_, mostPoints_);
-    DipJob::Task task{started_, stage, {}, results_, live_};
+    DipJob::Task task{started_, stage, {}, records_ ? JobDrafts() : results_, live_};
     if (stage == DipStage::NextDraft) {
         task.before = shown_;
     }
@@ -132,7 +152,7 @@ void DipSession::fail(const Fineness& fineness, bool cancelled, const std::excep
     }
     const bool isDraft = failure && fineness.isDraft(); // a coarse film may miss the body
     if (wanted_) {
-        running_ = false; // the next run starts when the jobs are idle
+        running_ = records_ = false; // the next run starts when the jobs are idle
     } else if (isDraft && reach_ != DipReach::FirstDraft && document_ &&
                started_.model == document_->project().model) {
         start(DipStage::Job);
@@ -143,7 +163,7 @@ void DipSession::fail(const Fineness& fineness, bool cancelled, const std::excep
 
 void DipSession::stop(std::exception_ptr why) {
     if (running_) { // else it was cancelled already
-        running_ = false;
+        running_ = records_ = false;
         live_.clear();
         emit stopped(why);
     }
@@ -158,7 +178,7 @@ void DipSession::takeOutcome(const DipOutcome& outcome) {
         return;
     }
     results_.add(outcome.fineness.level, outcome.result);
-    if (document_->isFresh()) {
+    if (!std::exchange(records_, false) && document_->isFresh()) {
         stop(nullptr); // an undo made the last outcome current
         return;
     }

@@ -28,6 +28,11 @@ public:
     // values, but lets a first draft finish, so that drafts follow a drag. `mostPoints`:
     // approximate number of film points that are recorded.
     void run(std::size_t mostPoints, DipReach reach = DipReach::AllDrafts);
+    // Whether the results on show are current but have no recording, because they were read from a
+    // cache.
+    bool canRecord() const;
+    // Runs their dips again to record them. The results stay the same. Returns false if jobs run.
+    bool record(std::size_t mostPoints);
     // Sets the result that the first run can reuse.
     void setKept(std::shared_ptr<const JobResult> kept) { results_.add(0, std::move(kept)); }
     // Cancels all jobs. Emits stopped() at once for a running dip. Its job ends on the worker
@@ -82,7 +87,8 @@ private:
     DipReach reach_ = DipReach::AllDrafts;
     CancelToken dip_; // cancels the running dip
     bool running_ = false;
-    bool wanted_ = false; // run again when the current jobs have ended
+    bool records_ = false; // runs only to record
+    bool wanted_ = false;  // run again when the current jobs have ended
     std::size_t mostPoints_ = 0;
 };
 

@@ -27,6 +27,12 @@ void setImmersions(Document& document, const std::vector<Immersion>& immersions)
                   [&immersions](Project& project) { project.immersions = immersions; });
 }
 
+void tryImmersions(Document& document, const std::vector<Immersion>& immersions) {
+    document.edit(QCoreApplication::translate("ImmersionEdits", "Try poses"),
+                  QStringLiteral("tried poses"),
+                  [&immersions](Project& project) { project.immersions = immersions; });
+}
+
 void swapImmersions(Document& document) {
     document.edit(QCoreApplication::translate("ImmersionEdits", "Swap dips"), {},
                   [](Project& project) {

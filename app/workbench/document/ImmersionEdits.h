@@ -10,6 +10,8 @@ void addImmersion(Document& document);
 void removeImmersion(Document& document, std::size_t number);
 // Replaces all dips.
 void setImmersions(Document& document, const std::vector<Immersion>& immersions);
+// Does the same to try poses: tries in a row become one undo step.
+void tryImmersions(Document& document, const std::vector<Immersion>& immersions);
 // Swaps the two dips. Marks for the seam stay with their dip.
 void swapImmersions(Document& document);
 

@@ -317,9 +317,11 @@ void PartPage::say() {
         found = int(measured_->places.size());
         if (expected > 0) {
             lines << tr("%1 of %2 corners found.").arg(found).arg(expected);
-            lines << (measured_->followsPrint ? tr("The camera follows the image: a shift or "
-                                                   "rotation of the whole image does not show.")
-                                              : tr("The camera was fitted to the pairs."));
+            lines << (measured_->followsPrint
+                          ? tr("The camera was fitted to the printed pattern, so a "
+                               "shift or rotation of the whole image is not "
+                               "measured.")
+                          : tr("The camera was fitted to the pairs."));
         }
         hint_->setText(lines.join(u' '));
         return;

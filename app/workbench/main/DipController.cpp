@@ -26,6 +26,7 @@ DipController::DipController(const WindowActions& actions, DipSession& session,
     connect(&session, &DipSession::shownChanged, this, &DipController::showResults);
     connect(&session, &DipSession::finished, this, &DipController::takeResult);
     connect(&session, &DipSession::stopped, this, [this](const std::exception_ptr& failure) {
+        messages_.notice({});
         showResults();
         // A failed live run must not interrupt the user.
         if (failure && isLive_) {
@@ -37,6 +38,7 @@ DipController::DipController(const WindowActions& actions, DipSession& session,
     connect(&session, &DipSession::immersionChanged, this, &DipController::showResults);
     connect(&session, &DipSession::dropped, this, &DipController::showResults);
     connect(&live_, &LiveRun::runAsked, this, [this] { run(true); });
+    connect(&playback, &DipPlayback::recordingAsked, this, &DipController::record);
     connect(&keeper_, &DipCacheUpdater::found, this, [this] { run(true); });
     connect(actions.run, &QAction::triggered, this, [this] { run(false); });
     connect(actions.cancel, &QAction::triggered, this, &DipController::cancel);
@@ -72,6 +74,18 @@ void DipController::run(bool live) {
     check_.cancel();
     session_.run(playback_.mostPoints(),
                  live && live_.isHeld() ? DipReach::FirstDraft : DipReach::AllDrafts);
+}
+
+// Dips that were read from the cache have no recordings.
+void DipController::record() {
+    isLive_ = false;
+    if (session_.record(playback_.mostPoints())) {
+        playback_.playNext();
+        messages_.notice(tr("These results were saved without the course of the dip. The dip is "
+                            "simulated again to play it; the results stay the same."));
+    } else {
+        messages_.say(tr("The dip can be played when the running job has ended."));
+    }
 }
 
 void DipController::cancel() {

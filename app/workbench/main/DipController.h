@@ -28,6 +28,8 @@ public:
     // Call this when the session has another document.
     void showDocument();
     void setPreferences(const Preferences& preferences);
+    // Runs the dip: drafts, then the job. A failed live run does not interrupt the user.
+    void run(bool live);
     // While the body is dragged, live runs make only first drafts.
     void setHeld(bool held) { live_.setHeld(held); }
 
@@ -35,7 +37,7 @@ signals:
     void cancelled();
 
 private:
-    void run(bool live);
+    void record();
     void cancel();
     void checkNumericalError();
     void takeSmallerFilm();

@@ -101,7 +101,7 @@ void MainWindow::addInspection() {}
 
 void MainWindow::addPages() {
     const PageContext context{*this, layout_, actions_, documents_, session_, jobs_, messages_};
-    addSearchPage(context, workbench_);
+    addSearchPage(context, workbench_, dip_);
     addArtworkPage(context, scene_, dip_, documentActions_);
 }
 
@@ -282,7 +282,7 @@ void MainWindow::updateTitle() {
 void MainWindow::updateActions() {
     const JobResult* result = session_.outcome().result.get();
     actions_.enable({document(), jobs_.isBusy(), session_.isRunning(),
-                     parts_.timeline->frames() > 1,
+                     parts_.timeline->frames() > 1 || session_.canRecord(),
                      result && session_.immersion() < result->immersions.size(),
                      session_.shown().fineness.isDraft()});
 }

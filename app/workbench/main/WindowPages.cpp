@@ -31,9 +31,9 @@ void openBy(const QAction& action, QDockWidget* dock) {
 
 } // namespace
 
-void addSearchPage(const PageContext& context, const Workbench& workbench) {
-    auto* search = new SearchController(context.session, context.jobs, workbench.registry(),
-                                        context.messages, &context.window);
+void addSearchPage(const PageContext& context, const Workbench& workbench, DipController& dip) {
+    auto* search = new SearchController(context.session, workbench.registry(), context.messages,
+                                        &context.window);
     QObject::connect(search, &SearchController::comparisonAsked, &context.window,
                      [&workbench, &session = context.session,
                       &window = context.window](const std::array<ComparedState, 2>& states) {
@@ -41,6 +41,8 @@ void addSearchPage(const PageContext& context, const Workbench& workbench) {
                                             workbench.registry(), workbench.preferences(), &window))
                              ->open();
                      });
+    QObject::connect(search, &SearchController::dipAsked, &dip, [&dip] { dip.run(true); });
+    QObject::connect(context.actions.cancel, &QAction::triggered, search, &SearchController::stop);
     openBy(*context.actions.findPoses,
            context.layout.addPage("searchDock", Text::tr("Pose search"), search->page()));
     QObject::connect(&context.documents, &DocumentSession::documentChanged, search,

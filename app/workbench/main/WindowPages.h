@@ -28,7 +28,7 @@ struct PageContext {
 };
 
 // Call these before WindowLayout::restore().
-void addSearchPage(const PageContext& context, const Workbench& workbench);
+void addSearchPage(const PageContext& context, const Workbench& workbench, DipController& dip);
 void addArtworkPage(const PageContext& context, DipScene& scene, DipController& dip,
                     DocumentController& files);
 

@@ -1,5 +1,6 @@
 #include "workbench/poses/PoseTable.h"
 
+#include <QApplication>
 #include <QHeaderView>
 
 #include <algorithm>
@@ -22,6 +23,22 @@ QString posesText(const RankedPoses& poses) {
                          .arg(immersion.name, angles.join(QStringLiteral("°, "))));
     }
     return lines.join(QLatin1Char('\n'));
+}
+
+// Returns the verdict on confirmed poses and, if they cannot simply be printed, its worst reason.
+QString adviceOn(const RankedPoses& poses) {
+    if (poses.advice() == Advice::NotJudged) {
+        return {};
+    }
+    QString text = adviceText(poses.advice());
+    for (const Verdict& verdict : poses.verdicts) {
+        if (verdict.advice == poses.advice() && verdict.advice != Advice::Print &&
+            !verdict.reasons.empty()) {
+            return PoseTable::tr("%1: %2").arg(text,
+                                               reasonText(verdict.reasons.front(), millimetres));
+        }
+    }
+    return text;
 }
 
 QString measuresText(const RankedPoses& poses) {
@@ -61,6 +78,11 @@ PoseTable::PoseTable(QWidget* parent) : QTableWidget(0, Columns, parent) {
     setTabKeyNavigation(false);
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     connect(this, &QTableWidget::itemSelectionChanged, this, &PoseTable::chosenChanged);
+    connect(this, &QTableWidget::cellClicked, this, [this](int row, int) {
+        if (QApplication::keyboardModifiers() == Qt::NoModifier) {
+            emit looked(std::size_t(row));
+        }
+    });
     connect(this, &QTableWidget::cellActivated, this,
             [this](int row, int) { emit applied(std::size_t(row)); });
 }
@@ -87,6 +109,9 @@ void PoseTable::setResult(const SearchResult& result, const SearchSettings& sett
                           reasonText(differences(poses, *result.current, settings, result.equator)))
             : rank == 0 ? QString()
                         : reasonText(differences(poses, ranking.front(), settings, result.equator));
+        if (const QString advice = adviceOn(poses); !advice.isEmpty()) {
+            reasons = (advice + QLatin1Char('\n') + reasons).trimmed();
+        }
         if (poses.limitsMissed > 0) {
             reasons = tr("Misses a limit. %1").arg(reasons);
         }

@@ -23,6 +23,7 @@ public:
 
 signals:
     void chosenChanged();
+    void looked(std::size_t rank);  // a click without Shift or Ctrl
     void applied(std::size_t rank); // double-click, or Return
 };
 

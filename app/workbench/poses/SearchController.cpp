@@ -36,23 +36,22 @@ public:
     Watcher(SearchController& owner, std::shared_ptr<const TexturedMesh> model)
         : owner_(&owner), model_(std::move(model)) {}
 
-    void setPaused(bool paused) {
-        {
-            const std::lock_guard lock(mutex_);
-            isPaused_ = paused;
-        }
-        goOn_.notify_all();
-    }
+    // The user pauses the search; the project's own dip makes it wait.
+    void setPaused(bool paused) { set(isPaused_, paused); }
+    void setWaiting(bool waiting) { set(isWaiting_, waiting); }
 
-    // Worker thread. Returns when the search may continue or is cancelled.
-    void watch(const std::shared_ptr<Watcher>& self, const SearchState& state,
-               const CancelToken& cancelToken) {
+    // Worker thread. Returns when the search may continue or is cancelled; tells how long it
+    // waited.
+    std::chrono::duration<double> watch(const std::shared_ptr<Watcher>& self,
+                                        const SearchState& state, const CancelToken& cancelToken) {
         handOverUpdate(self, {state.soFar, picturesOf(state.soFar, cancelToken), state.done,
                               state.wanted, state.secondsLeft});
+        const auto begin = std::chrono::steady_clock::now();
         std::unique_lock lock(mutex_);
-        while (isPaused_ && !cancelToken.isCancelled()) {
+        while ((isPaused_ || isWaiting_) && !cancelToken.isCancelled()) {
             goOn_.wait_for(lock, std::chrono::milliseconds(100));
         }
+        return std::chrono::steady_clock::now() - begin;
     }
 
     Update lastOf(const SearchResult& result) {
@@ -60,6 +59,14 @@ public:
     }
 
 private:
+    void set(bool& flag, bool value) {
+        {
+            const std::lock_guard lock(mutex_);
+            flag = value;
+        }
+        goOn_.notify_all();
+    }
+
     void handOverUpdate(const std::shared_ptr<Watcher>& self, Update update) {
         postToThread(*owner_, [self, owner = owner_, update = std::move(update)] {
             if (owner->watcher_ == self) { // it is still the current search
@@ -85,8 +92,11 @@ private:
                                         immersion.rotation[2].value()};
         auto found = drawn_.find(key);
         if (found == drawn_.end()) {
+            if (!fine_) {
+                fine_ = fineBody(model_->mesh);
+            }
             const PosedBody body = posedBody(model_->mesh, immersion);
-            const PoseView view{body, nullptr, {}};
+            const PoseView view{body, *fine_, nullptr, {}};
             found = drawn_.emplace(key, posePicture(view, PoseSide::Front, pictureSize, {}).image)
                         .first;
         }
@@ -95,22 +105,32 @@ private:
 
     SearchController* owner_;
     std::shared_ptr<const TexturedMesh> model_;
+    std::shared_ptr<const RefinedMesh> fine_;       // worker thread only
     std::map<std::array<double, 3>, QImage> drawn_; // worker thread only
     std::mutex mutex_;
     std::condition_variable goOn_;
-    bool isPaused_ = false;
+    bool isPaused_ = false, isWaiting_ = false;
 };
 
-SearchController::SearchController(const DipSession& session, JobRunner& jobs,
-                                   const SolverRegistry& registry, Messages& messages,
-                                   QObject* parent)
-    : QObject(parent), session_(session), jobs_(jobs), registry_(registry), messages_(messages),
+SearchController::SearchController(const DipSession& session, const SolverRegistry& registry,
+                                   Messages& messages, QObject* parent)
+    : QObject(parent), session_(session), registry_(registry), messages_(messages),
       page_(new SearchPage) {
     connect(page_, &SearchPage::startAsked, this, &SearchController::start);
-    connect(page_, &SearchPage::stopAsked, this, [this] { running_.cancel(); });
+    connect(page_, &SearchPage::stopAsked, this, &SearchController::stop);
     connect(page_, &SearchPage::pauseAsked, this, [this](bool paused) {
         if (watcher_) {
             watcher_->setPaused(paused);
+        }
+    });
+    for (const auto changed : {&DipSession::started, &DipSession::finished, &DipSession::dropped}) {
+        connect(&session, changed, this, &SearchController::yieldToDip);
+    }
+    connect(&session, &DipSession::stopped, this, &SearchController::yieldToDip);
+    connect(page_, &SearchPage::lookAsked, this, [this](const RankedPoses& poses) {
+        if (session_.document()) {
+            tryImmersions(*session_.document(), poses.immersions);
+            emit dipAsked();
         }
     });
     connect(page_, &SearchPage::applyAsked, this,
@@ -132,7 +152,9 @@ SearchController::SearchController(const DipSession& session, JobRunner& jobs,
                 emit comparisonAsked(whole);
             });
     connect(page_, &SearchPage::sideAsked, this, &SearchController::applySide);
-    connect(&jobs, &JobRunner::idle, this, &SearchController::end);
+    connect(&jobs_, &JobRunner::idle, this, &SearchController::end);
+    connect(&jobs_, &JobRunner::progressed, page_,
+            [this](double, const QString& doing) { page_->setPreparing(doing); });
 }
 
 QWidget* SearchController::page() const {
@@ -160,6 +182,7 @@ void SearchController::start() {
     const SearchSettings settings = page_->settings();
     page_->setState(SearchPage::State::Searching);
     watcher_ = std::make_shared<Watcher>(*this, searched_.model);
+    yieldToDip();
     using Found = std::optional<Update>; // none: cancelled before the first result
     running_ = jobs_.start(std::make_unique<ValueJob<Found>>(
         tr("Searching poses"),
@@ -168,7 +191,7 @@ void SearchController::start() {
             SolverChoice solver =
                 chooseSolver(project.process.solver, registry, progress.cancelToken);
             const SearchWatch watch = [&](const SearchState& state) {
-                watcher->watch(watcher, state, progress.cancelToken);
+                return watcher->watch(watcher, state, progress.cancelToken);
             };
             return Found(watcher->lastOf(
                 withFallback(solver, registry, [&](const solver::SolverModule& module) {
@@ -193,6 +216,18 @@ void SearchController::start() {
         }));
 }
 
+void SearchController::stop() {
+    running_.cancel();
+}
+
+// A search waits while the project's own dip runs, so that the user sees results at once.
+void SearchController::yieldToDip() {
+    if (watcher_) {
+        watcher_->setWaiting(session_.isRunning());
+        page_->setWaiting(session_.isRunning());
+    }
+}
+
 // Called at the end of every search. A search that was cancelled before its first result has no
 // other signal.
 void SearchController::end() {
@@ -208,6 +243,7 @@ void SearchController::take(const Update& update) {
 
 void SearchController::apply(const std::vector<Immersion>& immersions) {
     if (session_.document() && !immersions.empty()) {
+        session_.document()->endMerge(); // poses tried before this one stay a step of their own
         setImmersions(*session_.document(), immersions);
     }
 }
@@ -244,7 +280,9 @@ void SearchController::showFreshness() {
         page_->setOutdated(
             now.model != searched_.model || now.film != searched_.film ||
             now.process != searched_.process || now.fieldResolution != searched_.fieldResolution ||
-            now.poseAims != searched_.poseAims || now.tolerance.marks != searched_.tolerance.marks);
+            now.poseAims != searched_.poseAims || now.tolerance != searched_.tolerance ||
+            now.verdict != searched_.verdict ||
+            now.share.registrationError != searched_.share.registrationError);
     }
 }
 

@@ -1,4 +1,5 @@
-// Runs the pose search of a window as a job, updates its page and applies poses.
+// Runs the pose search of a window on a thread of its own, beside the window's dips; updates its
+// page and applies poses.
 #pragma once
 
 #include "solver/SolverRegistry.h"
@@ -15,14 +16,16 @@ class SearchController : public QObject {
     Q_OBJECT
 
 public:
-    SearchController(const DipSession& session, JobRunner& jobs, const SolverRegistry& registry,
-                     Messages& messages, QObject* parent);
+    SearchController(const DipSession& session, const SolverRegistry& registry, Messages& messages,
+                     QObject* parent);
 
     QWidget* page() const; // owned by the window that shows it
     // Call this when the session has another document.
     void showDocument();
+    void stop(); // ends a running search; its best poses so far stay on show
 
 signals:
+    void dipAsked(); // the user wants to see a pose that has been set
     void comparisonAsked(const std::array<dipwright::ComparedState, 2>& states);
 
 private:
@@ -30,6 +33,7 @@ private:
     class Watcher;
     void start();
     void end();
+    void yieldToDip();
     void take(const Update& update);
     void apply(const std::vector<Immersion>& immersions);
     void applySide(const Eigen::Vector3d& down);
@@ -38,13 +42,13 @@ private:
     void showFreshness();
 
     const DipSession& session_;
-    JobRunner& jobs_;
     const SolverRegistry& registry_;
     Messages& messages_;
     SearchPage* page_;
     std::shared_ptr<Watcher> watcher_; // of the running search; null: none
     CancelToken running_;
     Project searched_; // the project at the time of the search
+    JobRunner jobs_;   // destroyed first: its thread uses the members above
 };
 
 } // namespace dipwright

@@ -45,6 +45,8 @@ SearchPage::SearchPage(QWidget* parent)
         emit pauseAsked(isPaused);
     });
     connect(table_, &PoseTable::chosenChanged, this, &SearchPage::showChosen);
+    connect(table_, &PoseTable::looked, this,
+            [this](std::size_t rank) { emit lookAsked(result_.ranking[rank]); });
     connect(table_, &PoseTable::applied, this,
             [this](std::size_t rank) { emit applyAsked(result_.ranking[rank]); });
     connect(apply_, &QPushButton::clicked, this, [this] {
@@ -182,6 +184,10 @@ void SearchPage::setState(State state) {
     const bool isIdle = state == State::Idle;
     if (isIdle != (state_ == State::Idle) && !isIdle) {
         searched_ = settings();
+        isWaiting_ = false;
+        doing_.clear();
+        progress_->setRange(0, 1);
+        progress_->setValue(0);
     }
     state_ = state;
     settings_->setEnabled(isIdle);
@@ -196,11 +202,27 @@ void SearchPage::setState(State state) {
     left_->setVisible(!isIdle);
 }
 
+void SearchPage::setWaiting(bool waiting) {
+    isWaiting_ = waiting;
+    showDoing(doing_);
+}
+
+void SearchPage::setPreparing(const QString& doing) {
+    if (progress_->value() <= 0) { // before the first dips
+        showDoing(doing);
+    }
+}
+
+void SearchPage::showDoing(const QString& doing) {
+    doing_ = doing;
+    left_->setText(isWaiting_ ? tr("Continues after the project's own dip") : doing);
+}
+
 void SearchPage::setProgress(int done, int wanted, std::optional<double> secondsLeft) {
     progress_->setRange(0, wanted);
     progress_->setValue(done);
     const QString dips = tr("%1 of %2 dips").arg(done).arg(wanted);
-    left_->setText(
+    showDoing(
         secondsLeft
             ? tr("%1, about %2 s left").arg(dips, locale().toString(int(std::ceil(*secondsLeft))))
             : dips);
@@ -235,8 +257,12 @@ void SearchPage::showChosen() {
     plot_->setChosen(ranks);
     apply_->setEnabled(ranks.size() == 1);
     sideBySide_->setEnabled(ranks.size() == 2 || (ranks.size() == 1 && result_.current));
-    comparison_->setVisible(ranks.size() == 2);
-    if (ranks.size() == 2) {
+    comparison_->setVisible(!result_.ranking.empty());
+    if (ranks.size() != 2) {
+        comparison_->setText(tr("Click a pose to see its film on the part, also during the search. "
+                                "Undo brings back your own pose. Select two poses to compare "
+                                "them."));
+    } else {
         comparison_->setText(
             tr("Rank %1 compared with rank %2: %3")
                 .arg(ranks[0] + 1)

@@ -31,6 +31,10 @@ public:
     void setAims(const PoseAims& aims);
     enum class State { Idle, Searching, Paused };
     void setState(State state);
+    // Shows whether the search waits for the project's own dip.
+    void setWaiting(bool waiting);
+    // Shows what the search does before its first dips.
+    void setPreparing(const QString& doing);
     void setProgress(int done, int wanted, std::optional<double> secondsLeft);
     // `pictures`: front views by rank; may be shorter while they are being drawn.
     void setResult(const SearchResult& result, const std::vector<QImage>& pictures);
@@ -43,6 +47,7 @@ signals:
     void aimsLeft();                       // the focus went elsewhere
     void pauseAsked(bool paused);
     void stopAsked();
+    void lookAsked(const RankedPoses& poses); // the user clicked a pose
     void applyAsked(const RankedPoses& poses);
     // The states have no projects yet.
     void comparisonAsked(const std::array<dipwright::ComparedState, 2>& states);
@@ -53,6 +58,7 @@ private:
     QWidget* makeProgress();
     QWidget* makeFound();
     void showChosen();
+    void showDoing(const QString& doing);
     ComparedState stateOf(const QString& title, const RankedPoses& poses) const;
     void compareChosen();
 
@@ -76,6 +82,8 @@ private:
     SearchResult result_;
     SearchSettings searched_; // the settings of the result
     State state_ = State::Idle;
+    bool isWaiting_ = false;
+    QString doing_; // what left_ shows unless the search waits
 };
 
 } // namespace dipwright

@@ -1,5 +1,6 @@
 #include "workbench/printing/PackDialog.h"
 
+#include "pipeline/DipCache.h"
 #include "pipeline/Pipeline.h"
 #include "printing/PrintReach.h"
 #include "project/FilmSizes.h"
@@ -329,12 +330,16 @@ PackDialog::LaidOut PackDialog::laidOut(std::vector<Wanted> projects, const Pack
             JobOptions options;
             options.estimatesNumericalError = false;
             project.dipped.written = QFileInfo(project.path).lastModified();
+            const Progress part =
+                progress.part(0.9 * double(i) / count, 0.9 * double(i + 1) / count);
+            const auto run = [&] {
+                const Project read = loadProject(project.path);
+                const auto kept = usableDips(read, registry, project.path, part.silent());
+                return std::make_shared<const JobResult>(
+                    runJob(read, registry, options, kept.get(), part));
+            };
             project.dipped.result =
-                same != projects.begin() + std::ptrdiff_t(i)
-                    ? same->dipped.result
-                    : std::make_shared<const JobResult>(runJob(
-                          loadProject(project.path), registry, options, nullptr,
-                          progress.part(0.9 * double(i) / count, 0.9 * double(i + 1) / count)));
+                same != projects.begin() + std::ptrdiff_t(i) ? same->dipped.result : run();
         }
         for (PieceToPack& piece : piecesOf(*project.dipped.result, project.copies, settings)) {
             pieces.push_back(std::move(piece));

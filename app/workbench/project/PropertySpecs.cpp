@@ -142,9 +142,9 @@ PropertySection cradleProperties() {
                Text::tr("Distance from the cradle to all places that the film reaches or that "
                         "earlier dips have painted.")),
         {.path = QStringLiteral("cradle.on_paint"),
-         .label = Text::tr("Rest on paint"),
-         .help = Text::tr("Whether the cradle may rest on areas that earlier dips have painted, "
-                          "with padding in between.")},
+         .label = Text::tr("May touch painted areas"),
+         .help = Text::tr("Whether the cradle may support the part on areas that earlier dips have "
+                          "painted, with padding in between.")},
         {.path = QStringLiteral("cradle.padding_mm"),
          .label = Text::tr("Padding"),
          .help = Text::tr("Space for felt or foam where the cradle rests on paint."),

@@ -86,8 +86,9 @@ void JobQueue::start(const QueuedProject& project, Entry& entry) {
                       keeps = keepsDips_](const Progress& progress) {
         postToThread(*this, [this, key] { begin(key); });
         const Project read = loadProject(path);
-        const JobResult result =
-            runAndWrite(read, registry_, {}, folder, progress.part(readShare, 1));
+        const Progress dips = progress.part(readShare, 1);
+        const auto kept = keeps ? usableDips(read, registry_, path, progress.silent()) : nullptr;
+        const JobResult result = runAndWrite(read, registry_, {}, kept.get(), folder, dips);
         if (keeps) {
             try {
                 cacheDips(result, path);

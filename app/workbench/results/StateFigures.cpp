@@ -27,8 +27,8 @@ QString differenceText(const StateFigure& first, const StateFigure& second) {
     }
     const double more = *second.value - *first.value;
     const QString number = (more > 0 ? QChar(u'+') : QChar(u'−')) + first.words(std::abs(more));
-    return (more > 0) == first.isMoreBetter ? Text::tr("%1, better").arg(number)
-                                            : Text::tr("%1, worse").arg(number);
+    return (more > 0) == first.isMoreBetter ? Text::tr("%1 (better)").arg(number)
+                                            : Text::tr("%1 (worse)").arg(number);
 }
 
 std::vector<StateFigure> stateFigures(const QJsonObject& measures, LengthUnit unit) {

@@ -24,7 +24,7 @@ struct ComparedState {
     std::vector<StateFigure> figures;
 };
 
-// Returns how the second value differs from the first, and whether it is better: "−3.0 %, worse".
+// Returns how the second value differs from the first, and whether it is better: "−3.0 % (worse)".
 // Empty if one of the values is missing.
 QString differenceText(const StateFigure& first, const StateFigure& second);
 

@@ -165,6 +165,14 @@ void Timeline::togglePlaying() {
         pause();
         return;
     }
+    if (frames() == 1) {
+        emit recordingAsked();
+    } else {
+        play();
+    }
+}
+
+void Timeline::play() {
     if (position() >= frames()) {
         setPosition(0);
     }

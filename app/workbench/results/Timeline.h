@@ -36,11 +36,13 @@ public:
     void setPosition(int position); // emits positionChanged when it differs
     void setDepth(double millimetres, LengthUnit unit);
     bool isPlaying() const { return timer_.isActive(); }
-    void togglePlaying();
+    void togglePlaying(); // emits recordingAsked() if only the end of the dip is known
+    void play();
     void pause();
 
 signals:
     void positionChanged(int position);
+    void recordingAsked(); // the user wants to play a dip of which only the end is known
 
 private:
     void advance();

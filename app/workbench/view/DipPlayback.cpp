@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QSignalBlocker>
 #include <algorithm>
+#include <utility>
 
 namespace dipwright {
 
@@ -48,13 +49,23 @@ DipPlayback::DipPlayback(DipSession& session, DipView& view, DipScene& scene, Ti
     connect(&session, &DipSession::shownChanged, this, &DipPlayback::showResults);
     connect(&session, &DipSession::finished, this, &DipPlayback::showResults);
     connect(&session, &DipSession::dropped, this, &DipPlayback::showResults);
-    connect(&session, &DipSession::stopped, this,
-            [this] { scene_.setShowsDipped(session_.freshness().dip); });
+    connect(&session, &DipSession::stopped, this, [this] {
+        playsNext_ = false;
+        scene_.setShowsDipped(session_.freshness().dip);
+    });
     connect(&session, &DipSession::immersionChanged, this, [this] {
         scene_.setProject(session_.document()->project(), session_.immersion());
         showResults();
     });
     connect(&timeline, &Timeline::positionChanged, this, &DipPlayback::showMoment);
+    connect(&timeline, &Timeline::recordingAsked, this, [this] {
+        if (session_.canRecord()) {
+            emit recordingAsked();
+        } else {
+            timeline_.play();
+        }
+    });
+    connect(&session, &DipSession::started, this, [this] { playsNext_ = false; });
 }
 
 void DipPlayback::showDocument() {
@@ -98,6 +109,9 @@ void DipPlayback::showResults() {
         showMarks(*recording, session_.shown().result->immersions[session_.immersion()]);
     }
     showMoment(timeline_.position());
+    if (frames > 1 && std::exchange(playsNext_, false)) {
+        timeline_.play();
+    }
 }
 
 void DipPlayback::showMarks(const DipRecording& recording, const ImmersionResult& result) {

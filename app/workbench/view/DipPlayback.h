@@ -25,8 +25,12 @@ public:
     // The largest number of film points that can be drawn while they move.
     std::size_t mostPoints() const;
 
+    // Plays the dip as soon as it is recorded.
+    void playNext() { playsNext_ = true; }
+
 signals:
-    void momentShown(); // body and film may have moved
+    void momentShown();    // body and film may have moved
+    void recordingAsked(); // Timeline::recordingAsked()
 
 private:
     void showProject();
@@ -40,7 +44,7 @@ private:
     DipScene& scene_;
     Timeline& timeline_;
     LengthUnit unit_ = LengthUnit::Millimetre;
-    bool live_ = false;
+    bool live_ = false, playsNext_ = false;
 };
 
 } // namespace dipwright

@@ -68,39 +68,57 @@ SheetChange scaled(SheetChange change, double share) {
 
 } // namespace
 
-CoarserFilms coarserFilms(const std::shared_ptr<const PosedBody>& body, const DistanceField& field,
-                          const Immersion& immersion, const FilmSettings& film,
-                          const ProcessSettings& process, const solver::SolverModule& module,
-                          const std::function<bool()>& isCancelled) {
-    const FilledField filled(*body, field);
-    CoarserFilms coarser;
-    std::vector<solver::BatchItem> dips(2);
-    dips[0].setup =
-        dipSetup(*body, filled, immersion, withDoubleSpacing(film), withDoubleTimeStep(process));
-    if (std::min(dips[0].setup.film.columns, dips[0].setup.film.rows) <= leastCells) {
-        coarser.failure =
-            Text::tr("the film has too few points to be compared with a film of half as many");
-        return coarser;
-    }
-    dips[1].setup = dipSetup(*body, filled, immersion, film, withDoubleStep(process));
-    try {
-        simulateDips(dips, module, isCancelled);
-    } catch (const Error& error) {
-        coarser.failure = error.message();
-        return coarser;
-    }
-    std::vector<std::shared_ptr<const LaidFilm>> laid;
-    for (const solver::BatchItem& dip : dips) {
-        DippedFilm dipped = dippedFilm(dip, immersion);
-        if (!isStable(dipped, dip.setup.motion.travel) || !hasLaidFilm(dipped)) {
-            coarser.failure = Text::tr("the film with coarser cells does not follow the part");
-            return coarser;
+std::vector<CoarserFilms> coarserFilms(const std::vector<PosedDip>& dips,
+                                       const DistanceField& field, const FilmSettings& film,
+                                       const ProcessSettings& process,
+                                       const solver::SolverModule& module,
+                                       const std::function<bool()>& isCancelled) {
+    std::vector<CoarserFilms> coarser(dips.size());
+    std::vector<std::optional<FilledField>> filled(dips.size());
+    std::vector<solver::BatchItem> items; // two for each dip that can be compared
+    std::vector<std::size_t> compared;    // the dips of each pair of items
+    for (std::size_t dip = 0; dip < dips.size(); ++dip) {
+        const auto& [body, immersion] = dips[dip];
+        filled[dip].emplace(*body, field);
+        const auto setup = [&](const FilmSettings& cells, const ProcessSettings& steps) {
+            return dipSetup(*body, *filled[dip], immersion, cells, steps);
+        };
+        const solver::DipSetup spacing =
+            setup(withDoubleSpacing(film), withDoubleTimeStep(process));
+        if (std::min(spacing.film.columns, spacing.film.rows) <= leastCells) {
+            coarser[dip].failure =
+                Text::tr("the film has too few points to be compared with a film of half as many");
+            continue;
         }
-        laid.push_back(layFilm(body, std::move(dipped), process));
-        throwIf(isCancelled());
+        compared.push_back(dip);
+        items.emplace_back().setup = spacing;
+        items.emplace_back().setup = setup(film, withDoubleStep(process));
     }
-    coarser.doubleSpacing = laid[0];
-    coarser.doubleStep = laid[1];
+    try {
+        simulateDips(items, module, isCancelled);
+    } catch (const Error& error) {
+        for (const std::size_t dip : compared) {
+            coarser[dip].failure = error.message();
+        }
+        return coarser;
+    }
+    for (std::size_t pair = 0; pair < compared.size(); ++pair) {
+        const std::size_t dip = compared[pair];
+        const auto laid = [&](const solver::BatchItem& item) -> std::shared_ptr<const LaidFilm> {
+            DippedFilm dipped = dippedFilm(item, dips[dip].immersion);
+            if (!isStable(dipped, item.setup.motion.travel) || !hasLaidFilm(dipped)) {
+                return nullptr;
+            }
+            return layFilm(dips[dip].body, std::move(dipped), process);
+        };
+        CoarserFilms films{laid(items[2 * pair]), laid(items[2 * pair + 1]), {}};
+        throwIf(isCancelled());
+        if (films.doubleSpacing && films.doubleStep) {
+            coarser[dip] = std::move(films);
+        } else {
+            coarser[dip].failure = Text::tr("the film with coarser cells does not follow the part");
+        }
+    }
     return coarser;
 }
 

@@ -17,13 +17,21 @@ struct CoarserFilms {
     QString failure; // tells the user why there are no films: too few cells, or a solver failed
 };
 
-// Simulates both dips as a batch, with the settings of the dip itself. If a coarser dip fails, only
-// the comparison fails, not the job. Any thread. `isCancelled` is called from one thread at a time.
-// Throws Cancelled soon after `isCancelled` returns true.
-CoarserFilms coarserFilms(const std::shared_ptr<const PosedBody>& body, const DistanceField& field,
-                          const Immersion& immersion, const FilmSettings& film,
-                          const ProcessSettings& process, const solver::SolverModule& module,
-                          const std::function<bool()>& isCancelled);
+// A body in the pose of its dip.
+struct PosedDip {
+    std::shared_ptr<const PosedBody> body;
+    Immersion immersion;
+};
+
+// Simulates both coarser dips of each of `dips` as one batch, with the settings of the dips
+// themselves. If a coarser dip fails, only the comparison fails, not the job. Any thread.
+// `isCancelled` is called from one thread at a time. Throws Cancelled soon after `isCancelled`
+// returns true.
+std::vector<CoarserFilms> coarserFilms(const std::vector<PosedDip>& dips,
+                                       const DistanceField& field, const FilmSettings& film,
+                                       const ProcessSettings& process,
+                                       const solver::SolverModule& module,
+                                       const std::function<bool()>& isCancelled);
 
 // Ratio of the change expected from a finer dip to the change measured with a coarser dip. It is
 // 0.5 for cells, whose error is of first order. It is 1 for steps, whose error shows no order on

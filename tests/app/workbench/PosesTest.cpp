@@ -77,9 +77,21 @@ private slots:
         QCOMPARE(applied[0][0].value<RankedPoses>().objective, 0.7);
     }
 
+    // Row 1 holds the pose with the objective 0.7.
+    void searchPage_click_asksToSeeThePose() {
+        QSignalSpy looked(page_.get(), &SearchPage::lookAsked);
+        const auto click = [this](int row, Qt::KeyboardModifiers modifiers) {
+            QTest::mouseClick(table_->viewport(), Qt::LeftButton, modifiers,
+                              table_->visualItemRect(table_->item(row, 0)).center());
+        };
+        click(1, Qt::NoModifier);
+        QCOMPARE(looked.count(), 1);
+        QCOMPARE(looked[0][0].value<RankedPoses>().objective, 0.7);
+    }
+
     void searchPage_twoRowsSelected_comparesInWords() {
         auto* words = page_->findChild<QLabel*>(QStringLiteral("poseComparison"));
-        QVERIFY(!words->isVisible());
+        QVERIFY2(words->text().contains(QLatin1String("Click a pose")), qPrintable(words->text()));
         table_->selectRow(0);
         table_->selectionModel()->select(table_->model()->index(2, 0),
                                          QItemSelectionModel::Select | QItemSelectionModel::Rows);

@@ -537,7 +537,8 @@ private slots:
     void runAndWrite_writesTheSameFilesAsWriteResults() {
         QTemporaryDir home;
         writeResults(job_, first_, home.filePath("after"), {});
-        const JobResult result = runAndWrite(job_, *registry_, {}, home.filePath("during"), {});
+        const JobResult result =
+            runAndWrite(job_, *registry_, {}, nullptr, home.filePath("during"), {});
         QCOMPARE(result.proof, first_.proof);
         const QStringList files = filesBelow(home.filePath("after"));
         QCOMPARE(filesBelow(home.filePath("during")), files);
@@ -615,7 +616,8 @@ private slots:
             }
         };
         QVERIFY_EXCEPTION_THROWN(
-            runAndWrite(job_, *registry_, {}, home.filePath("results"), progress), Cancelled);
+            runAndWrite(job_, *registry_, {}, nullptr, home.filePath("results"), progress),
+            Cancelled);
         QVERIFY(QDir(home.path()).isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot));
     }
 

@@ -140,7 +140,8 @@ class ResultsTest : public QObject {
         ProofOptions options;
         options.tile = tile;
         options.ink.compensate = compensated;
-        return proofPicture(*proofStage(dip_.model), {{dip_.laid, image}}, options, {});
+        return proofPicture(*proofStage(dip_.model, fineBody(dip_.model.mesh)),
+                            {{dip_.laid, image}}, options, {});
     }
 
 private slots:
@@ -442,7 +443,8 @@ void ResultsTest::proofPicture_markedFilm_isHatched() {
     ProofOptions options;
     options.tile = QSize(200, 200);
     const auto of = [&](const std::shared_ptr<const LaidFilm>& laid) {
-        return proofPicture(*proofStage(dip_.model), {{laid, image}}, options, {});
+        return proofPicture(*proofStage(dip_.model, fineBody(dip_.model.mesh)), {{laid, image}},
+                            options, {});
     };
     const QImage plain = of(dip_.laid);
     const solver::PointMark mark = solver::PointMark::Torn;
@@ -512,9 +514,11 @@ void ResultsTest::proofPicture_stretchedFilm_showsPalerInk() {
     ProofOptions options;
     options.tile = QSize(60, 60);
     options.ink.compensate = false;
-    const QImage printed = proofPicture(*proofStage(dip_.model), {appearance}, options, {});
+    const QImage printed =
+        proofPicture(*proofStage(dip_.model, fineBody(dip_.model.mesh)), {appearance}, options, {});
     options.ink.compensate = true;
-    const QImage shown = proofPicture(*proofStage(dip_.model), {appearance}, options, {});
+    const QImage shown =
+        proofPicture(*proofStage(dip_.model, fineBody(dip_.model.mesh)), {appearance}, options, {});
     QVERIFY(shown.pixelColor(30, 45).red() > printed.pixelColor(30, 45).red() + 30);
 }
 
@@ -530,8 +534,8 @@ void ResultsTest::proofPicture_overlappingFilms_addTheirInk() {
     ProofOptions options;
     options.tile = QSize(100, 100);
     options.ink.compensate = false;
-    const QImage image =
-        proofPicture(*proofStage(dip_.model), {{dip_.laid, red}, {dip_.laid, holed}}, options, {});
+    const QImage image = proofPicture(*proofStage(dip_.model, fineBody(dip_.model.mesh)),
+                                      {{dip_.laid, red}, {dip_.laid, holed}}, options, {});
     const QColor left = image.pixelColor(30, 75);
     const QColor right = image.pixelColor(70, 75);
     QVERIFY(left.red() > left.green() + 40);
@@ -554,7 +558,8 @@ void ResultsTest::proofPicture_colouredPart_showsInkOnPartColourAndOnWhite() {
     const auto of = [&](const QImage& plate) {
         FilmAppearance appearance{dip_.laid, red};
         appearance.white = plate;
-        return proofPicture(*proofStage(dip_.model), {appearance}, options, {});
+        return proofPicture(*proofStage(dip_.model, fineBody(dip_.model.mesh)), {appearance},
+                            options, {});
     };
     const QImage usual = of({});
     QCOMPARE(of(white), usual); // without a part colour, ink is shown on white anyway
@@ -637,7 +642,7 @@ struct OppositeDips {
     std::array<std::shared_ptr<const LaidFilm>, 2> films{
         test::laidOnTurnedSphere(model.mesh, radius, 2, 0),
         test::laidOnTurnedSphere(model.mesh, radius, 2, 180)};
-    BodyShare share = shareBody(*shareStage(model), films, {}, {}, {});
+    BodyShare share = shareBody(*shareStage(model, fineBody(model.mesh)), films, {}, {}, {});
 };
 
 std::size_t countOf(const QImage& picture, const QColor& colour, const QRect& part) {
@@ -673,7 +678,7 @@ void ResultsTest::coveragePicture_showsSharesAndSeam() {
     const OppositeDips dips;
     const int tile = 320;
     const QImage picture = coveragePicture(
-        *proofStage(dips.model), dips.share,
+        *proofStage(dips.model, fineBody(dips.model.mesh)), dips.share,
         {{dips.films[0], QStringLiteral("Below")}, {dips.films[1], QStringLiteral("Above")}}, tile,
         {});
     const auto hue = [&](int column, int row) {
@@ -692,9 +697,9 @@ void ResultsTest::coveragePicture_showsSharesAndSeam() {
              qPrintable(QStringLiteral("%1 pixels of the seam, expected 1 or more").arg(found)));
     Progress cancelled;
     cancelled.cancelToken.cancel();
-    QVERIFY_EXCEPTION_THROWN(coveragePicture(*proofStage(dips.model), dips.share,
-                                             {{dips.films[0], {}}, {dips.films[1], {}}}, tile,
-                                             cancelled),
+    QVERIFY_EXCEPTION_THROWN(coveragePicture(*proofStage(dips.model, fineBody(dips.model.mesh)),
+                                             dips.share, {{dips.films[0], {}}, {dips.films[1], {}}},
+                                             tile, cancelled),
                              Cancelled);
 }
 
@@ -762,7 +767,8 @@ void ResultsTest::proofPicture_cancelled_throws() {
     ProofOptions options;
     options.tile = QSize(60, 60);
     const FilmAppearance appearance{dip_.laid, stripes(dip_.film.grid)};
-    QVERIFY_EXCEPTION_THROWN(proofPicture(*proofStage(dip_.model), {appearance}, options, progress),
+    QVERIFY_EXCEPTION_THROWN(proofPicture(*proofStage(dip_.model, fineBody(dip_.model.mesh)),
+                                          {appearance}, options, progress),
                              Cancelled);
 }
 

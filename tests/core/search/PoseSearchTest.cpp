@@ -120,10 +120,16 @@ private slots:
         settings.finer = 3;
         settings.refined = settings.confirmed = 1;
         const SearchResult once = search(board_, settings);
-        for (std::size_t rank = 2; rank < once.ranking.size(); ++rank) {
-            QVERIFY(once.ranking[rank].objective <= once.ranking[rank - 1].objective);
+        for (std::size_t rank = 1; rank < once.ranking.size(); ++rank) {
+            const RankedPoses &better = once.ranking[rank - 1], &worse = once.ranking[rank];
+            QVERIFY(better.isConfirmed || !worse.isConfirmed);
+            if (better.isConfirmed == worse.isConfirmed) {
+                QVERIFY(better.advice() < worse.advice() ||
+                        (better.advice() == worse.advice() && better.objective >= worse.objective));
+            }
         }
-        QVERIFY(once.ranking[0].isConfirmed && !once.ranking[1].isConfirmed);
+        QVERIFY(once.ranking[0].isConfirmed && !once.ranking.back().isConfirmed);
+        QVERIFY(once.ranking[0].advice() != Advice::NotJudged);
         QVERIFY(once.isComplete);
         if (test::isWholeRun()) {
             compare(search(board_, settings), once);
@@ -214,7 +220,11 @@ private slots:
         settings.directions = 300;
         int wanted = 0;
         searchPoses(subjectOf(sphereMesh(15, 40, 60)), settings, module(), {},
-                    [&](const SearchState& state) { wanted = state.wanted; }, {});
+                    [&](const SearchState& state) {
+                        wanted = state.wanted;
+                        return std::chrono::seconds(0);
+                    },
+                    {});
         QVERIFY2(
             wanted <= 6,
             qPrintable(
@@ -263,7 +273,7 @@ private slots:
             ZoneMark mark;
             mark.extent = ZoneExtent::Face;
             mark.place[std::size_t(axis)] = Millimetres(15);
-            cube.marks.push_back(mark);
+            cube.tolerance.marks.push_back(mark);
         }
         SearchSettings settings;
         settings.directions = 300;
@@ -317,6 +327,7 @@ private slots:
                 if (!state.soFar.ranking.empty()) {
                     later.cancelToken.cancel();
                 }
+                return std::chrono::seconds(0);
             },
             later);
         QVERIFY(!kept.isComplete);

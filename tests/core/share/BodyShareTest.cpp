@@ -42,7 +42,7 @@ TexturedMesh ball(const QColor& colour) {
 
 BodyShare shared(const TexturedMesh& model, const Films& films,
                  const ShareSettings& settings = {}) {
-    return shareBody(*shareStage(model), films, settings, {}, {});
+    return shareBody(*shareStage(model, fineBody(model.mesh)), films, settings, {}, {});
 }
 
 double heightOf(const std::array<Eigen::Vector3f, 2>& piece) {

@@ -81,7 +81,7 @@ void SolverRegistryTest::solverRegistry_badDescription_isListedWithItsReason_dat
     row("no device", "device", QJsonValue::Null, "\"device\"");
     row("no vendor", "vendor", QJsonValue::Null, "\"vendor\"");
     row("no module", "module", QJsonValue::Null, "\"module\"");
-    row("module elsewhere", "module", "../solver.so", "beside its description");
+    row("module elsewhere", "module", "../solver.so", "same folder as its description");
 }
 
 void SolverRegistryTest::solverRegistry_badDescription_isListedWithItsReason() {

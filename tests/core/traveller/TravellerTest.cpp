@@ -118,7 +118,9 @@ private slots:
     void posePicture_showsTheBodyFromFrontAndBelow() {
         QImage red(210, 297, QImage::Format_RGBA8888);
         red.fill(Qt::red);
-        const PoseView view{film()->body(), nullptr, {{film(), red}}};
+        const RefinedMesh fine(sphereMesh(35, 60, 120), 2);
+        const auto places = std::make_shared<const FilmPlaces>(fine, *film());
+        const PoseView view{film()->body(), fine, nullptr, {{{film(), red}, places}}};
         const auto isRed = [](const QColor& colour) {
             return colour.red() > 2 * colour.green() + 40;
         };

@@ -1,0 +1,38 @@
+// Finds the film on many places of a body.
+#pragma once
+
+#include "dip/LaidFilm.h"
+#include "geometry/RefinedMesh.h"
+
+#include <array>
+
+namespace dipwright {
+
+// A table of the film's places on a fine mesh of the body. A picture of a body needs millions of
+// places, and LaidFilm::place() searches for each. The table holds the places of the corners of
+// each fine triangle and interpolates in between, if the place of the triangle's middle agrees
+// within 0.05 mm of flat film. Elsewhere, such as at the end of the film, it searches as well. Any
+// thread may read.
+class FilmPlaces {
+public:
+    // Keeps references to both. `body` is a refined mesh of the film's body. Uses all cores.
+    FilmPlaces(const RefinedMesh& body, const LaidFilm& laid);
+
+    // Returns the place on the flat film that paints a place of the fine mesh; nothing if no film
+    // does.
+    std::optional<FilmPlace> at(const SurfacePoint& fine) const;
+
+private:
+    enum class Painted : std::uint8_t { No, Linearly, Unevenly };
+    struct Triangle {
+        Painted painted = Painted::Unevenly;
+        std::array<Eigen::Vector2f, 3> corners; // on the flat film, mm, if `painted` is Linearly
+    };
+    Triangle triangleAt(std::uint32_t fine) const;
+
+    const RefinedMesh& body_;
+    const LaidFilm& laid_;
+    std::vector<Triangle> triangles_; // per fine triangle
+};
+
+} // namespace dipwright
