@@ -1211,6 +1211,18 @@
         <source>The comparison would need a film of %1 × %2 points, which is too many; halve the number of points to allow the comparison</source>
         <translation>Der Vergleich bräuchte einen Film von %1 × %2 Punkten; das sind zu viele. Halbieren Sie die Zahl der Punkte, um ihn zu ermöglichen</translation>
     </message>
+    <message>
+        <source>The film&apos;s cells were reduced to %1 mm.</source>
+        <translation>Die Zellen des Films wurden auf %1 mm verkleinert.</translation>
+    </message>
+    <message>
+        <source>The number of film points is fixed, so the film was not refined; set Film &gt; Resolution to cells.</source>
+        <translation>Die Zahl der Filmpunkte ist fest, deshalb wurde der Film nicht verfeinert; stellen Sie Film &gt; Auflösung auf Zellen.</translation>
+    </message>
+    <message>
+        <source>Cells of %1 mm might allow to print the sheets. A dip would then need %2 million points × steps; at most %3 million are allowed. Raise this limit, or turn the part.</source>
+        <translation>Mit Zellen von %1 mm könnten die Blätter vielleicht gedruckt werden. Ein Tauchvorgang bräuchte dann %2 Millionen Punkte × Schritte; erlaubt sind höchstens %3 Millionen. Erhöhen Sie diese Grenze, oder drehen Sie das Teil.</translation>
+    </message>
 </context>
 <context>
     <name>PlainFile</name>

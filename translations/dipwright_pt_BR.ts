@@ -1211,6 +1211,18 @@
         <source>The comparison would need a film of %1 × %2 points, which is too many; halve the number of points to allow the comparison</source>
         <translation>A comparação precisaria de uma película de %1 × %2 pontos, o que é demais; reduza o número de pontos à metade para permiti-la</translation>
     </message>
+    <message>
+        <source>The film&apos;s cells were reduced to %1 mm.</source>
+        <translation>As células do filme foram reduzidas para %1 mm.</translation>
+    </message>
+    <message>
+        <source>The number of film points is fixed, so the film was not refined; set Film &gt; Resolution to cells.</source>
+        <translation>O número de pontos do filme é fixo; por isso o filme não foi refinado. Ajuste Filme &gt; Resolução para células.</translation>
+    </message>
+    <message>
+        <source>Cells of %1 mm might allow to print the sheets. A dip would then need %2 million points × steps; at most %3 million are allowed. Raise this limit, or turn the part.</source>
+        <translation>Com células de %1 mm talvez as folhas possam ser impressas. Uma imersão precisaria então de %2 milhões de pontos × passos; são permitidos no máximo %3 milhões. Aumente esse limite ou gire a peça.</translation>
+    </message>
 </context>
 <context>
     <name>PlainFile</name>

@@ -6,6 +6,7 @@
 #include "parallel/Tasks.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/Pipeline.h"
+#include "pipeline/RunUntilPrint.h"
 #include "pipeline/SmallerFilm.h"
 #include "pipeline/WriteResults.h"
 #include "project/ProjectStore.h"
@@ -30,6 +31,9 @@ const QString languageOption = QStringLiteral("language");
 const QString lawsOption = QStringLiteral("laws");
 const QString tolerancesOption = QStringLiteral("tolerances");
 const QString requireOption = QStringLiteral("require");
+const QString untilOption = QStringLiteral("until");
+const QString workOption = QStringLiteral("work");
+constexpr int mostWork = 100'000; // million points × steps
 
 constexpr std::size_t mostPlaces = 8; // number of unreached places that are listed
 
@@ -223,6 +227,28 @@ std::optional<Advice> requiredAdvice(const QCommandLineParser& parser) {
                      QStringLiteral("--require"));
 }
 
+// Returns the limit of --work for --until print; none without --until.
+std::optional<double> refinementWork(const QCommandLineParser& parser) {
+    if (!parser.isSet(untilOption)) {
+        if (parser.isSet(workOption)) {
+            throw UsageError(QStringLiteral("--work limits --until print; give both"),
+                             QStringLiteral("--work"));
+        }
+        return std::nullopt;
+    }
+    if (parser.value(untilOption) != QLatin1String("print")) {
+        throw UsageError(
+            QStringLiteral("“%1” is not known; write --until print").arg(parser.value(untilOption)),
+            QStringLiteral("--until"));
+    }
+    if (parser.isSet(numericalErrorOption)) {
+        throw UsageError(QStringLiteral("--until print needs the numerical error; leave out "
+                                        "--no-certainty"),
+                         QStringLiteral("--until"));
+    }
+    return 1e6 * wholeNumberOption(parser, workOption, 1, mostWork);
+}
+
 // Returns the verdict to compare with the requirement. A job whose numerical error was not judged
 // meets no requirement.
 Advice verdictToCompare(const JobResult& result) {
@@ -291,6 +317,16 @@ public:
                             "is worse than this: print, or check (check first)."),
              QStringLiteral("print|check")});
         syntax.addOption(
+            {untilOption,
+             QStringLiteral("Repeats the dips with smaller film cells while the numerical error "
+                            "does not allow to print the sheets."),
+             QStringLiteral("print")});
+        syntax.addOption({workOption,
+                          QStringLiteral("The limit for --until: million film points × steps of "
+                                         "one dip; default %1, about 20 s on two cores.")
+                              .arg(int(defaultWork / 1e6)),
+                          QStringLiteral("N"), QString::number(int(defaultWork / 1e6))});
+        syntax.addOption(
             {motionOption,
              QStringLiteral("A text template whose {names} are filled in for motion-N.gcode."),
              QStringLiteral("FILE")});
@@ -347,6 +383,7 @@ private:
         JobOptions options;
         options.solver = parser.value(solverOption);
         options.estimatesNumericalError = !parser.isSet(numericalErrorOption);
+        options.untilPrint = refinementWork(parser);
         options.variesLaws = parser.isSet(lawsOption);
         options.computesTolerances = parser.isSet(tolerancesOption);
         if (parser.isSet(languageOption)) {

@@ -10,6 +10,7 @@
 #include "pipeline/JobTraveller.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/Report.h"
+#include "pipeline/RunUntilPrint.h"
 #include "results/Results.h"
 #include "sheet/prepress/SheetFiles.h"
 
@@ -287,14 +288,26 @@ JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
                    project.sheet,
                    {}}); // throws Error before the job
     Tasks writing;
-    JobOptions watched = options;
-    watched.finished = [&](std::size_t number, const ImmersionResult& immersion) {
+    const Progress running = progress.part(0, 0.95);
+    const auto write = [&](std::size_t number, const ImmersionResult& immersion) {
         writing.run([&, number, immersion] {
             writeTogether(immersionPieces(project, immersion, number, results), progress.silent());
         });
     };
-    const JobResult result = runJob(project, registry, watched, previous, progress.part(0, 0.95));
-    std::vector<Piece> pieces = jobPieces(project, result, results);
+    const auto runOnce = [&] {
+        JobOptions watched = options;
+        watched.finished = write;
+        return runJob(project, registry, watched, previous, running);
+    };
+    const JobResult result =
+        options.untilPrint ? runUntilPrint(project, registry, options, *options.untilPrint, running)
+                           : runOnce();
+    if (options.untilPrint) {
+        for (std::size_t number = 0; number < result.immersions.size(); ++number) {
+            write(number, result.immersions[number]);
+        }
+    }
+    std::vector<Piece> pieces = jobPieces(result.project, result, results);
     addTraveller(pieces, result, motion, results, progress.cancelToken);
     writeTogether(pieces, progress.part(0.95, 1));
     writing.wait();
