@@ -456,6 +456,9 @@ private slots:
                  3);
         QCOMPARE(cli(quick + spoilt + QStringList{"--no-certainty"}).exitCode, 0);
         QCOMPARE(cli(quick + QStringList{"--require", "perhaps"}).exitCode, 2);
+        QCOMPARE(cli(quick + QStringList{"--until", "perhaps"}).exitCode, 2);
+        QCOMPARE(cli(quick + QStringList{"--work", "5"}).exitCode, 2);
+        QCOMPARE(cli(quick + QStringList{"--until", "print", "--no-certainty"}).exitCode, 2);
     }
 
     void optimize_limitsOfProject_areUsed() {
