@@ -29,10 +29,10 @@ class Scene {
 public:
     Scene(const ProofStage& stage, const std::vector<FilmAppearance>& films,
           const ProofOptions& options)
-        : fine_(*stage.fine), normals_(stage.normals), sky_(stage.sky), middle_(stage.box.center()),
+        : mesh_(stage.mesh), fine_(showsMany(stage, options) ? stage.fine.get() : nullptr),
+          normals_(stage.normals), sky_(stage.sky), middle_(stage.box.center()),
           size_(stage.box.diagonal().norm()),
-          films_(films, options.ink, options.ground,
-                 PlacesOn{stage.fine.get(), showsMany(stage, options)}) {
+          films_(films, options.ink, options.ground, {fine_, fine_ != nullptr}) {
         for (const FilmAppearance& appearance : films) {
             marks_ |= paintedMarks(*appearance.laid);
         }
@@ -40,21 +40,24 @@ public:
 
     // Returns the solver::PointMark bits of all films.
     std::uint8_t marks() const { return marks_; }
-    // Returns the gravest mark of the last dipped film at a place of the fine body.
+    // Returns the mesh that pictures show. Places below are of this mesh.
+    const TriangleMesh& mesh() const { return fine_ ? fine_->mesh() : mesh_; }
+
+    // Returns the gravest mark of the last dipped film at a place.
     std::optional<solver::PointMark> mark(const SurfacePoint& seen) const {
         const auto marks = seen.isValid() ? films_.marks(seen) : std::nullopt;
         return marks ? mostSeriousMark(*marks) : std::nullopt;
     }
 
-    // Returns the light along a ray that meets the fine body at `seen`.
+    // Returns the light along a ray that meets the body at `seen`.
     LinearColour light(const BodyRay& ray, const SurfacePoint& seen,
                        const BodyCamera& camera) const {
         return seen.isValid() ? bodyLight(seen, ray, camera) : tableLight(ray);
     }
 
 private:
-    // Whether the proof has more pixels than the fine body has triangles, so that a table of the
-    // film's places pays.
+    // Whether the proof has so many pixels that the fine mesh with its table of the film's places
+    // pays. For a small proof, the model's own triangles are faster.
     static bool showsMany(const ProofStage& stage, const ProofOptions& options) {
         const double pixels = 6.0 * options.tile.width() * options.tile.height();
         return pixels > 4 * double(stage.fine->mesh().triangles.size());
@@ -63,7 +66,7 @@ private:
     LinearColour bodyLight(const SurfacePoint& seen, const BodyRay& ray,
                            const BodyCamera& camera) const {
         const LinearColour colour = films_.colour(seen);
-        const SurfacePoint point = fine_.onCoarse(seen);
+        const SurfacePoint point = fine_ ? fine_->onCoarse(seen) : seen;
         Eigen::Vector3f normal = normalAt(normals_, point);
         if (normal.dot(ray.direction) > 0) {
             normal = -normal;
@@ -93,7 +96,8 @@ private:
         return table * vignette * (0.3f + 0.7f * open);
     }
 
-    const RefinedMesh& fine_;
+    const TriangleMesh& mesh_;
+    const RefinedMesh* fine_; // null: pictures show mesh_
     const CornerNormals& normals_;
     const SkyLight& sky_;
     Eigen::Vector3f middle_;
@@ -166,7 +170,7 @@ QImage proofPicture(const ProofStage& stage, const std::vector<FilmAppearance>& 
         progress(0.1 + 0.15 * side, Text::tr("Drawing the proof"));
         const BodyCamera& camera = cameras[std::size_t(side)];
         const QRect tile = sideBox(side, options.tile);
-        const SeenBody body = camera.see(stage.fine->mesh(), span, tile.size());
+        const SeenBody body = camera.see(scene.mesh(), span, tile.size());
         const RayLight light = [&](const BodyRay& ray, const SurfacePoint& seen) {
             return scene.light(ray, seen, camera);
         };
