@@ -6904,8 +6904,10 @@ stretch</source>
 Dehnung</translation>
     </message>
     <message>
-        <source>Compared with the best</source>
-        <translation>Verglichen mit der besten</translation>
+        <source>Verdict,
+differences</source>
+        <translation>Urteil,
+Unterschiede</translation>
     </message>
 </context>
 <context>

@@ -1213,11 +1213,11 @@
     </message>
     <message>
         <source>The film&apos;s cells were reduced to %1 mm.</source>
-        <translation>As células do filme foram reduzidas para %1 mm.</translation>
+        <translation>As células da película foram reduzidas para %1 mm.</translation>
     </message>
     <message>
         <source>The number of film points is fixed, so the film was not refined; set Film &gt; Resolution to cells.</source>
-        <translation>O número de pontos do filme é fixo; por isso o filme não foi refinado. Ajuste Filme &gt; Resolução para células.</translation>
+        <translation>O número de pontos da película é fixo; por isso a película não foi refinada. Ajuste Película &gt; Resolução para células.</translation>
     </message>
     <message>
         <source>Cells of %1 mm might allow to print the sheets. A dip would then need %2 million points × steps; at most %3 million are allowed. Raise this limit, or turn the part.</source>
@@ -6904,8 +6904,10 @@ stretch</source>
 estiramento</translation>
     </message>
     <message>
-        <source>Compared with the best</source>
-        <translation>Comparado com a melhor</translation>
+        <source>Verdict,
+differences</source>
+        <translation>Veredito,
+diferenças</translation>
     </message>
 </context>
 <context>
@@ -8689,7 +8691,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>Click a pose to see its film on the part, also during the search. Undo brings back your own pose. Select two poses to compare them.</source>
-        <translation>Clique em uma pose para ver o filme dela na peça, também durante a busca. Desfazer traz de volta a sua pose. Selecione duas poses para compará-las.</translation>
+        <translation>Clique em uma pose para ver a película dela na peça, também durante a busca. Desfazer traz de volta a sua pose. Selecione duas poses para compará-las.</translation>
     </message>
 </context>
 <context>

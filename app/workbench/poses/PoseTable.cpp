@@ -62,7 +62,7 @@ PoseTable::PoseTable(QWidget* parent) : QTableWidget(0, Columns, parent) {
     setObjectName(QStringLiteral("poseTable"));
     setAccessibleName(tr("Found poses, best first"));
     setHorizontalHeaderLabels(
-        {tr("Pose"), tr("Objective"), tr("Coverage,\nstretch"), tr("Compared with the best")});
+        {tr("Pose"), tr("Objective"), tr("Coverage,\nstretch"), tr("Verdict,\ndifferences")});
     horizontalHeader()->setSectionResizeMode(Reasons, QHeaderView::Stretch);
     horizontalHeader()->setSectionResizeMode(Picture, QHeaderView::Fixed);
     setColumnWidth(Picture, pictureSize.width() + 8);
