@@ -1220,7 +1220,7 @@
         <translation>Die Zahl der Filmpunkte ist fest, deshalb wurde der Film nicht verfeinert; stellen Sie Film &gt; Auflösung auf Zellen.</translation>
     </message>
     <message>
-        <source>Cells of %1 mm might allow to print the sheets. A dip would then need %2 million points × steps; at most %3 million are allowed. Raise this limit, or turn the part.</source>
+        <source>With cells of %1 mm, the sheets might be good enough to print. A dip would then need %2 million points × steps; at most %3 million are allowed. Raise this limit, or turn the part.</source>
         <translation>Mit Zellen von %1 mm könnten die Blätter vielleicht gedruckt werden. Ein Tauchvorgang bräuchte dann %2 Millionen Punkte × Schritte; erlaubt sind höchstens %3 Millionen. Erhöhen Sie diese Grenze, oder drehen Sie das Teil.</translation>
     </message>
 </context>

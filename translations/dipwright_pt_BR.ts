@@ -1220,7 +1220,7 @@
         <translation>O número de pontos da película é fixo; por isso a película não foi refinada. Ajuste Película &gt; Resolução para células.</translation>
     </message>
     <message>
-        <source>Cells of %1 mm might allow to print the sheets. A dip would then need %2 million points × steps; at most %3 million are allowed. Raise this limit, or turn the part.</source>
+        <source>With cells of %1 mm, the sheets might be good enough to print. A dip would then need %2 million points × steps; at most %3 million are allowed. Raise this limit, or turn the part.</source>
         <translation>Com células de %1 mm talvez as folhas possam ser impressas. Uma imersão precisaria então de %2 milhões de pontos × passos; são permitidos no máximo %3 milhões. Aumente esse limite ou gire a peça.</translation>
     </message>
 </context>

@@ -318,8 +318,8 @@ public:
              QStringLiteral("print|check")});
         syntax.addOption(
             {untilOption,
-             QStringLiteral("Repeats the dips with smaller film cells while the numerical error "
-                            "does not allow to print the sheets."),
+             QStringLiteral("Repeats the dips with smaller film cells until the numerical error is "
+                            "small enough to print the sheets."),
              QStringLiteral("print")});
         syntax.addOption({workOption,
                           QStringLiteral("The limit for --until: million film points × steps of "

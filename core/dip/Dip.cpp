@@ -227,9 +227,9 @@ void simulateDips(std::vector<solver::BatchItem>& dips, const solver::SolverModu
     const auto cancelled = [](void* context) {
         return (*static_cast<const std::function<bool()>*>(context))();
     };
-    bool isDone = false;
+    bool isDone = dips.empty();
     try {
-        isDone = module.runBatch(dips, cancelled, &isCancelled);
+        isDone = isDone || module.runBatch(dips, cancelled, &isCancelled);
     } catch (const std::exception& failure) {
         throw Error(Text::tr("The solver failed: %1").arg(QString::fromUtf8(failure.what())), {});
     }

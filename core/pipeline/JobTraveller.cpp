@@ -10,8 +10,6 @@ namespace {
 
 const QSize posePixels(900, 560), afterPixels(620, 480);
 constexpr int sheetPixelsAcross = 500;
-// On a mesh with more triangles than this, the pictures show fewer places than a table would have.
-constexpr std::size_t mostInTable = 400'000;
 
 // Draws the body without its cradle from the front, the right and below, side by side.
 QImage afterDip(const PoseView& view, const Progress& progress) {
@@ -82,7 +80,7 @@ Traveller jobTraveller(const JobResult& result, const Progress& progress) {
         dip.sheet = reduced(immersion.sheet.image, sheetPixelsAcross);
         dip.body = boundingBox(immersion.body->mesh);
         films.push_back({dipped[i]});
-        if (fine->mesh().triangles.size() <= mostInTable) {
+        if (tablePays(*fine, 3.0 * afterPixels.width() * afterPixels.height())) {
             films.back().places = std::make_shared<const FilmPlaces>(*fine, *dipped[i].laid);
         }
         dip.after = afterDip({*immersion.body, *fine, nullptr, films}, progress.silent());

@@ -109,9 +109,9 @@ JobResult runUntilPrint(const Project& project, const SolverRegistry& registry,
                                      "refined; set Film > Resolution to cells."));
     } else if (cell) {
         result.notes.append(
-            Text::tr("Cells of %1 mm might allow to print the sheets. A dip would then need %2 "
-                     "million points × steps; at most %3 million are allowed. Raise this limit, or "
-                     "turn the part.")
+            Text::tr("With cells of %1 mm, the sheets might be good enough to print. A dip would "
+                     "then need %2 million points × steps; at most %3 million are allowed. Raise "
+                     "this limit, or turn the part.")
                 .arg(locale.toString(*cell, 'f', 2), millions(workWith(result, *cell)),
                      millions(work)));
     }

@@ -8,6 +8,12 @@
 
 namespace dipwright {
 
+// Tells whether a table of places pays for a picture of `pixels` pixels: each triangle takes four
+// searches, and a pixel about one.
+inline bool tablePays(const RefinedMesh& body, double pixels) {
+    return pixels > 4 * double(body.mesh().triangles.size());
+}
+
 // A table of the film's places on a fine mesh of the body. A picture of a body needs millions of
 // places, and LaidFilm::place() searches for each. The table holds the places of the corners of
 // each fine triangle and interpolates in between, if the place of the triangle's middle agrees

@@ -67,13 +67,13 @@ private:
 // The paint of one dip on the body.
 class PaintedFilm {
 public:
-    PaintedFilm(const FilmAppearance& appearance, const InkSettings& ink, const PlacesOn& places)
-        : laid_(appearance.laid), fine_(places.fine),
+    PaintedFilm(const FilmAppearance& appearance, const InkSettings& ink, const RefinedMesh* fine)
+        : laid_(appearance.laid), fine_(fine),
           picture_(appearance.image, appearance.laid->film().grid), ink_(ink),
           isCompensated_(ink.compensate), white_(appearance.white), slip_(appearance.slip),
           highest_(float(appearance.depth + appearance.slip.deeper.value())) {
-        if (places.areMany) {
-            places_.emplace(*fine_, *laid_);
+        if (fine) {
+            places_.emplace(*fine, *laid_);
         }
         for (const PrintedSpot& spot : appearance.spots) {
             spots_.push_back({spot.tints, linearColour(spot.colour)});
@@ -155,7 +155,7 @@ private:
         if (position(laid_->body().mesh, onBody).y() > highest_) {
             return std::nullopt;
         }
-        return places_ ? places_->at(point) : laid_->place(onBody);
+        return places_ ? places_->at(point) : laid_->place(point);
     }
     // Returns the place of the picture that lies at `rest` after the film has slipped.
     Eigen::Vector2f printedAt(const Eigen::Vector2f& rest) const {
@@ -184,13 +184,13 @@ private:
 };
 
 PaintedBody::PaintedBody(const std::vector<FilmAppearance>& films, const InkSettings& ink,
-                         const Ground& ground, const PlacesOn& places)
+                         const Ground& ground, const RefinedMesh* fine)
     : whiteOutside_(ground.whiteOutside) {
     if (ground.base) {
         base_ = linearColour(*ground.base);
     }
     for (const FilmAppearance& appearance : films) {
-        films_.push_back(std::make_unique<const PaintedFilm>(appearance, ink, places));
+        films_.push_back(std::make_unique<const PaintedFilm>(appearance, ink, fine));
     }
 }
 

@@ -11,20 +11,15 @@ namespace dipwright {
 
 class PaintedFilm;
 
-// The mesh on which places of a body are given: a refined mesh, or the films' own if `fine` is
-// null.
-struct PlacesOn {
-    const RefinedMesh* fine = nullptr;
-    bool areMany = false; // whether a table of them pays (FilmPlaces.h)
-};
-
 // A body with the ink of its films. Keeps the films, and a reference to the refined mesh. Any
 // thread may read it.
 class PaintedBody {
 public:
-    // `ink` holds the settings by which the images were compensated. Uses all cores.
+    // `ink` holds the settings by which the images were compensated. If `fine` is given, places are
+    // of this refined mesh of the body, and tables of the films' places are made (FilmPlaces.h).
+    // Uses all cores.
     PaintedBody(const std::vector<FilmAppearance>& films, const InkSettings& ink,
-                const Ground& ground = {}, const PlacesOn& places = {});
+                const Ground& ground = {}, const RefinedMesh* fine = nullptr);
     ~PaintedBody();
 
     // Returns the colour of a place: the bare body's colour, or the ink of all films on white or on

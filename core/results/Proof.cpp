@@ -3,6 +3,7 @@
 
 #include "dip/FilmMarks.h"
 #include "results/BodyViews.h"
+#include "results/FilmPlaces.h"
 #include "results/Hatch.h"
 #include "results/PaintedBody.h"
 #include "results/ProofScene.h"
@@ -29,10 +30,12 @@ class Scene {
 public:
     Scene(const ProofStage& stage, const std::vector<FilmAppearance>& films,
           const ProofOptions& options)
-        : mesh_(stage.mesh), fine_(showsMany(stage, options) ? stage.fine.get() : nullptr),
+        : mesh_(stage.mesh),
+          fine_(tablePays(*stage.fine, 6.0 * options.tile.width() * options.tile.height())
+                    ? stage.fine.get()
+                    : nullptr),
           normals_(stage.normals), sky_(stage.sky), middle_(stage.box.center()),
-          size_(stage.box.diagonal().norm()),
-          films_(films, options.ink, options.ground, {fine_, fine_ != nullptr}) {
+          size_(stage.box.diagonal().norm()), films_(films, options.ink, options.ground, fine_) {
         for (const FilmAppearance& appearance : films) {
             marks_ |= paintedMarks(*appearance.laid);
         }
@@ -56,13 +59,6 @@ public:
     }
 
 private:
-    // Whether the proof has so many pixels that the fine mesh with its table of the film's places
-    // pays. For a small proof, the model's own triangles are faster.
-    static bool showsMany(const ProofStage& stage, const ProofOptions& options) {
-        const double pixels = 6.0 * options.tile.width() * options.tile.height();
-        return pixels > 4 * double(stage.fine->mesh().triangles.size());
-    }
-
     LinearColour bodyLight(const SurfacePoint& seen, const BodyRay& ray,
                            const BodyCamera& camera) const {
         const LinearColour colour = films_.colour(seen);
@@ -97,7 +93,7 @@ private:
     }
 
     const TriangleMesh& mesh_;
-    const RefinedMesh* fine_; // null: pictures show mesh_
+    const RefinedMesh* fine_; // null: the picture is small, and mesh_ is faster
     const CornerNormals& normals_;
     const SkyLight& sky_;
     Eigen::Vector3f middle_;

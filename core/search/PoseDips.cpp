@@ -22,7 +22,6 @@ constexpr std::size_t pointsInBatch = 100'000;
 constexpr double dipOverhead = 7.5e4, jobSteps = 1.8;
 // Time of a dip with its verdict, relative to the dip alone.
 constexpr double withVerdict = 1.9;
-constexpr int searchedAirCells = 48; // number of air grid cells along the body's longest edge
 // The borders of the fine cells are moved outwards to multiples of this share of the body's longest
 // edge. Many films of a batch then become equal, and a device can simulate their dips together.
 constexpr double alikeShare = 1.0 / 6;
@@ -55,12 +54,13 @@ Eigen::AlignedBox2d roundedOut(const Eigen::AlignedBox2d& box, double step) {
 } // namespace
 
 PoseFilms::PoseFilms(const SearchSubject& subject, const DipDetail& detail)
-    : subject_(subject), isJobs_(std::isinf(detail.cells)),
-      film_(isJobs_ ? subject.film : coarseFilm(subject.film, subject.model->mesh, detail.cells)) {}
+    : subject_(subject), areJobs_(std::isinf(detail.cells)),
+      film_(areJobs_ ? subject.film : coarseFilm(subject.film, subject.model->mesh, detail.cells)) {
+}
 
 // Whether the search chooses the films, so that it can make them equal.
 bool PoseFilms::areChosen() const {
-    return !isJobs_ && isGraded(film_);
+    return !areJobs_ && isGraded(film_);
 }
 
 // Returns the part of the film that needs fine cells.
@@ -78,19 +78,18 @@ solver::FilmGrid PoseFilms::gridOf(const PosedBody& body, const Immersion& immer
                : filmUnderBody(film_, undersideOf(body, subject_.process), immersion.offset);
 }
 
-double PoseFilms::cost(const Immersion& immersion) const {
-    const PosedBody body = posedBody(subject_.model->mesh, immersion, searchedAirCells);
+double PoseFilms::cost(const PosedBody& body, const Immersion& immersion) const {
     const auto points = double(gridOf(body, immersion).pointCount());
-    return dipOverhead + (isJobs_ ? jobSteps * withVerdict : 1) * std::pow(points, 1.5);
+    return dipOverhead + (areJobs_ ? jobSteps * withVerdict : 1) * std::pow(points, 1.5);
 }
 
 PoseDips::PoseDips(const SearchSubject& subject, const JudgedBody& body,
                    const solver::SolverModule& module, const DipDetail& detail,
                    const Progress& progress)
     : subject_(subject), body_(body), module_(module), cancelToken_(progress.cancelToken),
-      films_(subject, detail), isJobs_(std::isinf(detail.cells)), process_(subject.process) {
+      films_(subject, detail), process_(subject.process) {
     const TriangleMesh& mesh = subject.model->mesh;
-    if (isJobs_ && !subject.tolerance.marks.empty()) {
+    if (films_.areJobs() && !subject.tolerance.marks.empty()) {
         auto zones = std::make_unique<ZonedBody>(subject.model);
         zones->setMarks(subject.tolerance.marks);
         zones_ = std::move(zones);
@@ -177,7 +176,7 @@ void PoseDips::dipBatch(const std::vector<Immersion>& immersions,
             poses[item] = body_.judged(*laid[item], immersion);
         }
     });
-    if (isJobs_) {
+    if (films_.areJobs()) {
         addVerdicts(poses, bodies, laid);
     }
     for (std::size_t item = 0; item < items.size(); ++item) {

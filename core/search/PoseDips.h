@@ -23,6 +23,9 @@ struct DipDetail {
 inline constexpr DipDetail coarseDetail{20, 128, 0.5}, finerDetail{40, 128, 0.5},
     jobDetail{std::numeric_limits<double>::infinity(), std::numeric_limits<int>::max(), 0};
 
+// Number of air grid cells along the body's longest edge (posedBody()).
+inline constexpr int searchedAirCells = 48;
+
 // The films for the dips of a search at one resolution. Keeps a reference to the subject.
 class PoseFilms {
 public:
@@ -35,11 +38,12 @@ public:
     solver::FilmGrid gridOf(const PosedBody& body, const Immersion& immersion) const;
     // Returns the time that a dip takes, within about a third, in units that are the same for all
     // resolutions.
-    double cost(const Immersion& immersion) const;
+    double cost(const PosedBody& body, const Immersion& immersion) const;
+    bool areJobs() const { return areJobs_; } // the job's own films; their dips get a verdict
 
 private:
     const SearchSubject& subject_;
-    bool isJobs_; // uses the job's film
+    bool areJobs_;
     FilmSettings film_;
 };
 
@@ -75,7 +79,6 @@ private:
     const solver::SolverModule& module_;
     const CancelToken cancelToken_;
     PoseFilms films_;
-    const bool isJobs_; // with the job's film; its dips get a verdict
     ProcessSettings process_;
     std::unique_ptr<const ZonedBody> zones_; // for verdicts; null: no zones are marked
     std::shared_ptr<const DistanceField> field_;

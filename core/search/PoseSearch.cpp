@@ -290,10 +290,11 @@ private:
         const Immersion& pose = candidates_.chosen.empty()
                                     ? subject_.immersions.front()
                                     : candidates_.all[candidates_.chosen.front()].immersion;
+        const PosedBody body = posedBody(subject_.model->mesh, pose, searchedAirCells);
         constexpr std::array details{coarseDetail, finerDetail, jobDetail};
         for (std::size_t resolution = 0; resolution < details.size(); ++resolution) {
             if (left_[resolution] > 0) {
-                cost_[resolution] = PoseFilms(subject_, details[resolution]).cost(pose);
+                cost_[resolution] = PoseFilms(subject_, details[resolution]).cost(body, pose);
             }
         }
     }

@@ -42,7 +42,6 @@ void addSearchPage(const PageContext& context, const Workbench& workbench, DipCo
                              ->open();
                      });
     QObject::connect(search, &SearchController::dipAsked, &dip, [&dip] { dip.run(true); });
-    QObject::connect(context.actions.cancel, &QAction::triggered, search, &SearchController::stop);
     openBy(*context.actions.findPoses,
            context.layout.addPage("searchDock", Text::tr("Pose search"), search->page()));
     QObject::connect(&context.documents, &DocumentSession::documentChanged, search,

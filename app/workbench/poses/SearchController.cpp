@@ -117,7 +117,7 @@ SearchController::SearchController(const DipSession& session, const SolverRegist
     : QObject(parent), session_(session), registry_(registry), messages_(messages),
       page_(new SearchPage) {
     connect(page_, &SearchPage::startAsked, this, &SearchController::start);
-    connect(page_, &SearchPage::stopAsked, this, &SearchController::stop);
+    connect(page_, &SearchPage::stopAsked, this, [this] { running_.cancel(); });
     connect(page_, &SearchPage::pauseAsked, this, [this](bool paused) {
         if (watcher_) {
             watcher_->setPaused(paused);
@@ -214,10 +214,6 @@ void SearchController::start() {
             end();
             messages_.fail(tr("Pose search"), failure);
         }));
-}
-
-void SearchController::stop() {
-    running_.cancel();
 }
 
 // A search waits while the project's own dip runs, so that the user sees results at once.

@@ -22,7 +22,6 @@ public:
     QWidget* page() const; // owned by the window that shows it
     // Call this when the session has another document.
     void showDocument();
-    void stop(); // ends a running search; its best poses so far stay on show
 
 signals:
     void dipAsked(); // the user wants to see a pose that has been set
