@@ -19,7 +19,7 @@
 
 namespace dipwright {
 
-class DistanceField;
+struct DistanceField;
 class LaidFilm;
 struct Immersion;
 struct ProcessSettings;

@@ -12,7 +12,7 @@ struct Immersion;
 struct PosedBody;
 
 struct Project;
-class DistanceField;
+struct DistanceField;
 
 inline constexpr double lawVariation = 0.2; // variation to either side, as a share of the value
 

@@ -78,13 +78,14 @@ std::vector<CoarserFilms> coarserFilms(const std::vector<PosedDip>& dips,
     std::vector<solver::BatchItem> items; // two for each dip that can be compared
     std::vector<std::size_t> compared;    // the dips of each pair of items
     for (std::size_t dip = 0; dip < dips.size(); ++dip) {
-        const auto& [body, immersion] = dips[dip];
-        filled[dip].emplace(*body, field);
+        const PosedDip& posed = dips[dip];
+        filled[dip].emplace(*posed.body, field);
         const auto setup = [&](const FilmSettings& cells, const ProcessSettings& steps) {
-            return dipSetup(*body, *filled[dip], immersion, cells, steps);
+            return dipSetup(*posed.body, *filled[dip], posed.immersion, cells, steps);
         };
-        const solver::DipSetup spacing =
-            setup(withDoubleSpacing(film), withDoubleTimeStep(process));
+        const FilmSettings coarse = withDoubleSpacing(film);
+        const ProcessSettings slow = withDoubleTimeStep(process);
+        const solver::DipSetup spacing = setup(coarse, slow);
         if (std::min(spacing.film.columns, spacing.film.rows) <= leastCells) {
             coarser[dip].failure =
                 Text::tr("the film has too few points to be compared with a film of half as many");
@@ -92,7 +93,7 @@ std::vector<CoarserFilms> coarserFilms(const std::vector<PosedDip>& dips,
         }
         compared.push_back(dip);
         items.emplace_back().setup = spacing;
-        items.emplace_back().setup = setup(film, withDoubleStep(process));
+        items.emplace_back().setup = setup(coarse, withDoubleStep(slow));
     }
     try {
         simulateDips(items, module, isCancelled);
@@ -138,14 +139,16 @@ NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const Coarser
     }
     const std::vector<SurfacePoint> places = comparedPlaces(own.body().mesh);
     const std::vector<float> spacing = sheetMoves(own, *coarser.doubleSpacing, places);
-    const std::vector<float> step = sheetMoves(own, *coarser.doubleStep, places);
+    const std::vector<float> step =
+        sheetMoves(*coarser.doubleSpacing, *coarser.doubleStep, places);
     estimate.doubleSpacing = sheetChange(spacing);
     estimate.doubleStep = sheetChange(step);
     estimate.offBy = sheetChange(largest(spacing, step)).distance;
 
     const std::vector<SurfacePoint>& points = own.contact().surface;
-    estimate.pointErrors = largest(sheetMoves(own, *coarser.doubleSpacing, points),
-                                   sheetMoves(own, *coarser.doubleStep, points));
+    estimate.pointErrors =
+        largest(sheetMoves(own, *coarser.doubleSpacing, points),
+                sheetMoves(*coarser.doubleSpacing, *coarser.doubleStep, points));
     for (std::size_t point = 0; point < points.size(); ++point) {
         float& offBy = estimate.pointErrors[point];
         if (offBy < 0) {

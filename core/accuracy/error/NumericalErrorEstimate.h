@@ -1,5 +1,5 @@
-// Estimates the numerical error of a sheet from two coarser dips, which together take no longer
-// than the dip itself (docs/film-validation.md, "The verdict").
+// Estimates the numerical error of a sheet from two coarser dips, which together take a fifth of the
+// work of the dip itself (docs/film-validation.md, "The verdict").
 #pragma once
 
 #include "accuracy/error/SheetChange.h"
@@ -11,7 +11,7 @@
 namespace dipwright {
 
 // The films of two coarser dips, laid on the body. One dip has cells and steps twice as long; the
-// other has the same cells and steps twice as long.
+// other has these cells and steps four times as long.
 struct CoarserFilms {
     std::shared_ptr<const LaidFilm> doubleSpacing, doubleStep; // null if `failure` is set
     QString failure; // tells the user why there are no films: too few cells, or a solver failed
@@ -33,18 +33,19 @@ std::vector<CoarserFilms> coarserFilms(const std::vector<PosedDip>& dips,
                                        const solver::SolverModule& module,
                                        const std::function<bool()>& isCancelled);
 
-// Ratio of the change expected from a finer dip to the change measured with a coarser dip. It is
-// 0.5 for cells, whose error is of first order. It is 1 for steps, whose error shows no order on
-// bodies with limbs. Both are chosen by measurement (docs/film-validation.md, "The verdict").
+// Ratio of the change expected from a finer dip to the change measured with the coarser dips. Both
+// ratios are those of an error of first order: cells were doubled, and steps went from twice to four
+// times the dip's own. Measurements agree (docs/film-validation.md, "The verdict").
 inline constexpr double halfSpacingShare = 0.5;
-inline constexpr double halfStepShare = 1;
+inline constexpr double halfStepShare = 0.25;
 
 // The estimated numerical error of one sheet.
 struct NumericalErrorEstimate {
-    SheetChange doubleSpacing, doubleStep; // measured changes
+    // Measured changes: from the dip itself to double cells, and between both coarser dips.
+    SheetChange doubleSpacing, doubleStep;
     // Numerical error in mm: the larger of both changes, at evenly spread points of the body that
-    // all three dips paint. For an error of first order, this is the distance to the sheet of an
-    // infinitely fine film.
+    // all three dips paint. For an error of first order, the first is the distance to the sheet of
+    // an infinitely fine film, and the second is twice the distance to infinitely short steps.
     Distribution offBy;
     // Numerical error of each film point on the body; NaN where not all dips paint, 0 off the body.
     std::vector<float> pointErrors;

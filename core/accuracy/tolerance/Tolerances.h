@@ -13,7 +13,7 @@
 
 namespace dipwright {
 
-class DistanceField;
+struct DistanceField;
 
 // Statistics over the painted places, mm.
 struct Spread {

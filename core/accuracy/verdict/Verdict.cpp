@@ -22,7 +22,7 @@ VerdictReason numericalErrorReason(const ZoneError& error, const NumericalErrorE
                          error.percentile95 > error.limit ? Advice::DoNotPrint : Advice::CheckFirst,
                          error.percentile95, allowed};
     const double finer = allowed / error.percentile95;
-    if (estimate.doubleStep.distance.percentile95 > estimate.doubleSpacing.distance.percentile95) {
+    if (estimate.halfStep().distance.percentile95 > estimate.halfSpacing().distance.percentile95) {
         reason.kind = Kind::Step;
     } else if (finer < finestCellNamed) {
         reason.kind = Kind::OffByMuch;
@@ -55,8 +55,8 @@ void addZoneReasons(ReasonList& found, const ZoneError& error,
 
 void addEstimateReasons(ReasonList& found, const NumericalErrorEstimate& estimate,
                         const std::vector<ZoneError>& zones, const JudgedDip& dip) {
-    const SheetChange spacing = estimate.halfSpacing();
-    const SheetChange step = estimate.halfStep();
+    const SheetChange& spacing = estimate.doubleSpacing;
+    const SheetChange& step = estimate.doubleStep;
     if (spacing.painted == 0 || step.painted == 0 || zones.empty()) {
         found.add({Kind::NothingAlike, Advice::DoNotPrint});
         return;
@@ -65,7 +65,8 @@ void addEstimateReasons(ReasonList& found, const NumericalErrorEstimate& estimat
         addZoneReasons(found, zone, estimate, dip.laid.film().grid,
                        dip.zones ? std::optional(zone.zone) : std::nullopt);
     }
-    const double once = std::max(spacing.paintedOnce, step.paintedOnce);
+    // The border moves by about one film cell, and the compared films have double cells.
+    const double once = halfSpacingShare * std::max(spacing.paintedOnce, step.paintedOnce);
     if (once > mostPaintedOnce) {
         found.add({Kind::Border, once > spoiltPaintedOnce ? Advice::DoNotPrint : Advice::CheckFirst,
                    once, mostPaintedOnce});

@@ -121,7 +121,7 @@ private slots:
     void verdict_stepErrorAboveLimit_givesReasonStep() {
         const auto laid = filmWith({}, true);
         NumericalErrorEstimate estimate = movedBy(*laid, 0.75);
-        estimate.doubleStep.distance.percentile95 = 0.8;
+        estimate.doubleStep.distance.percentile95 = 1.6; // a quarter of it is compared
         QCOMPARE(judged(*laid, &estimate).reasons.front().kind, VerdictReason::Kind::Step);
     }
 
