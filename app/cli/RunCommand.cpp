@@ -3,10 +3,10 @@
 #include "project/Profiles.h"
 
 #include "base/Error.h"
+#include "dip/FilmUnderBody.h"
 #include "parallel/Tasks.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/Pipeline.h"
-#include "pipeline/RunUntilPrint.h"
 #include "pipeline/SmallerFilm.h"
 #include "pipeline/WriteResults.h"
 #include "project/ProjectStore.h"
@@ -33,7 +33,6 @@ const QString tolerancesOption = QStringLiteral("tolerances");
 const QString requireOption = QStringLiteral("require");
 const QString untilOption = QStringLiteral("until");
 const QString workOption = QStringLiteral("work");
-constexpr int mostWork = 100'000; // million points × steps
 
 constexpr std::size_t mostPlaces = 8; // number of unreached places that are listed
 
@@ -227,14 +226,14 @@ std::optional<Advice> requiredAdvice(const QCommandLineParser& parser) {
                      QStringLiteral("--require"));
 }
 
-// Returns the limit of --work for --until print; none without --until.
-std::optional<double> refinementWork(const QCommandLineParser& parser) {
+// Applies --until and --work to the project's film.
+void applyRefinement(Project& project, const QCommandLineParser& parser) {
+    if (parser.isSet(workOption)) {
+        setByOption(project, QStringLiteral("film.work_million"), parser.value(workOption),
+                    QStringLiteral("--work"));
+    }
     if (!parser.isSet(untilOption)) {
-        if (parser.isSet(workOption)) {
-            throw UsageError(QStringLiteral("--work limits --until print; give both"),
-                             QStringLiteral("--work"));
-        }
-        return std::nullopt;
+        return;
     }
     if (parser.value(untilOption) != QLatin1String("print")) {
         throw UsageError(
@@ -246,7 +245,11 @@ std::optional<double> refinementWork(const QCommandLineParser& parser) {
                                         "--no-certainty"),
                          QStringLiteral("--until"));
     }
-    return 1e6 * wholeNumberOption(parser, workOption, 1, mostWork);
+    if (!isRefinable(project.film)) {
+        throw UsageError(QStringLiteral("Only films with automatic cells and a work limit above 0 "
+                                        "are refined; add --set film.resolution=automatic"),
+                         QStringLiteral("--until"));
+    }
 }
 
 // Returns the verdict to compare with the requirement. A job whose numerical error was not judged
@@ -319,13 +322,15 @@ public:
         syntax.addOption(
             {untilOption,
              QStringLiteral("Repeats the dips with smaller film cells until the numerical error is "
-                            "small enough to print the sheets."),
+                            "small enough to print the sheets. Films with automatic cells do this "
+                            "without the option; with it, other films are refused."),
              QStringLiteral("print")});
         syntax.addOption({workOption,
-                          QStringLiteral("The limit for --until: million film points × steps of "
-                                         "one dip; default %1, about 20 s on two cores.")
-                              .arg(int(defaultWork / 1e6)),
-                          QStringLiteral("N"), QString::number(int(defaultWork / 1e6))});
+                          QStringLiteral("The limit for smaller cells: million film points × steps "
+                                         "of one dip (film.work_million); default %1, about 20 s "
+                                         "on two cores. 0: the cells stay as they are.")
+                              .arg(int(defaultFilmWork)),
+                          QStringLiteral("N")});
         syntax.addOption(
             {motionOption,
              QStringLiteral("A text template whose {names} are filled in for motion-N.gcode."),
@@ -383,7 +388,6 @@ private:
         JobOptions options;
         options.solver = parser.value(solverOption);
         options.estimatesNumericalError = !parser.isSet(numericalErrorOption);
-        options.untilPrint = refinementWork(parser);
         options.variesLaws = parser.isSet(lawsOption);
         options.computesTolerances = parser.isSet(tolerancesOption);
         if (parser.isSet(languageOption)) {
@@ -406,6 +410,7 @@ private:
             setByOption(project, QStringLiteral("sheet.dpi"), parser.value(dpiOption),
                         QStringLiteral("--dpi"));
         }
+        applyRefinement(project, parser);
         const JobResult result = runAndWrite(project, registry, options, nullptr, folder, progress);
         printSummary(result, console.out());
         console.out() << QStringLiteral("Wrote %1\n").arg(folder);

@@ -121,6 +121,10 @@ bool isGraded(const FilmSettings& film) {
            solver::isProductionFilm(film.lattice, film.support);
 }
 
+bool isRefinable(const FilmSettings& film) {
+    return isGraded(film) && film.resolution == FilmResolution::Automatic && film.work > 0;
+}
+
 solver::FilmGrid gradedFilm(const FilmSettings& film, const Eigen::AlignedBox2d& shadow,
                             double drawIn, Millimetres cell,
                             const std::array<Millimetres, 2>& offset) {

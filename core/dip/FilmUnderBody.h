@@ -34,6 +34,9 @@ Millimetres automaticCell(const Underside& underside, const FilmSettings& film);
 
 // Whether the grid of a film is adapted to the body. For the paper's film model it never is.
 bool isGraded(const FilmSettings& film);
+// Whether a dip with this film is repeated with smaller cells until its sheet can be printed
+// (pipeline/FilmRefinement.h).
+bool isRefinable(const FilmSettings& film);
 
 // Returns how far beyond the body's shadow film is expected to be drawn in, mm.
 double drawIn(const Underside& underside);

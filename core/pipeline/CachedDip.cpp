@@ -16,6 +16,7 @@ struct Text {
 };
 
 constexpr double mostMillimetres = 1e6, mostGrown = 1e3;
+constexpr double mostRefinement = 1000;
 constexpr int longestFailure = 1000;
 
 // Reads the values of a stored dip in order and checks each against its range.
@@ -191,6 +192,7 @@ QByteArray cachedDip(const CachedDip& dip) {
     QByteArray bytes;
     QDataStream out(&bytes, QIODevice::WriteOnly);
     out.setVersion(QDataStream::Qt_6_0);
+    out << dip.refinement;
     write(out, dip.film);
     out << quint8(dip.numericalError != nullptr);
     if (dip.numericalError) {
@@ -199,10 +201,12 @@ QByteArray cachedDip(const CachedDip& dip) {
     return bytes;
 }
 
-CachedDip readCachedDip(const QByteArray& bytes, const solver::FilmGrid& grid, bool isotropic,
+CachedDip readCachedDip(const QByteArray& bytes, const GridOfRefinement& gridOf, bool isotropic,
                         const QString& where) {
     Reader file(bytes, where);
-    CachedDip dip{readFilm(file, grid, isotropic), nullptr};
+    const auto refinement = file.value(1.0, mostRefinement);
+    const solver::FilmGrid grid = gridOf(refinement);
+    CachedDip dip{readFilm(file, grid, isotropic), refinement, nullptr};
     if (file.value<quint8>(0, 1) == 1) {
         dip.numericalError =
             std::make_shared<const NumericalErrorEstimate>(readEstimate(file, grid.pointCount()));

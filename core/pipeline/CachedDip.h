@@ -7,6 +7,8 @@
 
 #include <QByteArray>
 #include <QString>
+
+#include <functional>
 #include <memory>
 
 namespace dipwright {
@@ -14,14 +16,16 @@ namespace dipwright {
 // A dip as the cache holds it.
 struct CachedDip {
     DippedFilm film;
+    double refinement = 1;                                        // ImmersionResult::refinement
     std::shared_ptr<const NumericalErrorEstimate> numericalError; // null: not estimated
 };
 
 // Encodes a dip.
 QByteArray cachedDip(const CachedDip& dip);
-// Decodes a dip with the film points of `grid`. Checks every value against its range and never
-// reads beyond the bytes. Throws Error if the bytes are not a dip of such a film.
-CachedDip readCachedDip(const QByteArray& bytes, const solver::FilmGrid& grid, bool isotropic,
+// Decodes a dip. `gridOf` returns the film's grid for a refinement. Checks every value against its
+// range and never reads beyond the bytes. Throws Error if the bytes are not a dip of such a film.
+using GridOfRefinement = std::function<solver::FilmGrid(double refinement)>;
+CachedDip readCachedDip(const QByteArray& bytes, const GridOfRefinement& gridOf, bool isotropic,
                         const QString& where);
 // Returns the error for a damaged cache file `where`.
 Error damagedDips(const QString& where);

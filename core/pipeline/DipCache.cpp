@@ -55,6 +55,12 @@ public:
                    {QStringLiteral("film"), values[QLatin1String("film")]},
                    {QStringLiteral("process"), process},
                    {QStringLiteral("field"), project.fieldResolution}};
+        if (isRefinable(project.film)) { // the limits decide how far the film is refined
+            const QJsonObject tolerance = values[QLatin1String("tolerance")].toObject();
+            for (const char* key : {"limits_mm", "marks"}) {
+                common_[QLatin1String(key)] = tolerance[QLatin1String(key)];
+            }
+        }
     }
 
     QString of(const Immersion& immersion, const SolverInfo& solver) const {
@@ -88,13 +94,16 @@ QString entryOf(int number, const QString& key) {
 // Fills in the cached film and its numerical error.
 void restore(ImmersionResult& dip, const Project& project, const QByteArray& bytes,
              const QString& where) {
-    const FilmSettings& settings = project.film;
-    const solver::FilmGrid grid =
-        isGraded(settings)
-            ? filmUnderBody(settings, undersideOf(*dip.body, project.process), dip.immersion.offset)
-            : filmGrid(settings);
+    const auto gridOf = [&](double refinement) {
+        FilmSettings film = project.film;
+        film.refinement = refinement;
+        return isGraded(film) ? filmUnderBody(film, undersideOf(*dip.body, project.process),
+                                              dip.immersion.offset)
+                              : filmGrid(film);
+    };
     CachedDip kept =
-        readCachedDip(bytes, grid, settings.lattice == solver::Lattice::Isotropic, where);
+        readCachedDip(bytes, gridOf, project.film.lattice == solver::Lattice::Isotropic, where);
+    dip.refinement = kept.refinement;
     if (!isStable(kept.film, dipTravel(project.process, *dip.body)) ||
         std::find(kept.film.states.begin(), kept.film.states.end(), solver::PointState::Adhered) ==
             kept.film.states.end()) {
@@ -167,7 +176,8 @@ void cacheDips(const JobResult& result, const QString& project, qint64 most) {
         const QString key = keys.of(dip.immersion, dip.solver);
         // A failed comparison is tried again next time.
         const bool isKnown = dip.numericalError && dip.numericalError->failure.isEmpty();
-        QByteArray bytes = cachedDip({dip.laid->film(), isKnown ? dip.numericalError : nullptr});
+        QByteArray bytes =
+            cachedDip({dip.laid->film(), dip.refinement, isKnown ? dip.numericalError : nullptr});
         const auto known = std::find_if(dips.begin(), dips.end(),
                                         [&](const auto& other) { return other.first == key; });
         isNew = isNew || known == dips.end() || known->second != bytes;

@@ -50,13 +50,13 @@ Project draftProject(Project project, int level, int coarsest) {
 
 void JobDrafts::add(int level, std::shared_ptr<const JobResult> result) {
     if (result) {
-        results_[level] = std::move(result);
-        newest_ = level;
+        newest_ = std::max(level, 0);
+        results_[newest_] = std::move(result);
     }
 }
 
 std::shared_ptr<const JobResult> JobDrafts::reusable(const Project& project, int level) const {
-    const auto own = results_.find(level);
+    const auto own = results_.find(std::max(level, 0));
     const auto newest = results_.find(newest_);
     if (own == results_.end() || own == newest) {
         return newest == results_.end() ? nullptr : newest->second;
@@ -99,7 +99,8 @@ JobResult runLevel(const Project& project, int level, int coarsest, const Solver
                    decltype(JobOptions::observer) observer) {
     const std::shared_ptr<const JobResult> previous = earlier.reusable(project, level);
     JobOptions options;
-    if (level == 0) {
+    if (level <= 0) {
+        options.refines = level == refinedLevel;
         options.observer = std::move(observer);
         return runJob(project, registry, options, previous.get(), progress);
     }
@@ -107,6 +108,11 @@ JobResult runLevel(const Project& project, int level, int coarsest, const Solver
     options.draftPictures = std::min(1.0, std::ldexp(coarsestPictures, coarsest - level));
     return runJob(draftProject(project, level, coarsest), registry, options, previous.get(),
                   progress);
+}
+
+bool canBeRefined(const JobResult& result) {
+    return std::any_of(result.immersions.begin(), result.immersions.end(),
+                       [](const ImmersionResult& dip) { return dip.finer.has_value(); });
 }
 
 std::optional<double> movesSince(const JobResult& coarser, const JobResult& result) {

@@ -1,7 +1,8 @@
 // Computes drafts of a job: the same steps with a coarser film and smaller pictures, fast enough to
 // follow the user's hand.
 //
-// Level n has film cells 2ⁿ times as long as the project's. Level 0 is the job itself (runJob()).
+// Level n has film cells 2ⁿ times as long as the project's. Level 0 is the job itself (runJob()),
+// but without refined films. Refined films (FilmRefinement.h) follow as the level `refinedLevel`.
 #pragma once
 
 #include "base/Progress.h"
@@ -15,11 +16,14 @@ namespace dipwright {
 // The coarsest draft has at least this many cells along the longer edge of each film.
 inline constexpr int fewestDraftCells = 20;
 
+inline constexpr int refinedLevel = -1;
+
 // Keeps the latest result of each level, so that the next run takes over what still fits.
 class JobDrafts {
 public:
     void clear() { results_.clear(); }
-    void add(int level, std::shared_ptr<const JobResult> result); // ignores null
+    // Ignores null. A refined result takes the place of level 0.
+    void add(int level, std::shared_ptr<const JobResult> result);
     // Returns what a run of `project` at `level` can take over (runJob(), `previous`); null if
     // there is nothing. Takes the results of `level`, and of others what does not depend on the
     // level, such as bodies in their poses.
@@ -35,11 +39,14 @@ private:
 int coarsestDraft(const Project& project, const JobDrafts& earlier);
 
 // Runs `level`, of `coarsest` levels, with what `earlier` has to take over. A draft estimates no
-// numerical error and no read-back error; level 0 is runJob() with `observer` (JobOptions.h).
+// numerical error and no read-back error. `observer` (JobOptions.h) gets the dips of other levels.
 // Throws like runJob().
 JobResult runLevel(const Project& project, int level, int coarsest, const SolverRegistry& registry,
                    const JobDrafts& earlier, const Progress& progress,
                    decltype(JobOptions::observer) observer = {});
+
+// Whether the level refinedLevel has something to do after `result` of level 0.
+bool canBeRefined(const JobResult& result);
 
 // Returns how far 95 % of the sheets' points move from the draft `coarser` to `result`, whose cells
 // are half as long, in mm; the largest of all dips. For an error of first order, this is the error

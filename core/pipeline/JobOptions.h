@@ -24,9 +24,9 @@ struct JobOptions {
     // Measures how much each sheet depends on the assumed laws. Takes eight more dips for each
     // immersion (LawChanges.h).
     bool variesLaws = false;
-    // For runAndWrite(): runs the job until its sheets can be printed (RunUntilPrint.h), with this
-    // limit of the work. None: runs the job once.
-    std::optional<double> untilPrint;
+    // Repeats dips with smaller cells until their sheets can be printed, as far as the film's
+    // settings allow (FilmRefinement.h). False: ImmersionResult::finer says what is left to do.
+    bool refines = true;
     // Makes a cradle for each dip (JobCradles.h). Takes some seconds per cradle.
     bool makesCradles = false;
     // Computes how far colours may land from their places within the project's tolerances. Takes

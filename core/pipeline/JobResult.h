@@ -31,6 +31,10 @@ struct ImmersionResult {
     SolverInfo solver;       // simulated the dip: the chosen solver, or the solver that took over
     QStringList solverNotes; // sentences for the user if a solver took over
     std::shared_ptr<const LaidFilm> laid;
+    double refinement = 1; // the film has this many times the cells of the settings, along an edge
+    // Refinement with which the dip is to be repeated (FilmRefinement.h); none: it is fine enough,
+    // or smaller cells are not possible.
+    std::optional<double> finer;
     std::shared_ptr<const Coverage> coverage;
     std::shared_ptr<const NumericalErrorEstimate> numericalError; // null: not requested
     Verdict verdict;                                              // verdict on this dip alone

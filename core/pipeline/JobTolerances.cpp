@@ -1,5 +1,6 @@
 #include "pipeline/JobTolerances.h"
 
+#include "pipeline/FilmRefinement.h"
 #include "pipeline/SolverChoice.h"
 
 namespace dipwright {
@@ -28,11 +29,12 @@ JobTolerances jobTolerances(const JobResult& result, const ToleranceSettings& se
                 return share.at(point) >= mostColour;
             };
         }
+        const FilmSettings film = filmOf(immersion, project);
         const double begin = fieldDone + part * double(number);
         tolerances.dips.push_back(
             withFallback(solver, registry, [&](const solver::SolverModule& module) {
-                return dipTolerances({*project.model, immersion.immersion, project.film,
-                                      project.process, *field, immersion.laid, isPainted, module},
+                return dipTolerances({*project.model, immersion.immersion, film, project.process,
+                                      *field, immersion.laid, isPainted, module},
                                      settings, progress.part(begin, begin + part));
             }));
     }

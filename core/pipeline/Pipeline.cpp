@@ -9,6 +9,7 @@
 #include "film/FilmGrid.h"
 #include "model/TextureNotes.h"
 #include "parallel/Tasks.h"
+#include "pipeline/FilmRefinement.h"
 #include "pipeline/JobCradles.h"
 #include "pipeline/JobSheet.h"
 #include "pipeline/JobTolerances.h"
@@ -45,6 +46,7 @@ constexpr double lawsBegin = 0.3;        // if laws are varied
 constexpr double tolerancesBegin = 0.15; // if tolerances are computed
 constexpr double cradlesBegin = 0.6;
 constexpr double dipsDone = 0.7; // as a fraction of the time after the field
+constexpr double firstDip = 0.3; // of an immersion's dips, if its film may be refined
 constexpr double sharesDone = 0.75;
 constexpr double proofDone = 0.97;
 constexpr double draftTolerance = 1; // of a draft's texture, pixels
@@ -61,15 +63,27 @@ struct Run {
     const JobResult* previous; // may be null
     CancelToken user;
     std::shared_ptr<const ZonedBody> zones; // null: no zones are marked
+    // For each immersion, whether this run has refined its film, so that nothing made from the
+    // earlier film is taken over.
+    std::vector<char> isRefined = {};
 
     const ImmersionResult* earlier(std::size_t number) const {
-        return previous && number < previous->immersions.size() ? &previous->immersions[number]
-                                                                : nullptr;
+        return previous && number < previous->immersions.size() && !isRefined[number]
+                   ? &previous->immersions[number]
+                   : nullptr;
+    }
+    // The earlier result, for what depends on all films. Null if a film has been refined.
+    const JobResult* earlierTogether() const {
+        return std::count(isRefined.begin(), isRefined.end(), true) > 0 ? nullptr : previous;
     }
 };
 
+// Tells whether the earlier film can be taken over. A film that was refined for other limits
+// cannot.
 bool hasDipped(const ImmersionResult* earlier, const DipInputs& inputs) {
-    return earlier && earlier->inputs.texture.dip == inputs;
+    return earlier &&
+           (earlier->inputs.texture.dip == inputs ||
+            (earlier->refinement == 1 && beginAlike(earlier->inputs.texture.dip, inputs)));
 }
 
 // Tells whether the numerical error has to be estimated from coarser dips.
@@ -123,7 +137,7 @@ void dip(ImmersionResult& result, const Run& run, std::size_t number, const Dist
         observer = [&](const FilmFrame& frame) { run.options.observer(number, frame); };
     }
     DippedFilm film = withFallback(solver, run.registry, [&](const solver::SolverModule& module) {
-        return simulateDip(*result.body, field, result.immersion, run.project.film,
+        return simulateDip(*result.body, field, result.immersion, filmOf(result, run.project),
                            run.project.process, module, progress, observer);
     });
     result.solver = solver.solver;
@@ -222,44 +236,107 @@ struct Comparison {
 // Starts the coarser dips. Keeps references to all arguments except the result and the solver's id.
 void compare(Comparison& comparison, const Run& run, const ImmersionResult& result,
              const DistanceField& field, const QString& solver, const CancelToken& left) {
-    comparison.dips.run([&, solver, body = result.body, immersion = result.immersion] {
+    comparison.dips.run([&, solver, body = result.body, immersion = result.immersion,
+                         film = filmOf(result, run.project)] {
         const auto isCancelled = [&] { return left.isCancelled() || run.user.isCancelled(); };
         // Without runIsolated(), a parallel loop of this task could start another task that waits
         // for this task.
         runIsolated([&] {
-            comparison.films =
-                coarserFilms({{body, immersion}}, field, run.project.film, run.project.process,
-                             run.registry.module(solver), isCancelled)
-                    .front();
+            comparison.films = coarserFilms({{body, immersion}}, field, film, run.project.process,
+                                            run.registry.module(solver), isCancelled)
+                                   .front();
         });
     });
 }
 
-// Does the first part of an immersion's work, up to the laid film. On a CPU the coarser dips run at
-// the same time. On a GPU they run afterwards, because one GPU cannot run both at the same time.
-ImmersionResult dippedImmersion(const Run& run, std::size_t number, const SheetInputs& inputs,
-                                const JobResult& job, SolverChoice& solver, Comparison& comparison,
-                                const CancelToken& left, const Progress& progress) {
-    const DistanceField* field = job.field.get();
+// The solver, the field and the comparison for the dips of one immersion.
+struct Dipping {
+    const DistanceField* field; // null if no dip is simulated
+    SolverChoice& solver;
+    Comparison& comparison;
+    const CancelToken& left;
+};
+
+// Simulates a dip, if `isDipped` is false, and the coarser dips, if they are wanted. On a CPU they
+// run at the same time. On a GPU they run afterwards, because one GPU cannot run both at the same
+// time.
+void dipAndCompare(ImmersionResult& now, bool isDipped, const Run& run, std::size_t number,
+                   const Dipping& dipping, const Progress& progress) {
+    const bool isBeside = dipping.solver.solver.deviceKind != QLatin1String("gpu");
+    const auto compareNow = [&] {
+        compare(dipping.comparison, run, now, *dipping.field, dipping.solver.solver.id,
+                dipping.left);
+    };
+    if (dipping.comparison.isWanted && isBeside) {
+        compareNow();
+    }
+    if (!isDipped) {
+        dip(now, run, number, *dipping.field, dipping.solver, progress);
+    }
+    if (dipping.comparison.isWanted && !isBeside) {
+        compareNow();
+    }
+}
+
+// Waits for the coarser dips and estimates the numerical error, if it is wanted.
+void judge(ImmersionResult& now, const Run& run, Comparison& comparison) {
+    if (std::exchange(comparison.isWanted, false)) {
+        comparison.dips.wait();
+        run.user.throwIfCancelled();
+        now.numericalError = std::make_shared<const NumericalErrorEstimate>(
+            estimateNumericalError(*now.laid, std::exchange(comparison.films, {})));
+    }
+}
+
+// Repeats the dip with smaller cells while that may make its sheet good enough to print. If such a
+// dip fails, keeps the film before it.
+void refine(ImmersionResult& now, Run& run, std::size_t number, const Dipping& dipping,
+            const Progress& progress) {
+    double done = 0;
+    judge(now, run, dipping.comparison);
+    while (const std::optional<double> finer = nextRefinement(now, run.project, run.zones.get())) {
+        ImmersionResult next;
+        next.immersion = now.immersion;
+        next.body = now.body;
+        next.appearance = now.appearance;
+        next.refinement = *finer;
+        dipping.comparison.isWanted = true;
+        const double nextDone = done + (1 - done) / 2;
+        try {
+            dipAndCompare(next, false, run, number, dipping, progress.part(done, nextDone));
+            judge(next, run, dipping.comparison);
+        } catch (const Error& error) {
+            dipping.comparison.isWanted = false;
+            now.solverNotes.append(Text::tr("The dip could not be repeated with smaller cells: %1")
+                                       .arg(error.message()));
+            return;
+        }
+        done = nextDone;
+        now = std::move(next);
+        run.isRefined[number] = true;
+    }
+}
+
+// Does the first part of an immersion's work, up to the laid film.
+ImmersionResult dippedImmersion(Run& run, std::size_t number, const SheetInputs& inputs,
+                                const JobResult& job, const Dipping& dipping,
+                                const Progress& progress) {
     const ImmersionResult* earlier = run.earlier(number);
-    const bool isDipped = hasDipped(earlier, inputs.texture.dip);
-    const bool isBeside = solver.solver.deviceKind != QLatin1String("gpu");
-    comparison.isWanted = isToBeJudged(run, earlier, inputs.texture.dip);
+    const DipInputs& wanted = inputs.texture.dip;
+    const bool isDipped = hasDipped(earlier, wanted);
+    dipping.comparison.isWanted = isToBeJudged(run, earlier, wanted);
     ImmersionResult now;
     if (isDipped) {
         now = *earlier;
     }
     now.immersion = run.project.immersions[number];
-    now.body = bodyOf(run, number, inputs.texture.dip.body);
+    now.body = bodyOf(run, number, wanted.body);
     now.appearance = job.painted;
-    if (comparison.isWanted && isBeside) {
-        compare(comparison, run, now, *field, solver.solver.id, left);
-    }
-    if (!isDipped) {
-        dip(now, run, number, *field, solver, progress);
-    }
-    if (comparison.isWanted && !isBeside) {
-        compare(comparison, run, now, *field, solver.solver.id, left);
+    const bool refines =
+        wanted.refinement && run.options.refines && run.options.estimatesNumericalError;
+    dipAndCompare(now, isDipped, run, number, dipping, progress.part(0, refines ? firstDip : 1));
+    if (refines) {
+        refine(now, run, number, dipping, progress.part(firstDip, 1));
     }
     now.inputs = inputs;
     return now;
@@ -273,9 +350,10 @@ std::shared_ptr<const BodyShare> shareOf(const Run& run, const ShareStage* stage
     if (!inputs) {
         return nullptr;
     }
-    if (run.previous && run.previous->share &&
-        run.previous->immersions.front().inputs.texture.share == inputs) {
-        return run.previous->share;
+    const JobResult* previous = run.earlierTogether();
+    if (previous && previous->share &&
+        previous->immersions.front().inputs.texture.share == inputs) {
+        return previous->share;
     }
     return std::make_shared<const BodyShare>(shareBody(
         *stage, {immersions[0].laid, immersions[1].laid}, inputs->settings, inputs->ink, progress));
@@ -345,12 +423,9 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
         now.inkShortfall = shortfallOf(now.sheet, run.project.profiles.printer);
     }
     measuring.wait();
-    if (comparison.isWanted) {
-        comparison.dips.wait();
-        run.user.throwIfCancelled();
-        now.numericalError = std::make_shared<const NumericalErrorEstimate>(
-            estimateNumericalError(*now.laid, std::exchange(comparison.films, {})));
-    }
+    judge(now, run, comparison);
+    now.finer =
+        run.options.refines ? std::nullopt : nextRefinement(now, run.project, run.zones.get());
     now.verdict = dipVerdict(now, run.project, run.zones.get());
     if (run.options.finished) {
         run.options.finished(number, now);
@@ -366,8 +441,10 @@ void varyLaws(JobResult& result, const Run& run, SolverChoice& solver, const Pro
         ImmersionResult& immersion = result.immersions[number];
         progress(double(number) / double(result.immersions.size()), Text::tr("Varying the laws"));
         immersion.laws = withFallback(solver, run.registry, [&](const auto& module) {
-            return lawChanges(run.project, immersion.immersion, immersion.body, *immersion.laid,
-                              *field, module, progress.cancelToken);
+            Project refined = run.project;
+            refined.film = filmOf(immersion, run.project);
+            return lawChanges(refined, immersion.immersion, immersion.body, *immersion.laid, *field,
+                              module, progress.cancelToken);
         });
     }
 }
@@ -480,12 +557,10 @@ void prepareStages(JobResult& result, const Run& run, const TextureInputs& input
 // The work after a dip runs at the same time as the next dip, because a solver leaves some cores
 // idle. If the dips share the body, the pictures are made after the last dip. The proof is made
 // after the pictures; it does not wait for the sheets.
-void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInputs>& inputs,
+void runImmersions(JobResult& result, Run& run, const std::vector<SheetInputs>& inputs,
                    SolverChoice& solver, const Progress& progress) {
     std::vector<ImmersionResult>& immersions = result.immersions;
     immersions.resize(inputs.size());
-    const bool hasProof = hasProofOf(run.previous, inputs);
-    const bool hasCoverage = hasProof && !hasOldNames(run.previous, inputs);
     // Declared before the tasks that use them, so that after an exception the tasks end before
     // these variables are destroyed.
     CancelToken left; // cancelled on an exception, so that the comparisons stop
@@ -508,8 +583,9 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
         const double begin = part * double(number);
         runIsolated([&] {
             immersions[number] =
-                dippedImmersion(run, number, inputs[number], result, solver, comparisons[number],
-                                left, progress.part(begin, begin + part));
+                dippedImmersion(run, number, inputs[number], result,
+                                {result.field.get(), solver, comparisons[number], left},
+                                progress.part(begin, begin + part));
         });
         if (!isShared) {
             stages.wait();
@@ -528,6 +604,8 @@ void runImmersions(JobResult& result, const Run& run, const std::vector<SheetInp
     }
     progress(sharesDone, Text::tr("Reversing the texture"));
     pictures.wait();
+    const bool hasProof = hasProofOf(run.earlierTogether(), inputs);
+    const bool hasCoverage = hasProof && !hasOldNames(run.previous, inputs);
     runIsolated([&] { showTogether(result, run, hasProof, hasCoverage, progress); });
     sheets.wait();
     result.coverageTotal = coverageTotal(immersions, progress);
@@ -577,7 +655,8 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     if (const QString note = memoryNote(project, printed); !note.isEmpty()) {
         progress(0, note);
     }
-    const Run run{project, registry, options, previous, progress.cancelToken, markedZones(project)};
+    Run run{project, registry, options, previous, progress.cancelToken, markedZones(project)};
+    run.isRefined.resize(project.immersions.size());
     JobResult result;
     result.project = project;
     result.wantedSolver = options.solver.isEmpty() ? project.process.solver : options.solver;
@@ -611,6 +690,9 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     }
     result.solver = result.immersions.back().solver;
     result.notes += notesOf(result);
+    if (options.refines) {
+        result.notes += refinementNotes(result);
+    }
     if (const QString note = colourNoteText(options.filmImage, Text::tr("The picture on the film"));
         !note.isEmpty()) {
         result.notes += note;

@@ -1,6 +1,7 @@
 #include "pipeline/StepInputs.h"
 
 #include "accuracy/correction/SheetCorrection.h"
+#include "dip/FilmUnderBody.h"
 #include "pipeline/JobOptions.h"
 #include "project/Project.h"
 
@@ -31,9 +32,20 @@ DipInputs dipInputs(const Project& project, std::size_t number, const QString& s
                      project.immersions[number].offset,
                      project.film,
                      project.process,
-                     solver};
+                     solver,
+                     {}};
     inputs.process.solver.clear();
+    const bool isDraft = project.film.refinement < 1;
+    if (isRefinable(project.film) && !isDraft) {
+        inputs.refinement = {project.tolerance.limits, project.tolerance.marks};
+    }
     return inputs;
+}
+
+bool beginAlike(DipInputs first, const DipInputs& second) {
+    first.refinement = second.refinement;
+    first.film.work = second.film.work;
+    return first == second;
 }
 
 bool isShared(const Project& project) {

@@ -14,6 +14,7 @@
 #include "settings/Profile.h"
 #include "settings/ShareSettings.h"
 #include "settings/SheetSettings.h"
+#include "settings/ToleranceSettings.h"
 
 #include <QImage>
 #include <QJsonObject>
@@ -52,16 +53,27 @@ struct PaintInputs {
     bool operator==(const PaintInputs&) const = default;
 };
 
+// The limits of the numerical error, which decide how far a film is refined.
+struct RefinementInputs {
+    std::array<Millimetres, zoneCount> limits;
+    std::vector<ZoneMark> marks;
+    bool operator==(const RefinementInputs&) const = default;
+};
+
 // Inputs of the laid film and its measurements.
 struct DipInputs {
     BodyInputs body;
     FieldInputs field;
     std::array<Millimetres, 2> offset{};
     FilmSettings film;
-    ProcessSettings process; // with an empty `solver`, which could be "auto"
-    QString solver;          // the id of the chosen solver
+    ProcessSettings process;                    // with an empty `solver`, which could be "auto"
+    QString solver;                             // the id of the chosen solver
+    std::optional<RefinementInputs> refinement; // none: the film is not refined
     bool operator==(const DipInputs&) const = default;
 };
+
+// Whether dips with these inputs begin with the same film. They may be refined differently.
+bool beginAlike(DipInputs first, const DipInputs& second);
 
 // Inputs of how two dips share the body.
 struct ShareInputs {

@@ -10,7 +10,6 @@
 #include "pipeline/JobTraveller.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/Report.h"
-#include "pipeline/RunUntilPrint.h"
 #include "results/Results.h"
 #include "sheet/prepress/SheetFiles.h"
 
@@ -289,25 +288,14 @@ JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
                    {}}); // throws Error before the job
     Tasks writing;
     const Progress running = progress.part(0, 0.95);
-    const auto write = [&](std::size_t number, const ImmersionResult& immersion) {
+    JobOptions watched = options;
+    watched.finished = [&](std::size_t number, const ImmersionResult& immersion) {
         writing.run([&, number, immersion] {
             writeTogether(immersionPieces(project, immersion, number, results), progress.silent());
         });
     };
-    const auto runOnce = [&] {
-        JobOptions watched = options;
-        watched.finished = write;
-        return runJob(project, registry, watched, previous, running);
-    };
-    const JobResult result =
-        options.untilPrint ? runUntilPrint(project, registry, options, *options.untilPrint, running)
-                           : runOnce();
-    if (options.untilPrint) {
-        for (std::size_t number = 0; number < result.immersions.size(); ++number) {
-            write(number, result.immersions[number]);
-        }
-    }
-    std::vector<Piece> pieces = jobPieces(result.project, result, results);
+    const JobResult result = runJob(project, registry, watched, previous, running);
+    std::vector<Piece> pieces = jobPieces(project, result, results);
     addTraveller(pieces, result, motion, results, progress.cancelToken);
     writeTogether(pieces, progress.part(0.95, 1));
     writing.wait();

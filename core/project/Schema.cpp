@@ -108,6 +108,8 @@ void addFilmFields(std::vector<Field<Project>>& fields) {
         "film.resolution",
         {QStringLiteral("points"), QStringLiteral("automatic"), QStringLiteral("cell")},
         [](auto& p) -> auto& { return p.film.resolution; })));
+    fields.push_back(omittedIfDefault(notHashedIfDefault(number(
+        "film.work_million", 0, mostFilmWork, [](auto& p) -> auto& { return p.film.work; }))));
     fields.push_back(choice(
         "film.lattice", {QStringLiteral("structural"), QStringLiteral("isotropic")},
         [](auto& p) -> auto& { return p.film.lattice; }));

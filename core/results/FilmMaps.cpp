@@ -111,7 +111,7 @@ class FilmPicture {
 public:
     FilmPicture(const FilmValues& film, const solver::FilmGrid& grid, const Scale& scale,
                 QSize size)
-        : film_(film), grid_(grid), scale_(scale), size_(size), colours_(colourTable(scale)),
+        : film_(film), scale_(scale), size_(size), colours_(colourTable(scale)),
           reach_(std::max(1, size.height() / 1000)), hatch_(std::max(size.width(), size.height())) {
         for (int x = -margin(); x < size.width() + margin(); ++x) {
             columns_.push_back(columnAt(grid, (x + 0.5) / size.width()));
@@ -168,7 +168,6 @@ private:
     }
 
     const FilmValues& film_;
-    const solver::FilmGrid& grid_;
     const Scale& scale_;
     QSize size_;
     std::array<QRgb, 256> colours_;

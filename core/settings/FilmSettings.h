@@ -42,6 +42,8 @@ struct FilmBehaviour {
 };
 
 inline constexpr int maximumFilmGrid = 4'000'000; // most points of a film
+inline constexpr double defaultFilmWork = 60;     // FilmSettings::work; about 20 s on two cores
+inline constexpr double mostFilmWork = 100'000;
 
 // How the number of a film's points is chosen.
 enum class FilmResolution : std::uint8_t {
@@ -57,9 +59,12 @@ struct FilmSettings : FilmBehaviour {
     Millimetres width{210};  // the printed sheet along X
     Millimetres height{297}; // the printed sheet along Z
     FilmResolution resolution = FilmResolution::Points;
-    int columns = 120;     // for FilmResolution::Points, and always for the paper's film
-    int rows = 170;        // see `columns`
-    Millimetres cell{1};   // for FilmResolution::Cell: cell size of the floating film over the body
+    int columns = 120;   // for FilmResolution::Points, and always for the paper's film
+    int rows = 170;      // see `columns`
+    Millimetres cell{1}; // for FilmResolution::Cell: cell size of the floating film over the body
+    // For FilmResolution::Automatic: the dip is repeated with smaller cells until its sheet can be
+    // printed, but never with more than this work: million points × steps. 0: never repeated.
+    double work = defaultFilmWork;
     double refinement = 1; // multiplies the number of cells along both edges; not set by the user
     solver::Lattice lattice = solver::Lattice::Isotropic;
     solver::Support support = solver::Support::Water;

@@ -25,7 +25,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     const ProcessSettings process;
     try {
         // This is the film of fuzz-seeds.
-        CachedDip dip = readCachedDip(bytes, {8, 6, 14, 10}, true, QStringLiteral("x"));
+        const auto gridOf = [](double) { return solver::FilmGrid{8, 6, 14, 10}; };
+        CachedDip dip = readCachedDip(bytes, gridOf, true, QStringLiteral("x"));
         if (cachedDip(dip) != bytes) {
             std::abort();
         }

@@ -30,8 +30,8 @@ public:
         coarsest_ = coarsestDraft(project_, results_);
         run(coarsest_);
     }
-    // Runs all further drafts, then the job.
-    void refine() {
+    // Runs all further drafts, then the job, but without refined films.
+    void finish() {
         for (int level = coarsest_; level-- > 0;) {
             run(level);
         }
@@ -58,7 +58,7 @@ LiveRow measure(const QString& model, const BenchSolver& solver, TurnedJob& job)
     for (int run = 0; run < solver.runs; ++run) {
         job.turn(turnOfChange);
         first.push_back(secondsOf([&] { job.draft(); }));
-        last.push_back(first.back() + secondsOf([&] { job.refine(); }));
+        last.push_back(first.back() + secondsOf([&] { job.finish(); }));
     }
     row.firstAnswer = statistics(std::move(first));
     row.final = statistics(std::move(last));

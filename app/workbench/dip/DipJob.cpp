@@ -17,14 +17,6 @@ constexpr double dipDone = 0.95;
 
 } // namespace
 
-DipRecordings makeRecordings(const Project& project, std::size_t mostPoints) {
-    DipRecordings recordings;
-    for (const Immersion& immersion : project.immersions) {
-        recordings.push_back(std::make_shared<DipRecording>(immersion, mostPoints, mostFrames));
-    }
-    return recordings;
-}
-
 SheetPreview sheetPreview(const Sheet& sheet) {
     const SheetLayout layout = sheetLayout(sheet);
     SheetPreview preview{{}, layout.page, layout.film};
@@ -46,7 +38,19 @@ DipJob::DipJob(Task task, const SolverRegistry& registry, Done done, Failed fail
       failed_(std::move(failed)) {}
 
 QString DipJob::title() const {
-    return QCoreApplication::translate("DipJob", "Simulating the dip");
+    return task_.stage == DipStage::Refinement
+               ? QCoreApplication::translate("DipJob", "Refining the film")
+               : QCoreApplication::translate("DipJob", "Simulating the dip");
+}
+
+// A film that is refined is dipped several times, each time with more points. The last dip counts.
+void DipJob::record(std::size_t immersion, const FilmFrame& frame) {
+    std::shared_ptr<DipRecording>& recording = recordings_[immersion];
+    if (!recording || recording->grid().pointCount() != frame.grid.pointCount()) {
+        recording = std::make_shared<DipRecording>(task_.project.immersions[immersion],
+                                                   task_.mostPoints, mostFrames);
+    }
+    recording->add(frame);
 }
 
 void DipJob::process(const Progress& progress) {
@@ -58,12 +62,15 @@ void DipJob::process(const Progress& progress) {
     } else if (task_.stage == DipStage::NextDraft) {
         fineness.coarsest = task_.before.fineness.coarsest;
         fineness.level = task_.before.fineness.level - 1;
+    } else if (task_.stage == DipStage::Refinement) {
+        fineness.level = refinedLevel;
     }
-    const auto result = std::make_shared<const JobResult>(
-        runLevel(task_.project, fineness.level, fineness.coarsest, registry_, task_.earlier,
-                 progress.part(0, dipDone), [this](std::size_t immersion, const FilmFrame& frame) {
-                     task_.recordings[immersion]->add(frame);
-                 }));
+    recordings_.resize(task_.project.immersions.size());
+    const auto result = std::make_shared<const JobResult>(runLevel(
+        task_.project, fineness.level, fineness.coarsest, registry_, task_.earlier,
+        progress.part(0, dipDone),
+        [this](std::size_t immersion, const FilmFrame& frame) { record(immersion, frame); }));
+    outcome_.recordings.assign(recordings_.begin(), recordings_.end());
     if (fineness.isDraft() && task_.before.result) {
         fineness.moves = movesSince(*task_.before.result, *result);
     }

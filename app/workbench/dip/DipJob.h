@@ -9,9 +9,7 @@
 
 namespace dipwright {
 
-// Makes one recording for each dip. The job and the view share the recordings.
-using DipRecordings = std::vector<std::shared_ptr<DipRecording>>;
-DipRecordings makeRecordings(const Project& project, std::size_t mostPoints);
+using DipRecordings = std::vector<std::shared_ptr<const DipRecording>>;
 
 // A sheet's page as it prints, at a resolution for the screen.
 struct SheetPreview {
@@ -35,10 +33,11 @@ struct DipOutcome {
     std::vector<SheetPreview> sheets;
     Project project = {}; // the project that was run; `result` of a draft has a coarser one
     Fineness fineness = {};
+    DipRecordings recordings = {}; // one for each dip; null for a draft or a dip that was reused
 };
 
 // Which results a job computes.
-enum class DipStage { FirstDraft, NextDraft, Job };
+enum class DipStage { FirstDraft, NextDraft, Job, Refinement };
 
 class DipJob : public Job {
 public:
@@ -46,9 +45,9 @@ public:
     struct Task {
         Project project;
         DipStage stage = DipStage::Job;
-        DipOutcome before;        // for NextDraft: the draft before
-        JobDrafts earlier;        // results to reuse
-        DipRecordings recordings; // of the job; drafts are not recorded
+        DipOutcome before;          // for NextDraft: the draft before
+        JobDrafts earlier;          // results to reuse
+        std::size_t mostPoints = 0; // number of film points that are recorded, approximately
     };
     using Done = std::function<void(const DipOutcome&)>;
     // `fineness` is that of the failed draft or job.
@@ -62,11 +61,14 @@ public:
     void finalize(bool cancelled, std::exception_ptr failure) override;
 
 private:
+    void record(std::size_t immersion, const FilmFrame& frame);
+
     Task task_;
     const SolverRegistry& registry_;
     Done done_;
     Failed failed_;
     DipOutcome outcome_;
+    std::vector<std::shared_ptr<DipRecording>> recordings_;
 };
 
 } // namespace dipwright

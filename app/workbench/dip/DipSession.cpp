@@ -52,7 +52,7 @@ void DipSession::projectChanged() {
         if (std::exchange(wanted_, false) && !running_) {
             emit stopped(nullptr);
         }
-        if (running_ && !records_) {
+        if (running_ && !records_ && !isRefining()) {
             dip_.cancel();
         }
         if (shown_.fineness.isDraft()) {
@@ -71,7 +71,8 @@ void DipSession::run(std::size_t mostPoints, DipReach reach) {
     wanted_ = false;
     mostPoints_ = mostPoints;
     reach_ = reach;
-    if (!document_ || document_->isFresh() || (reach == DipReach::FirstDraft && mayGoOn())) {
+    if (!document_ || (document_->isFresh() && (running_ || !canRefine())) ||
+        (reach == DipReach::FirstDraft && (mayGoOn() || document_->isFresh()))) {
         return;
     }
     if (running_ && !dip_.isCancelled() && makeSameSheets(started_, document_->project())) {
@@ -86,12 +87,18 @@ void DipSession::run(std::size_t mostPoints, DipReach reach) {
     }
     started_ = document_->project();
     running_ = true;
-    if (reach != DipReach::JobOnly && mayGoOn()) {
+    if (canRefine()) {
+        start(DipStage::Refinement);
+    } else if (reach != DipReach::JobOnly && mayGoOn()) {
         goOn();
     } else {
         start(reach == DipReach::JobOnly ? DipStage::Job : DipStage::FirstDraft);
     }
     emit started();
+}
+
+bool DipSession::canRefine() const {
+    return document_ && document_->isFresh() && outcome_.result && canBeRefined(*outcome_.result);
 }
 
 bool DipSession::canRecord() const {
@@ -107,15 +114,14 @@ bool DipSession::record(std::size_t mostPoints) {
     mostPoints_ = mostPoints;
     started_ = document_->project();
     running_ = records_ = true;
-    start(DipStage::Job);
+    start(DipStage::Refinement); // as the results on show, which may be refined
     emit started();
     return true;
 }
 
 void DipSession::start(DipStage stage) {
     stage_ = stage;
-    live_ = makeRecordings(started_, mostPoints_);
-    DipJob::Task task{started_, stage, {}, records_ ? JobDrafts() : results_, live_};
+    DipJob::Task task{started_, stage, {}, records_ ? JobDrafts() : results_, mostPoints_};
     if (stage == DipStage::NextDraft) {
         task.before = shown_;
     }
@@ -164,7 +170,6 @@ void DipSession::fail(const Fineness& fineness, bool cancelled, const std::excep
 void DipSession::stop(std::exception_ptr why) {
     if (running_) { // else it was cancelled already
         running_ = records_ = false;
-        live_.clear();
         emit stopped(why);
     }
 }
@@ -178,7 +183,7 @@ void DipSession::takeOutcome(const DipOutcome& outcome) {
         return;
     }
     results_.add(outcome.fineness.level, outcome.result);
-    if (!std::exchange(records_, false) && document_->isFresh()) {
+    if (!std::exchange(records_, false) && !isRefining() && document_->isFresh()) {
         stop(nullptr); // an undo made the last outcome current
         return;
     }
@@ -190,16 +195,21 @@ void DipSession::takeOutcome(const DipOutcome& outcome) {
     }
     running_ = false;
     // A reused dip has no new recording, so keep the old one.
-    for (std::size_t number = 0; number < live_.size(); ++number) {
-        if (live_[number]->size() == 0 && number < recordings_.size()) {
-            live_[number] = recordings_[number];
+    recordings_.resize(outcome.recordings.size());
+    for (std::size_t number = 0; number < recordings_.size(); ++number) {
+        if (outcome.recordings[number]) {
+            recordings_[number] = outcome.recordings[number];
         }
     }
-    recordings_ = std::move(live_);
-    live_.clear();
     outcome_ = outcome;
     document_->setResult(outcome.result);
     emit finished();
+    if (!running_ && !jobs_.isBusy() && canRefine()) {
+        started_ = document_->project();
+        running_ = true;
+        start(DipStage::Refinement);
+        emit shownChanged();
+    }
 }
 
 void DipSession::lookAt(std::size_t immersion) {

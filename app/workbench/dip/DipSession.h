@@ -11,8 +11,8 @@ namespace dipwright {
 // How far a run goes.
 enum class DipReach {
     FirstDraft, // only the coarsest draft: the user still changes the project
-    AllDrafts,  // all drafts, then the job
-    JobOnly     // the job without drafts
+    AllDrafts,  // all drafts, then the job, then refined films
+    JobOnly     // the job and refined films, without drafts
 };
 
 class DipSession : public QObject {
@@ -39,6 +39,11 @@ public:
     // thread at its next progress report.
     void cancel();
     bool isRunning() const { return running_; }
+    // Whether the film of a finished result is being refined. The result can be used meanwhile, and
+    // stays if this is cancelled.
+    bool isRefining() const { return running_ && stage_ == DipStage::Refinement; }
+    // Whether the results on show are current, but their film can still be refined: run() goes on.
+    bool canRefine() const;
 
     // The outcome of the last finished job; empty before the first. Sheets are printed from it.
     const DipOutcome& outcome() const { return outcome_; }
@@ -79,7 +84,7 @@ private:
     const SolverRegistry& registry_;
     Document* document_ = nullptr;
     std::size_t immersion_ = 0;
-    DipRecordings recordings_, live_;
+    DipRecordings recordings_;
     DipOutcome outcome_, shown_;
     JobDrafts results_;
     Project started_; // the project that runs

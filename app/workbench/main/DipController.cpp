@@ -146,13 +146,21 @@ void DipController::showFreshness() {
     const Freshness fresh = session_.freshness();
     results_.setFreshness(fresh);
     const bool isDraft = shown.fineness.isDraft();
-    staleBanner_.setVisible(isDraft || !fresh.sheet);
+    const bool isCoarse = session_.canRefine(); // also while it is being refined
+    staleBanner_.setVisible(isDraft || isCoarse || !fresh.sheet);
     if (!fresh.sheet) {
         showBanner(session_.isRunning() ? tr("Out of date: new results are being computed.")
                    : fresh.dip          ? tr("Sheet out of date: made before the last changes.")
                                         : tr("Results out of date: made before the last changes."));
     } else if (isDraft) {
         showBanner(draftText(shown));
+    } else if (isCoarse) {
+        showBanner(
+            session_.isRefining()
+                ? tr("The film is being refined until the sheet can be printed. Cancel keeps "
+                     "this result.")
+                : tr("The numerical error is too large. Run the dip again to refine the "
+                     "film."));
     }
 }
 

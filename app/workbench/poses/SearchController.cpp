@@ -216,11 +216,13 @@ void SearchController::start() {
         }));
 }
 
-// A search waits while the project's own dip runs, so that the user sees results at once.
+// A search waits while the project's own dip runs, so that the user sees results at once. It does
+// not wait while the film of the results is refined.
 void SearchController::yieldToDip() {
     if (watcher_) {
-        watcher_->setWaiting(session_.isRunning());
-        page_->setWaiting(session_.isRunning());
+        const bool waits = session_.isRunning() && !session_.isRefining();
+        watcher_->setWaiting(waits);
+        page_->setWaiting(waits);
     }
 }
 

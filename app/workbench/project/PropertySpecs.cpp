@@ -80,6 +80,17 @@ PropertySection printedFilmProperties() {
              [](const Project& project) {
                  return isProduction(project) && project.film.resolution == FilmResolution::Cell;
              }},
+        {.path = QStringLiteral("film.work_million"),
+         .label = Text::tr("Work limit"),
+         .help =
+             Text::tr("If the numerical error is too large to print a sheet, its dip is repeated "
+                      "with smaller cells, but never with more than this many million points × "
+                      "steps. 60 takes about 20 s on two cores. 0: the dip is not repeated."),
+         .relevant =
+             [](const Project& project) {
+                 return isProduction(project) &&
+                        project.film.resolution == FilmResolution::Automatic;
+             }},
         {.path = QStringLiteral("film.points"),
          .label = Text::tr("Points"),
          .help = Text::tr("Number of points of the simulated film, across (W) and down (H). More "

@@ -54,7 +54,8 @@ void addZoneReasons(ReasonList& found, const ZoneError& error,
 }
 
 void addEstimateReasons(ReasonList& found, const NumericalErrorEstimate& estimate,
-                        const std::vector<ZoneError>& zones, const JudgedDip& dip) {
+                        const std::vector<ZoneError>& zones, const solver::FilmGrid& grid,
+                        bool namesZones) {
     const SheetChange& spacing = estimate.doubleSpacing;
     const SheetChange& step = estimate.doubleStep;
     if (spacing.painted == 0 || step.painted == 0 || zones.empty()) {
@@ -62,8 +63,8 @@ void addEstimateReasons(ReasonList& found, const NumericalErrorEstimate& estimat
         return;
     }
     for (const ZoneError& zone : zones) {
-        addZoneReasons(found, zone, estimate, dip.laid.film().grid,
-                       dip.zones ? std::optional(zone.zone) : std::nullopt);
+        addZoneReasons(found, zone, estimate, grid,
+                       namesZones ? std::optional(zone.zone) : std::nullopt);
     }
     // The border moves by about one film cell, and the compared films have double cells.
     const double once = halfSpacingShare * std::max(spacing.paintedOnce, step.paintedOnce);
@@ -76,9 +77,13 @@ void addEstimateReasons(ReasonList& found, const NumericalErrorEstimate& estimat
     }
 }
 
-void addNumericalReasons(ReasonList& found, const JudgedDip& dip,
-                         const std::vector<ZoneError>& zones) {
-    const solver::EquilibriumAccount& rest = dip.laid.film().equilibrium;
+// Adds the reasons about the numerical error. Returns the places to check.
+PlacesToCheck addNumericalReasons(ReasonList& found, const LaidFilm& laid,
+                                  const NumericalErrorEstimate* estimate, const ZonedBody* zones,
+                                  const ToleranceSettings& tolerance) {
+    PlacesToCheck uncertain =
+        placesToCheck(laid, estimate ? estimate->pointErrors : nothingKnown, zones, tolerance);
+    const solver::EquilibriumAccount& rest = laid.film().equilibrium;
     if (rest.stepsWithout > 0) {
         found.add({Kind::Unbalanced,
                    Advice::CheckFirst,
@@ -87,13 +92,14 @@ void addNumericalReasons(ReasonList& found, const JudgedDip& dip,
                    {},
                    rest.worstForceLeft});
     }
-    if (!dip.numericalError) {
+    if (!estimate) {
         found.add({Kind::NotAsked, Advice::NotJudged});
-    } else if (!dip.numericalError->failure.isEmpty()) {
-        found.add({Kind::NotCompared, Advice::CheckFirst, 0, 0, dip.numericalError->failure});
+    } else if (!estimate->failure.isEmpty()) {
+        found.add({Kind::NotCompared, Advice::CheckFirst, 0, 0, estimate->failure});
     } else {
-        addEstimateReasons(found, *dip.numericalError, zones, dip);
+        addEstimateReasons(found, *estimate, uncertain.zones, laid.film().grid, zones != nullptr);
     }
+    return uncertain;
 }
 
 // Returns the distance of the painted film from the edge of the flat film, in mm.
@@ -161,16 +167,21 @@ Advice worst(Advice one, Advice other) {
 
 Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
                 const VerdictSettings& limits) {
-    const PlacesToCheck uncertain =
-        placesToCheck(dip.laid, dip.numericalError ? dip.numericalError->pointErrors : nothingKnown,
-                      dip.zones, tolerance);
     ReasonList found;
-    addNumericalReasons(found, dip, uncertain.zones);
+    const PlacesToCheck uncertain =
+        addNumericalReasons(found, dip.laid, dip.numericalError, dip.zones, tolerance);
     addPaintReasons(found, dip, limits);
     Verdict judged = std::move(found).verdict();
     judged.places = uncertain.places;
     judged.areaToCheck = uncertain.area;
     return judged;
+}
+
+Verdict numericalVerdict(const LaidFilm& laid, const NumericalErrorEstimate* estimate,
+                         const ZonedBody* zones, const ToleranceSettings& tolerance) {
+    ReasonList found;
+    addNumericalReasons(found, laid, estimate, zones, tolerance);
+    return std::move(found).verdict();
 }
 
 QString adviceKey(Advice advice) {

@@ -100,6 +100,10 @@ struct JudgedDip {
 Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
                 const VerdictSettings& limits);
 
+// Returns the part of the verdict that is about the numerical error; without places.
+Verdict numericalVerdict(const LaidFilm& laid, const NumericalErrorEstimate* estimate,
+                         const ZonedBody* zones, const ToleranceSettings& tolerance);
+
 // Collects reasons; the verdict is the worst of them.
 class ReasonList {
 public:

@@ -1,0 +1,27 @@
+// Chooses smaller cells for a film whose numerical error is too large to print its sheet.
+//
+// A dip with automatic cells begins with the cells that suit its body. While the numerical error
+// keeps its sheet from being printed, the dip is repeated with smaller cells. It ends when the
+// sheet can be printed, or when the next dip would need more work than the film's settings allow.
+// The work is points × steps, so every computer stops at the same cells. Each choice depends only
+// on the film before, so a job that was stopped goes on where it was.
+#pragma once
+
+#include "pipeline/JobResult.h"
+
+namespace dipwright {
+
+// Returns the refinement (FilmSettings::refinement) with which the dip is to be repeated: for the
+// cells that the verdict proposes, for half the cells if it proposes none, or for the smallest
+// cells that the work allows. None if the sheet can be printed as it is, if smaller cells do not
+// help, or if the work does not allow smaller cells. `zones` is the result of markedZones().
+std::optional<double> nextRefinement(const ImmersionResult& dip, const Project& project,
+                                     const ZonedBody* zones);
+
+// Returns the film settings of a dip: the project's, with the cells that were used.
+FilmSettings filmOf(const ImmersionResult& dip, const Project& project);
+
+// Returns sentences for the user: which dips were refined, and what would need more work.
+QStringList refinementNotes(const JobResult& result);
+
+} // namespace dipwright

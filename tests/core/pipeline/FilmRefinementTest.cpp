@@ -1,0 +1,115 @@
+// Tests that films with automatic cells are refined until their sheets can be printed, and that the
+// limit of work holds.
+#include "pipeline/FilmRefinement.h"
+#include "TestFolders.h"
+
+#include "pipeline/JobDraft.h"
+#include "pipeline/Pipeline.h"
+#include "project/ProjectStore.h"
+
+#include <QtTest>
+
+using namespace dipwright;
+
+namespace {
+
+// The turtle with one dip, and with a zone limit that its automatic cells do not keep.
+Project exactTurtle() {
+    Project project = loadProject(sampleFolder("/turtle.dipw"));
+    project.immersions.resize(1);
+    project.film.resolution = FilmResolution::Automatic;
+    project.tolerance.limits.back() = Millimetres(0.6);
+    project.sheet.resolution = DotsPerInch(50);
+    return project;
+}
+
+JobOptions smallPictures(bool refines = true) {
+    JobOptions options;
+    options.draftPictures = 0.1; // this test looks at no picture
+    options.refines = refines;
+    return options;
+}
+
+bool isCertain(const Verdict& verdict) {
+    return std::any_of(
+        verdict.reasons.begin(), verdict.reasons.end(),
+        [](const VerdictReason& reason) { return reason.kind == VerdictReason::Kind::Certain; });
+}
+
+bool notesContain(const JobResult& result, const char* text) {
+    return result.notes.join(u' ').contains(QString::fromUtf8(text));
+}
+
+} // namespace
+
+class FilmRefinementTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        turtle_ = exactTurtle();
+        coarse_ = std::make_unique<JobResult>(
+            runJob(turtle_, registry_, smallPictures(false), nullptr, {}));
+        refined_ =
+            std::make_unique<JobResult>(runJob(turtle_, registry_, smallPictures(), nullptr, {}));
+    }
+
+    void runJob_errorTooLarge_isRefinedUntilItCanBePrinted() {
+        const ImmersionResult& dip = refined_->immersions[0];
+        QVERIFY(!isCertain(coarse_->immersions[0].verdict) && isCertain(dip.verdict));
+        QVERIFY(dip.refinement > 1 && !dip.finer);
+        QVERIFY(dip.laid->film().grid.leastSpacing() <
+                coarse_->immersions[0].laid->film().grid.leastSpacing());
+        QCOMPARE(refined_->project, turtle_); // the settings stay
+        QVERIFY2(notesContain(*refined_, "cells were reduced to"),
+                 qPrintable(refined_->notes.join(u' ')));
+        QVERIFY(dip.sheet.job.hash != coarse_->immersions[0].sheet.job.hash);
+    }
+
+    void runJob_stoppedBeforeRefinement_goesOnToTheSameSheet() {
+        QVERIFY(canBeRefined(*coarse_) && !canBeRefined(*refined_));
+        const JobResult result = runJob(turtle_, registry_, smallPictures(), coarse_.get(), {});
+        QCOMPARE(result.immersions[0].sheet.job.hash, refined_->immersions[0].sheet.job.hash);
+        const JobResult again = runJob(turtle_, registry_, smallPictures(), &result, {});
+        QCOMPARE(again.immersions[0].laid, result.immersions[0].laid); // nothing is left to do
+    }
+
+    void runJob_otherLimits_doNotTakeOverTheRefinedFilm() {
+        Project project = turtle_;
+        project.tolerance.limits.back() = Millimetres(1.5);
+        const JobResult result = runJob(project, registry_, smallPictures(), refined_.get(), {});
+        QCOMPARE(result.immersions[0].refinement, 1.0);
+        QCOMPARE(result.immersions[0].sheet.job.hash, coarse_->immersions[0].sheet.job.hash);
+        // The film before refinement is the same for all limits.
+        const JobResult taken = runJob(project, registry_, smallPictures(), coarse_.get(), {});
+        QCOMPARE(taken.immersions[0].laid, coarse_->immersions[0].laid);
+    }
+
+    void runJob_littleWork_keepsTheFilmAndSaysWhy() {
+        Project project = turtle_;
+        project.film.work = 1;
+        const JobResult result = runJob(project, registry_, smallPictures(), coarse_.get(), {});
+        QCOMPARE(result.immersions[0].laid, coarse_->immersions[0].laid);
+        QVERIFY(result.immersions[0].verdict.advice > Advice::Print);
+        QVERIFY2(notesContain(result, "points × steps"), qPrintable(result.notes.join(u' ')));
+    }
+
+    void nextRefinement_otherFilms_areNotRefined() {
+        const ImmersionResult& dip = coarse_->immersions[0];
+        QVERIFY(nextRefinement(dip, turtle_, nullptr));
+        Project none = turtle_;
+        none.film.work = 0;
+        QVERIFY(!nextRefinement(dip, none, nullptr));
+        Project fixed = turtle_;
+        fixed.film.resolution = FilmResolution::Points;
+        QVERIFY(!nextRefinement(dip, fixed, nullptr));
+    }
+
+private:
+    SolverRegistry registry_;
+    Project turtle_;
+    std::unique_ptr<JobResult> coarse_, refined_;
+};
+
+QTEST_MAIN(FilmRefinementTest)
+#include "FilmRefinementTest.moc"
