@@ -1,8 +1,9 @@
 // Writes PDF files of pages at true size.
 //
 // Qt draws RGB pages, and the engine in InkedPages.cpp draws CMYK pages. qpdf then makes the file
-// exact and reproducible. It sets boxes to fractions of a point, tells print dialogs not to scale,
-// adds an output intent, and takes no date or identifier from the clock. If the output profile
+// exact and reproducible. It gives the page's size in fractions of a point, because Qt rounds it to
+// whole points. It tells print dialogs not to scale, adds an output intent, and takes no date or
+// identifier from the clock. If the output profile
 // belongs to a printer, the file is PDF/X-4.
 #pragma once
 
