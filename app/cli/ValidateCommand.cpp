@@ -133,9 +133,10 @@ class ValidateCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("validate"); }
     QString summary() const override {
-        return QStringLiteral("Checks whether a project can be run and what to check first. With "
-                              "--sheet: the numerical error of its sheets. With --physics: the "
-                              "difference between the film and its closed forms.");
+        return QStringLiteral(
+            "Checks whether a project can be run, and lists what to check first. With "
+            "--sheet: the numerical error of its sheets. With --physics: the "
+            "difference between the film and its closed forms.");
     }
     void declare(CommandSyntax& syntax) const override {
         declareProject(syntax);

@@ -63,7 +63,7 @@ struct DipInputs {
     bool operator==(const DipInputs&) const = default;
 };
 
-// Inputs of how two dips share the body.
+// Inputs of the split of the body between two dips.
 struct ShareInputs {
     std::vector<DipInputs> dips;
     PaintInputs paint; // decides where the seam shows least

@@ -367,7 +367,7 @@ void RoomsTest::rooms_linkedRooms_areBelow() {
             }
         }
         below << room.target;
-        return linesFor(room.target + QStringLiteral(" links upwards or aside"),
+        return linesFor(room.target + QStringLiteral(" links a room that is not below it"),
                         roomsAmong(room.links), allowed);
     }));
 }

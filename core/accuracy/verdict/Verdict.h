@@ -109,8 +109,8 @@ public:
     void addShare(VerdictReason::Kind kind, double share, double limit,
                   std::optional<Zone> zone = {});
     bool isEmpty() const { return reasons_.empty(); }
-    // Returns the verdict with the reasons sorted, the worst first, otherwise in the order in which
-    // they were added. Without reasons the advice is `Print`.
+    // Returns the verdict. Its reasons are sorted, the worst first; equally bad ones keep the order
+    // in which they were added. Without reasons the advice is `Print`.
     Verdict verdict() &&;
 
 private:

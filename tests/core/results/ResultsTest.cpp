@@ -668,7 +668,7 @@ void ResultsTest::sharePicture_areasMatchClosedForm() {
     const double disc = pi * std::pow(2 * radius * std::sin(alone / 2), 2) * 16;
     const auto painted = double(countOf(picture, painterColour(Painter::First), picture.rect()));
     QVERIFY2(std::abs(painted - disc) < 0.03 * disc,
-             qPrintable(QStringLiteral("%1, expected %2").arg(painted).arg(disc)));
+             qPrintable(QStringLiteral("%1 pixels, expected %2").arg(painted).arg(disc)));
     QCOMPARE(picture.pixelColor(420, 594), painterColour(Painter::First));
     QVERIFY(countOf(picture, painterColour(Painter::Both), picture.rect()) > 500);
     QVERIFY(countOf(picture, painterColour(Painter::Second), picture.rect()) > 500);
@@ -734,8 +734,10 @@ void ResultsTest::printedColours_shiftedOverlap_matchClosedForm() {
     }
     QVERIFY(count > 20);
     const double wanted = std::pow(grey, 1 - shift / band);
-    QVERIFY2(std::abs(sum / double(count) - wanted) < 0.01 * wanted,
-             qPrintable(QStringLiteral("%1, expected %2").arg(sum / double(count)).arg(wanted)));
+    QVERIFY2(
+        std::abs(sum / double(count) - wanted) < 0.01 * wanted,
+        qPrintable(
+            QStringLiteral("reflectance %1, expected %2").arg(sum / double(count)).arg(wanted)));
 }
 
 // Where no film paints, the part shows its own colour, as in the proof.
