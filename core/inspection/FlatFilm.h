@@ -42,8 +42,8 @@ struct FilmCorner {
 };
 
 struct FlatFilm {
-    Measured swellX,
-        swellY; // floating divided by printed length, along the board's rows and columns
+    // Floating length divided by printed length, along the board's rows and columns.
+    Measured swellX, swellY;
     double shearDegrees = 0; // deviation of the board's right angle
     std::vector<FilmCorner> corners;
     std::vector<Eigen::Vector2d> cardCorners; // pixels of the photo
