@@ -11,8 +11,8 @@
 namespace dipwright::cli {
 
 void declareBuilt(CommandSyntax& syntax);
-// `lens` is that of a camera that was measured before, if it is known. `dateOf` returns the date of
-// the photos; its argument is the time at which the first photo was taken, if it is known.
+// `lens` describes the camera, if it was measured before. `dateOf` returns the date of the photos;
+// its argument is the time at which the first photo was taken, if it is known.
 void inspectBuilt(const QStringList& files, const QCommandLineParser& parser,
                   const std::optional<Lens>& lens,
                   const std::function<QString(const std::optional<QDateTime>&)>& dateOf,

@@ -19,7 +19,7 @@ struct FittedPart {
 };
 
 void declareFit(CommandSyntax& syntax);
-// `lens` is that of a camera that was measured before, if it is known.
+// `lens` describes the camera, if it was measured before.
 FittedPart fitPart(const QStringList& files, const QCommandLineParser& parser,
                    const std::optional<Lens>& lens, Console& console);
 // Writes placement and depth into the job, if --update-job is given.

@@ -12,20 +12,20 @@
 namespace dipwright::cli {
 
 void declarePart(CommandSyntax& syntax);
-// `lens` is that of a camera that was measured before, if it is known.
+// `lens` describes the camera, if it was measured before.
 void inspectPart(const QStringList& files, const QCommandLineParser& parser,
                  const std::optional<Lens>& lens, Console& console);
 
 // The following functions are shared with “inspect fit” and “inspect built”. They throw UsageError
-// or Error. This one returns the pairs of --pairs.
+// or Error. partPairs() returns the pairs of --pairs.
 std::vector<PlacePair> partPairs(const QCommandLineParser& parser, int photos);
 // Reads the photos of the part.
 std::vector<PartPhoto> readPartPhotos(const QStringList& files, const Progress& progress);
 // Simulates the dips of the project and returns the films as they lie on the body.
 std::vector<std::shared_ptr<const LaidFilm>> dippedFilms(Project project, const Progress& progress);
 // Returns the places of --places or, without this option, the corners of the print that were found
-// in the photos. The places refer to the printed sheet, which a correction may have made different
-// from the film.
+// in the photos. The places refer to the printed sheet. If that sheet was corrected, it differs
+// from the simulated film.
 std::vector<PrintedPlace> placesOnPart(const std::vector<PartPhoto>& photos,
                                        const std::vector<PlacePair>& clicked,
                                        const QCommandLineParser& parser,

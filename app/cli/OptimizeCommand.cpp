@@ -173,7 +173,7 @@ class OptimizeCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("optimize"); }
     QString summary() const override {
-        return QStringLiteral("Searches dip poses and writes the best ones into the project.");
+        return QStringLiteral("Searches for dip poses and writes the best ones into the project.");
     }
 
     void declare(CommandSyntax& syntax) const override {

@@ -125,8 +125,7 @@ void remove(Words words, QTextStream& out) {
 }
 
 // From a step wedge's readings, finds the law by which ink thins on stretched film.
-// Saves the law in a
-// film profile.
+// Saves the law in a film profile.
 void takeWedge(Words words, QTextStream& out) {
     const QString name = words.take(QStringLiteral("NAME"));
     const QString path = words.take(QStringLiteral("READINGS.csv"));

@@ -80,8 +80,8 @@ void printChange(const QString& immersion, const QString& finer, const SheetChan
 }
 
 void printNumericalError(const std::vector<DipNumericalError>& numericalError, QTextStream& out) {
-    out << "How far the sheet moves in mm, and the share of the part painted in both computations "
-           "or in only one\n"
+    out << "How far the image on the sheet moves in mm, and how many per cent of the part are "
+           "painted in both computations or in only one\n"
            "dip               computed with     mean     95 %      max      both      one\n";
     for (const DipNumericalError& one : numericalError) {
         printChange(one.immersion.name, QStringLiteral("half the step"), one.halfStep, out);
@@ -133,9 +133,10 @@ class ValidateCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("validate"); }
     QString summary() const override {
-        return QStringLiteral("Checks whether a project can be run and what to check first. With "
-                              "--sheet: the numerical error of its sheets. With --physics: the "
-                              "difference between the film and its closed forms.");
+        return QStringLiteral(
+            "Checks whether a project can be run, and lists what to check first. With "
+            "--sheet: the numerical error of its sheets. With --physics: the "
+            "difference between the film and its closed forms.");
     }
     void declare(CommandSyntax& syntax) const override {
         declareProject(syntax);
@@ -149,8 +150,8 @@ public:
                  "wide, and compares the sheets. Takes about ten times as long as a run.")});
         syntax.addOption(
             {mapsOption,
-             QStringLiteral(
-                 "With --sheet: draws maps of how far the sheet moves, DIR/certainty-N.png."),
+             QStringLiteral("With --sheet: draws maps of how far the image on the sheet moves, "
+                            "DIR/certainty-N.png."),
              QStringLiteral("DIR")});
         syntax.addOption({jsonOption, QStringLiteral("Prints JSON.")});
         syntax.addOption({solverOption,

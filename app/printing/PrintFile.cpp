@@ -107,11 +107,11 @@ QStringList leftOut(const Sheet& sheet, const PrintCorrection& correction, bool 
     }
     const double area = inkShortfall(sheet, correction);
     if (area >= leastShortfall) {
-        sentences << Text::tr(
-                         "%1 mm² of the part will be visibly too pale: the stretch needs more "
-                         "ink than is possible with full ink, the ink limit and the total area "
-                         "coverage")
-                         .arg(std::round(area));
+        sentences
+            << Text::tr(
+                   "%1 mm² of the part will be visibly too pale: the stretched film needs more ink "
+                   "there than full ink, the ink limit and the total area coverage allow")
+                   .arg(std::round(area));
     }
     return sentences;
 }

@@ -144,7 +144,7 @@ QString outcomeText(const PrintRecord& record) {
 }
 
 QString historyErrorText(const QString& reason) {
-    return Text::tr("This print is missing in the print history: %1").arg(reason);
+    return Text::tr("This print could not be added to the print history: %1").arg(reason);
 }
 
 QString PrintHistory::standardFolder() {

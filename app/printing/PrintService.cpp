@@ -85,7 +85,7 @@ PrinterInfo readyPrinter(PrintSystem& system, const QString& name) {
                     name);
     }
     if (!printer->acceptsJobs) {
-        throw Error(Text::tr("The printer does not accept jobs at the moment%1; allow it in the "
+        throw Error(Text::tr("The printer does not accept jobs at the moment%1; allow jobs in the "
                              "system's settings")
                         .arg(reason),
                     name);
@@ -141,7 +141,7 @@ PaperChoice paperFor(const PrinterInfo& printer, QSizeF page) {
     throw Error(
         someHolds
             ? Text::tr(
-                  "The printer has no paper of %1; set the sheet's paper to one that it has: %2")
+                  "The printer has no paper of %1; set the paper of the sheet to one of these: %2")
                   .arg(plain(page), sizeNames(printer.media))
             : Text::tr("The sheet of %1 is larger than every paper of the printer (%2); make it "
                        "smaller or print it in tiles")
@@ -159,9 +159,12 @@ const PrinterMedia& tilePaper(const PrinterInfo& printer, const QString& name) {
         }
     }
     if (!best) {
-        throw Error(name.isEmpty() ? Text::tr("The printer reports no paper to print tiles on")
-                                   : Text::tr("The printer has no paper named %1").arg(name),
-                    printer.name);
+        throw Error(
+            name.isEmpty()
+                ? Text::tr("The printer reports no loaded paper for the tiles; load paper, or "
+                           "choose a paper for the tiles")
+                : Text::tr("The printer has no paper named %1; choose another paper").arg(name),
+            printer.name);
     }
     return *best;
 }
@@ -464,8 +467,8 @@ PrintPlan planCalibration(PrintSystem& system, const CalibrationPage& page,
     checkLoaded(plan.printer, paper.media, request, plan.warnings);
     const double margin = widest(paper.media.margins);
     if (margin > page.clearance.value()) {
-        throw Error(Text::tr("The printer does not reach the outer %1 mm of the paper; enter its "
-                             "margins in its profile first")
+        throw Error(Text::tr("The printer does not reach the outer %1 mm of the paper; enter the "
+                             "printer's margins in its profile first")
                         .arg(plain(margin)),
                     request.printer);
     }

@@ -25,11 +25,10 @@ std::unique_ptr<PrintSystem> printSystem() {
     if (auto qt = qtPrintSystem()) {
         return qt;
     }
-    throw Error(
-        QCoreApplication::translate(
-            "dipwright::Printing",
-            "This program was built without printing; print the sheet's PDF at 100 % instead"),
-        QStringLiteral("print"));
+    throw Error(QCoreApplication::translate("dipwright::Printing",
+                                            "This version of the program cannot print; print the "
+                                            "sheet's PDF at 100 % with another program"),
+                QStringLiteral("print"));
 }
 
 } // namespace dipwright

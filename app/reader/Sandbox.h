@@ -11,8 +11,8 @@ namespace dipwright {
 void closeInheritedFiles();
 
 // From now on the process cannot use files, the network, other processes or new executable memory.
-// It also keeps the limits that budgetLimit() gives for a file of no bytes. Call this once, after
-// all libraries are loaded. Returns false if the system refuses its sandbox.
+// It also has the limits that budgetLimit() gives for a file of 0 bytes. Call this once, after all
+// libraries are loaded. Returns false if the system refuses its sandbox.
 [[nodiscard]] bool enterSandbox();
 
 // Raises the limits of memory and computing time to those for files of `fileBytes` bytes in total.

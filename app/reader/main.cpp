@@ -87,9 +87,9 @@ int main(int argc, char* argv[]) {
     if (enterSandbox() || mayReadUnconfined()) {
         read(job, pipe);
     } else {
-        pipe.fail(Error(Text::tr("This system cannot confine the program that reads models and "
-                                 "pictures, so nothing was read. Use another system, or set "
-                                 "DIPWRIGHT_READ_UNCONFINED=1 for files that you trust"),
+        pipe.fail(Error(Text::tr("This operating system cannot run the reader of models and "
+                                 "pictures in a sandbox, so nothing was read. Use another system, "
+                                 "or set DIPWRIGHT_READ_UNCONFINED=1 for files that you trust"),
                         job.names.value(0)));
     }
     // Skips all clean-up, because a foreign file may have corrupted the memory.

@@ -104,8 +104,8 @@ bool DipView::isUsable() const {
 
 QString DipView::graphicsDevice() const {
     return isUsable() ? state_->window.device()
-                      : tr("The 3D view needs OpenGL 3.2, but no such context could be created. "
-                           "Everything else works.");
+                      : tr("The 3D view needs OpenGL 3.2, which could not be started. Update the "
+                           "graphics driver. Everything else works.");
 }
 
 bool DipView::isSoftwareRendered() const {

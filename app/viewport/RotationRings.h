@@ -1,4 +1,5 @@
-// Draws the three rings around the body with which the mouse turns it, one for each world axis.
+// Draws three rings around the body, one for each world axis. Dragging a ring with the mouse turns
+// the body.
 #pragma once
 
 #include "ViewProjection.h"
@@ -16,7 +17,7 @@ namespace dipwright {
 // differ in lightness.
 QColor axisColour(int axis);
 
-// The places of the rings (world). Finds the ring under the cursor.
+// Centre and radius of the rings in the world, mm. Finds the ring under the cursor.
 struct RotationRings {
     Eigen::Vector3f centre = Eigen::Vector3f::Zero();
     double radius = 50;

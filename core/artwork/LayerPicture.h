@@ -35,7 +35,7 @@ private:
     std::vector<std::array<std::uint16_t, 4>> pixels_;
 };
 
-// Returns width over height of a layer's content. Text needs a QGuiApplication.
+// Returns width divided by height of a layer's content. Text needs a QGuiApplication.
 double proportionsOf(const ArtworkLayer& layer);
 
 } // namespace dipwright

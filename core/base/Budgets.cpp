@@ -30,16 +30,15 @@ struct Row {
 
 constexpr Row table[] = {
     {Budget::FileBytes, 4 * gibi, notFromTheFile, 4 * gibi, mebi,
-     QT_TRANSLATE_NOOP("dipwright::Budgets", "The file is larger than %1 MB; reduce it")},
+     QT_TRANSLATE_NOOP("dipwright::Budgets", "The file is larger than %1 MB; make it smaller")},
     {Budget::NamedFiles, 1000, notFromTheFile, 1000, 1,
      QT_TRANSLATE_NOOP("dipwright::Budgets",
                        "The model refers to more than %1 other files; reduce their number")},
     // The most compact format needs two bytes for each triangle.
     {Budget::Triangles, 1e6, 1, 50e6, 1e6,
-     QT_TRANSLATE_NOOP(
-         "dipwright::Budgets",
-         "The model has more than %1 million triangles, too many for a file of its size "
-         "or for any computer; reduce their number")},
+     QT_TRANSLATE_NOOP("dipwright::Budgets",
+                       "The model has more than %1 million triangles, which is the limit for a "
+                       "file of its size; reduce their number")},
     // assimp's time to triangulate a polygon grows with the square of its corners.
     {Budget::PolygonCorners, 4096, notFromTheFile, 4096, 1,
      QT_TRANSLATE_NOOP("dipwright::Budgets",
@@ -47,7 +46,7 @@ constexpr Row table[] = {
                        "modelling program")},
     {Budget::Nesting, 256, notFromTheFile, 256, 1,
      QT_TRANSLATE_NOOP("dipwright::Budgets",
-                       "The model cannot be read: its parts are nested more than %1 levels deep; "
+                       "The model cannot be read: its objects are nested more than %1 levels deep; "
                        "merge them in a modelling program")},
     {Budget::Materials, 65536, notFromTheFile, 65536, 1,
      QT_TRANSLATE_NOOP("dipwright::Budgets",
@@ -55,8 +54,8 @@ constexpr Row table[] = {
     // Compression reduces meshes to 10 % of their size at best, and pictures hardly at all.
     {Budget::UnpackedBytes, 32 * mebi, 20, 4 * gibi, mebi,
      QT_TRANSLATE_NOOP("dipwright::Budgets",
-                       "The file is not opened, because it would unpack to more than %1 MB, far "
-                       "too much for its size; ask its author for another file")},
+                       "The file is not opened, because it would take more than %1 MB after "
+                       "unpacking, far too much for its size; ask its author for another file")},
     {Budget::Entries, 10'000, notFromTheFile, 10'000, 1,
      QT_TRANSLATE_NOOP("dipwright::Budgets", "The file is not opened, because it contains more "
                                              "than %1 entries; ask its author for another file")},
@@ -76,21 +75,22 @@ constexpr Row table[] = {
                        "remove them with an archive program")},
     {Budget::PictureSide, 32768, notFromTheFile, 32768, 1,
      QT_TRANSLATE_NOOP("dipwright::Budgets",
-                       "The texture is more than %1 pixels wide or high; make it smaller")},
+                       "The picture is more than %1 pixels wide or high; make it smaller")},
     // Any file may hold 8192 × 8192 pixels. More pixels are allowed only in larger files.
     {Budget::Pixels, 8192.0 * 8192, 10, 16384.0 * 16384, 1e6,
      QT_TRANSLATE_NOOP("dipwright::Budgets",
-                       "The pictures have more than %1 million pixels in total, too many for their "
-                       "file size or for any sheet; make them smaller")},
+                       "The pictures have more than %1 million pixels in total, which is the limit "
+                       "for files of their size; make them smaller")},
     {Budget::Memory, 512 * mebi, 40, 64 * gibi, mebi,
-     QT_TRANSLATE_NOOP("dipwright::Budgets",
-                       "Reading the file takes more than %1 MB of memory, far too much for its "
-                       "size; make the file smaller or save it again")},
+     QT_TRANSLATE_NOOP(
+         "dipwright::Budgets",
+         "Reading the file takes more than %1 MB of memory, far too much for its size; make the "
+         "file smaller, or save it again in the program that created it")},
     {Budget::Milliseconds, 2e3 * sanitizerFactor, 5e-4 * sanitizerFactor, 1e6 * sanitizerFactor,
      1e3,
      QT_TRANSLATE_NOOP("dipwright::Budgets",
                        "Reading the file takes more than %1 seconds, far too long for its size; "
-                       "make the file smaller or save it again")},
+                       "make the file smaller, or save it again in the program that created it")},
 };
 
 const Row& row(Budget budget) {

@@ -19,8 +19,8 @@ enum class Budget {
     DocumentBytes,  // size of project.json
     DocumentDepth,  // levels of nested values in any JSON file
     DocumentValues, // number of values in any JSON file
-    OtherBytes,  // unpacked bytes of those entries of a project file that the program does not use
-    PictureSide, // width or height of a picture, pixels
+    OtherBytes,     // unpacked bytes of a project file's entries that the program does not use
+    PictureSide,    // width or height of a picture, pixels
     // Pixels of all pictures of a model or project. A picture that is used twice counts twice; a
     // wide picture also counts twice.
     Pixels,

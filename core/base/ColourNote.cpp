@@ -54,8 +54,8 @@ QString colourNoteValue(const QImage& picture) {
 QString colourNoteText(const QImage& picture, const QString& name) {
     const ColourNote note = colourNote(picture);
     if (note.assumesInks) {
-        return Text::tr("%1 is in CMYK and has no ICC profile: its colours are estimated by a "
-                        "formula and can be far off; save it with its profile, or as sRGB")
+        return Text::tr("%1 is in CMYK and has no ICC profile, so its colours are only estimated "
+                        "and can be wrong; save it with its profile, or as sRGB")
             .arg(name);
     }
     if (note.clipped > 0) {

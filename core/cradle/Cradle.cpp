@@ -98,10 +98,9 @@ QStringList notesOn(const Cradle& cradle, const HeldDip& dip, const CradleSettin
     const CradleCheck& check = cradle.check;
     const QString& name = dip.immersion.name;
     if (check.standing.tiltDegrees < steadyTilt) {
-        notes << Text::tr("%1: the part tips out of its cradle unless it is fixed, because the "
-                          "cradle cannot hold it on all sides of its centre of mass. Fix it "
-                          "through the bore, "
-                          "or turn the part")
+        notes << Text::tr("%1: the part tips out of its cradle unless it is fastened, because the "
+                          "cradle cannot hold it on all sides of its centre of mass. Fasten the "
+                          "part through the bore in the cradle, or turn the part")
                      .arg(name);
     }
     if (check.standing.sideHoldDegrees < steadySlope) {
@@ -110,8 +109,8 @@ QStringList notesOn(const Cradle& cradle, const HeldDip& dip, const CradleSettin
                      .arg(name);
     }
     if (check.paddedArea > 0) {
-        notes << Text::tr("%1: the cradle touches %2 mm² that an earlier dip has painted; line it "
-                          "there with %3 mm of soft felt or foam")
+        notes << Text::tr("%1: the cradle touches %2 mm² of paint from an earlier dip; line the "
+                          "cradle there with %3 mm of soft felt or foam")
                      .arg(name, number(check.paddedArea, 0), number(settings.padding.value(), 1));
     }
     if (plate.engraving.isEmpty() && settings.engravingDepth.value() > 0) {

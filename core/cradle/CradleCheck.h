@@ -22,8 +22,8 @@ struct CradleStability {
     // Negative if it tips over without tilt.
     double tiltDegrees = -90;
     // For each horizontal direction, take the slope in degrees of the steepest support that stops
-    // the body from sliding that way. This is the smallest of these slopes.
-    // 0 if nothing stops the body in some direction.
+    // the body from sliding that way. This is the smallest of these slopes; 0 if nothing stops the
+    // body in some direction.
     double sideHoldDegrees = 0;
 };
 

@@ -22,9 +22,8 @@ struct CradlePlate {
     std::vector<PlateHole> pinHoles; // through the plate
     std::optional<PlateHole> bore;   // through plate and seat
     // Engraved into the top: an arrow to the film's upper edge, the number of the dip and the job.
-    // The symbol for an arrow that points into the plane shows the direction of the dip.
-    // Empty if there is no
-    // room, or if engraving is switched off.
+    // The symbol for an arrow that points into the plane shows the direction of the dip. Empty if
+    // there is no room, or if engraving is switched off.
     QPainterPath engraving;
 
     // Returns the distance from the outline, mm; negative inside.

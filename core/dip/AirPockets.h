@@ -33,7 +33,7 @@ struct AirPocket {
 // cell. Immutable; any thread may query it.
 class AirPockets {
 public:
-    // `query` must be of `mesh`. Uses all cores; deterministic.
+    // `query` must search `mesh`. Uses all cores; deterministic.
     AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query, int cells = airCells);
 
     bool isEmpty() const { return pockets_.empty(); }
@@ -41,7 +41,7 @@ public:
     float cell() const { return cell_; } // edge of a grid cell, mm
 
     // Returns the pocket that contains a place outside the body; null in the open and under water.
-    // `query` must be of the same mesh as in the constructor.
+    // `query` must search the mesh of the constructor.
     const AirPocket* at(const Eigen::Vector3f& place, const SurfaceQuery& query) const;
     // Whether a place on the body is in a pocket. `outward` is the normal of the face at that
     // place.

@@ -13,8 +13,7 @@ namespace {
 constexpr float largestGap = 0.1f;
 constexpr int stepsOfACell = 8;
 // The limit crosses a triangle's side at least this far from the side's ends, as a share of the
-// side's length. Thus the linear
-// function limit() exists for every triangle.
+// side's length. Thus the linear function limit() exists for every triangle.
 constexpr float leastShare = 1e-3f;
 // The solver's contact may stop short of the limit by at most this many cells.
 constexpr int rings = 2;

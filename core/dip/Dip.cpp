@@ -150,10 +150,9 @@ private:
 
 void requireStable(const DippedFilm& film, double travel, const QString& where) {
     if (!isStable(film, travel)) {
-        throw Error(
-            Text::tr(
-                "The simulation became unstable; choose a smaller time step or contact travel"),
-            where);
+        throw Error(Text::tr("The simulation became unstable; choose a smaller step or time step "
+                             "(Dipping > Accuracy)"),
+                    where);
     }
 }
 

@@ -13,12 +13,12 @@
 
 namespace dipwright {
 
-// Builds the solver's input. filmUnderBody() chooses the film's points. `field` must be of the body
-// and outlive the dip.
+// Builds the solver's input. filmUnderBody() chooses the film's points. `field` must be the body's
+// distance field, and must outlive the dip.
 solver::DipSetup dipSetup(const PosedBody& body, const FilledField& field,
                           const Immersion& immersion, const FilmSettings& film,
                           const ProcessSettings& process);
-// Builds the solver's input with the film points of `grid`, which must be of the same film.
+// Builds the solver's input with the film points of `grid`, which must be a grid of the same film.
 solver::DipSetup dipSetup(const PosedBody& body, const FilledField& field,
                           const Immersion& immersion, const FilmSettings& film,
                           const solver::FilmGrid& grid, const ProcessSettings& process);

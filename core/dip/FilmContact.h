@@ -37,8 +37,7 @@ struct FilmContact {
 };
 
 // The film over a hollow counts as touching it if the hollow is at most this deep, in
-// film cells. The film's grid
-// cannot resolve shallower hollows.
+// film cells. The film's grid cannot resolve shallower hollows.
 inline constexpr double touchedHollow = 0.3;
 
 } // namespace dipwright

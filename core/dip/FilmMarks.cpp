@@ -77,7 +77,8 @@ QString markedText(const MarkedArea& marked, double paintedArea) {
         }
     }
     const double percent = 100 * marked.any / paintedArea;
-    return Text::tr("%1 of the painted area (%2 %) depend on marked film. %3.")
+    return Text::tr("%1 of the painted area (%2 %) is painted by film that tore, was released or "
+                    "did not converge. %3.")
         .arg(squareMillimetres(marked.any), QLocale().toString(percent, 'f', percent < 10 ? 1 : 0),
              causes.join(QStringLiteral("; ")));
 }

@@ -34,8 +34,9 @@ struct MarkedArea {
 
 // Returns the name of a mark for the user, such as "Torn film".
 QString markText(solver::PointMark mark);
-// Returns a text such as "247 mm² of the painted area (2.5 %) depend on marked film. Released film:
-// 247 mm²."; empty if nothing is marked. `paintedArea` is the painted area of the body, mm².
+// Returns a text such as "247 mm² of the painted area (2.5 %) is painted by film that tore, was
+// released or did not converge. Released film: 247 mm²."; empty if nothing is marked. `paintedArea`
+// is the painted area of the body, mm².
 QString markedText(const MarkedArea& marked, double paintedArea);
 
 } // namespace dipwright

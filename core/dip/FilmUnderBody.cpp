@@ -31,7 +31,7 @@ constexpr int fewestLines = 8;
 constexpr double wantedSamples = 4'000;
 // Faces whose normals point down by less than this count as upright.
 constexpr float steepest = 0.01f;
-// Number of fine cells that are added outside the film that is expected to be drawn in.
+// Number of fine cells outside the strip that drawIn() returns.
 constexpr double cellsOfMargin = 4;
 
 double narrowest(std::vector<float> thickness) {
@@ -109,8 +109,8 @@ Millimetres automaticCell(const Underside& underside, const FilmSettings& film) 
     const double coarsest = longest / leastCellsAlong;
     const double wanted = underside.thickness > 0 ? underside.thickness / cellsAcross : coarsest;
     const solver::FilmGrid whole = filmGrid(film);
-    // Smallest size of the fine cells that mostPoints allows. If all cells had the coarsest size
-    // that goes with this fine size, the film would have mostPoints points.
+    // Smallest size of the fine cells. If the whole film had cells coarsestCell times as large, it
+    // would have mostPoints points.
     const double affordable = std::sqrt(whole.width * whole.depth / mostPoints) / coarsestCell;
     return Millimetres(
         std::max(std::clamp(wanted, longest / mostCellsAlong, coarsest), affordable));

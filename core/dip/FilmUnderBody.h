@@ -13,8 +13,7 @@ namespace dipwright {
 // The faces of a body that meet the film in a pose: they face down, no other face is below them,
 // and they go under water.
 struct Underside {
-    // Bounding box of the shadow on the water of everything that goes under, mm; without the
-    // offset.
+    // Bounding box of the submerged part's shadow on the water, mm; without the offset.
     Eigen::AlignedBox2d shadow;
     double area = 0;       // area of the faces, mm²
     double shadowArea = 0; // area of the faces' shadow on the water, mm²
@@ -23,7 +22,7 @@ struct Underside {
     double thickness = 0;
 };
 
-// Finds the underside of a body. `query` must be of `mesh`. `toPose` maps coordinates of `mesh` to
+// Finds the underside of a body. `query` searches `mesh`. `toPose` maps coordinates of `mesh` to
 // the pose frame.
 Underside undersideOf(const TriangleMesh& mesh, const SurfaceQuery& query,
                       const Eigen::Isometry3d& toPose, const ProcessSettings& process);
@@ -38,11 +37,12 @@ bool isGraded(const FilmSettings& film);
 // (pipeline/FilmRefinement.h).
 bool isRefinable(const FilmSettings& film);
 
-// Returns how far beyond the body's shadow film is expected to be drawn in, mm.
+// Returns the width, in mm, of the strip of film round the body's shadow that the dip is expected
+// to draw onto the body.
 double drawIn(const Underside& underside);
-// Returns a graded film. Its cells have the size `cell` over the body's shadow, over the film drawn
-// in round the shadow, and over a margin of a few cells. `shadow` is Underside::shadow. Throws
-// Error if the film would have more than maximumFilmGrid points.
+// Returns a graded film. Its cells have the size `cell` over the body's shadow, over the strip
+// round it that is drawn in, and over a margin of a few cells. `shadow` is Underside::shadow.
+// Throws Error if the film would have more than maximumFilmGrid points.
 solver::FilmGrid gradedFilm(const FilmSettings& film, const Eigen::AlignedBox2d& shadow,
                             double drawIn, Millimetres cell,
                             const std::array<Millimetres, 2>& offset);

@@ -21,9 +21,9 @@ inline constexpr float wrinkledBelow = 0.99f; // a value of λ2; film profiles a
 
 struct PaintedStretch {
     std::vector<std::uint8_t> points; // per film point: 1 if it belongs to a painted triangle
-    // `constraints` holds the final length over the rest length of each horizontal and vertical
-    // constraint along sides of painted triangles. `pointMeans` holds, per film point, the mean
-    // over its constraints; 1 if it has none.
+    // `constraints` holds the final length divided by the rest length of each horizontal and
+    // vertical constraint along sides of painted triangles. `pointMeans` holds, per film point, the
+    // mean over its constraints; 1 if it has none.
     std::vector<float> constraints, pointMeans;
     std::vector<float> areas; // area stretch J of each painted film triangle
     Wrinkling wrinkling;

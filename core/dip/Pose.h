@@ -38,8 +38,8 @@ struct PosedBody {
     // Whether an air pocket keeps film off a place on the body.
     bool isDry(const SurfacePoint& point) const;
 };
-// `cells` is the number of grid cells along the body's longest edge on which air pockets are
-// sought. Uses all cores; deterministic.
+// Air pockets are searched for on a grid with `cells` cells along the body's longest edge. Uses all
+// cores; deterministic.
 PosedBody posedBody(const TriangleMesh& model, const Immersion& immersion, int cells = airCells);
 
 // Distance of the body's lowest point above the water before the dip, mm.

@@ -13,7 +13,7 @@ namespace dipwright {
 // cells along the body's longest edge. Immutable.
 class SpaceGrid {
 public:
-    // `query` must be of `mesh`. The grid is in the coordinates of `mesh`. Uses all cores;
+    // `query` must search `mesh`. The grid is in the coordinates of `mesh`. Uses all cores;
     // deterministic.
     SpaceGrid(const TriangleMesh& mesh, const SurfaceQuery& query, int resolution);
 

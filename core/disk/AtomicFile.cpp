@@ -68,7 +68,7 @@ QString AtomicFile::open() {
         return Text::tr("it is a folder");
     }
     if (target.isSymLink()) {
-        return Text::tr("its links form a loop");
+        return Text::tr("its symbolic links form a loop");
     }
     if (target.exists() && !target.isFile()) { // a pipe or a device, which other programs have open
         return Text::tr("it is not a regular file");
@@ -96,7 +96,7 @@ QString AtomicFile::open() {
 
 QString AtomicFile::commit() {
     if (!syncToDisk(device())) {
-        return Text::tr("it cannot be flushed to the disk: %1").arg(device().errorString());
+        return Text::tr("the disk did not accept its data: %1").arg(device().errorString());
     }
     if (!file_.moveOver(target_)) {
         removeAbandoned(beside_);

@@ -49,9 +49,8 @@ void checkWritable(const QString& path);
 // The kinds of hidden files that lie beside a file while a program works on it.
 enum class Beside { NewContents, Lock };
 // Returns the path of the hidden file of kind `what` beside `path`. Equal arguments always give the
-// same path. The
-// hidden file's name is a fixed prefix and the file's name. If that is too long, a hash replaces
-// the file's name.
+// same path. The hidden file's name is a fixed prefix and the file's name. If that is too long, a
+// hash replaces the file's name.
 QString hiddenFilePath(const QString& path, Beside what);
 // Whether the file's name begins with the prefix of a hidden file.
 bool isHiddenFile(const QString& path);

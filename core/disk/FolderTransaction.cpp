@@ -302,13 +302,11 @@ void FolderTransaction::lockTarget() {
     }
     Work work(target_);
     if (!work.completeTransaction(names_)) {
-        throw Error(
-            Text::tr(
-                "Earlier results in this folder are incomplete, and another program keeps them "
-                "from being completed. Close the programs that use files in the folder, or "
-                "move %1 out of the folder")
-                .arg(workName()),
-            target_);
+        throw Error(Text::tr("Earlier results in this folder are incomplete, and another program "
+                             "prevents their completion. Close the programs that use files in the "
+                             "folder, or move %1 out of the folder")
+                        .arg(workName()),
+                    target_);
     }
     QFile trial(work.path(QStringLiteral("trial")));
     if (!lock_.isHeld() || !QDir().mkpath(work.path(newFiles)) ||
@@ -364,7 +362,8 @@ QByteArray FolderTransaction::written(const QString& name) const {
         return {};
     }
     if (const QString failure = openToRead(file); !failure.isEmpty()) {
-        throw Error(Text::tr("The results cannot be read again: %1").arg(failure), target_);
+        throw Error(Text::tr("Results that were just written cannot be read: %1").arg(failure),
+                    target_);
     }
     return file.readAll();
 }
@@ -372,7 +371,8 @@ QByteArray FolderTransaction::written(const QString& name) const {
 // Throws Error if a file or folder is in the way of a result or its folder; never removes it.
 void FolderTransaction::refuseOthers() const {
     const auto refuse = [this](const QString& name) {
-        throw Error(Text::tr("%1 is in the way of the results; move it, or choose another folder")
+        throw Error(Text::tr("The results cannot be written, because %1 already exists and cannot "
+                             "be replaced; move it, or choose another folder")
                         .arg(name),
                     target_);
     };

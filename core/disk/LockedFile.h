@@ -24,7 +24,7 @@ public:
     Outcome open(const QString& path);
     bool isOpen() const { return file_.isOpen(); }
     // Whether the system really locked the file; false on a file system without locks. Only a real
-    // lock proves that no other process is doing the work that the file stands for.
+    // lock proves that no other process is doing the work that the file records.
     bool isLocked() const { return isLocked_; }
     QFile& device() { return file_; }
     QString errorString() const;

@@ -30,7 +30,8 @@ BoundingBox extentOf(const TriangleMesh& body) {
     const BoundingBox box = boundingBox(body);
     const double edge = box.isEmpty() ? 0 : double(box.sizes().maxCoeff());
     if (!(edge > 0) || !std::isfinite(edge)) {
-        throw Error(Text::tr("The model has no extent; choose a model with a surface"), QString());
+        throw Error(Text::tr("The size of the model is zero; choose a model with a surface"),
+                    QString());
     }
     return box;
 }

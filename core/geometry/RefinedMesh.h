@@ -8,7 +8,7 @@
 
 namespace dipwright {
 
-// Returns the longest edge, in mm, of about `triangles` triangles of equal size that cover the
+// Returns the edge length, in mm, at which about `triangles` triangles of equal size cover the
 // mesh.
 float edgeForTriangles(const TriangleMesh& mesh, double triangles);
 

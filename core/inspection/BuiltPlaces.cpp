@@ -24,7 +24,7 @@ constexpr double step = 0.25;          // mm on the sheet to either side, for de
 constexpr int rounds = 8;              // iterations of Newton's method
 constexpr double close = 1e-3;         // pixels: a smaller residual counts as converged
 constexpr double farthest = 20;        // mm on the sheet: largest offset that is searched
-constexpr double leastFromFront = 0.2; // least ratio of the axes of a circle as seen
+constexpr double leastFromFront = 0.2; // least ratio of the axes of a circle in the photo
 constexpr double samePlace = 0.01;     // mm on the model: nearer places count as one place
 
 // Tells where places of one film's sheet appear in the photos.
@@ -157,23 +157,25 @@ double residualOf(const std::vector<BuiltPlace>& places) {
 AsBuilt withBuiltPart(AsBuilt built, const std::vector<BuiltPlace>& places, BuiltPart part,
                       const QString& where) {
     if (places.empty()) {
-        throw Error(Text::tr("None of the places lies on film that adheres to the part; check that "
-                             "the photos show a part of this job"),
+        throw Error(Text::tr("None of the measured places lies on film that adheres to the part; "
+                             "check that the photos show a part of this job"),
                     where);
     }
     if (built.parts.size() >= mostBuiltParts ||
         built.places.size() + places.size() > mostBuiltPlaces) {
         throw Error(
-            Text::tr("The job can keep at most %1 parts and %2 places; this part would exceed that")
+            Text::tr(
+                "The job can keep at most %1 parts and %2 places; this part would exceed the limit")
                 .arg(mostBuiltParts)
                 .arg(mostBuiltPlaces),
             where);
     }
     if (std::any_of(built.parts.begin(), built.parts.end(),
                     [&](const BuiltPart& other) { return other.photos == part.photos; })) {
-        throw Error(Text::tr("The job already contains the part in these photos; adding it again "
-                             "would count it as two parts that agree"),
-                    where);
+        throw Error(
+            Text::tr(
+                "The job already contains the part in these photos; a part may be added only once"),
+            where);
     }
     part.residual = residualOf(places);
     built.parts.push_back(std::move(part));

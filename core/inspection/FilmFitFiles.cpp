@@ -190,8 +190,8 @@ QStringList fitSentences(const FilmFit& fit) {
     const auto number = [](double value, int decimals) {
         return QLocale().toString(value, 'f', decimals);
     };
-    sentences << Text::tr("Root mean square distance of the print: %1 px (%2 mm) before the fit, "
-                          "%3 px (%4 mm) after it")
+    sentences << Text::tr("Root mean square distance between the simulated and the photographed "
+                          "print: %1 px (%2 mm) before the fit, %3 px (%4 mm) after it")
                      .arg(number(fit.beforePixels, 2), number(fit.beforeMillimetres, 3),
                           number(fit.afterPixels, 2), number(fit.afterMillimetres, 3));
     return sentences;

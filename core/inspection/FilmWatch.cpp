@@ -63,17 +63,16 @@ void requireBeginSeen(const FilmWatch& watch) {
     if (watch.begin < first - beyond * (last - first) ||
         watch.begin > last + beyond * (last - first)) {
         throw Error(Text::tr("The photos show the film from %1 to %2 s after it was laid on the "
-                             "water, but the dip begins after %3 s; correct the times, or "
-                             "photograph the film from before the dip begins")
+                             "water, but the dip begins after %3 s; correct the times, or take "
+                             "photos both before and after the start of the dip")
                         .arg(number(first, 0), number(last, 0), number(watch.begin, 0)),
                     watch.photos.front().where);
     }
 }
 
 QStringList noGrowthSentences(const FilmWatch& watch) {
-    QStringList sentences{
-        Text::tr("Growth is not measured; this measurement needs photos at three or more "
-                 "times, from before the dip begins until after it ends")};
+    QStringList sentences{Text::tr("Growth is not measured; to measure it, take photos at three or "
+                                   "more times, from before the dip begins until after it ends")};
     const auto away = [&](const WatchedPhoto& photo) {
         return std::abs(secondsOf(photo, watch.begin) - watch.begin);
     };
@@ -98,9 +97,9 @@ QStringList growthSentences(const FilmWatch& watch) {
     case GrowthKnowledge::RateOnly:
         return {Text::tr("Growth: %1 ± %2 % per second")
                     .arg(number(100 * growth.rate.value, 4), number(100 * growth.rate.off, 4)),
-                Text::tr("The film still grew at the same rate in the last photo. Its limit is "
-                         "therefore unknown, and the profile keeps its own growth. Take photos "
-                         "until the film grows no more")};
+                Text::tr("The film still grew at the same rate in the last photo. Its growth limit "
+                         "is therefore unknown, and the growth in the profile stays unchanged. "
+                         "Take photos until the film stops growing")};
     case GrowthKnowledge::Both:
         break;
     }
@@ -163,13 +162,14 @@ FlatFilm measureFlatFilm(const QImage& photo, const FlatSettings& settings, cons
         throw Error(
             card ? Text::tr("Too little of the film's chessboard is visible; photograph all of it, "
                             "sharp and without glare")
-                 : Text::tr("No chessboard of the film watch is visible; print it with “calibrate "
-                            "film” and photograph all of it, sharp and without glare"),
+                 : Text::tr("No chessboard for measuring the film is visible; print one with "
+                            "“dipwright-cli calibrate film” and photograph all of it, sharp and "
+                            "without glare"),
             where);
     }
     if (!card) {
-        throw Error(Text::tr("The card of the film watch is not visible, but it is needed as a "
-                             "scale; print it with “calibrate card” and lay it beside the film"),
+        throw Error(Text::tr("The card that gives the scale is not visible; print it with "
+                             "“dipwright-cli calibrate card” and lay it beside the film"),
                     where);
     }
     requireUpright(*film, where);

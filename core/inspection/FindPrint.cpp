@@ -274,8 +274,8 @@ QString notSeen(const PhotoSearch& search, const PhotoCorners& corners, int phot
     }
     const std::size_t should = corners.expected().size();
     if (should == 0) {
-        return Text::tr("According to its places, photo %1 shows none of the print; give the "
-                        "places again, or photograph the dipped side")
+        return Text::tr("According to the places given for it, photo %1 shows none of the print; "
+                        "give the places again, or photograph the dipped side")
             .arg(photo + 1);
     }
     if (double(mirrored) > 0.5 * double(should)) {

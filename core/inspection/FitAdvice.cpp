@@ -109,8 +109,8 @@ QString whyRelaxationIsUncertain(const JointSolution& solution, std::size_t unkn
         return {};
     }
     const QLocale locale;
-    return Text::tr("%1 is known only to about %2 %: a change by 10 % moves none of the places "
-                    "by more than %3 mm; give more pairs, or %4")
+    return Text::tr("%1 is uncertain by about %2 %: a change by 10 % moves none of the places by "
+                    "more than %3 mm; give more pairs, or %4")
         .arg(fitQuantityText(FitQuantity::Relaxation),
              locale.toString(100 * std::expm1(off), 'f', 0),
              locale.toString(farthest(near, unknown, tenth), 'f', 3),

@@ -11,8 +11,8 @@ namespace dipwright {
 QString hasNoEffectSentence(FitQuantity quantity);
 
 // Explains why the free unknown `unknown` is not determined, for example because another unknown or
-// the camera has the same effect. `hasBodyPairs` says whether some pairs are places on the body
-// itself.
+// the camera has the same effect. `hasBodyPairs`: whether some pairs are places on the model, such
+// as an edge, and not places of the print.
 QString whyNotDetermined(const JointSolution& solution, const std::vector<FitUnknown>& unknowns,
                          const std::vector<bool>& isFree, std::size_t unknown,
                          const PlacesNear& near, bool hasBodyPairs);

@@ -16,7 +16,7 @@ enum class FitQuantity : std::uint8_t {
     ShiftZ, // the same along Z, mm
     // Rotation of the body about the vertical axis through the centre of its bounding box, degrees.
     Turn,
-    SwellX,          // floating length over printed length, along X
+    SwellX,          // floating length divided by printed length, along X
     SwellY,          // the same along Y
     Relaxation,      // s
     Growth,          // 1/s
@@ -47,7 +47,7 @@ struct FitUnknown {
 
 // The scale of an unknown. In a fit, an unknown is a number of the order of 1 that starts at 0. It
 // counts mm, degrees, or per cent of the swell; for relaxation and growth it is the logarithm of
-// value over start value.
+// value divided by start value.
 struct FitScale {
     double step;                // change to either side, for the derivatives
     double most;                // largest change in one round of the fit

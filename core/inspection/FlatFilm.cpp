@@ -207,8 +207,8 @@ Residuals residualsOf(const FlatFit& problem) {
 
 void requireDetermined(const LeastSquaresFit& fit, const QString& where) {
     if (!fit.converged || !fit.determined) {
-        throw Error(Text::tr("The visible corners do not determine how the film lies; photograph "
-                             "film and card from above, both whole"),
+        throw Error(Text::tr("The position of the film cannot be determined from the visible "
+                             "corners; photograph the whole film and the whole card from above"),
                     where);
     }
 }
@@ -218,11 +218,12 @@ void requireDetermined(const LeastSquaresFit& fit, const QString& where) {
 void requireFlatCard(const FlatFit& problem, const LeastSquaresFit& fit, const QString& where) {
     const double off = problem.cardOff(fit.residuals);
     if (!(off < mostCardOff)) {
-        throw Error(Text::tr("The card's corners lie %1 px from their places on a flat card; lay "
-                             "the card flat, and correct the given lens distortion, focal length "
-                             "and card height, or leave them out")
-                        .arg(QLocale().toString(off * problem.pixels(), 'f', 1)),
-                    where);
+        throw Error(
+            Text::tr(
+                "The card's corners lie %1 px from their places on a flat card; lay the card flat, "
+                "and correct or clear the values for lens distortion, focal length and card height")
+                .arg(QLocale().toString(off * problem.pixels(), 'f', 1)),
+            where);
     }
 }
 

@@ -16,8 +16,8 @@ struct FlatSettings {
     // Lens from an earlier measurement of the camera. None: k1 and k2 are fitted to the boards in
     // the photo.
     std::optional<Lens> lens;
-    // Measured length over nominal length of the rulers on the card and on the dry film, across and
-    // down.
+    // Measured length divided by nominal length of the rulers on the card and on the dry film,
+    // across and down.
     std::array<double, 2> cardScale{1, 1}, filmScale{1, 1};
     // Height of the card's print above the film, mm.
     double cardAbove = 0;
@@ -42,7 +42,8 @@ struct FilmCorner {
 };
 
 struct FlatFilm {
-    Measured swellX, swellY; // floating over printed length, along the board's rows and columns
+    // Floating length divided by printed length, along the board's rows and columns.
+    Measured swellX, swellY;
     double shearDegrees = 0; // deviation of the board's right angle
     std::vector<FilmCorner> corners;
     std::vector<Eigen::Vector2d> cardCorners; // pixels of the photo

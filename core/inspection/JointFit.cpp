@@ -16,8 +16,8 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::FilmFit)
 };
 
-// A spring's residual is one pixel if the unknown is this many times its widestKnownInterval from
-// 0.
+// Weak springs keep the unknowns near 0. A spring's residual is one pixel if the unknown differs
+// from 0 by this multiple of its widestKnownInterval.
 constexpr double springLength = 10;
 constexpr double cameraSpring = 1; // spring length of the camera's unknowns
 
@@ -154,8 +154,8 @@ JointSolution fitJointly(const PlacesNear& near, const SeenPlaces& seen, const P
     const Joint joint(near, seen, start, isFree, camera);
     const double freedom = 2.0 * joint.points() - double(joint.count());
     if (freedom < 1) {
-        throw Error(Text::tr("There are too few pairs on the part to determine %1 numbers of film "
-                             "and camera; give more pairs, or fit fewer quantities")
+        throw Error(Text::tr("There are too few pairs on the part to determine the %1 unknowns of "
+                             "film and camera; give more pairs, or fit fewer quantities")
                         .arg(joint.count()),
                     where);
     }
@@ -167,8 +167,8 @@ JointSolution fitJointly(const PlacesNear& near, const SeenPlaces& seen, const P
             [&](const Eigen::VectorXd& at, Eigen::VectorXd& out) { joint.residuals(at, out); },
             joint.residualCount(), numbers, joint.points());
         if (!fit.converged || !fit.determined) {
-            throw Error(Text::tr("No film and camera fit the pairs; check for places that were "
-                                 "mistaken for others"),
+            throw Error(Text::tr("The fit found no film and camera that explain the pairs; check "
+                                 "whether a pair names the wrong place"),
                         where);
         }
         numbers = fit.parameters;

@@ -27,7 +27,7 @@ struct PlacesNear {
     std::vector<Eigen::Matrix3Xd> slopes;
 };
 
-// What is fitted of the camera: all of it, all except its lens, or nothing.
+// Which part of the camera is fitted: all of it, all except its lens, or nothing.
 enum class CameraFit : std::uint8_t { Whole, KnownLens, Held };
 
 struct JointSolution {

@@ -16,9 +16,10 @@ inline int fittableDistortions(std::size_t pairs) {
     return int(std::min<std::size_t>(2, pairs / pairsForDistortion));
 }
 
-// The parameters are changes of the start camera. They are the logarithm of the focal length's
-// factor, the first `distortions` of k1 and k2, and for each photo a rotation vector and a shift,
-// relative to the distance. A held camera has no parameters.
+// The parameters are changes of the start camera. First comes the logarithm of the factor on the
+// focal length. Then come the changes of k1 and k2, as far as `distortions` (0 … 2) says. Each
+// photo adds a rotation vector and a shift divided by the distance. A held camera has no
+// parameters.
 class MovedCamera {
 public:
     MovedCamera(const PartView& start, int distortions, bool isHeld = false)

@@ -1,6 +1,6 @@
-// Finds the camera of photos of a dipped part from places with known positions on the model, and
-// measures how far the print lies from its intended place (docs/inspection.md, "The part's
-// camera").
+// Finds the camera with which a dipped part was photographed, from places with known positions on
+// the model. Measures how far the print lies from its intended place (docs/inspection.md, "The
+// part's camera").
 #pragma once
 
 #include "inspection/FlatFilm.h"
@@ -55,7 +55,7 @@ struct PartView {
 
 // Least number of pairs per photo.
 inline constexpr int leastPairs = 6;
-// Number of pairs, in all photos together, from which on k1 is fitted; k2 needs twice as many.
+// Least number of pairs, in all photos together, to fit k1; k2 needs twice as many.
 inline constexpr int pairsForDistortion = 30;
 
 // Fits one camera to photos of one size. Uses `lens` if it is given. Otherwise fits k1 and k2 if

@@ -24,20 +24,20 @@ struct PrintedCorner {
 
 // Returns corners of the job's own chessboard (texture/Chessboard.h) with squares of `square` mm on
 // a sheet of `sheet` mm, row by row. Includes a corner only if film adheres to the body within 0.25
-// squares around it. Any thread.
+// squares around it. May be called from any thread.
 std::vector<PrintedCorner> chessboardCorners(const LaidFilm& laid, int dip, QSizeF sheet,
                                              double square);
 
 // Returns the corners of chess squares in the model's own texture; empty if fewer than twelve are
 // side by side. Includes a corner only if one of `dips` paints it; the first such dip is its `dip`.
-// `sheet` is the size of the sheets. Any thread.
+// `sheet` is the size of the sheets. May be called from any thread.
 std::vector<PrintedCorner> textureCorners(const TexturedMesh& model,
                                           const std::vector<std::shared_ptr<const LaidFilm>>& dips,
                                           QSizeF sheet);
 
 enum class PartPrint { Chessboard, Texture };
-// Returns the corners of all dips of a job. The job's sheets must have shown its chessboard, or the
-// model's texture with its artwork. If the artwork contains text, a QGuiApplication is needed.
+// Returns the corners of all dips of a job. `print` says what its sheets show: the chessboard, or
+// the model's texture with its artwork. If the artwork contains text, a QGuiApplication is needed.
 std::vector<PrintedCorner> printedCorners(const Project& project,
                                           const std::vector<std::shared_ptr<const LaidFilm>>& dips,
                                           PartPrint print);

@@ -401,12 +401,13 @@ QStringList sentencesOf(const ModelRepairs& repairs) {
             sentences.push_back(sentence.arg(count));
         }
     };
-    add(Text::tr("Points merged along seams that rounding had opened: %1"), repairs.joinedPoints);
+    add(Text::tr("Points merged where rounded coordinates had left a gap: %1"),
+        repairs.joinedPoints);
     add(Text::tr("Triangles without area that were removed: %1"), repairs.removedTriangles);
     add(Text::tr("Duplicate triangles that were removed: %1"), repairs.mergedTriangles);
     add(Text::tr("Triangles flipped to face the same way as their neighbours: %1"),
         repairs.turnedTriangles);
-    add(Text::tr("Parts of the surface flipped because they were inside out: %1"),
+    add(Text::tr("Pieces of the surface flipped because they were inside out: %1"),
         repairs.turnedParts);
     return sentences;
 }

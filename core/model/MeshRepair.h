@@ -26,8 +26,9 @@ QStringList sentencesOf(const ModelRepairs& repairs);
 void weldPositions(TriangleMesh& mesh);
 
 // Merges positions at the edges of holes if they differ only by the rounding of coordinates: by at
-// most 10⁻⁵ of the bounding box's longest edge. Returns how many positions were removed. Of merged
-// positions, the one that is used first stays. `mesh` must be welded, and is welded afterwards.
+// most 10⁻⁵ of the bounding box's longest edge. Returns how many positions were removed. Among
+// merged positions, the one that is used first stays. `mesh` must be welded, and is welded
+// afterwards.
 std::size_t joinOpenSeams(TriangleMesh& mesh);
 
 // Removes triangles without area and their attributes; returns how many. From a closed mesh,

@@ -29,7 +29,7 @@ std::shared_ptr<const LaidFilm> deeperDip(const JobResult& result, std::size_t i
                                     : cachedDistanceField(result.fieldInputs.model->mesh,
                                                           result.fieldInputs.resolution,
                                                           progress.part(0, fieldDone));
-    progress(fieldDone, QCoreApplication::translate("Pipeline", "Dipping deeper"));
+    progress(fieldDone, QCoreApplication::translate("Pipeline", "Simulating a deeper dip"));
     const ProcessSettings process = deeperProcess(project.process, *dip.body);
     const FilledField filled(*dip.body, *field);
     std::vector<solver::BatchItem> dips(1);

@@ -1,5 +1,5 @@
-// Caches the dips of a project in a file beside the project, so that an opened project shows its
-// results without simulating the dips again.
+// Caches the dips of a project in a file beside the project, so that the program can show the
+// results of an opened project without simulating the dips again.
 //
 // The file is a zip with one entry for each dip, the newest last. An entry's name contains a hash
 // of everything that the dip depends on. Dips of earlier states of the project stay until their
@@ -19,20 +19,21 @@ inline constexpr qint64 mostCacheBytes = qint64(64) << 20;
 QString dipCacheFile(const QString& project);
 
 // Adds the dips of `result` to the cache file beside `project`, and removes the oldest dips until
-// the file has at most `most` bytes. Replaces the file by an atomic write. Does not cache dips that
+// the file has at most `most` bytes. Replaces the file by an atomic write. Does not cache a dip if
 // another solver took over. Writes nothing if all dips are cached already. Drops unreadable
-// contents. Any thread, but only one at a time for each project. Throws Error if the file cannot be
-// written.
+// contents. May be called from any thread, but only from one at a time for each project. Throws
+// Error if the file cannot be written.
 void cacheDips(const JobResult& result, const QString& project, qint64 most = mostCacheBytes);
 
 // Returns a result that can be passed to runJob() as `previous`. It contains only the cached films
-// of all dips of `project`, laid on the body again. The cache lies beside the file `path`. Null if
-// a dip is missing. Uses all cores. Throws Error if the file is damaged or no dip cache, or
-// Cancelled.
+// of all dips of `project`, laid on the body again. The cache lies beside the file `path`. Returns
+// null if a dip is missing. Uses all cores. Throws Error if the file is damaged or is not a dip
+// cache. Throws Cancelled.
 std::shared_ptr<const JobResult> cachedDips(const Project& project, const SolverRegistry& registry,
                                             const QString& path, const Progress& progress);
 
-// As cachedDips(), but null if the file cannot be read, for work that dips again in that case.
+// Like cachedDips(), but returns null if the file cannot be read. For callers that simulate the
+// dips again in that case.
 std::shared_ptr<const JobResult> usableDips(const Project& project, const SolverRegistry& registry,
                                             const QString& path, const Progress& progress);
 

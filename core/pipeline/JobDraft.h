@@ -18,15 +18,16 @@ inline constexpr int fewestDraftCells = 20;
 
 inline constexpr int refinedLevel = -1;
 
-// Keeps the latest result of each level, so that the next run takes over what still fits.
+// Keeps the latest result of each level, so that the next run can reuse the parts that are still
+// valid.
 class JobDrafts {
 public:
     void clear() { results_.clear(); }
     // Ignores null. A refined result takes the place of level 0.
     void add(int level, std::shared_ptr<const JobResult> result);
-    // Returns what a run of `project` at `level` can take over (runJob(), `previous`); null if
-    // there is nothing. Takes the results of `level`, and of others what does not depend on the
-    // level, such as bodies in their poses.
+    // Returns a result that a run of `project` at `level` can reuse (`previous` of runJob()); null
+    // if there is none. It has the results of `level`, and those results of other levels that do
+    // not depend on the level, such as bodies in their poses.
     std::shared_ptr<const JobResult> reusable(const Project& project, int level) const;
 
 private:
@@ -35,12 +36,12 @@ private:
 };
 
 // Returns the level of the coarsest draft of `project`; 0 if its film is coarse already. The
-// project must have a model. `earlier` may save the time to prepare the model.
+// project must have a model. If `earlier` contains the prepared model, it is used.
 int coarsestDraft(const Project& project, const JobDrafts& earlier);
 
-// Runs `level`, of `coarsest` levels, with what `earlier` has to take over. A draft estimates no
-// numerical error and no read-back error. `observer` (JobOptions.h) gets the dips of other levels.
-// Throws like runJob().
+// Runs the job at `level`; `coarsest` is the coarsest level. Reuses results of `earlier`. A draft
+// estimates no numerical error and no read-back error. `observer` (JobOptions.h) receives the dips
+// of other levels. Throws like runJob().
 JobResult runLevel(const Project& project, int level, int coarsest, const SolverRegistry& registry,
                    const JobDrafts& earlier, const Progress& progress,
                    decltype(JobOptions::observer) observer = {});

@@ -37,8 +37,8 @@ struct JobOptions {
     // Called on the working thread with the immersion's number and each frame of its film. Has no
     // effect on the result.
     std::function<void(std::size_t, const FilmFrame&)> observer;
-    // Called with an immersion's number and result as soon as its sheet is made. Any thread; other
-    // dips may still be running.
+    // Called with an immersion's number and result as soon as its sheet is made. May be called from
+    // any thread; other dips may still be running.
     std::function<void(std::size_t, const ImmersionResult&)> finished;
 };
 

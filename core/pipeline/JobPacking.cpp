@@ -104,7 +104,7 @@ QStringList filmsText(const PackedFilms& films) {
     QStringList lines;
     for (std::size_t number = 0; number < films.plan.films.size(); ++number) {
         const PlannedFilm& film = films.plan.films[number];
-        lines << Text::tr("Film %1: %2 × %3 mm, pieces: %4, %5 % used")
+        lines << Text::tr("Film %1: %2 × %3 mm, pieces: %4, used area: %5 %")
                      .arg(number + 1)
                      .arg(QString::number(film.size.width(), 'f', 0),
                           QString::number(film.size.height(), 'f', 0))
@@ -138,7 +138,7 @@ void writeFilms(const PackedFilms& films, const QString& folder, const Progress&
                              {"dpi", films.pieces.front().sheet.settings.resolution.value()},
                              {"films", list}};
     results.write(reportFile, QJsonDocument(report).toJson());
-    progress(1, Text::tr("Moving the results into place"));
+    progress(1, Text::tr("Moving the results to their folder"));
     progress.cancelToken.throwIfCancelled();
     results.commit();
 }

@@ -28,7 +28,7 @@ struct ImmersionResult {
     std::shared_ptr<const PosedBody> body;
     std::shared_ptr<const SurfaceAppearance>
         appearance;          // appearance of the body; null for a cached dip
-    SolverInfo solver;       // simulated the dip: the chosen solver, or the solver that took over
+    SolverInfo solver;       // that simulated the dip: the chosen one, or the one that took over
     QStringList solverNotes; // sentences for the user if a solver took over
     std::shared_ptr<const LaidFilm> laid;
     double refinement = 1; // the film has this many times the cells of the settings, along an edge

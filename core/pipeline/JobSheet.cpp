@@ -91,18 +91,19 @@ void checkSpots(const Project& project) {
     const std::vector<ArtworkLayer> spots = project.artwork.spots();
     for (const ArtworkLayer& layer : spots) {
         if (names.contains(layer.spot.toLower())) {
-            throw Error(Text::tr("Two plates of the sheet have the name %1; give each plate its "
-                                 "own name")
+            throw Error(Text::tr("White ink, cut contour and spot colours must have different "
+                                 "names, but two of them are named %1; rename one")
                             .arg(layer.spot),
                         layer.name);
         }
         names << layer.spot.toLower();
     }
     if (spots.size() > mostSpots) {
-        throw Error(Text::tr("The artwork has %1 spot colours; the limit is %2")
-                        .arg(spots.size())
-                        .arg(mostSpots),
-                    QStringLiteral("artwork"));
+        throw Error(
+            Text::tr("The artwork has %1 spot colours, more than the limit of %2; remove some")
+                .arg(spots.size())
+                .arg(mostSpots),
+            QStringLiteral("artwork"));
     }
 }
 

@@ -22,7 +22,7 @@ struct JobReason {
     VerdictReason reason;
 };
 
-// Returns the worst advice of all dips and of all dips together.
+// Returns the worst advice in the verdicts on each dip and on all dips together.
 Advice adviceOf(const JobResult& result);
 // Returns all reasons, the worst first.
 std::vector<JobReason> reasonsOf(const JobResult& result);

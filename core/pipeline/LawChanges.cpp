@@ -67,7 +67,7 @@ std::vector<LawChange> lawChanges(const Project& project, const Immersion& immer
         cancelToken.throwIfCancelled();
         DippedFilm film = dippedFilm(dips[dip], immersion);
         if (!isStable(film, dips[dip].setup.motion.travel)) {
-            throw Error(Text::tr("With this setting varied, the film does not follow the part; "
+            throw Error(Text::tr("The simulation became unstable when this setting was varied; "
                                  "give the film smaller cells or more points"),
                         changes[dip / 2].setting);
         }

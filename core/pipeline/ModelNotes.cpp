@@ -21,9 +21,9 @@ QString thinPartNote(const Project& project, const TriangleMesh& mesh, const Sur
     if (isFineEnough(field, thinnest)) {
         return {};
     }
-    return Text::tr("Parts of the model are only %1 mm thick. The film may miss them, because the "
-                    "smallest possible cells of the distance field are %2 mm. Make these parts "
-                    "thicker, or dip a smaller piece of the model.")
+    return Text::tr("Some places of the model are only %1 mm thick. The film may miss them, "
+                    "because the smallest possible cells of the distance field are %2 mm. Make "
+                    "these places thicker, or dip a smaller section of the model.")
         .arg(thinnest, 0, 'g', 2)
         .arg(field.spacing, 0, 'g', 2);
 }
@@ -34,8 +34,9 @@ bool isInsideOut(const TexturedMesh& model) {
 }
 
 QString insideOutNote() {
-    return Text::tr("The model is inside out, at least in parts. Film does not adhere to faces "
-                    "that point inwards. Import the model again; the import turns these faces.");
+    return Text::tr(
+        "The model is inside out, at least in some places. Film does not adhere to faces that "
+        "point inwards. Import the model again; the import turns these faces outwards.");
 }
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// Makes a report of a job's figures for other programs.
+// Makes report.json, from which other programs read a job's figures.
 #pragma once
 
 #include "pipeline/JobResult.h"

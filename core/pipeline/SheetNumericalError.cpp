@@ -48,8 +48,8 @@ Project withHalfSpacing(Project project) {
     film.refinement *= 2;
     if (const solver::FilmGrid finer = filmGrid(film);
         !isGraded(film) && !mayHavePoints(finer.columns, finer.rows)) {
-        throw Error(Text::tr("The comparison would need a film of %1 × %2 points, which is too "
-                             "many; halve the number of points to allow the comparison")
+        throw Error(Text::tr("The check of the numerical error would need a film of %1 × %2 "
+                             "points, which is too many; halve the number of film points")
                         .arg(finer.columns)
                         .arg(finer.rows),
                     QStringLiteral("film.points"));

@@ -34,9 +34,9 @@ QImage mapOf(const DipNumericalError& numericalError, LengthUnit unit = LengthUn
 bool isAccurateEnough(const DipNumericalError& numericalError);
 
 // Simulates each immersion three times with one solver: the project's, or the best CPU solver if
-// the project's needs a GPU that is missing or fails. Any thread; touches no file except the field
-// cache; the maps need a QGuiApplication. Throws Cancelled. Throws Error if there is no model, no
-// such solver, no contact, or too many film points with half the spacing.
+// the project's needs a GPU that is missing or fails. May be called from any thread; touches no
+// file except the field cache; the maps need a QGuiApplication. Throws Cancelled. Throws Error if
+// there is no model, no such solver, no contact, or too many film points with half the spacing.
 std::vector<DipNumericalError> sheetNumericalError(const Project& project,
                                                    const SolverRegistry& registry,
                                                    const Progress& progress);

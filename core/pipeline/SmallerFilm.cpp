@@ -43,7 +43,8 @@ std::optional<SmallerFilm> smallerFilm(const JobResult& result) {
     for (const ImmersionResult& dip : result.immersions) {
         const Eigen::AlignedBox2d box = neededFilm(dip, film);
         needed = needed.cwiseMax(box.sizes());
-        const Eigen::Vector2d middle = box.center(); // rounded to mm below, which the rim allows
+        // The centre is rounded to whole mm. The rim leaves room for that.
+        const Eigen::Vector2d middle = box.center();
         found.moves.push_back({Millimetres(-std::round(middle.x() * film.swellX)),
                                Millimetres(-std::round(middle.y() * film.swellY))});
     }

@@ -5,8 +5,8 @@
 
 namespace dipwright {
 
-// Width of the rim that is kept on each side of the film that paints. It is for film that is drawn
-// in and for handling. Assumed, not measured.
+// Width of the rim that is kept on each side of the film that paints. It leaves room for film that
+// is drawn in and for handling. Assumed, not measured.
 inline constexpr Millimetres freeRim{20};
 // A format is proposed only if its area is at most this share of the present film's.
 inline constexpr double mostAreaShare = 0.75;
@@ -18,7 +18,7 @@ struct SmallerFilm {
     std::vector<std::array<Millimetres, 2>> moves; // change of each immersion's offset
 };
 
-// Returns the used share of the film in the dip that uses most of it (usedShare() in
+// Returns which share of the film is used, in the dip that uses the most (usedShare() in
 // dip/LaidFilm.h).
 double filmUsed(const JobResult& result);
 

@@ -38,7 +38,7 @@ SolverChoice chooseSolver(const QString& wanted, const SolverRegistry& registry,
             throw;
         }
         return {*other,
-                {Text::tr("The CPU takes over from %1, which is not available: %2")
+                {Text::tr("The CPU is used instead of %1, which is not available: %2")
                      .arg(missing->name, error.sentence())},
                 cancelToken};
     }
@@ -50,7 +50,7 @@ bool takeOver(SolverChoice& choice, const SolverRegistry& registry, const Error&
     if (!other) {
         return false;
     }
-    choice.notes.append(Text::tr("%1 failed and %2 took over: %3")
+    choice.notes.append(Text::tr("%2 took over, because %1 failed: %3")
                             .arg(choice.solver.name, other->name, error.sentence()));
     choice.solver = *other;
     return true;

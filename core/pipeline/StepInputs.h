@@ -75,7 +75,7 @@ struct DipInputs {
 // Whether dips with these inputs begin with the same film. They may be refined differently.
 bool beginAlike(DipInputs first, const DipInputs& second);
 
-// Inputs of how two dips share the body.
+// Inputs of the split of the body between two dips.
 struct ShareInputs {
     std::vector<DipInputs> dips;
     PaintInputs paint; // decides where the seam shows least

@@ -111,7 +111,8 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
         warnings.append(Text::tr("The model is not closed; Dipwright guesses what is inside"));
     }
     if (project.model->textures.empty() && project.artwork.isEmpty()) {
-        warnings.append(Text::tr("The model has no texture; its plain colours are printed"));
+        warnings.append(
+            Text::tr("The model has no texture; the colours of its materials are printed"));
     }
     warnings += fontWarnings(project.artwork);
     warnings += colourNotes(*project.model) + colourNotes(project.artwork);
@@ -128,7 +129,7 @@ QString misplacement(const Project& project, const Immersion& immersion) {
     const Eigen::AlignedBox2d body = footprint(*project.model, immersion);
     const std::optional<TankProfile>& tank = project.profiles.tank;
     if (tank && !centred(tank->width.value(), tank->length.value()).contains(body)) {
-        return Text::tr("The part reaches past the edge of the tank “%1”; move or turn it")
+        return Text::tr("The part reaches past the edge of the tank “%1”; move or turn the part")
             .arg(tank->name);
     }
     const Eigen::AlignedBox2d film = filmOutline(project.film);
@@ -136,7 +137,7 @@ QString misplacement(const Project& project, const Immersion& immersion) {
         return beside();
     }
     if (!film.contains(body)) {
-        return Text::tr("The part reaches past the film's edge; move or turn it, or %1")
+        return Text::tr("The part reaches past the film's edge; move or turn the part, or %1")
             .arg(adviceOnFilm(body, project.film));
     }
     return {};

@@ -111,7 +111,7 @@ void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QS
              folder.write(prefix + QStringLiteral("body.vtp"),
                           bodyVtp(*result.body, *result.appearance, *result.coverage));
          }});
-    const QString text = Text::tr("Writing the stretch of %1").arg(result.immersion.name);
+    const QString text = Text::tr("Writing the stretch maps of %1").arg(result.immersion.name);
     pieces.push_back({text, [&result, prefix, &folder] {
                           const QString name = prefix + QStringLiteral("stretch.png");
                           folder.write(name, pngBytes(stretchMap(*result.laid, filmMapEdge), name));
@@ -187,7 +187,7 @@ void addToleranceMaps(std::vector<Piece>& pieces, const JobResult& result,
                       const FolderTransaction& folder) {
     for (std::size_t i = 0; result.tolerances && i < result.tolerances->dips.size(); ++i) {
         const ImmersionResult& immersion = result.immersions[i];
-        pieces.push_back({Text::tr("Writing the tolerances of %1").arg(immersion.immersion.name),
+        pieces.push_back({Text::tr("Writing the tolerance map of %1").arg(immersion.immersion.name),
                           [&, number = int(i) + 1, &dip = result.tolerances->dips[i]] {
                               const QString name =
                                   immersionFolder(number) + QStringLiteral("/tolerance.png");
@@ -242,7 +242,7 @@ void writeTicket(const JobResult& result, const FolderTransaction& folder) {
 }
 
 void commit(FolderTransaction& folder, const Progress& progress) {
-    progress(1, Text::tr("Moving the results into place"));
+    progress(1, Text::tr("Moving the results to their folder"));
     progress.cancelToken.throwIfCancelled();
     folder.commit();
 }

@@ -12,17 +12,17 @@ namespace dipwright {
 void writeResults(const Project& project, const JobResult& result, const QString& folder,
                   const Progress& progress);
 
-// Returns a results folder within `folder` for each project file: its name, with a number if
-// another project has the same name.
+// Returns the results folder of each project file within `folder`. It has the name of the project
+// file, and a number if that name is taken.
 QStringList resultFolders(const QStringList& projects, const QString& folder);
 
 // Writes only the cradles, all or none, and returns them. Makes the cradles if the result has none.
 std::vector<Cradle> writeCradles(const JobResult& result, const QString& folder,
                                  const Progress& progress);
 
-// Runs the job (runJob) and writes its results (writeResults). Writes the files of one immersion
-// while the next dip runs. `previous` as in runJob(). Throws Error before the job if the folder
-// cannot be written.
+// Runs the job (runJob) and writes its results (writeResults). Writes the files of one dip while
+// the next dip runs. `previous` is as in runJob(). Throws Error before the job if the folder cannot
+// be written.
 JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
                       const JobOptions& options, const JobResult* previous, const QString& folder,
                       const Progress& progress);

@@ -136,7 +136,7 @@ void checkValue(const FieldRule& rule, const QJsonValue& value, const QString& p
         return;
     }
     if (!value.isArray() || value.toArray().size() != rule.parts) {
-        throw Error(Text::tr("%1 is not allowed here; expected %2 parts, each of them %3")
+        throw Error(Text::tr("%1 is not allowed here; expected %2 values, each of them %3")
                         .arg(shownParts(value), QString::number(rule.parts), expectation(rule)),
                     place(path, file));
     }

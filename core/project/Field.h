@@ -13,7 +13,7 @@ namespace dipwright {
 // A colour is a text such as #1a2b3c.
 enum class FieldKind { Text, Choice, Flag, Number, WholeNumber, Colour };
 
-// The rule that a value must keep. With `parts` > 1 the value is an array of that many values.
+// The rule that a value must satisfy. With `parts` > 1, the value is an array of `parts` values.
 struct FieldRule {
     FieldKind kind = FieldKind::Number;
     int parts = 1;
@@ -23,23 +23,23 @@ struct FieldRule {
     QStringList choices = {};
 };
 
-// `set` is called only with values that keep the rule. It may throw Error for conditions that
+// `set` is called only with values that satisfy the rule. It may throw Error for conditions that
 // depend on several values.
 template <typename Owner>
 struct Field {
-    QString path; // "film.size_mm", from the owner's own object
+    QString path; // within the owner's JSON object, such as "film.size_mm"
     FieldRule rule;
     std::function<QJsonValue(const Owner&)> get;
     std::function<void(Owner&, const QJsonValue&)> set;
-    // The file omits the default value. Older files without the field therefore stay the same, and
+    // The file omits the default value. So files from before the field existed stay the same, and
     // so do their job numbers.
     bool omittedIfDefault = false;
-    // The job number omits the default value. Sheets made before the field existed therefore keep
-    // their job number.
+    // The hash that makes the job number omits the default value. So sheets from before the field
+    // existed keep their job number.
     bool notHashedIfDefault = false;
 };
 
-// Sets a value that keeps the field's rule. If `set` throws, the owner does not change.
+// Sets a value that satisfies the field's rule. If `set` throws, the owner does not change.
 template <typename Owner>
 void setField(Owner& owner, const Field<Owner>& field, const QJsonValue& value) {
     Owner changed = owner;
@@ -52,7 +52,7 @@ void checkValue(const FieldRule& rule, const QJsonValue& value, const QString& p
                 const QString& file);
 
 // Parses a value from the command line: parts separated by x or ;, "null", "true" or "false". The
-// result keeps the rule. Throws Error naming `path`.
+// result satisfies the rule. Throws Error naming `path`.
 QJsonValue parseValue(const FieldRule& rule, const QString& text, const QString& path);
 
 } // namespace dipwright

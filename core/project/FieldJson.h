@@ -40,7 +40,7 @@ void writeFields(const Owner& owner, const std::vector<Field<Owner>>& fields, QJ
     }
 }
 
-// Removes the values that a job number omits (Field::notHashedIfDefault).
+// Removes default values that do not count for a job number (Field::notHashedIfDefault).
 template <typename Owner>
 void removeUncounted(QJsonObject& json, const std::vector<Field<Owner>>& fields) {
     const Owner usual{};

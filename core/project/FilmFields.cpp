@@ -91,8 +91,9 @@ void addLaws(std::vector<MaterialField<Film>>& fields) {
              "gathering_stretch", leastGathering, mostGathering,
              [](auto& f) -> auto& { return f.gatheringStretch; })),
          {.label = Text::tr("Gathering stretch"),
-          .help = Text::tr("Compressed film gathers where its mean stretch falls below this value; "
-                           "there it hardly resists. This value is a guess; no film was measured."),
+          .help = Text::tr("Compressed film gathers where its mean stretch falls below this value. "
+                           "Gathered film hardly resists further compression. This value is a "
+                           "guess; no film was measured."),
           .unit = Unit::Ratio,
           .isOfProductionFilm = true}});
 }
@@ -121,30 +122,32 @@ std::vector<MaterialField<FilmBehaviour>> filmBehaviourFields() {
 }
 
 std::vector<MaterialField<InkLaw>> inkLawFields() {
-    return {
-        {numbers<InkLaw>(
-             "exponents", lightInks, 0, mostInkExponent,
-             [](auto& ink, int part) -> auto& { return ink.exponents[std::size_t(part)]; }),
-         {.label = Text::tr("Ink exponent"),
-          .help = Text::tr("How ink thins: where film is stretched to J times its area, ink of "
-                           "density D shows D·J^−n. n is 1 for dye and 0 for opaque dots. Used for "
-                           "inks without measured tones; the preset value is a guess."),
-          .parts = {Text::tr("C", "cyan"), Text::tr("M", "magenta"), Text::tr("Y", "yellow")},
-          .linked = true}},
-        {omittedIfDefault(numbers<InkLaw>(
-             "black_white_exponents", inkCount - lightInks, 0, mostInkExponent,
-             [](auto& ink, int part) -> auto& {
-                 return ink.exponents[std::size_t(lightInks + part)];
-             })),
-         {.label = Text::tr("Ink exponent, black and white"),
-          .help = Text::tr("The exponent n for black and white ink. CMYK printers use it, because "
-                           "there each ink is compensated by itself, after separation."),
-          .parts = {Text::tr("K", "black"), Text::tr("W", "white")}}},
-        {inkTonesField<InkLaw>(
-             "tones", [](auto& ink) -> auto& { return ink.tones; }),
-         {.label = Text::tr("Measured ink"),
-          .help = Text::tr("Measurements of a step wedge for each tone: ink, density, exponent, "
-                           "bend, greatest stretch (dipwright-cli profile wedge).")}}};
+    return {{numbers<InkLaw>(
+                 "exponents", lightInks, 0, mostInkExponent,
+                 [](auto& ink, int part) -> auto& { return ink.exponents[std::size_t(part)]; }),
+             {.label = Text::tr("Ink exponent"),
+              .help = Text::tr(
+                  "How ink thins: where film is stretched to J times its area, ink of density D "
+                  "has only the density D·J^−n. n is 1 for dye and 0 for opaque dots. Used for "
+                  "inks without measured tones; the preset value is a guess."),
+              .parts = {Text::tr("C", "cyan"), Text::tr("M", "magenta"), Text::tr("Y", "yellow")},
+              .linked = true}},
+            {omittedIfDefault(numbers<InkLaw>(
+                 "black_white_exponents", inkCount - lightInks, 0, mostInkExponent,
+                 [](auto& ink, int part) -> auto& {
+                     return ink.exponents[std::size_t(lightInks + part)];
+                 })),
+             {.label = Text::tr("Ink exponent, black and white"),
+              .help = Text::tr(
+                  "The exponent n for black and white ink. Only CMYK printers use it, because only "
+                  "for them each ink is compensated individually, after colour separation."),
+              .parts = {Text::tr("K", "black"), Text::tr("W", "white")}}},
+            {inkTonesField<InkLaw>(
+                 "tones", [](auto& ink) -> auto& { return ink.tones; }),
+             {.label = Text::tr("Measured ink"),
+              .help = Text::tr(
+                  "Values for each tone of a measured step wedge: ink, density, exponent, bend and "
+                  "largest stretch. The command “dipwright-cli profile wedge” computes them.")}}};
 }
 
 FilmLimitFields filmLimitFields() {
@@ -160,8 +163,8 @@ FilmLimitFields filmLimitFields() {
             {number<ProcessSettings>(
                  "overhang_deg", 0, 90, [](auto& p) -> auto& { return p.overhang; }),
              {.label = Text::tr("Overhang"),
-              .help = Text::tr("Film adheres to faces that turn upwards by at most this angle; the "
-                               "part releases it on steeper faces."),
+              .help = Text::tr("Film adheres to faces that turn up from the vertical by at most "
+                               "this angle. Faces that turn up more release the film."),
               .unit = Unit::Angle,
               .absent = project,
               .whenPresent = 20}}};

@@ -19,7 +19,8 @@ QJsonValue profileValue(const Profile& profile, const QString& path);
 // Throws Error if the value breaks the rule; the profile then does not change.
 void setProfileValue(Profile& profile, const QString& path, const QJsonValue& value);
 
-// Returns the film's file without the values that a job number omits (Field::notHashedIfDefault).
+// Returns the contents of the film's file, without the default values that do not count for the job
+// number (Field::notHashedIfDefault).
 QJsonObject countedValues(const FilmProfile& film);
 
 } // namespace dipwright

@@ -77,17 +77,20 @@ const std::vector<Field<PrinterProfile>>& fieldsOf(const PrinterProfile*) {
 // A field for an ISO date or an empty text.
 template <typename Access>
 Field<FilmProfile> dateField(const char* path, Access access) {
-    return {QString::fromLatin1(path),
-            {FieldKind::Text, 1, false, 0, 10},
-            [access](const FilmProfile& p) { return QJsonValue(access(p)); },
-            [access, path](FilmProfile& p, const QJsonValue& value) {
-                const QString date = value.toString();
-                if (!date.isEmpty() && !QDate::fromString(date, Qt::ISODate).isValid()) {
-                    throw Error(Text::tr("%1 is not a date; write it as 2027-03-31").arg(date),
-                                QString::fromLatin1(path));
-                }
-                access(p) = date;
-            }};
+    return {
+        QString::fromLatin1(path),
+        {FieldKind::Text, 1, false, 0, 10},
+        [access](const FilmProfile& p) { return QJsonValue(access(p)); },
+        [access, path](FilmProfile& p, const QJsonValue& value) {
+            const QString date = value.toString();
+            if (!date.isEmpty() && !QDate::fromString(date, Qt::ISODate).isValid()) {
+                throw Error(
+                    Text::tr("%1 is not a date; write year, month and day, for example 2027-03-31")
+                        .arg(date),
+                    QString::fromLatin1(path));
+            }
+            access(p) = date;
+        }};
 }
 
 void addMeasurement(std::vector<Field<FilmProfile>>& fields) {
@@ -233,9 +236,9 @@ const Field<P>& fieldAt(const P& profile, const QString& path) {
         }
         paths << field.path;
     }
-    throw Error(
-        Text::tr("This profile has no such value; it has %1").arg(paths.join(QStringLiteral(", "))),
-        path);
+    throw Error(Text::tr("This profile has no value of this name; choose one of: %1")
+                    .arg(paths.join(QStringLiteral(", "))),
+                path);
 }
 
 } // namespace

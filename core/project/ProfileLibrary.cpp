@@ -133,7 +133,7 @@ Profile ProfileLibrary::profile(ProfileKind kind, const QString& name) const {
         }
         names << entry.name;
     }
-    throw Error(Text::tr("There is no %1 profile of this name; there are: %2")
+    throw Error(Text::tr("There is no %1 profile of this name; choose one of: %2")
                     .arg(profileKindName(kind), names.join(QStringLiteral(", "))),
                 name);
 }
@@ -198,7 +198,10 @@ void ProfileLibrary::remove(ProfileKind kind, const QString& name) const {
             return;
         }
     }
-    throw Error(Text::tr("You have no %1 profile of this name").arg(profileKindName(kind)), name);
+    throw Error(Text::tr("You have no %1 profile of this name; profiles that come with the program "
+                         "cannot be removed")
+                    .arg(profileKindName(kind)),
+                name);
 }
 
 Profile importProfile(const QString& path) {

@@ -104,7 +104,7 @@ QString expiryWarning(const std::optional<FilmProfile>& film) {
     }
     const QString name =
         film->lot.isEmpty() ? film->name : Text::tr("%1, lot %2,").arg(film->name, film->lot);
-    return Text::tr("The film %1 expired on %2; use a fresh lot, or test this one first")
+    return Text::tr("The film %1 expired on %2; use a new lot, or test this lot first")
         .arg(name, film->expiry);
 }
 

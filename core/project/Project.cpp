@@ -224,7 +224,8 @@ QStringList siblingPaths(const QString& path) {
                              ? Text::tr("the sections are artwork, film, process, body, "
                                         "immersions[0], sheet, ink, share, cradle, tolerance, "
                                         "pose_search, as_built and inspection")
-                             : Text::tr("there are %1").arg(siblings.join(QStringLiteral(", ")));
+                             : Text::tr("the settings in this section are %1")
+                                   .arg(siblings.join(QStringLiteral(", ")));
     throw Error(Text::tr("There is no such setting; %1").arg(hint), path);
 }
 

@@ -36,8 +36,8 @@ Project withinSnapshotLimits(Project project);
 // Takes a snapshot of the project's present state.
 Snapshot snapshotOf(const Project& project, const QString& name, const QString& taken,
                     const QJsonObject& measures);
-// Restores a snapshot. A snapshot from before snapshots held artwork does not change the artwork.
-// Throws Error if a value is out of range or a picture is missing.
+// Restores a snapshot. Old snapshots contain no artwork; restoring one leaves the artwork
+// unchanged. Throws Error if a value is out of range or a picture is missing.
 Project atSnapshot(const Project& project, const Snapshot& snapshot);
 
 } // namespace dipwright

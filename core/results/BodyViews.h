@@ -24,7 +24,8 @@ public:
     // the angle over the horizon in radians.
     BodyCamera(const BoundingBox& box, float turn, float elevation);
 
-    // Returns half the height of the view, at unit distance, that shows all of `mesh` in a `tile`.
+    // Returns the span of a view that shows all of `mesh` in a `tile`. The span is half the view's
+    // height at unit distance from the camera.
     float span(const TriangleMesh& mesh, QSize tile) const;
     // Returns the ray through `pixel`, which counts from the upper left corner of a view of the
     // given span and size.

@@ -370,15 +370,16 @@ MapSubject stretchSubject(const FilmValues& values) {
     const std::vector<float> painted = values.paintedValues();
     const Distribution stretch = distribution(painted);
     const Scale scale = scaleOf(painted);
-    return {Text::tr("Stretch of the film"),
-            Text::tr("Mean stretch at each point, final over rest length; ink side up"),
-            Text::tr("stretch\nmm per mm"),
-            Text::tr("On the part: min. %1 · mean %2 · 95 % below %3 · max. %4")
-                .arg(rounded(stretch.minimum), rounded(stretch.mean), rounded(stretch.percentile95),
-                     rounded(stretch.maximum)),
-            scale,
-            LengthUnit::Millimetre,
-            stretch.maximum > scale.high};
+    return {
+        Text::tr("Stretch of the film"),
+        Text::tr("Mean stretch at each point: final length divided by rest length; ink side up"),
+        Text::tr("stretch\nmm per mm"),
+        Text::tr("On the part: min. %1 · mean %2 · 95 % below %3 · max. %4")
+            .arg(rounded(stretch.minimum), rounded(stretch.mean), rounded(stretch.percentile95),
+                 rounded(stretch.maximum)),
+        scale,
+        LengthUnit::Millimetre,
+        stretch.maximum > scale.high};
 }
 
 MapSubject wrinklingSubject(const FilmValues& values, const Wrinkling& wrinkling) {
@@ -466,7 +467,7 @@ MapSubject toleranceSubject(const ShownDistances& told) {
     return {Text::tr("Tolerance of the sheet"),
             Text::tr("How far handling may move the image on the part; ink side up"),
             Text::tr("shift\n± %1").arg(unitSign(told.unit)),
-            Text::tr("On the part: 95 % is within ±%1")
+            Text::tr("On the part: 95 % of the image moves by ±%1 or less")
                 .arg(told.text(distribution(told.painted).percentile95, 2)),
             told.scale,
             told.unit,

@@ -8,8 +8,8 @@
 
 namespace dipwright {
 
-// Tells whether a table of places pays for a picture of `pixels` pixels: each triangle takes four
-// searches, and a pixel about one.
+// Tells whether a picture of `pixels` pixels is drawn faster with a table of places. The table
+// takes four searches per triangle. Without it, each pixel takes about one.
 inline bool tablePays(const RefinedMesh& body, double pixels) {
     return pixels > 4 * double(body.mesh().triangles.size());
 }

@@ -15,9 +15,9 @@ class PaintedFilm;
 // thread may read it.
 class PaintedBody {
 public:
-    // `ink` holds the settings by which the images were compensated. If `fine` is given, places are
-    // of this refined mesh of the body, and tables of the films' places are made (FilmPlaces.h).
-    // Uses all cores.
+    // `ink` holds the settings by which the images were compensated. If `fine` is given, places
+    // refer to this refined mesh of the body, and each film gets a table of its places
+    // (FilmPlaces.h). Uses all cores.
     PaintedBody(const std::vector<FilmAppearance>& films, const InkSettings& ink,
                 const Ground& ground = {}, const RefinedMesh* fine = nullptr);
     ~PaintedBody();

@@ -17,7 +17,8 @@ struct ViewedPoint {
 };
 
 // The nearest triangle at each sample point of a picture. Sample point (i, j) lies at
-// (i + ½, j + ½). Immutable after construction; any thread may read. Takes 8 bytes a sample point.
+// (i + ½, j + ½). Immutable after construction; any thread may read. Takes 8 bytes per sample
+// point.
 class SeenBody {
 public:
     // `points` are the positions of `mesh`. Shows both sides of a triangle. Keeps a reference to

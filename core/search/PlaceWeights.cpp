@@ -7,8 +7,8 @@
 namespace dipwright {
 namespace {
 
-// A place whose channels all reflect at least this needs no ink. The sRGB value 254 of 255 reflects
-// 0.991.
+// A place needs no ink if its reflectance is at least this in each of red, green and blue. The sRGB
+// value 254 of 255 is a reflectance of 0.991.
 constexpr float blankFrom = 0.98f;
 
 } // namespace

@@ -215,15 +215,16 @@ public:
         std::vector<const SearchShard*> ordered(parts.size(), nullptr);
         for (const SearchShard& part : parts) {
             if (part.key != key) {
-                throw Error(Text::tr("This part belongs to another search; make all parts from the "
-                                     "same project with the same options and solver"),
-                            Text::tr("part %1 of %2").arg(part.number).arg(part.count));
+                throw Error(Text::tr("This file holds a part of another search; create all files "
+                                     "from the same project with the same options and solver"),
+                            Text::tr("search part %1 of %2").arg(part.number).arg(part.count));
             }
             if (part.count != int(parts.size()) || ordered[std::size_t(part.number - 1)]) {
-                throw Error(Text::tr("Give each of the %1 parts once; you gave %2")
+                throw Error(Text::tr("Give each of the %1 result files of the divided search "
+                                     "exactly once; you gave %2 files")
                                 .arg(part.count)
                                 .arg(parts.size()),
-                            Text::tr("part %1 of %2").arg(part.number).arg(part.count));
+                            Text::tr("search part %1 of %2").arg(part.number).arg(part.count));
             }
             ordered[std::size_t(part.number - 1)] = &part;
         }
@@ -235,9 +236,9 @@ public:
                 part.poses[place]->immersion.rotation != wanted.rotation ||
                 (!part.poses[place]->samples.empty() &&
                  part.poses[place]->samples.size() != body_.places())) {
-                throw Error(Text::tr("This part does not contain the dips that it should; make it "
-                                     "again"),
-                            Text::tr("part %1 of %2").arg(part.number).arg(part.count));
+                throw Error(Text::tr("This file does not contain all dips of its part of the "
+                                     "search; create it again"),
+                            Text::tr("search part %1 of %2").arg(part.number).arg(part.count));
             }
             JudgedPose pose = *part.poses[place];
             pose.depths = body_.depths(pose.samples);
@@ -339,8 +340,9 @@ private:
         }
         rankFirstDips();
         if (result_.ranking.empty()) {
-            throw Error(Text::tr("No pose paints any of the part; choose a larger film"),
-                        subject_.name);
+            throw Error(
+                Text::tr("None of the simulated poses paints the part; choose a larger film"),
+                subject_.name);
         }
         isRefining_ = true;
     }

@@ -28,7 +28,7 @@ struct RankedPoses {
     Advice advice() const;
 };
 
-// A direction of the model that the search tried to dip first.
+// A direction of the model that pointed down in a pose that the search tried.
 struct TriedDirection {
     Eigen::Vector3d down; // unit length, model coordinates
     double coverage = 0;  // previewed share of the surface
@@ -48,7 +48,7 @@ struct SearchResult {
 // A measure in which two results differ.
 struct MeasureDifference {
     Measure measure;
-    // Value in the first result less the value in the second.
+    // Value in the first result minus the value in the second.
     double more = 0;
     bool isBetter = false;
 };
@@ -67,7 +67,7 @@ struct SearchState {
     const SearchResult& soFar;         // ranking of the dips done
 };
 // Called from the working thread between batches of dips. If it blocks, the search waits. Returns
-// how long it waited for something else; this does not count as the search's time.
+// how long it waited; this time does not count as time of the search.
 using SearchWatch = std::function<std::chrono::duration<double>(const SearchState&)>;
 
 // Runs the search on `module` in batches. Deterministic except for SearchState::secondsLeft: the

@@ -23,7 +23,8 @@ constexpr qint32 mostPoses = 2000, mostSamples = 100'000;
 constexpr qsizetype mostBytes = 2'000'000'000;
 
 Error damaged(const QString& where) {
-    return {Text::tr("This is not a part of a pose search, or it is damaged; make it again"),
+    return {Text::tr("This file holds no part of a pose search, or it is damaged; create it again "
+                     "with --shard"),
             where};
 }
 

@@ -28,7 +28,7 @@ struct SearchSubject {
     int fieldResolution = 128;
     ToleranceSettings tolerance;        // marked zones and their limits
     VerdictSettings verdict;            // limits for the verdict on confirmed poses
-    Millimetres registrationError{0.7}; // expected between the two dips
+    Millimetres registrationError{0.7}; // expected position error of dip 2
     std::vector<Immersion> immersions;  // the job's own poses
 };
 

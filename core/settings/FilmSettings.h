@@ -59,7 +59,7 @@ struct FilmSettings : FilmBehaviour {
     Millimetres width{210};  // the printed sheet along X
     Millimetres height{297}; // the printed sheet along Z
     FilmResolution resolution = FilmResolution::Points;
-    int columns = 120;   // for FilmResolution::Points, and always for the paper's film
+    int columns = 120;   // for FilmResolution::Points, and always for the film of the 2020 paper
     int rows = 170;      // see `columns`
     Millimetres cell{1}; // for FilmResolution::Cell: cell size of the floating film over the body
     // For FilmResolution::Automatic: the dip is repeated with smaller cells until its sheet can be

@@ -24,7 +24,7 @@ struct ProcessSettings {
     std::optional<Millimetres> depth;
     Millimetres margin{2};  // extra depth after the whole body is under water
     double tearStretch = 4; // length or area stretch above which film tears
-    Degrees overhang{20};   // a face that turns up from the vertical by more holds no film
+    Degrees overhang{20};   // a face that turns up by more than this holds no film
     QString solver = QStringLiteral("auto");
     bool operator==(const ProcessSettings&) const = default;
 };

@@ -29,8 +29,8 @@ struct PrinterProfile {
     bool blackPoint = true; // black point compensation: the darkest tones stay distinct
     double inkLimit = 2;    // highest optical density per channel
     DotsPerInch resolution{300};
-    // Total area coverage limit of the four inks of a CMYK profile, where full ink of one is 1;
-    // none: as the profile gives it.
+    // Limit of total area coverage: the largest sum of the four inks at one place, with full ink of
+    // one plate as 1. Only for a CMYK profile. None: the inks stay as the profile gives them.
     std::optional<double> totalInk;
     bool operator==(const PrinterProfile&) const = default;
 };
@@ -58,7 +58,7 @@ struct FilmProfile : FilmBehaviour {
     // None: the project's value is used.
     std::optional<Degrees> overhang;
     std::optional<double> tearStretch;
-    InkLaw ink; // how ink thins on this film; tones come from a step wedge
+    InkLaw ink; // how ink thins on this film; its tones were measured with a step wedge
     FeedDirection feed = FeedDirection::ShortEdgeFirst;
     Seconds soakTime{60};      // time on the water before the activator
     Seconds activatorTime{10}; // time from the activator to the dip

@@ -63,8 +63,8 @@ struct PoseAims {
     PerMeasure<double> weights{{1, 0.5, 0.1, 0.5, 0.1, 0.5, 0.5, 0.1, 0.2, 0.05}};
     // Weight of the quality in each zone, 0 to mostZoneWeight.
     std::array<double, zoneCount> zoneWeights{4, 2, 1};
-    // The lower limit of a measure of which more is better, else the upper limit. Poses that break
-    // a limit rank after all others.
+    // A lower limit if more of the measure is better, otherwise an upper limit. Poses that break a
+    // limit rank after all others.
     PerMeasure<std::optional<double>> limits;
     bool operator==(const PoseAims&) const = default;
 };

@@ -28,8 +28,8 @@ struct SheetSettings {
     CutLine cutLine = CutLine::None;
     Millimetres cutDistance{3};                     // from the ink to the cut contour
     QString cutName = QStringLiteral("CutContour"); // name of that spot ink
-    // Bleed of all plates beyond the cut contour around the ink, in CMYK. It continues the colours
-    // at the edge of the painted film, and ends at the film's edge.
+    // Bleed of all plates beyond the cut contour; only for CutLine::Ink and CMYK. It continues the
+    // colours at the edge of the painted film, and ends at the film's edge.
     Millimetres cutBleed{0};
     WhiteLayer white = WhiteLayer::None;
     double whiteDensity = 1; // wanted density on the body, as a share of full tint

@@ -1,5 +1,5 @@
-// The limits of the verdict on a job, as in the project file's "verdict". The limits for position
-// are the zones' (settings/ToleranceSettings.h).
+// The limits of the verdict on a job, as in the project file's "verdict". Each zone has its own
+// limit for position (settings/ToleranceSettings.h).
 #pragma once
 
 #include "base/Units.h"

@@ -28,7 +28,7 @@ public:
     const UnfoldedTriangles& measure() const { return measure_; }
     // Smallest overlap width on the body, mm.
     float narrowest() const { return narrowest_; }
-    // Returns in which share of the area that both dips paint the fade is too steep, so that a
+    // Returns the share of the area painted by both dips in which the fade is too steep. There, a
     // displaced second film shows. `fade` is per position, in overlap widths.
     double tooNarrow(const std::vector<float>& fade, const std::vector<Painter>& painters) const;
 

@@ -12,11 +12,11 @@ namespace dipwright {
 
 struct SeamPlaces {
     std::vector<LinearColour> colours; // per fine triangle: mean colour that it is to show
-    // Per fine triangle: visibility of a mm of seam there (contrast × visibility of the place).
+    // Per fine triangle: how visible 1 mm of seam is there (contrast × visibility of the place).
     std::vector<float> weights;
 };
 
-// Rates the fine triangles of `body`. `model` has the coarse mesh of `body`; `query` must be of
+// Rates the fine triangles of `body`. `model` has the coarse mesh of `body`; `query` must search
 // that mesh. Uses all cores.
 SeamPlaces seamPlaces(const RefinedMesh& body, const TexturedMesh& model,
                       const SurfaceQuery& query);

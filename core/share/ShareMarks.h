@@ -11,7 +11,7 @@ namespace dipwright {
 void applyShareMarks(const TriangleMesh& mesh, const std::vector<ShareMark>& marks,
                      std::vector<std::array<double, 2>>& costs, std::vector<float>& weights);
 
-// Returns the outline of the area that a mark covers, in pieces. `query` must be of `mesh`.
+// Returns the outline of the area that a mark covers, in pieces. `query` must search `mesh`.
 std::vector<std::array<Eigen::Vector3f, 2>>
 markOutline(const TriangleMesh& mesh, const SurfaceQuery& query, const ShareMark& mark);
 

@@ -72,13 +72,13 @@ void requireStates(std::span<const solver::PointState> states) {
                         [](solver::PointState state) {
                             return std::uint8_t(state) <= std::uint8_t(solver::PointState::Trapped);
                         }),
-            Text::tr("it gave points an invalid state"));
+            Text::tr("it returned an invalid state for some points"));
 }
 
 void requireMarks(std::span<const std::uint8_t> marks) {
     require(std::all_of(marks.begin(), marks.end(),
                         [](std::uint8_t mark) { return (mark & ~allMarks) == 0; }),
-            Text::tr("it gave points an invalid mark"));
+            Text::tr("it returned an invalid mark for some points"));
 }
 
 bool areFinite(std::span<const float> positions) {
@@ -107,7 +107,7 @@ void requireEquilibrium(const solver::EquilibriumAccount& account, std::int64_t 
 void requireForward(const solver::DipState& now, const solver::DipState& before, double travel) {
     require(isWithin(travel, now.descent) && now.descent >= before.descent &&
                 isNumberOfSteps(now.steps) && now.steps >= before.steps,
-            Text::tr("it reported an impossible number of steps or descent"));
+            Text::tr("it reported an impossible number of steps or an impossible descent"));
     requireEquilibrium(now.equilibrium, now.steps);
 }
 
@@ -239,7 +239,7 @@ private:
                     item.marks.size() == points,
                 Text::tr("it returned no result for some films of a batch"));
         require(isNumberOfSteps(item.steps),
-                Text::tr("it reported an impossible number of steps or descent"));
+                Text::tr("it reported an impossible number of steps or an impossible descent"));
         requireEquilibrium(item.equilibrium, item.steps);
         requireStates(item.states);
         requireMarks(item.marks);

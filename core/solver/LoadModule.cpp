@@ -28,7 +28,7 @@ QString sentenceOf(LoadFault fault, const QString& detail) {
         return Text::tr("Its module failed at start with an unknown exception");
     case LoadFault::DoesNotFit:
         return Text::tr("Its module does not match this program's solver interface %1, although "
-                        "its description file says so; build it again")
+                        "its description file says that it does; build it again")
             .arg(solver::interfaceVersion);
     case LoadFault::Unavailable:
         break;

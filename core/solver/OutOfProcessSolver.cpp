@@ -73,9 +73,9 @@ public:
     // From now on answers contain `points` points.
     void expect(std::size_t points) { mostBytes_ = bytesOfAnAnswer + points * bytesOfAPoint; }
 
-    // Sends a request and returns the answer. Throws Cancelled, or std::runtime_error. The error's
-    // message is the module's, or says what happened to the process. After `seconds` without a sign
-    // of life, that is a timeout.
+    // Sends a request and returns the answer. Throws Cancelled, or std::runtime_error with the
+    // module's message or with what happened to the process. If the process gives no sign of life
+    // for `seconds`, stops it and throws.
     MessageReader ask(const MessageWriter& request, const IsCancelled& isCancelled,
                       int seconds = callTimeoutSeconds()) {
         const auto length = std::uint64_t(request.bytes().size());
@@ -142,7 +142,7 @@ private:
     void refuseEndless() {
         if (frameLength().value_or(0) > mostBytes_) {
             end();
-            fail(Text::tr("its answer was impossibly long, so it was stopped"));
+            fail(Text::tr("its answer was impossibly long, so its process was stopped"));
         }
     }
     QByteArray takeFrame() {
@@ -153,12 +153,13 @@ private:
     }
     [[noreturn]] void tellEnd() const {
         if (process_.exitStatus() == QProcess::CrashExit && !isCrash(process_.exitCode())) {
-            fail(Text::tr("its process was killed, perhaps for lack of memory"));
+            fail(Text::tr("its process was killed, perhaps because the memory was full"));
         }
         rememberCrash(modulePath_);
         fail(process_.exitStatus() == QProcess::CrashExit
-                 ? Text::tr("it crashed (%1)").arg(process_.exitCode())
-                 : Text::tr("it ended its process (%1)").arg(process_.exitCode()));
+                 ? Text::tr("it crashed (code %1)").arg(process_.exitCode())
+                 : Text::tr("its process ended unexpectedly (exit code %1)")
+                       .arg(process_.exitCode()));
     }
     void end() {
         endStarted();

@@ -40,10 +40,11 @@ struct Text {
 // A plugin, and how far it is loaded.
 struct Plugin {
     SolverInfo info;
-    bool isShipped = false;                       // comes with the program and is loaded into it
-    std::unique_ptr<solver::SolverModule> inner;  // watched, or in its own process
-    std::unique_ptr<solver::SolverModule> module; // `inner` with checked answers
-    bool isLoaded = false;                        // or refused for good
+    bool isShipped = false; // comes with the program and is loaded into it
+    // The module that a WatchedSolver or its own process contains.
+    std::unique_ptr<solver::SolverModule> inner;
+    std::unique_ptr<solver::SolverModule> module; // checks the answers of `inner`
+    bool isLoaded = false; // true also if the plugin was refused; it is not loaded again
 };
 
 QString requiredText(const QJsonObject& metadata, const char* key) {

@@ -54,9 +54,9 @@ public:
     const std::vector<SolverInfo>& described() const;
     // Returns all plugins found. Loads each of them far enough to know whether it can run here.
     std::vector<SolverInfo> solvers(const CancelToken& cancelToken = {}) const;
-    // Returns the module of `id`, or of the best available plugin for "auto", with checked answers
-    // (CheckedSolver.h). Loads only the modules that it needs. Throws Error with the reason. The
-    // module lives as long as the registry.
+    // Returns the module of the plugin `id`; for "auto", of the best plugin that can run. The
+    // module checks the solver's answers (CheckedSolver.h) and lives as long as the registry. Loads
+    // only the modules that it needs. Throws Error with the reason if no such plugin can run.
     const solver::SolverModule& module(const QString& id,
                                        const CancelToken& cancelToken = {}) const;
     // Returns information about the solver that module(id) returns.

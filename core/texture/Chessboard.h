@@ -1,4 +1,4 @@
-// Makes the film image of the paper's accuracy experiment.
+// Makes the film image of the accuracy experiment in the 2020 paper.
 #pragma once
 
 #include <dipwright/FilmSolver.h>
@@ -7,7 +7,7 @@
 
 namespace dipwright {
 
-// Edge length of the squares on the sheet, mm (the paper's experiment).
+// Edge length of the squares on the sheet in that experiment, mm.
 inline constexpr double chessSquare = 17;
 
 // Returns black and white squares of `square` mm, four of which meet in the film's middle. Opaque

@@ -471,7 +471,7 @@ ReverseTexture reversed(const LaidFilm& laid, const BodyColours& colours, Shown 
         result.shortfallArea += row.shortfall;
     }
 
-    progress(0.9, Text::tr("Continuing the colour past the edge"));
+    progress(0.9, Text::tr("Adding bleed at the edges"));
     const double bleed = options.bleed / (grid.width / options.pixels.width());
     continueColour(result.image, bleed);
     blankPixels(painted, PixelCode(result.image).bytes());

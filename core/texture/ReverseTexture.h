@@ -17,7 +17,7 @@
 
 namespace dipwright {
 
-// Makes the tints that the body should show in a spot ink: grey of 1 − tint in linear light.
+// Makes the appearance of the body in one spot ink: a tint is a grey of 1 − tint in linear light.
 using SpotAppearance = std::function<SurfaceAppearance()>;
 
 // The colours of an appearance, prepared for filtering.

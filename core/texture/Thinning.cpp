@@ -20,7 +20,7 @@ float Thinning::layerThinning(float areaStretch) const {
 }
 
 // Returns the logarithm of the density that a tone shows on stretched film. `grown` is the
-// logarithm of J.
+// logarithm of the area stretch.
 float Thinning::shownAt(const Tone& tone, float grown) const {
     const float bent = tone.bend * std::clamp(grown, 0.0f, tone.mostGrown);
     return tone.density - (tone.exponent + bent) * grown;

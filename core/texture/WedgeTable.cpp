@@ -32,7 +32,8 @@ std::vector<WedgeReading> readWedge(const QByteArray& table, const QString& wher
     const QStringList lines = QString::fromUtf8(table).split(u'\n');
     if (lines.size() > mostReadings || lines.front().trimmed() != QLatin1String(columns)) {
         throw Error(
-            Text::tr("The table of a wedge must begin with the line %1 and have at most %2 lines")
+            Text::tr(
+                "The table of a step wedge must begin with the line %1 and have at most %2 lines")
                 .arg(QLatin1String(columns))
                 .arg(mostReadings),
             where);
@@ -47,7 +48,7 @@ std::vector<WedgeReading> readWedge(const QByteArray& table, const QString& wher
         const std::vector<FilmInk> inks = inksOf(words.front().trimmed());
         const auto values = finiteNumbers(words.mid(1));
         if (words.size() != 6 || inks.empty() || !values) {
-            throw Error(Text::tr("Line %1 of the wedge must contain an ink (cyan, magenta, yellow, "
+            throw Error(Text::tr("Line %1 of the table must contain an ink (cyan, magenta, yellow, "
                                  "black, white or grey) and five numbers, separated by commas")
                             .arg(line + 1),
                         where);

@@ -92,10 +92,10 @@ QByteArray filledTemplate(const DipMotion& motion, const QString& text, const QS
         const QRegularExpressionMatch match = found.next();
         const auto value = values.find(match.captured(1));
         if (value == values.end()) {
-            throw Error(
-                Text::tr("The motion template contains the unknown name {%1}; use one of %2")
-                    .arg(match.captured(1), values.keys().join(QStringLiteral(", "))),
-                where);
+            throw Error(Text::tr("The motion template contains the unknown placeholder {%1}; use "
+                                 "one of these: %2")
+                            .arg(match.captured(1), values.keys().join(QStringLiteral(", "))),
+                        where);
         }
         filled += text.mid(done, match.capturedStart() - done) + *value;
         done = match.capturedEnd();

@@ -13,7 +13,7 @@ public:
     explicit PageInk(QPainter& painter) : painter_(painter) {}
 
     // Wraps the text to the width of `place` and returns the y below its last line. `height` is the
-    // height of the type in mm. The type is never bold, because Qt writes two fonts into a PDF in
+    // height of the font in mm. The font is never bold, because Qt writes two fonts into a PDF in
     // an order that differs from run to run.
     double text(const QRectF& place, double height, const QString& text,
                 Qt::Alignment alignment = Qt::AlignLeft) const;

@@ -23,7 +23,7 @@ struct PoseFilm {
 
 struct PoseView {
     const PosedBody& body;
-    const RefinedMesh& fine;              // of the body; films' tables are of this mesh
+    const RefinedMesh& fine;              // of the body; the films' tables refer to it
     const TriangleMesh* cradle = nullptr; // in the body's frame; null or empty: no cradle
     std::vector<PoseFilm> films;          // later ones lie over earlier ones
 };

@@ -287,11 +287,10 @@ void paintAfter(QPainter& painter, const Traveller& traveller, std::size_t numbe
     constexpr double signature = 15;
     const double width = page.width() - 2 * margin;
     const double bottom = page.height() - margin - signature;
-    const double y = ink.text(
-        {margin, top, width, 0}, headHeight,
-        Text::tr(
-            "After dip %1 the part should look like this (seen from lower edge, right edge, below)")
-            .arg(number + 1));
+    const double y = ink.text({margin, top, width, 0}, headHeight,
+                              Text::tr("After dip %1 the part should look like this (seen from the "
+                                       "lower edge, the right edge and below)")
+                                  .arg(number + 1));
     ink.picture({margin, y + 1, width, bottom - y - 3}, traveller.dips[number].after);
     const QStringList words{Text::tr("Done by"), Text::tr("Date, time"), Text::tr("Checked by")};
     for (int i = 0; i < words.size(); ++i) {

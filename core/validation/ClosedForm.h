@@ -1,8 +1,8 @@
 // Gives the exact solutions of some dips in closed form (docs/film-model.md, "Closed forms"). In
 // one kind of dip, a body of revolution dips into a film that is held at a distant ring or has a
-// free edge. In the other kind, a long lying cylinder dips into a film with free edges. The elastic
-// film has no tension at rest and the linear in-plane equilibrium r = α·ρ + β/ρ; the viscous film
-// keeps its volume. Both films may grow while floating.
+// free edge. In the other kind, a long horizontal cylinder dips into a film with free edges. The
+// elastic film has no tension at rest, and its equilibrium in the plane is r = α·ρ + β/ρ. The
+// viscous film keeps its volume. Both films may grow while floating.
 #pragma once
 
 #include <functional>
@@ -39,9 +39,9 @@ struct FloatingFilm {
     std::function<double(double depth)> grown = [](double) { return 1.0; };
 };
 
-// Computes the radius R on the film of the point that ends at arc length s of the body, integrated
-// (Runge–Kutta 4) from the pole. a(s) is the body's radius and Ro the film's radius. g is the
-// film's growth when the water is at s:
+// Computes which film point ends at the arc length s of the body: R is its radius on the flat film.
+// Integrates from the pole by Runge–Kutta 4. a(s) is the body's radius and Ro the film's radius. g
+// is the film's growth when the water is at s:
 //   elastic   dR/ds = 1/(2αg − a/R)
 //             held: αg = (Ro² − aR)/(Ro² − R²);  free: αg = (aR + 2gRo²)/(R² + 2Ro²)
 //   viscous   dR/ds = a/(J·R)
@@ -59,19 +59,19 @@ private:
     std::vector<double> radii_;
 };
 
-// Returns the place X on the film of the point that ends on a lying cylinder, at arc length s from
-// its lowest line. The cylinder is long compared with the film's width, and the film's edges are
-// free (edgeRadius is not used). g₀ is the growth at the first contact:
+// Returns which film point ends on a horizontal cylinder at the arc length s from its lowest line:
+// X is its coordinate on the flat film. The cylinder is long compared with the film's width, and
+// the film's edges are free (edgeRadius is not used). g₀ is the growth at the first contact:
 //   elastic   dX/ds = 3/(4g − g₀),    viscous   dX/ds = 1/(g₀·(g/g₀)^(4/3))
 // Along the cylinder, the distance of each point from the middle is g₀ times its distance on the
 // film.
 double filmOnCylinder(double cylinderRadius, double arc, const FloatingFilm& film);
 
-// Returns the radius R on the film of the point that ends on the inner side of a lying torus. The
-// torus is a tube of radius ρ around a circle of radius c with an upright axis. θ is the angle
-// around the tube from its lowest circle inwards. Film within the contact circle of radius a = c −
-// ρ·sin θ is a disc stretched equally in all directions (u = A·R), elastic or viscous. The film
-// outside the circle has no influence. λm = λθ = a/R, so
+// Returns which film point ends on the inner side of a torus with a vertical axis: R is its radius
+// on the flat film. The torus is a tube of radius ρ around a circle of radius c. θ is the angle
+// around the tube from its lowest circle inwards. The contact circle has the radius a = c − ρ·sin
+// θ. The film within it is a disc that is stretched equally in all directions (u = A·R), elastic or
+// viscous. The film outside the circle has no influence. λm = λθ = a/R, so
 //   dR/dθ = −ρ·R/a,  R = c·exp(−∫ρ/a dθ).
 double insideTorusFilmRadius(double circleRadius, double tubeRadius, double angle);
 

@@ -118,7 +118,7 @@ void drawLaw(QPainter& painter, const QRectF& frame, const std::vector<PhysicsRe
 QString physicsTable(const std::vector<PhysicsResult>& results) {
     QStringList lines;
     const auto row = [&](const QStringList& cells) {
-        static const std::array<int, 9> widths{27, 24, 6, 11, 11, 11, 11, 8, 7};
+        static const std::array<int, 9> widths{27, 24, 6, 11, 11, 11, 21, 8, 7};
         QString line;
         for (int i = 0; i < cells.size(); ++i) {
             const int width = widths[std::size_t(i)];
@@ -130,7 +130,7 @@ QString physicsTable(const std::vector<PhysicsResult>& results) {
         lines << line;
     };
     row({Text::tr("body"), Text::tr("film"), Text::tr("cells"), Text::tr("rms"), Text::tr("mean"),
-         Text::tr("max"), Text::tr("axis−diag"), Text::tr("steps"), QString()});
+         Text::tr("max"), Text::tr("axes − diagonals"), Text::tr("steps"), QString()});
     for (const PhysicsResult& result : results) {
         row({result.body, result.film, result.cells ? QString::number(result.cells) : QString(),
              error(result, result.rms), error(result, result.mean), error(result, result.maximum),

@@ -283,7 +283,7 @@ Revolution solid(const QString& name, const Meridian& profile, TriangleMesh mesh
             {{FilmLaw::Elastic}, {FilmLaw::Viscous}}};
 }
 
-// Returns the inner side of a lying torus, whose contact line closes towards the axis.
+// Returns the inner side of a torus with a vertical axis. Its contact line closes towards the axis.
 Revolution insideOfTorus() {
     constexpr double circle = contactRadius, tube = 15; // mm, radii
     const auto expected = [](const Eigen::Vector3d& place) -> std::optional<Expected> {

@@ -43,8 +43,8 @@ struct PhysicsOptions {
 };
 
 // Compares spheres to 80°, spheroids, cones and the inside of a torus at every resolution, in
-// elastic and viscous film and some in growing film. Then compares a flat face, a lying cylinder,
-// film that only grows, and a body turned by 45°. Throws Error or Cancelled.
+// elastic and viscous film and some in growing film. Then compares a flat face, a horizontal
+// cylinder, film that only grows, and a body turned by 45°. Throws Error or Cancelled.
 std::vector<PhysicsResult> validatePhysics(const solver::SolverModule& module,
                                            const PhysicsOptions& options, const Progress& progress);
 

@@ -56,7 +56,8 @@ int main(int argc, char** argv) {
     const solver::SolverModule& module = registry.module(QStringLiteral("pbd-cpu"));
     const auto cameras = test::camerasAround({{20, -35}, {140, -30}}, 280, 3.4, 4000);
     out << "height, hidden relaxation s, noise px, corners | off: swell X %, Y %, relaxation %, "
-           "shift X mm, Z mm, turn deg | relaxation told to % | of 6 intervals hold | mm before, "
+           "shift X mm, Z mm, turn deg | relaxation known to % | intervals of 6 that hold | mm "
+           "before, "
            "after | rounds, dips\n";
     for (const double height : {1.0, 1.3, 1.6}) {
         for (const test::Hidden& hidden : {test::Hidden{1.062, 1.045, 4, 1.3, -0.9, 1.6},

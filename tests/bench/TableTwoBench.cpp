@@ -30,7 +30,7 @@ namespace {
 struct Case {
     QString sample;
     std::size_t points; // the paper's N
-    double paperShare;  // R over the diagonal, %
+    double paperShare;  // R divided by the diagonal, %
     double square;      // mm; with 17 mm, the tetrahedron would show only a few corners
     double aside;       // mm, sideways offset of the cameras from straight below, one to each side
 };

@@ -27,7 +27,7 @@ void measureCancel(MainWindow& window, const WindowDriver& driver) {
                             [](Project& project) { project.process.margin = Millimetres(3); });
     QSignalSpy stopped(&window.session(), &DipSession::stopped);
     driver.trigger("run");
-    QTest::qWait(2000); // in the middle of the film
+    QTest::qWait(2000); // until the dip is half done
     QElapsedTimer clock;
     clock.start();
     driver.trigger("cancel");
@@ -35,7 +35,7 @@ void measureCancel(MainWindow& window, const WindowDriver& driver) {
     const bool stoppedAtOnce = !stopped.isEmpty();
     const QAction* cancel = driver.action("cancel");
     const bool ended = QTest::qWaitFor([cancel] { return !cancel->isEnabled(); }, 60'000);
-    std::printf("cancelled: the window answers after %lld ms%s, the solver rests after %lld ms%s\n",
+    std::printf("cancelled: the window answers after %lld ms%s, the solver stops after %lld ms%s\n",
                 static_cast<long long>(answered), stoppedAtOnce ? "" : " (but runs on)",
                 static_cast<long long>(clock.elapsed()), ended ? "" : " (it does not)");
 }

@@ -1,5 +1,5 @@
-// Fuzzes the journal in the hidden folder of results, which the next start reads. Recovery must
-// end, and must not change anything outside the folder.
+// Fuzzes the journal of an interrupted write (FolderTransaction). The next start reads the journal
+// in the results' hidden folder. Recovery must end, and must not change files outside the folder.
 #include "disk/FolderTransaction.h"
 
 #include <QDir>

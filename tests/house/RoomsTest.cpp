@@ -1,5 +1,5 @@
-// Checks the rooms, the folders with a CMake target. Other rooms use a room only through its
-// target, a room links what it includes, and no room links a room above it.
+// Checks the rooms, which are the folders with a CMake target. A room uses another room only by
+// linking its target. A room links all rooms that it includes, and none that is above it.
 #include "SourceTree.h"
 
 #include <QJsonArray>
@@ -32,7 +32,7 @@ struct Room {
     QString target;
     QStringList folders;        // relative to the source folder
     QStringList privateHeaders; // relative to the source folder
-    QStringList links;          // all targets that the room links itself
+    QStringList links;          // all targets that the room links directly
     QStringList handedOn;       // the targets that the room links as PUBLIC or INTERFACE
     QStringList includeFolders; // include folders for the room's sources and for its users
     bool hasUsers = false;      // true for a library, false for a program or plugin
@@ -367,7 +367,7 @@ void RoomsTest::rooms_linkedRooms_areBelow() {
             }
         }
         below << room.target;
-        return linesFor(room.target + QStringLiteral(" links upwards or aside"),
+        return linesFor(room.target + QStringLiteral(" links a room that is not below it"),
                         roomsAmong(room.links), allowed);
     }));
 }
@@ -438,7 +438,8 @@ void RoomsTest::vtk_otherFolders_doNotIncludeIt() {
     }));
 }
 
-// In other folders, the thread sanitizer would not know how the threads of a loop synchronize.
+// Only the folder parallel may include oneTBB: there, the thread sanitizer is told how the threads
+// of a loop synchronize.
 void RoomsTest::tbb_otherFolders_doNotIncludeIt() {
     for (const char* folder : {"core", "solvers", "plugins", "app", "resources", "tests"}) {
         expectNone(offenders(QLatin1String(folder), [](const Include& include) {

@@ -281,13 +281,13 @@ void BadModulesTest::simulateDip_badModule_reportsTheFailure_data() {
     QTest::newRow("create-nothing") << "created no film";
     QTest::newRow("create-unknown") << "unknown exception";
     QTest::newRow("advance-crash") << "it crashed";
-    QTest::newRow("advance-exit") << "ended its process";
+    QTest::newRow("advance-exit") << "process ended unexpectedly";
     QTest::newRow("advance-hang") << "did not respond for 1 s";
     QTest::newRow("advance-giant") << "answer was impossibly long";
     QTest::newRow("advance-idle") << "makes no progress";
     QTest::newRow("advance-nonsense") << "impossible";
-    QTest::newRow("advance-steps") << "impossible number of steps or descent";
-    QTest::newRow("advance-deep") << "impossible number of steps or descent";
+    QTest::newRow("advance-steps") << "impossible number of steps";
+    QTest::newRow("advance-deep") << "impossible number of steps";
     QTest::newRow("advance-crawl") << "makes no progress";
     QTest::newRow("advance-still") << "makes no progress";
     QTest::newRow("advance-equilibrium") << "impossible convergence values";
@@ -327,7 +327,7 @@ void BadModulesTest::runBatch_badModule_reportsTheFailure_data() {
     QTest::newRow("batch-crash") << "it crashed";
     QTest::newRow("batch-stops") << "stopped without being cancelled";
     QTest::newRow("batch-hang") << "did not respond for 1 s";
-    QTest::newRow("batch-steps") << "impossible number of steps or descent";
+    QTest::newRow("batch-steps") << "impossible number of steps";
     QTest::newRow("batch-equilibrium") << "impossible convergence values";
 }
 

@@ -187,7 +187,8 @@ void ProductionFilmTest::productionFilm_growingPinnedAtOneSide_growsAwayFromThat
 
 // Between two pinned sides, the film is compressed along x. It grows more across, where it has no
 // stress. If free film were g times as long, elastic film is (4g − λx)/3 times as wide, and viscous
-// film (g⁴/λx)^(1/3) times (docs/film-model.md, "Closed forms": the lying cylinder, where λx is 1).
+// film (g⁴/λx)^(1/3) times (docs/film-model.md, "Closed forms": the horizontal cylinder, where λx
+// is 1).
 void ProductionFilmTest::productionFilm_growingPinnedAtTwoSides_growsAcross() {
     const Body body = bodyOf(sphereMesh(15, 64, 128));
     for (const double relaxationTime : {0.0, std::numeric_limits<double>::infinity()}) {

@@ -50,8 +50,8 @@ struct LiveRow {
     Statistics final;         // s from the change to the result of the job
 };
 
-// Makes or reads the bodies "sphere", "tetrahedron" and "turtle" on first use. The sphere is that
-// of Table I: radius 35 mm, about 26,000 vertices.
+// Makes or reads the bodies "sphere", "tetrahedron" and "turtle" on first use. The sphere is the
+// one of Table I: radius 35 mm, about 26,000 vertices.
 class BenchBodies {
 public:
     struct Body {

@@ -41,8 +41,8 @@ constexpr double tetrahedronEdge = 80;
 constexpr int tableFieldSamples = 128;
 
 // Floating point operations for one constraint. Solving it: difference 4, square 5, root and
-// quotient 2, excess 2, pull 3, adding the pull at both ends 6. Moving a
-// point takes 6, and there are two constraints per point, so 3 for each constraint.
+// quotient 2, excess 2, pull 3, adding the pull at both ends 6. Moving a point takes 6, and there
+// are two constraints per point, so 3 for each constraint.
 constexpr double flopsPerSolve = 25;
 
 std::shared_ptr<const TexturedMesh> plainModel(const TriangleMesh& mesh) {

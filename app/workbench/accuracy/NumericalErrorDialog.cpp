@@ -33,13 +33,14 @@ QStringList figures(const SheetChange& change, LengthUnit unit) {
 }
 
 QTableWidget* table(const DipNumericalError& numericalError, LengthUnit unit) {
-    const QStringList columns{NumericalErrorDialog::tr("Mean"), NumericalErrorDialog::tr("95 %"),
-                              NumericalErrorDialog::tr("Maximum"),
-                              NumericalErrorDialog::tr("Painted in both"),
-                              NumericalErrorDialog::tr("Painted in one")};
+    const QStringList columns{
+        NumericalErrorDialog::tr("Mean"), NumericalErrorDialog::tr("95 % below"),
+        NumericalErrorDialog::tr("Maximum"), NumericalErrorDialog::tr("Painted in both"),
+        NumericalErrorDialog::tr("Painted in one")};
     auto* table = new QTableWidget(2, int(columns.size()));
     table->setObjectName(QStringLiteral("figures"));
-    table->setAccessibleName(NumericalErrorDialog::tr("How far the image on the sheet moves"));
+    table->setAccessibleName(NumericalErrorDialog::tr(
+        "How far the image on the sheet moves with half the step or half the cell width"));
     table->setHorizontalHeaderLabels(columns);
     table->horizontalHeaderItem(3)->setToolTip(NumericalErrorDialog::tr(
         "Share of the part's surface that is painted in both computations"));
@@ -103,13 +104,13 @@ QString numericalErrorSentence(const DipNumericalError& numericalError, LengthUn
                       unit);
     return isAccurateEnough(numericalError)
                ? NumericalErrorDialog::tr(
-                     "%1: this sheet is accurate enough. 95 % of it is within %2 "
-                     "(numerical error).")
+                     "%1: this sheet is accurate enough. For 95 % of it, the numerical error "
+                     "is at most %2.")
                      .arg(name, distance)
                : NumericalErrorDialog::tr(
-                     "%1: this sheet is not accurate enough. 95 % of it is only "
-                     "within %2 (numerical error). Use smaller film cells or more "
-                     "points, turn the part, or dip it twice.")
+                     "%1: this sheet is not accurate enough. For 95 % of it, the numerical "
+                     "error is up to %2. Use smaller film cells or more points, turn the part, "
+                     "or dip it twice.")
                      .arg(name, distance);
 }
 

@@ -107,10 +107,10 @@ QStringList dipSentences(const DipTolerances& tolerances, LengthUnit unit) {
         lines.append(sampledText(*tolerances.sampled, length));
     }
     for (const WorstPlace& worst : tolerances.worst) {
-        lines.append(
-            ToleranceDialog::tr("Displacement %1 at the model's place %2; largest contributor: %3")
-                .arg(offBy(worst.spread, unit), shownPlace(worst.place, unit),
-                     contributorText(worst.contributor)));
+        lines.append(ToleranceDialog::tr(
+                         "Displacement of %1 at the place %2 on the model; largest contributor: %3")
+                         .arg(offBy(worst.spread, unit), shownPlace(worst.place, unit),
+                              contributorText(worst.contributor)));
     }
     return lines;
 }

@@ -28,7 +28,7 @@ protected:
 
 signals:
     void placeChosen(Eigen::Vector2f rest); // a place on the floating film, mm
-    void fieldChosen(const QString& path);  // the project's field that holds the limit
+    void fieldChosen(const QString& path);  // the project's field that sets a reason's limit
 
 private:
     void choosePlace(const QUrl& link);

@@ -10,8 +10,8 @@ ZoneFields::ZoneFields(LengthUnit unit, QWidget* parent)
     for (const auto& [zone, name] : {std::pair(Zone::A, "A"), {Zone::B, "B"}, {Zone::C, "C"}}) {
         kind().addItem(tr("Marks zone %1").arg(QLatin1String(name)), int(zone));
     }
-    kind().setToolTip(tr("What a click or drag on the part in the view marks. Zone A must be "
-                         "painted most precisely. The surface without a mark is zone C."));
+    kind().setToolTip(tr("The zone that a click or drag on the part sets. Zone A must be painted "
+                         "most precisely. The surface without a mark is zone C."));
     extent_->setObjectName(QStringLiteral("zoneBrushExtent"));
     extent_->setAccessibleName(tr("Extent"));
     extent_->addItem(tr("Spot"), int(ZoneExtent::Spot));

@@ -5,8 +5,9 @@
 
 namespace dipwright {
 
-// Stored in an action's data. `axis`: 0, 1, 2 for X, Y, Z of the world frame; X and Z lie along the
-// film. `way`: +1 or −1 is one step of the view's handles; 0 moves the body to the film's centre.
+// An action stores its step in its data. `axis` is 0, 1 or 2 for X, Y or Z of the world frame; X
+// and Z lie along the film. `way` is the direction, +1 or −1: the body turns or moves by one step
+// of the view's handles. 0 moves it to the film's centre.
 struct BodyStep {
     int axis = 0, way = 0;
 };

@@ -114,7 +114,7 @@ std::vector<WindowActions::Entry> WindowActions::editEntries() {
         {&A::removeImmersion, "removeImmersion", "remove", tr("Remove &dip"),
          tr("Remove the dip that is shown")},
         {&A::swapImmersions, "swapImmersions", "", tr("S&wap dips"),
-         tr("Make the second dip the first")},
+         tr("Exchange the order of the two dips")},
         {&A::reloadModel, "reloadModel", "reload", tr("Re&load model"),
          tr("Read the model file again and keep all settings"), QKeySequence::Refresh},
         {&A::replaceModel, "replaceModel", "replace", tr("Replace &model…"),
@@ -140,18 +140,19 @@ std::vector<WindowActions::Entry> WindowActions::dipEntries() {
          "live",
          "live",
          tr("Run &live"),
-         tr("Run again after each change, once there is a result"),
+         tr("As soon as there is a first result, run again after each change"),
          {},
          Kind::ToggledOff},
         {&A::findPoses, "findPoses", "optimise", tr("&Find poses…"),
          tr("Search for the best rotation and position of the part, for one dip or two"),
          key("Ctrl+F")},
         {&A::numericalError, "certainty", "", tr("Check numerical &error…"),
-         tr("Compute the sheets with finer steps and cells, and show how far and where the image "
-            "moves")},
+         tr("Compute the sheets with finer steps and cells, and show where and how far the image "
+            "changes")},
         {&A::tolerances, "tolerances", "tolerance", tr("&Tolerances…"),
          tr("Compute how far handling may move the image, and which zones keep their limits")},
-        {&A::play, "play", "play", tr("&Play or pause"), tr("Play the dip"), key("Ctrl+Space")},
+        {&A::play, "play", "play", tr("&Play or pause"), tr("Play the dip, or pause it"),
+         key("Ctrl+Space")},
     };
 }
 
@@ -231,12 +232,13 @@ std::vector<WindowActions::Entry> WindowActions::displayEntries() {
          "wearsFilm",
          "",
          tr("Film on the part before the d&ip"),
-         tr("While the part is placed, show it with the film of the results; otherwise show the "
-            "flat film"),
+         tr("While you place the part, show it with the film of the last results; if this is off, "
+            "show the flat film"),
          {},
          Kind::ToggledOn},
         {&A::section, "section", "section", tr("&Section"),
-         tr("Cut part and film open along a plane; move it by its slider or its frame"),
+         tr("Cut the part and the film open along a plane; move the plane with its slider or its "
+            "frame"),
          key("Ctrl+K"), Kind::ToggledOff},
         {&A::seeThrough, "seeThrough", "see-through", tr("S&ee-through film"),
          tr("Show the part through the film"), key("Ctrl+T"), Kind::ToggledOff},
@@ -298,9 +300,10 @@ std::vector<WindowActions::Entry> WindowActions::helpEntries() {
     using A = WindowActions;
     return {
         {&A::tour, "tour", "help", tr("Quick &tour"),
-         tr("See the parts of the window in six steps")},
+         tr("Explain the areas of the window in six steps")},
         {&A::guide, "guide", "report", tr("User &guide"),
-         tr("Open the user guide at the page about the focused field"), QKeySequence::HelpContents},
+         tr("Open the user guide at the section about the selected field"),
+         QKeySequence::HelpContents},
         {&A::whatsThis, "whatsThis", "", tr("&What is this?"),
          tr("Click an element of the window to see what it does"), QKeySequence::WhatsThis},
         {&A::about, "about", "", tr("&About Dipwright"), {}, {}, Kind::Command, QAction::AboutRole},

@@ -21,7 +21,7 @@ struct WindowState {
     bool isDipping = false;
     bool isRecorded = false; // there is a dip that can be played, or recorded and then played
     bool hasSheet = false;   // there is a result with a sheet for the dip that is shown
-    bool isDraft = false;    // a draft is on show
+    bool isDraft = false;    // a draft is shown
 };
 
 class WindowActions : public QObject {

@@ -141,7 +141,7 @@ void ArtworkPage::makeList() {
 void ArtworkPage::makeBase() {
     hasBase_ = new QCheckBox(tr("Base colour"));
     hasBase_->setObjectName(QStringLiteral("hasBase"));
-    hasBase_->setToolTip(tr("The colour below all layers. White prints no ink. Without a base "
+    hasBase_->setToolTip(tr("The colour below all layers. White: no ink is printed. Without a base "
                             "colour the model keeps its own colours."));
     base_ = new QPushButton;
     base_->setObjectName(QStringLiteral("baseColour"));
@@ -258,7 +258,8 @@ void ArtworkPage::makeSpotFields(QFormLayout& form) {
     form.addRow(tr("Spot colour"), spot_);
     spotColour_ =
         addColour(form, "layerSpotColour", tr("Display colour"), &ArtworkLayer::spotColour);
-    spotColour_->setToolTip(tr("The colour that stands for the ink where its name is unknown."));
+    spotColour_->setToolTip(
+        tr("Programs and printers that do not know the spot colour use this colour instead."));
     spotFirst_ = new QCheckBox(tr("On the outside"));
     spotFirst_->setObjectName(QStringLiteral("layerSpotFirst"));
     spotFirst_->setToolTip(tr("If ticked, this ink prints before the four process inks and ends up "

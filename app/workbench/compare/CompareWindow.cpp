@@ -136,7 +136,7 @@ QWidget* CompareWindow::makeSides(const std::array<ComparedState, 2>& states) {
 
 QWidget* CompareWindow::makeEnd() {
     figures_->setObjectName(QStringLiteral("comparedFigures"));
-    figures_->setAccessibleName(tr("Figures of both states"));
+    figures_->setAccessibleName(tr("Values of both states"));
     figures_->verticalHeader()->hide();
     figures_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     figures_->setSelectionMode(QAbstractItemView::NoSelection);
@@ -209,7 +209,7 @@ void CompareWindow::showFigures() {
     const std::vector<StateFigure> first = sides_[0]->figures(unit_);
     const std::vector<StateFigure> second = sides_[1]->figures(unit_);
     figures_->setHorizontalHeaderLabels(
-        {tr("Figure"), sides_[0]->title(), sides_[1]->title(), tr("Difference")});
+        {tr("Quantity"), sides_[0]->title(), sides_[1]->title(), tr("Difference")});
     const std::size_t rows = std::min(first.size(), second.size());
     figures_->setRowCount(int(rows));
     for (std::size_t row = 0; row < rows; ++row) {

@@ -80,7 +80,7 @@ QWidget* SnapshotsDialog::makeComparison() {
     against_->setAccessibleName(tr("Compared with"));
     against_->setToolTip(tr("Compared with"));
     connect(against_, &QComboBox::currentIndexChanged, this, &SnapshotsDialog::compare);
-    table_->setAccessibleName(tr("What differs"));
+    table_->setAccessibleName(tr("Differences"));
     table_->verticalHeader()->hide();
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setTabKeyNavigation(false);
@@ -101,8 +101,8 @@ QWidget* SnapshotsDialog::makeButtons() {
     buttons->addButton(sideBySide_, QDialogButtonBox::ActionRole);
     buttons->addButton(goBack_, QDialogButtonBox::ActionRole);
     sideBySide_->setObjectName(QStringLiteral("sideBySide"));
-    sideBySide_->setToolTip(tr(
-        "Shows both states with linked cameras, and first runs the dips that have no result yet"));
+    sideBySide_->setToolTip(tr("Shows both versions side by side in linked views. Dips that have "
+                               "no result yet are run first."));
     connect(sideBySide_, &QPushButton::clicked, this, &SnapshotsDialog::compareInView);
     buttons->addButton(remove_, QDialogButtonBox::ActionRole);
     goBack_->setObjectName(QStringLiteral("goBack"));

@@ -52,8 +52,8 @@ void DocumentSession::take(std::unique_ptr<Document> document) {
     autoSaver_ = std::make_unique<AutoSaver>(*document_, recovery_);
     autoSaver_->setInterval(autosaveSeconds_);
     connect(autoSaver_.get(), &AutoSaver::failed, this, [this](const QString& why) {
-        messages_.notice(tr("Unsaved changes would be lost in a crash, because no copy can be "
-                            "written. Save often. %1")
+        messages_.notice(tr("Unsaved changes would be lost in a crash, because the recovery copy "
+                            "cannot be written. Save often. %1")
                              .arg(why));
     });
     emit documentChanged();

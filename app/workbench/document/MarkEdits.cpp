@@ -38,7 +38,7 @@ void add(Document& document, const QString& text, const QString& mergeKey, const
 } // namespace
 
 void addMark(Document& document, const ShareMark& mark) {
-    add(document, Text::tr("Mark for the seam"), QStringLiteral("share.marks"), mark);
+    add(document, Text::tr("Mark area for the seam"), QStringLiteral("share.marks"), mark);
 }
 
 void addMark(Document& document, const ZoneMark& mark) {

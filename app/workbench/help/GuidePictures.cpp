@@ -173,7 +173,8 @@ void drawPhotos(QPainter& painter) {
     letter(painter, {36, 1.5, 62, 6},
            Text::tr("One photo gives the swell, three or more give the growth"),
            Qt::AlignHCenter | Qt::AlignTop);
-    letter(painter, {36, 38, 62, 7}, Text::tr("from before the dip until the film stops growing"),
+    letter(painter, {36, 38, 62, 7},
+           Text::tr("Photos: from before the dip until the film stops growing"),
            Qt::AlignHCenter | Qt::AlignTop, accent);
 }
 

@@ -181,10 +181,11 @@ void BuiltPage::setBusy(bool busy) {
 }
 
 void BuiltPage::enable() {
-    hint_->setText(keepable_ ? tr("Keep the measured part to store with the job its photos, its "
-                                  "error and who accepted it.")
-                             : tr("To keep a part, find its corners on the page “Dipped part”, "
-                                  "using pairs whose places lie on the part itself."));
+    hint_->setText(keepable_
+                       ? tr("“Keep part” stores in the project: the error of this part, the "
+                            "checksums of its photos and the name of the person who accepts it.")
+                       : tr("To keep a part, first find its corners on the page “Dipped part”. The "
+                            "places of the pairs must lie on the part itself, not on the print."));
     keep_->setEnabled(keepable_ && !busy_ && !acceptedBy_->text().trimmed().isEmpty());
     corrects_->setEnabled(!built_.parts.empty());
     strength_->setEnabled(!built_.parts.empty());

@@ -74,8 +74,9 @@ FilmPage::FilmPage(QWidget* parent)
       photoWords_(new QLabel), pictures_(new QTabWidget),
       boards_(new PicturePanel(tr("Photo of the film"),
                                tr("Corners found in the photo are shown here."))),
-      map_(new PicturePanel(tr("Unevenness of the film"),
-                            tr("A map of where the film has grown more or less is shown here."))) {
+      map_(new PicturePanel(
+          tr("Unevenness of the film"),
+          tr("The places where the film has grown more or less than on average are shown here."))) {
     setAcceptDrops(true);
     table_->setObjectName(QStringLiteral("filmPhotos"));
     table_->setAccessibleName(tr("Photos of the film"));
@@ -188,7 +189,7 @@ QWidget* FilmPage::makeRulers() {
     form->addRow(tr("Rulers on the card"), side(cardRulers_[0], cardRulers_[1]));
     form->addRow(tr("Rulers on the dry film"), side(filmRulers_[0], filmRulers_[1]));
     form->addRow(tr("Reading error ±"), rulerError_);
-    form->addRow(tr("Card above the film"), cardAbove_);
+    form->addRow(tr("Card height above film"), cardAbove_);
     form->addRow(tr("Focal length"), focal_);
     form->addRow(tr("Distortion"), side(k1_, k2_));
     auto* fold = new QToolButton;

@@ -52,7 +52,7 @@ FitPage::FitPage(QWidget* parent)
     hint_->setObjectName(QStringLiteral("fitHint"));
     words_->setObjectName(QStringLiteral("fitWords"));
     correlations_->setToolTip(tr("Near 1 or −1: the photos determine only a combination of the two "
-                                 "quantities, not each quantity"));
+                                 "quantities, not each quantity separately"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->addWidget(hint_);
@@ -70,8 +70,8 @@ QWidget* FitPage::makeButtons() {
     rows->setContentsMargins(0, 0, 0, 0);
     fit_ = new QPushButton(icon(QStringLiteral("run")), tr("&Fit film and dip"));
     fit_->setObjectName(QStringLiteral("fitFilm"));
-    fit_->setToolTip(tr("Changes film and dip and repeats the simulation until the simulated image "
-                        "lies where the photos show it"));
+    fit_->setToolTip(tr("Changes the settings of film and dip and repeats the simulation until the "
+                        "simulated image lies where the photos show it"));
     use_ = new QPushButton(tr("&Use in project"));
     use_->setObjectName(QStringLiteral("useFit"));
     use_->setToolTip(tr("Puts the fitted film, placement and depth into the project. The film then "
@@ -194,8 +194,9 @@ void FitPage::say() {
         hint_->setText(tr(
             "First find the corners on the page “Dipped part”. Film and dip are fitted to them."));
     } else if (!hasBody_) {
-        hint_->setText(tr("The pairs are not places on the part itself. A shift or rotation of the "
-                          "whole image then looks like a shift or rotation of the camera."));
+        hint_->setText(tr("No pair is a place on the part itself, such as a corner or a hole. "
+                          "Without such pairs, a shift or rotation of the whole image looks the "
+                          "same as a movement of the camera."));
     } else {
         hint_->setText(
             tr("Fits placement, swell and relaxation, as far as the photos determine them."));

@@ -60,8 +60,9 @@ MeasuredPart ofCorners(std::vector<PartPhoto> photos, const Project& project,
         project, dips, options.chessboard ? PartPrint::Chessboard : PartPrint::Texture);
     if (corners.empty()) {
         throw Error(
-            InspectionController::tr("The model's texture has no chess squares to look for; dip "
-                                     "the chessboard film, or measure only the pairs"),
+            InspectionController::tr(
+                "The model's texture contains no chessboard squares, so there are no corners to "
+                "find; dip the part with the chessboard film, or measure only the pairs"),
             project.name);
     }
     std::vector<QImage> pictures;

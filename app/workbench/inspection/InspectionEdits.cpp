@@ -80,7 +80,7 @@ void addFloatingPhotos(Document& document, const std::vector<FloatingPhoto>& add
 }
 
 void changeFilmOnWater(Document& document, const FilmOnWater& film, const QString& what) {
-    document.edit(Text::tr("Change film on the water"),
+    document.edit(Text::tr("Change film measurement"),
                   what.isEmpty() ? QString() : QStringLiteral("inspection.film.") + what,
                   [&](Project& project) { project.filmOnWater = film; });
 }
@@ -100,7 +100,7 @@ void setCorrectionStrength(Document& document, double strength) {
 }
 
 void useFit(Document& document, const FittedPart& fitted, const WatchNotes& notes) {
-    document.edit(Text::tr("Use the fit"), {}, [&](Project& project) {
+    document.edit(Text::tr("Use fit in project"), {}, [&](Project& project) {
         project = withFit(project, fitted.fit, fitted.photos, notes,
                           Text::tr("Measured %1").arg(notes.date));
     });

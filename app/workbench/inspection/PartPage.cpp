@@ -58,16 +58,16 @@ PartPage::PartPage(QWidget* parent)
     figures_->setAccessibleName(tr("Error of the image on the part"));
     figures_->setColumnCount(5);
     figures_->setHorizontalHeaderLabels(
-        {tr("N"), tr("R ± σ, px"), tr("R, %"), tr("95 %, mm"), tr("Worst, mm")});
+        {tr("N"), tr("R ± σ, px"), tr("R, %"), tr("95 %, mm"), tr("Largest, mm")});
     const QStringList help{
         tr("N: number of measured places"),
-        tr("R: mean distance in the photo between a place and its expected place, ± standard "
-           "deviation σ, in pixels"),
-        tr("R as a share of the photo's diagonal, as in Table II of the paper of 2020"),
-        tr("95 % of the places on the part are within this distance of their expected places, "
-           "measured across the line of sight"),
-        tr("Largest distance of a place on the part from its expected place, measured across the "
-           "line of sight")};
+        tr("R: mean distance in the photo between the measured and the expected position of a "
+           "place, ± standard deviation σ, in pixels"),
+        tr("R as a share of the photo's diagonal, as in Table II of the 2020 paper"),
+        tr("95 % of the places on the part are within this distance of their expected positions, "
+           "measured perpendicular to the line of sight"),
+        tr("Largest distance of a place on the part from its expected position, measured "
+           "perpendicular to the line of sight")};
     for (int column = 0; column < help.size(); ++column) {
         figures_->horizontalHeaderItem(column)->setToolTip(help[column]);
     }
@@ -146,12 +146,12 @@ QWidget* PartPage::makeMeasureBar() {
     chessboard_->setObjectName(QStringLiteral("partChessboard"));
     chessboard_->setToolTip(
         tr("If ticked, the program looks for the corners of the built-in chessboard. Otherwise it "
-           "looks for chess squares in the model's texture."));
-    keepsCamera_ = new QCheckBox(tr("The pairs are places on the part &itself"));
+           "looks for chessboard squares in the model's texture."));
+    keepsCamera_ = new QCheckBox(tr("The pairs mark the part &itself, not the image"));
     keepsCamera_->setObjectName(QStringLiteral("partKeepsCamera"));
-    keepsCamera_->setToolTip(
-        tr("Tick this if the pairs are tips and edges of the part, not places in the image. Then "
-           "only the pairs set the camera, so that a shift of the whole image becomes visible."));
+    keepsCamera_->setToolTip(tr(
+        "Tick this if the pairs are tips and edges of the part, not places in the image. Then the "
+        "camera is fitted only to the pairs, so that a shift of the whole image becomes visible."));
     rows->addWidget(chessboard_);
     rows->addWidget(keepsCamera_);
     auto* row = new QHBoxLayout;
@@ -300,8 +300,9 @@ void PartPage::enable() {
 
 void PartPage::say() {
     if (photo_ < 0) {
-        hint_->setText(tr("Add photos of the dipped part, or drop them here. Use one camera; the "
-                          "part must be sharp, complete and fill the picture."));
+        hint_->setText(
+            tr("Add photos of the dipped part, or drop them here. Take all photos with the same "
+               "camera. The part must be sharp, completely visible and fill the picture."));
         return;
     }
     if (pending_) {
@@ -327,14 +328,15 @@ void PartPage::say() {
         return;
     }
     const auto here = shown_.size();
-    hint_->setText(here < std::size_t(leastPairs)
-                       ? tr("Click a place in the photo, then the same place on the part. %1 of %2 "
-                            "pairs so far; spread them over several faces.")
-                             .arg(here)
-                             .arg(leastPairs)
-                       : tr("%1 pairs. Drag a place to correct it, press Delete to remove it. Then "
-                            "find the corners, or measure only the pairs.")
-                             .arg(here));
+    hint_->setText(
+        here < std::size_t(leastPairs)
+            ? tr("Click a place in the photo, then the same place on the part in the 3D view. %1 "
+                 "of %2 pairs so far; spread them over several faces.")
+                  .arg(here)
+                  .arg(leastPairs)
+            : tr("%1 pairs. Drag a place to correct it, or press Delete to remove it. Then click "
+                 "“Find corners”, or click “Measure pairs” to use only the pairs.")
+                  .arg(here));
 }
 
 void PartPage::dragEnterEvent(QDragEnterEvent* event) {

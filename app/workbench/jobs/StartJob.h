@@ -9,8 +9,8 @@
 namespace dipwright {
 
 // `work` makes a value on the worker thread and reports to a Progress. `done` takes it on the UI
-// thread. `title` names the job; `failureTitle` is the title of an error message. Jobs and messages
-// must outlive the job.
+// thread. `title` names the job; `failureTitle` is the title of an error message. `jobs` and
+// `messages` must outlive the job.
 template <typename Work, typename Done>
 CancelToken startJob(JobRunner& jobs, Messages& messages, const QString& title,
                      const QString& failureTitle, Work work, Done done) {

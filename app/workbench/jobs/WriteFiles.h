@@ -1,4 +1,4 @@
-// Writes files on the worker thread while the user goes on working.
+// Writes files on the worker thread while the user continues working.
 #pragma once
 
 #include "workbench/jobs/JobRunner.h"

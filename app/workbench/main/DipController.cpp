@@ -81,8 +81,8 @@ void DipController::record() {
     isLive_ = false;
     if (session_.record(playback_.mostPoints())) {
         playback_.playNext();
-        messages_.notice(tr("These results were saved without the course of the dip. The dip is "
-                            "simulated again to play it; the results stay the same."));
+        messages_.notice(tr("The saved results contain no recording of the dip. To play the dip, "
+                            "it is simulated again; the results stay the same."));
     } else {
         messages_.say(tr("The dip can be played when the running job has ended."));
     }
@@ -174,11 +174,12 @@ void DipController::showBanner(const QString& text) {
 // Returns how fine the draft is and how far it may be off.
 QString DipController::draftText(const DipOutcome& draft) const {
     const solver::FilmGrid& grid = session_.reading()->film().grid;
-    QStringList parts{tr("Draft with %1 × %2 points").arg(grid.columns).arg(grid.rows)};
+    QStringList parts{tr("Draft with %1 × %2 film points").arg(grid.columns).arg(grid.rows)};
     if (draft.fineness.moves) {
-        parts += tr("95 % within about %1").arg(shownLength(*draft.fineness.moves, unit_));
+        parts += tr("95 % of the sheet accurate to about %1")
+                     .arg(shownLength(*draft.fineness.moves, unit_));
     }
-    parts += session_.isRunning() ? tr("being refined") : tr("run the dip to print");
+    parts += session_.isRunning() ? tr("being refined") : tr("run the dip before printing");
     return parts.join(QStringLiteral(" · "));
 }
 

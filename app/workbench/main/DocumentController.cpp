@@ -74,8 +74,8 @@ bool DocumentController::askToOpenLocked(const Document& document, const LockSta
             .arg(document.title(), holder.host.isEmpty() ? tr("an unknown machine") : holder.host)
             .arg(holder.process),
         QMessageBox::Cancel, &window_);
-    question.setInformativeText(
-        tr("If both of you save, whoever saves second is asked which version to keep."));
+    question.setInformativeText(tr("If both programs save the project, the one that saves second "
+                                   "asks which version to keep."));
     question.setObjectName(QStringLiteral("lockQuestion"));
     QPushButton* anyway = question.addButton(tr("Open anyway"), QMessageBox::AcceptRole);
     question.setDefaultButton(QMessageBox::Cancel);

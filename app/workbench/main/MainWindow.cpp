@@ -176,8 +176,8 @@ void MainWindow::connectSession() {
     connect(&documents_, &DocumentSession::saved, this, &MainWindow::keepThumbnail);
     connect(&documents_, &DocumentSession::implausibleLengthFound, this,
             [this](double millimetres) {
-                messages_.notice(tr("The part is %1 long. If the file uses another unit, change "
-                                    "the size under Model.")
+                messages_.notice(tr("The largest dimension of the part is %1. If the file uses "
+                                    "another unit, change this dimension under Model.")
                                      .arg(shownLength(millimetres, workbench_.preferences().unit)));
             });
     connect(&jobs_, &JobRunner::busy, this, &MainWindow::updateActions);

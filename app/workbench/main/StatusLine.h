@@ -21,7 +21,7 @@ public:
     StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel); // becomes the bar's child
 
     void setReading(const QString& text);
-    // A warning about the body's place. Stays until it is replaced; empty: none.
+    // Shows a warning about the body's place until the next call. Empty: shows none.
     void setWarning(const QString& text);
     void setJob(const QString& text);
 

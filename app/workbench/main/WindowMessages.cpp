@@ -43,9 +43,9 @@ void WindowMessages::askToRead(const QString& title, const QString& who, const Q
     auto* box = new QMessageBox(QMessageBox::Warning, title,
                                 who + QStringLiteral("\n\n") + shown.join(u'\n'),
                                 QMessageBox::Cancel, &window_);
-    box->setInformativeText(
-        tr("Read these files only if they belong to the model. A model or project from someone "
-           "else may name your private files; they would then be saved inside the project."));
+    box->setInformativeText(tr("Read these files only if they belong to the model or project. A "
+                               "model or project from someone else may refer to your private "
+                               "files. These files would then be saved in the project."));
     box->setObjectName(QStringLiteral("outsideQuestion"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     const QPushButton* read = box->addButton(tr("Read files"), QMessageBox::AcceptRole);

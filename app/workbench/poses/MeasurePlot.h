@@ -1,4 +1,4 @@
-// Plots poses by two of their measures and marks those that no other pose beats in both.
+// Plots poses by two of their measures and marks the poses that no other pose beats in both.
 #pragma once
 
 #include "search/PoseSearch.h"

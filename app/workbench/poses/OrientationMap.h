@@ -10,9 +10,9 @@
 namespace dipwright {
 
 // An equal-area map of the sphere of directions on a disc. The centre stands for the body's
-// orientation in its file, the rim for the body upside down. Directions to the body's right are to
-// the right, those to its front below. Each place has the colour of the nearest simulated
-// direction.
+// orientation in its file, the rim for the body upside down. Directions to the body's right are on
+// the right, and directions to its front are below. Each place has the colour of the nearest
+// simulated direction.
 class OrientationMap : public QWidget {
     Q_OBJECT
 

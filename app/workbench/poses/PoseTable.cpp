@@ -113,7 +113,7 @@ void PoseTable::setResult(const SearchResult& result, const SearchSettings& sett
             reasons = (advice + QLatin1Char('\n') + reasons).trimmed();
         }
         if (poses.limitsMissed > 0) {
-            reasons = tr("Misses a limit. %1").arg(reasons);
+            reasons = tr("Does not meet a limit. %1").arg(reasons);
         }
         const int row = int(rank);
         setItem(row, Picture, picture);

@@ -141,8 +141,8 @@ QWidget* SearchPage::makeFound() {
     comparison_->setWordWrap(true);
     comparison_->setObjectName(QStringLiteral("poseComparison"));
     apply_->setObjectName(QStringLiteral("takePose"));
-    apply_->setToolTip(
-        tr("Gives the dips the pose that is selected in the table. This is one undo step."));
+    apply_->setToolTip(tr("Sets the dips of the project to the pose that is selected in the table. "
+                          "Undo takes this back in one step."));
     sideBySide_->setObjectName(QStringLiteral("sideBySide"));
     sideBySide_->setToolTip(tr("Shows two selected poses side by side with linked cameras. If only "
                                "one pose is selected, shows it beside the project's own pose."));
@@ -215,7 +215,7 @@ void SearchPage::setPreparing(const QString& doing) {
 
 void SearchPage::showDoing(const QString& doing) {
     doing_ = doing;
-    left_->setText(isWaiting_ ? tr("Continues after the project's own dip") : doing);
+    left_->setText(isWaiting_ ? tr("Waiting until the dip of the project has finished") : doing);
 }
 
 void SearchPage::setProgress(int done, int wanted, std::optional<double> secondsLeft) {

@@ -29,8 +29,8 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, const Solve
       theme_(new QComboBox), navigation_(new QComboBox), film_(new QComboBox),
       filmProfile_(new QComboBox), printer_(new QComboBox), autosave_(new QSpinBox),
       live_(new QCheckBox(tr("Run again after each change"))),
-      keeps_(new QCheckBox(tr("Keep results beside the project"))), shortcuts_(new QTreeWidget),
-      clash_(new QLabel),
+      keeps_(new QCheckBox(tr("Keep results next to the project file"))),
+      shortcuts_(new QTreeWidget), clash_(new QLabel),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
     setWindowTitle(tr("Preferences"));
     setObjectName(QStringLiteral("preferencesDialog"));
@@ -48,14 +48,14 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, const Solve
 
 // Fills the lists and selects the current preferences.
 void PreferencesDialog::fillLists() {
-    language_->addItem(tr("As the system"), QString());
+    language_->addItem(tr("Same as the system"), QString());
     for (const Language& language : languages()) {
         language_->addItem(language.name, language.code);
     }
     language_->setCurrentIndex(std::max(0, language_->findData(preferences_.language)));
     unit_->addItems({tr("Millimetres"), tr("Inches")});
     unit_->setCurrentIndex(int(preferences_.unit));
-    theme_->addItems({tr("As the system"), tr("Light"), tr("Dark")});
+    theme_->addItems({tr("Same as the system"), tr("Light"), tr("Dark")});
     theme_->setCurrentIndex(int(preferences_.theme));
     navigation_->addItems({tr("Turntable: up stays up"), tr("Trackball: turns freely")});
     navigation_->setCurrentIndex(int(preferences_.navigation));
@@ -81,8 +81,9 @@ void PreferencesDialog::explainFields() {
                              "your work is restored from this copy."));
     live_->setToolTip(
         tr("After the first run, each change recomputes the results that depend on it."));
-    keeps_->setToolTip(tr("Saves the dips of a project in a file NAME.dips beside it, up to 64 MB. "
-                          "The results are there when you open the project again."));
+    keeps_->setToolTip(
+        tr("Saves the dips of a project in the file NAME.dips next to the project file, up to 64 "
+           "MB. When you open the project again, its results are shown at once."));
 }
 
 QWidget* PreferencesDialog::makeGeneralPage() {

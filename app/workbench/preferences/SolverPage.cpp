@@ -58,7 +58,7 @@ void SolverPage::show(const std::vector<SolverInfo>& solvers) {
             item->setIcon(
                 0, icon(solver.available ? QStringLiteral("done") : QStringLiteral("warning")));
         }
-        item->setText(2, !isKnown           ? tr("Checking whether it can run here …")
+        item->setText(2, !isKnown           ? tr("Checking whether this solver can run here …")
                          : solver.available ? solver.device
                                             : shownName(solver.reason));
         for (int column = 0; column < list_->columnCount(); ++column) {

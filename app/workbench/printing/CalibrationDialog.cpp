@@ -124,11 +124,11 @@ QWidget* CalibrationDialog::makePageChoices() {
     form->addRow(QString(), row);
     profile_->setToolTip(
         tr("The profile that receives the scale. You can create profiles under “Profiles”."));
-    printer_->setToolTip(tr("The printers that are set up on this machine."));
+    printer_->setToolTip(tr("The printers that are set up on this computer."));
     paper_->setToolTip(tr("The paper in the printer."));
     measures_->setToolTip(tr("Prints rulers without correction, for measuring."));
-    verifies_->setToolTip(
-        tr("Prints the same rulers with the correction. Each must now have its nominal length."));
+    verifies_->setToolTip(tr("Prints the same rulers with the correction. Each ruler must now have "
+                             "its nominal length."));
     connect(profile_, &QComboBox::currentIndexChanged, this, &CalibrationDialog::showPage);
     connect(paper_, &QComboBox::currentIndexChanged, this, &CalibrationDialog::showPage);
     connect(verifies_, &QRadioButton::toggled, this, &CalibrationDialog::showPage);
@@ -177,7 +177,7 @@ void CalibrationDialog::findPrinters() {
             chooseQueue();
             print_->setEnabled(!printers.isEmpty());
             if (printers.isEmpty()) {
-                tell(tr("No printer is set up on this machine. Save the page as PDF and print it "
+                tell(tr("No printer is set up on this computer. Save the page as PDF and print it "
                         "elsewhere, at 100 %."));
             }
         },
@@ -199,12 +199,13 @@ void CalibrationDialog::showPage() {
         const CalibrationPage shownPage = page();
         const CalibrationLengths lengths = calibrationLengths(shownPage);
         preview_->setPicture(picture(shownPage), shownPage.paper);
-        xNominal_->setText(tr("instead of %1 mm").arg(shown(lengths.x.value(), 0)));
-        yNominal_->setText(tr("instead of %1 mm").arg(shown(lengths.y.value(), 0)));
+        xNominal_->setText(tr("nominal length: %1 mm").arg(shown(lengths.x.value(), 0)));
+        yNominal_->setText(tr("nominal length: %1 mm").arg(shown(lengths.y.value(), 0)));
         x_->setValue(lengths.x.value());
         y_->setValue(lengths.y.value());
-        tell(tr("Print the page. Measure both rulers from the first to the last line, to 0.1 mm, "
-                "and type the lengths. Then verify with the second page."));
+        tell(tr(
+            "Print the page. Measure both rulers from the first to the last line, to 0.1 mm. Type "
+            "the lengths and save the scale. Then print the page again to verify the scale."));
         showScale();
     } catch (const Error&) {
         showFailure(std::current_exception());
@@ -238,7 +239,7 @@ void CalibrationDialog::print() {
             setPrinting(false);
             tell(state == JobState::Printed
                      ? tr("Printed on %1. Let it dry, then measure.").arg(printer_->currentText())
-                     : tr("Handed to the queue of %1").arg(printer_->currentText()));
+                     : tr("Sent to the print queue of %1").arg(printer_->currentText()));
         },
         [this](std::exception_ptr failure) {
             setPrinting(false);
@@ -272,7 +273,7 @@ void CalibrationDialog::takeOver() {
         } else {
             verifies_->setChecked(true);
         }
-        tell(tr("%1 now has the scale X %2, Y %3. Print the second page to verify it.")
+        tell(tr("%1 now has the scale X %2, Y %3. Print the page again to verify the scale.")
                  .arg(result.name, shown(result.scaleX, 5), shown(result.scaleY, 5)));
     } catch (const ChangedFile&) {
         const std::exception_ptr failure = std::current_exception();

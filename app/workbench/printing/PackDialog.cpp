@@ -150,9 +150,9 @@ QWidget* PackDialog::makeFilm() {
     feed_->addItem(tr("Long edge first"), int(FeedDirection::LongEdgeFirst));
     feed_->setToolTip(tr("The edge that enters the printer first. Film swells more along its web. "
                          "A piece that swells unequally keeps its direction along the web."));
-    margin_->setToolTip(
-        tr("Width of the bare film around the ink. Each job is computed for its whole film. A "
-           "piece that is cut close to the ink behaves differently near its edge."));
+    margin_->setToolTip(tr(
+        "Width of the bare film around the ink. Choose it wide: each job is computed for its whole "
+        "film, and a piece that is cut close to the ink behaves differently near its edge."));
     turn_->setToolTip(
         tr("Turns pieces by 90°, but only if their film swells equally in both directions."));
     auto* box = new QWidget;
@@ -162,7 +162,7 @@ QWidget* PackDialog::makeFilm() {
     form->addRow(tr("&Width"), width_);
     form->addRow(tr("&Length"), length_);
     form->addRow(tr("Fe&ed"), feed_);
-    form->addRow(tr("&Spacing"), spacing_);
+    form->addRow(tr("&Spacing between pieces"), spacing_);
     form->addRow(tr("&Bare film"), margin_);
     form->addRow(turn_);
     connect(film_, &QComboBox::currentIndexChanged, this, &PackDialog::chooseFilm);

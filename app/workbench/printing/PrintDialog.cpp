@@ -132,7 +132,7 @@ QWidget* PrintDialog::makeChoices() {
     auto* form = new QFormLayout(box);
     form->setContentsMargins(0, 0, 0, 0);
     printer_->setAccessibleName(tr("Printer"));
-    printer_->setToolTip(tr("The printers that are set up on this machine."));
+    printer_->setToolTip(tr("The printers that are set up on this computer."));
     copies_->setRange(1, 99);
     copies_->setToolTip(tr("Number of copies of each sheet."));
     printer_->setPlaceholderText(tr("No printer set up"));
@@ -326,9 +326,8 @@ void PrintDialog::showPrinters(const QStringList& printers) {
         }
     }
     if (printers.isEmpty()) {
-        verdict_->setText(
-            tr("No printer is set up on this machine. Save the sheet as PDF and print "
-               "it elsewhere, at 100 %."));
+        verdict_->setText(tr("No printer is set up on this computer. Save the sheet as PDF and "
+                             "print it elsewhere, at 100 %."));
         print_->setEnabled(false);
     } else {
         judge();
@@ -368,10 +367,10 @@ void PrintDialog::judge() {
         print_->setEnabled(false);
         return;
     }
-    setBusy(true, tr("Asking the printer …"));
+    setBusy(true, tr("Checking the printer …"));
     const int judgement = ++judgement_;
     jobs_.start(std::make_unique<ValueJob<Judgement>>(
-        tr("Asking the printer"),
+        tr("Checking the printer"),
         [sheets, request = request(),
          expiry = expiryWarning(outcome_.result->project.profiles.film)](const Progress&) {
             const auto system = printSystem();
@@ -413,9 +412,10 @@ void PrintDialog::print() {
         },
         [this](const PrintEnd& end) {
             printing_ = false;
-            const QString done = end.state == JobState::Printed
-                                     ? tr("Printed on %1").arg(printer_->currentText())
-                                     : tr("Handed to the queue of %1").arg(printer_->currentText());
+            const QString done =
+                end.state == JobState::Printed
+                    ? tr("Printed on %1").arg(printer_->currentText())
+                    : tr("Sent to the print queue of %1").arg(printer_->currentText());
             emit printed(
                 end.historyFailure.isEmpty()
                     ? done

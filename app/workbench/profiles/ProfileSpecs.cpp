@@ -38,9 +38,9 @@ std::vector<PropertySection> printerSections() {
     size.specs.push_back(
         {.path = QStringLiteral("scale"),
          .label = Text::tr("Scale"),
-         .help = Text::tr(
-             "Printed length divided by true length, across the paper (X) and along its feed (Y). "
-             "Sheets are scaled down by this factor. “Calibrate printer” measures the factor."),
+         .help = Text::tr("Printed length divided by intended length, across the paper (X) and "
+                          "along its feed (Y). Sheets are divided by this factor, so that they "
+                          "print at true size. “Calibrate printer” measures the factor."),
          .unit = Unit::Ratio,
          .parts = {Text::tr("X"), Text::tr("Y")}});
     size.specs.push_back(
@@ -67,16 +67,17 @@ std::vector<PropertySection> printerSections() {
                    {QStringLiteral("absolute"), Text::tr("Absolute colorimetric")}}},
         {.path = QStringLiteral("black_point_compensation"),
          .label = Text::tr("Black point compensation"),
-         .help = Text::tr("Maps the darkest colour to the darkest that the printer can print, so "
-                          "that shadows stay distinct.")},
+         .help = Text::tr("Maps the darkest colour of the image to the darkest colour that the "
+                          "printer can print, so that shadows stay distinct.")},
         {.path = QStringLiteral("ink_limit"),
          .label = Text::tr("Ink limit"),
          .help = Text::tr("The highest optical density per channel that the film holds."),
          .unit = Unit::Density},
         {.path = QStringLiteral("total_ink"),
          .label = Text::tr("Total area coverage"),
-         .help = Text::tr("The largest sum of the four inks at one place (TAC), with an ICC "
-                          "profile in CMYK. Cyan, magenta and yellow are reduced; black stays."),
+         .help = Text::tr(
+             "The largest sum of the four inks at one place (TAC). Where the sum is larger, cyan, "
+             "magenta and yellow are reduced; black stays. Used only with a CMYK ICC profile."),
          .unit = Unit::Share,
          .absent = Text::tr("From the ICC profile"),
          .whenPresent = 3}};
@@ -119,7 +120,7 @@ PropertySection filmMeasurement() {
          .absent = Text::tr("Not given"),
          .whenPresent = 0},
         {.path = QStringLiteral("measured.growth_limit"),
-         .label = Text::tr("Growth limit"),
+         .label = Text::tr("Measured growth limit"),
          .help = Text::tr("The limit of the growth, measured from the photos."),
          .unit = Unit::Share,
          .absent = Text::tr("Not given"),
@@ -132,8 +133,8 @@ PropertySection filmMeasurement() {
          .whenPresent = 0},
         {.path = QStringLiteral("measured.residual_mm"),
          .label = Text::tr("Residual"),
-         .help = Text::tr("Average distance between the corners in the photos and the corners "
-                          "computed from these values."),
+         .help = Text::tr("Average distance between the corners of the printed squares in the "
+                          "photos and their positions computed from these values."),
          .unit = Unit::Length},
         {.path = QStringLiteral("measured.photos"),
          .label = Text::tr("Photos"),
@@ -160,7 +161,7 @@ PropertySection filmPackage() {
          .label = Text::tr("Lot"),
          .help = Text::tr("The manufacturer's lot number. Another lot may swell differently.")});
     film.specs.push_back({.path = QStringLiteral("expiry"),
-                          .label = Text::tr("Use before"),
+                          .label = Text::tr("Use by"),
                           .help = Text::tr("A date such as 2027-03-31. May be empty.")});
     return film;
 }
@@ -178,11 +179,11 @@ std::vector<PropertySection> filmSections() {
         material("contact_distance_mm"),
         {.path = QStringLiteral("soak_time_s"),
          .label = Text::tr("Soak time"),
-         .help = Text::tr("Time from laying the film on the water to the activator."),
+         .help = Text::tr("Time from laying the film on the water to spraying the activator."),
          .unit = Unit::Time},
         {.path = QStringLiteral("activator_time_s"),
          .label = Text::tr("Activator time"),
-         .help = Text::tr("Time from the activator to the dip."),
+         .help = Text::tr("Time from spraying the activator to the dip."),
          .unit = Unit::Time},
         {.path = QStringLiteral("flash_time_s"),
          .label = Text::tr("Flash time"),

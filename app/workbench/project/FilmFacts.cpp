@@ -48,7 +48,7 @@ QString FilmFacts::text(const Project& project, const JobResult* result, LengthU
                            .arg(grid.rows);
         if (result && number < result->immersions.size()) {
             const DippedFilm& measured = result->immersions[number].laid->film();
-            line = Text::tr("%1, about %2 s")
+            line = Text::tr("%1, simulation time about %2 s")
                        .arg(line, QLocale().toString(expectedSeconds(measured, grid.pointCount()),
                                                      'g', 2));
         }

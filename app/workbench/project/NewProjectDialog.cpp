@@ -63,7 +63,7 @@ NewProjectDialog::NewProjectDialog(const QString& model, const Preferences& pref
     : QDialog(parent), lengthUnit_(preferences.unit), printerProfile_(preferences.printerProfile),
       model_(new QLineEdit(model)), texture_(new QLineEdit),
       byUnit_(new QRadioButton(tr("One unit of the file is"))), unit_(new QComboBox),
-      byEdge_(new QRadioButton(tr("The longest edge is"))), edge_(new NumberBox),
+      byEdge_(new QRadioButton(tr("The largest dimension is"))), edge_(new NumberBox),
       film_(new QComboBox), filmProfile_(new QComboBox), template_(new QComboBox),
       extent_(new QLabel) {
     setWindowTitle(tr("New project"));
@@ -90,7 +90,7 @@ NewProjectDialog::NewProjectDialog(const QString& model, const Preferences& pref
     template_->addItem(tr("One dip"), int(Template::One));
     template_->addItem(tr("Two dips: bottom and top"), int(Template::TopAndBottom));
     template_->addItem(tr("Two dips: left and right"), int(Template::LeftAndRight));
-    template_->addItem(tr("One dip with the film model of 2020, for comparison"),
+    template_->addItem(tr("One dip with the film model of the 2020 paper, for comparison"),
                        int(Template::Paper));
     template_->setToolTip(
         tr("How many times the part is dipped, and from which sides. You can change this later."));
@@ -153,8 +153,9 @@ QWidget* NewProjectDialog::makeSizeRow() {
     edge_->setSuffix(unitSuffix(Unit::Length, lengthUnit_));
     edge_->setValue(90 * factor);
     edge_->setEnabled(false);
-    edge_->setAccessibleName(tr("Longest edge"));
-    edge_->setToolTip(tr("Scales the model so that its longest edge has this length."));
+    edge_->setAccessibleName(tr("Largest dimension"));
+    edge_->setToolTip(
+        tr("Scales the model so that its largest dimension (along X, Y or Z) has this length."));
     byEdge_->setToolTip(edge_->toolTip());
     unit_->setAccessibleName(tr("Unit of the file"));
     unit_->setToolTip(

@@ -43,17 +43,18 @@ PrintFields::PrintFields(LengthUnit unit, Millimetres mostDeeper, QWidget* paren
     down_ = add(*form, {QStringLiteral("slipZ"), tr("Shift Z"),
                         tr("How far the second film is displaced along Z."), -shift, shift,
                         0.1 * shown, length, decimals});
-    turn_ = add(*form, {QStringLiteral("slipTurn"), tr("Turn"),
-                        tr("How far the second film is turned, from X towards Z."), -mostTurn,
-                        mostTurn, 0.5, QStringLiteral("°"), 1});
-    swell_ = add(*form, {QStringLiteral("slipSwell"), tr("Swell"),
+    turn_ = add(*form, {QStringLiteral("slipTurn"), tr("Rotation"),
+                        tr("Angle by which the second film is turned, from X towards Z."),
+                        -mostTurn, mostTurn, 0.5, QStringLiteral("°"), 1});
+    swell_ = add(*form, {QStringLiteral("slipSwell"), tr("Extra swell"),
                          tr("How much more the second film has swollen than the sheet assumes."),
                          -mostSwell, mostSwell, 0.5, QStringLiteral(" %"), 1});
     deeper_ =
         add(*form,
             {QStringLiteral("slipDepth"), tr("Extra depth"),
-             tr("How much deeper the part is dipped; negative values are less deep. Surface that "
-                "stays above the water gets no ink. A part that is dipped whole cannot go deeper."),
+             tr("How much deeper the part is dipped. A negative value dips it less deep; surface "
+                "that then stays above the water gets no ink. If the dip covers the whole part, "
+                "it cannot go deeper."),
              -mostDepth * shown, mostDeeper.value() * shown, 0.5 * shown, length, decimals});
     auto* reset = new QPushButton(tr("Reset"));
     reset->setToolTip(tr("Puts the second film back in its intended place."));

@@ -255,13 +255,14 @@ void PropertyPanel::addModelSize(QFormLayout& form) {
     auto* edge = new NumberBox;
     const double shown = shownPerStored(Unit::Length, lengthUnit_);
     edge->setObjectName(QStringLiteral("modelSize"));
-    edge->setAccessibleName(tr("Longest edge"));
+    edge->setAccessibleName(tr("Largest dimension"));
     edge->setDecimals(unitDecimals(Unit::Length, lengthUnit_));
     edge->setRange(leastLongestEdge.value() * shown, mostLongestEdge.value() * shown);
     edge->setSuffix(unitSuffix(Unit::Length, lengthUnit_));
     edge->setKeyboardTracking(false);
-    edge->setToolTip(tr("Scales the part and the marks on it."));
-    form.addRow(tr("Longest edge"), edge);
+    edge->setToolTip(tr("Scales the model, with the marks on it, so that its largest dimension "
+                        "(along X, Y or Z) has this length."));
+    form.addRow(tr("Largest dimension"), edge);
     connect(edge, &QDoubleSpinBox::valueChanged, this,
             [this, shown](double value) { resizeModel(*document_, Millimetres(value / shown)); });
     connect(edge, &QDoubleSpinBox::editingFinished, this, [this] {
@@ -329,7 +330,8 @@ void PropertyPanel::addTolerancesButton(QFormLayout& form) {
 
 void PropertyPanel::addPrintFields(QFormLayout& form) {
     addHeading(form, tr("Print with a misplaced second film"));
-    auto* note = new QLabel(tr("Visible with “Finished part”. The sheets do not change."));
+    auto* note = new QLabel(
+        tr("To see it, choose “Finished part” in the 3D view. The sheets do not change."));
     note->setWordWrap(true);
     form.addRow(note);
     const bool isDippedWhole = !document_->project().process.depth;
@@ -348,10 +350,10 @@ void PropertyPanel::addPrintFields(QFormLayout& form) {
 void PropertyPanel::addPreset(QFormLayout& form) {
     auto* box = new QComboBox;
     box->addItem(tr("Production"), QStringLiteral("production"));
-    box->addItem(tr("Paper of 2020"), QStringLiteral("paper-2020"));
+    box->addItem(tr("Model of 2020"), QStringLiteral("paper-2020"));
     box->addItem(tr("Custom"), QString());
-    const QString help = tr("Production is the accurate film model and the default. Paper of 2020 "
-                            "is the published model, for comparison.");
+    const QString help = tr("Production is the accurate film model and the default. Model of 2020 "
+                            "is the published film model, for comparison.");
     box->setToolTip(help);
     box->setWhatsThis(help);
     box->setAccessibleName(tr("Preset"));

@@ -113,15 +113,16 @@ std::vector<PropertySection> filmProperties() {
         material(film, "contact_distance_mm"),
         {.path = QStringLiteral("film.lattice"),
          .label = Text::tr("Film model"),
-         .help = Text::tr("Isotropic film resists shear; the result does not depend on the "
-                          "direction of the grid. The structural lattice joins only horizontal and "
-                          "vertical neighbours, as in the paper of 2020."),
+         .help =
+             Text::tr("Isotropic film resists shear; the result does not depend on the direction "
+                      "of the grid. The structural lattice connects each point only with its "
+                      "horizontal and vertical neighbours, as in the publication of 2020."),
          .words = {{QStringLiteral("isotropic"), Text::tr("Isotropic")},
                    {QStringLiteral("structural"), Text::tr("Structural lattice")}}},
         {.path = QStringLiteral("film.support"),
          .label = Text::tr("Support"),
-         .help = Text::tr("Whether the water supports the floating film. Without it, nothing "
-                          "supports the film."),
+         .help = Text::tr(
+             "Water: the water supports the floating film. None: nothing supports the film."),
          .words = {{QStringLiteral("water"), Text::tr("Water")},
                    {QStringLiteral("none"), Text::tr("None")}}}};
 
@@ -150,8 +151,8 @@ PropertySection cradleProperties() {
                Text::tr("How far below the top of the part the cradle reaches. It reaches deeper "
                         "where the part would tip or slide.")),
         length("cradle.paint_distance_mm", Text::tr("Distance to the film"),
-               Text::tr("Distance from the cradle to all places that the film reaches or that "
-                        "earlier dips have painted.")),
+               Text::tr("Smallest distance from the cradle to any place that the film reaches or "
+                        "that earlier dips have painted.")),
         {.path = QStringLiteral("cradle.on_paint"),
          .label = Text::tr("May touch painted areas"),
          .help = Text::tr("Whether the cradle may support the part on areas that earlier dips have "
@@ -199,7 +200,7 @@ std::vector<PropertySection> processProperties() {
          .absent = Text::tr("Whole part"),
          .whenPresent = 20},
         {.path = QStringLiteral("process.margin_mm"),
-         .label = Text::tr("Margin"),
+         .label = Text::tr("Extra depth"),
          .help = Text::tr("How much farther the part moves down once it is fully under water."),
          .unit = Unit::Length,
          .relevant = [](const Project& project) { return !project.process.depth; }}};
@@ -234,7 +235,7 @@ std::vector<PropertySection> processProperties() {
          .relevant = isPaperModel},
         {.path = QStringLiteral("process.self_contact"),
          .label = Text::tr("Self-contact"),
-         .help = Text::tr("Keeps film from passing through other film."),
+         .help = Text::tr("Prevents the film from passing through itself."),
          .relevant = isPaperModel}};
     return {motion, limits, accuracy, cradleProperties()};
 }
@@ -295,9 +296,9 @@ PropertySection pageProperties() {
     page.specs = {
         {.path = QStringLiteral("sheet.paper"),
          .label = Text::tr("Paper"),
-         .help = Text::tr("The page that the film image is placed on. “As the film” prints the "
-                          "film itself, edge to edge."),
-         .words = {{QStringLiteral("film"), Text::tr("As the film")},
+         .help = Text::tr("The page that the film image is placed on. “Same as the film” prints "
+                          "the film itself, edge to edge."),
+         .words = {{QStringLiteral("film"), Text::tr("Same as the film")},
                    {QStringLiteral("custom"), Text::tr("Custom")}}},
         {.path = QStringLiteral("sheet.custom_size_mm"),
          .label = Text::tr("Size"),
@@ -322,7 +323,7 @@ PropertySection pageProperties() {
 }
 
 PropertySection onPageProperties() {
-    PropertySection extras{Text::tr("On the page"), {}};
+    PropertySection extras{Text::tr("Marks and text"), {}};
     extras.specs = {
         {.path = QStringLiteral("sheet.marks"),
          .label = Text::tr("Registration marks"),
@@ -339,37 +340,36 @@ PropertySection onPageProperties() {
 
 std::vector<PropertySpec> whiteProperties() {
     const auto isWhite = [](const Project& p) { return p.sheet.white != WhiteLayer::None; };
-    return {
-        {.path = QStringLiteral("body.base_colour"),
-         .label = Text::tr("Part colour"),
-         .help =
-             Text::tr("Colour of the bare part, such as #1a2b3c. Proof and view show the ink "
-                      "on this colour. Empty: the part is light grey, and the ink is as on white."),
-         .isColour = true},
-        {.path = QStringLiteral("sheet.white"),
-         .label = Text::tr("White"),
-         .help = Text::tr("A plate of white ink. White that is printed last touches the part, "
-                          "under the colours. White that is printed first lies outside, over the "
-                          "colours. For PDF and TIFF in CMYK."),
-         .words = {{QStringLiteral("none"), Text::tr("None")},
-                   {QStringLiteral("last"), Text::tr("Printed last, under the colour")},
-                   {QStringLiteral("first"), Text::tr("Printed first, over the colour")}}},
-        {.path = QStringLiteral("sheet.white_density"),
-         .label = Text::tr("Density"),
-         .help = Text::tr("Tint of the white on the finished part. Where the film stretches, more "
-                          "is printed, up to the full tint."),
-         .unit = Unit::Share,
-         .relevant = isWhite},
-        {.path = QStringLiteral("sheet.white_choke_mm"),
-         .label = Text::tr("Choke"),
-         .help = Text::tr(
-             "How far the edge of the white stays inside the edge of the colour, on the film."),
-         .unit = Unit::Length,
-         .relevant = isWhite},
-        {.path = QStringLiteral("sheet.white_name"),
-         .label = Text::tr("Name of the white ink"),
-         .help = Text::tr("The name of the white ink in the printer."),
-         .relevant = isWhite}};
+    return {{.path = QStringLiteral("body.base_colour"),
+             .label = Text::tr("Part colour"),
+             .help = Text::tr(
+                 "Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this "
+                 "colour. If empty, they show a light grey part, and the ink as on white."),
+             .isColour = true},
+            {.path = QStringLiteral("sheet.white"),
+             .label = Text::tr("White"),
+             .help = Text::tr("A plate of white ink. White that is printed last touches the part, "
+                              "under the colours. White that is printed first lies outside, over "
+                              "the colours. Only in CMYK files (PDF and TIFF)."),
+             .words = {{QStringLiteral("none"), Text::tr("None")},
+                       {QStringLiteral("last"), Text::tr("Printed last, under the colour")},
+                       {QStringLiteral("first"), Text::tr("Printed first, over the colour")}}},
+            {.path = QStringLiteral("sheet.white_density"),
+             .label = Text::tr("Density"),
+             .help = Text::tr("How dense the white is on the finished part; 100 % is solid white. "
+                              "Where the film stretches, more white is printed, up to 100 %."),
+             .unit = Unit::Share,
+             .relevant = isWhite},
+            {.path = QStringLiteral("sheet.white_choke_mm"),
+             .label = Text::tr("Choke"),
+             .help = Text::tr(
+                 "How far the edge of the white stays inside the edge of the colour, on the film."),
+             .unit = Unit::Length,
+             .relevant = isWhite},
+            {.path = QStringLiteral("sheet.white_name"),
+             .label = Text::tr("Name of the white ink"),
+             .help = Text::tr("The name of the white ink in the printer."),
+             .relevant = isWhite}};
 }
 
 std::vector<PropertySpec> cutLineProperties() {
@@ -377,7 +377,7 @@ std::vector<PropertySpec> cutLineProperties() {
     const auto cuts = [](const Project& p) { return p.sheet.cutLine != CutLine::None; };
     return {{.path = QStringLiteral("sheet.cut_line"),
              .label = Text::tr("Cut contour"),
-             .help = Text::tr("A contour for the cutter, as a spot colour in a PDF in CMYK."),
+             .help = Text::tr("The line that the cutter follows, as a spot colour in a CMYK PDF."),
              .words = {{QStringLiteral("none"), Text::tr("None")},
                        {QStringLiteral("ink"), Text::tr("Around the ink")},
                        {QStringLiteral("film"), Text::tr("Along the film's edge")}}},
@@ -402,8 +402,8 @@ PropertySection correctionProperties() {
     PropertySection correction{Text::tr("Correction"), {}};
     correction.specs = {{.path = QStringLiteral("as_built.correct"),
                          .label = Text::tr("Correct repeating errors"),
-                         .help = Text::tr("Corrects the sheet by the errors that repeat on the "
-                                          "finished parts recorded in the job."),
+                         .help = Text::tr("Shifts the image on the sheet so that it cancels the "
+                                          "error that repeats on the measured parts."),
                          .relevant = [](const Project& p) { return !p.asBuilt.parts.empty(); }},
                         {.path = QStringLiteral("as_built.strength"),
                          .label = Text::tr("Strength"),
@@ -471,7 +471,8 @@ PropertySection offProperties() {
          .unit = Unit::Share},
         {.path = QStringLiteral("tolerance.water_level_mm"),
          .label = Text::tr("Water level"),
-         .help = Text::tr("How much deeper or less deep the part may be dipped."),
+         .help = Text::tr("How much higher or lower than intended the water may stand. The part is "
+                          "then dipped deeper or less deep."),
          .unit = Unit::Length},
         {.path = QStringLiteral("tolerance.speed"),
          .label = Text::tr("Speed"),
@@ -493,7 +494,7 @@ PropertySection verdictProperties() {
         return PropertySpec{
             .path = QLatin1String(path), .label = label, .help = help, .unit = Unit::Share};
     };
-    PropertySection verdict{Text::tr("Verdict: limits for “check first”"), {}};
+    PropertySection verdict{Text::tr("Limits beyond which the verdict is “check first”"), {}};
     verdict.specs = {
         spec("verdict.air", Text::tr("Trapped air"),
              Text::tr("The share of the part's surface that trapped air may keep dry. Above five "
@@ -510,21 +511,21 @@ PropertySection verdictProperties() {
         spec("verdict.narrow", Text::tr("Narrow overlap"),
              Text::tr("The share of the overlap that may be too narrow for the registration error "
                       "of the second film.")),
-        spec("verdict.zone_bare", Text::tr("Bare in a zone"),
+        spec("verdict.zone_bare", Text::tr("Unpainted in a zone"),
              Text::tr("The share of a marked zone A or B that may stay unpainted.")),
         {.path = QStringLiteral("verdict.edge_mm"),
-         .label = Text::tr("Film's edge"),
+         .label = Text::tr("Distance to film's edge"),
          .help = Text::tr("The smallest allowed distance between film that paints and the film's "
                           "edge. Nearer to the edge, film may curl or fold."),
          .unit = Unit::Length},
         {.path = QStringLiteral("verdict.no_picture"),
-         .label = Text::tr("No picture"),
+         .label = Text::tr("No texture or artwork"),
          .help = Text::tr("The verdict for a model of one plain colour without artwork."),
          .words = advice},
         {.path = QStringLiteral("verdict.changed_model"),
          .label = Text::tr("Repaired model"),
-         .help = Text::tr("The verdict for a model that was repaired, or whose file names "
-                          "something that is missing."),
+         .help = Text::tr(
+             "The verdict for a model that was repaired, or that refers to a missing file."),
          .words = advice},
         {.path = QStringLiteral("verdict.guessed_film"),
          .label = Text::tr("Film not measured"),
@@ -550,8 +551,8 @@ std::vector<PropertySection> toleranceProperties() {
                                 "whether the separate effects add up. 0: no check.")},
               {.path = QStringLiteral("tolerance.seed"),
                .label = Text::tr("Seed"),
-               .help = Text::tr("Selects the random deviations of these dips. Another number draws "
-                                "other deviations.")}}}};
+               .help = Text::tr("Start value of the random deviations in the simulated dips. "
+                                "Another value gives other deviations.")}}}};
 }
 
 } // namespace

@@ -13,9 +13,8 @@ SeamFields::SeamFields(LengthUnit unit, QWidget* parent)
     kind().addItem({}, int(ShareMarkKind::Second));
     kind().addItem(tr("Keeps the seam away"), int(ShareMarkKind::Avoid));
     kind().addItem(tr("Allows the seam"), int(ShareMarkKind::Allow));
-    kind().setToolTip(
-        tr("What a click or a drag on the part in the view marks. Assign areas to the other dip to "
-           "move the seam. With “Run live” the seam is updated at once."));
+    kind().setToolTip(tr("What a click or drag on the part does. Assign areas to the other dip to "
+                         "move the seam. With “Run live” the seam is updated at once."));
     face_->setToolTip(tr("Marks the whole flat face that you click, up to its edges."));
     form().insertRow(radiusRow + 1, face_);
     connect(face_, &QCheckBox::toggled, this, [this](bool whole) {

@@ -136,7 +136,7 @@ QWidget* StartPage::makeActions() {
               QStringLiteral("document-new"), &StartPage::newAsked);
     addButton(tr("Open project…"), tr("Continue with a saved project."),
               QStringLiteral("document-open"), &StartPage::openAsked);
-    addButton(tr("Quick tour"), tr("Shows the window in six steps."), QStringLiteral("help"),
+    addButton(tr("Quick tour"), tr("Explains the window in six steps."), QStringLiteral("help"),
               &StartPage::tourAsked);
     actions->addStretch(1);
     auto* drop = new QLabel(tr("Models and projects can also be dropped on the window."));

@@ -71,11 +71,11 @@ QString shareHtml(const JobResult& result, LengthUnit unit) {
     table.row(Text::tr("Length of the seam"), shownLength(share.cost.length, unit));
     const std::size_t listed = std::min(share.unpainted.size(), mostPlaces);
     for (const UnpaintedPlace& place : std::span(share.unpainted).first(listed)) {
-        table.row(Text::tr("Not reached at %1").arg(shownPlace(place.place, unit)),
+        table.row(Text::tr("Area not reached, at %1").arg(shownPlace(place.place, unit)),
                   shownArea(place.area, unit));
     }
     if (listed < share.unpainted.size()) {
-        table.row(Text::tr("Smaller areas not reached"),
+        table.row(Text::tr("Number of smaller areas not reached"),
                   QLocale().toString(qulonglong(share.unpainted.size() - listed)));
     }
     return heading(Text::tr("Seam")) + table.html();
@@ -94,7 +94,7 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
     table.row(Text::tr("Coverage"), percent(result.coverage->share));
     const Coverage& coverage = *result.coverage;
     table.row(
-        Text::tr("Painted by torn, released or unconverged film"),
+        Text::tr("Area painted by film that tore, was released or did not converge"),
         QStringLiteral("%1 · %2").arg(
             shownArea(coverage.marked.any, unit),
             percent(coverage.paintedArea > 0 ? coverage.marked.any / coverage.paintedArea : 0)));
@@ -118,10 +118,10 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
     }
     table.row(Text::tr("Film triangles across texture seams"),
               locale.toString(qulonglong(result.texture->seamTriangles)));
-    table.row(Text::tr("Too pale for lack of ink"),
+    table.row(Text::tr("Area too pale because of the ink limit"),
               shownArea(result.inkShortfall.value_or(result.texture->shortfallArea), unit));
     table.row(Text::tr("Trapped air"), shownArea(result.coverage->trappedAir.area, unit));
-    table.row(Text::tr("Simulated in"), Text::tr("%1 s").arg(number(film.wallSeconds, 2)));
+    table.row(Text::tr("Simulation time"), Text::tr("%1 s").arg(number(film.wallSeconds, 2)));
     table.row(Text::tr("Steps"), locale.toString(qlonglong(film.steps)));
     table.row(Text::tr("Steps that did not converge"),
               locale.toString(qlonglong(film.equilibrium.stepsWithout)));
@@ -136,11 +136,12 @@ QString smallerFilmHtml(const JobResult& result, LengthUnit unit) {
     }
     constexpr int fewer = -2; // fewer decimals: the size of a format is known exactly
     return QStringLiteral("<p>%1 <a href='smaller-film'>%2</a></p>")
-        .arg(Text::tr("Most of the film stays empty. %1 (%2 × %3) is large enough.")
-                 .arg(smaller->format, shownLength(smaller->width.value(), unit, fewer),
-                      shownLength(smaller->height.value(), unit, fewer))
-                 .toHtmlEscaped(),
-             Text::tr("Use this film").toHtmlEscaped());
+        .arg(
+            Text::tr("Most of the film stays empty. A film of format %1 (%2 × %3) is large enough.")
+                .arg(smaller->format, shownLength(smaller->width.value(), unit, fewer),
+                     shownLength(smaller->height.value(), unit, fewer))
+                .toHtmlEscaped(),
+            Text::tr("Use this film").toHtmlEscaped());
 }
 
 } // namespace

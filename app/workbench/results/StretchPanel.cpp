@@ -77,22 +77,24 @@ void StretchPanel::fillFields() {
     quantityBox_->addItem(tr("Largest stretch"), int(FilmQuantity::Larger));
     quantityBox_->addItem(tr("Smallest stretch"), int(FilmQuantity::Smaller));
     quantityBox_->setItemData(0,
-                              tr("Length of the film's threads after the dip over their length "
-                                 "before it, averaged around each point."),
+                              tr("Length after the dip divided by length before it, averaged over "
+                                 "the directions around each point."),
                               Qt::ToolTipRole);
     quantityBox_->setItemData(
-        1, tr("Area after the dip over area before it. The ink thins by this factor."),
+        1, tr("Area after the dip divided by area before it. The ink thins by this factor."),
         Qt::ToolTipRole);
-    quantityBox_->setItemData(2, tr("The stretch in the direction of the largest stretch."),
-                              Qt::ToolTipRole);
     quantityBox_->setItemData(
-        3, tr("The stretch in the direction of the smallest stretch. Below 1, the film wrinkles."),
+        2, tr("The stretch in the direction in which the film is stretched most."),
         Qt::ToolTipRole);
+    quantityBox_->setItemData(3,
+                              tr("The stretch in the direction in which the film is stretched "
+                                 "least. Below 1, the film wrinkles."),
+                              Qt::ToolTipRole);
     quantityBox_->setAccessibleName(tr("Quantity"));
     quantityBox_->setToolTip(tr("What the map shows."));
     automaticBox_->setToolTip(
-        tr("Fits the colours to the values on the part. If off, the colours span the two numbers "
-           "on the right, so that you can compare maps."));
+        tr("Fits the colours to the values on the part. If off, the scale runs between the two "
+           "numbers on the right, so that you can compare maps."));
     limitTick_->setToolTip(tr("Shows all film over the limit in one warning colour."));
     isolineTick_->setToolTip(tr("Lines of equal value on the map."));
     for (const QString& map : colourMaps()) {

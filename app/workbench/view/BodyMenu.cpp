@@ -30,7 +30,7 @@ void BodyMenu::show(const ViewRay& ray, const QPoint& place) {
         action->setObjectName(QLatin1String(name));
         action->setEnabled(spot.has_value());
     };
-    add("layFaceDown", tr("&Lay this face down"),
+    add("layFaceDown", tr("Turn this face &down"),
         [this](const SurfacePoint& point) { layDown(point.triangle); });
     add("faceMustBeGood", tr("Mark this face as &zone A"),
         [this](const SurfacePoint& point) { markAsZoneA(point); });
@@ -69,7 +69,7 @@ void BodyMenu::move(const QAction& action) {
 void BodyMenu::layDown(std::uint32_t triangle) {
     const Eigen::Vector3d outward = triangleNormal(scene_.model()->mesh, triangle).cast<double>();
     if (!outward.isZero()) {
-        edit(tr("Lay face down"),
+        edit(tr("Turn a face down"),
              [&](Immersion& immersion) { immersion = withFaceDown(immersion, outward); });
     }
 }

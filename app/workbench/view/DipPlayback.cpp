@@ -119,7 +119,7 @@ void DipPlayback::showMarks(const DipRecording& recording, const ImmersionResult
     for (const DipMoment& moment : dipMoments(recording, result)) {
         const QString depth = shownLength(std::max(0.0, moment.descent - startHeight), unit_);
         marks.push_back({int(recording.frameAt(moment.descent)) + 1, colourOf(moment.event),
-                         Text::tr("%1 (%2 deep)").arg(textOf(moment.event), depth)});
+                         Text::tr("%1, at depth %2").arg(textOf(moment.event), depth)});
     }
     timeline_.setMarks(marks);
 }

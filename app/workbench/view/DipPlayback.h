@@ -1,5 +1,5 @@
 // Shows the dip in the view at the position of the timeline. Position 0 is before the dip, where
-// the user places the body; there, the body wears the film of the results on show.
+// the user places the body. There, the film of the shown results lies on the body.
 #pragma once
 
 #include "workbench/dip/DipSession.h"
@@ -20,7 +20,7 @@ public:
     // Call this when the session has another document.
     void showDocument();
     void setLengthUnit(LengthUnit unit) { unit_ = unit; }
-    // Whether results follow each change, so that those on show are at most a moment old.
+    // Whether results follow each change. The shown results are then at most a moment old.
     void setLive(bool live) { live_ = live; }
     // The largest number of film points that can be drawn while they move.
     std::size_t mostPoints() const;

@@ -28,8 +28,8 @@ public:
     void setResult(std::shared_ptr<const JobResult> result,
                    std::shared_ptr<const FilmReadout> reading);
 
-    // Before the dip, with the current settings. The body wears the film of the result if
-    // setShowsDipped() and setWearsFilm() allow it; otherwise the flat film is drawn.
+    // Shows the body before the dip, with the current settings. The film of the result lies on the
+    // body if setShowsDipped() and setWearsFilm() allow it; otherwise the flat film is drawn.
     void showSetup();
     // Shows a moment during the dip.
     void showFrame(const std::shared_ptr<const DipRecording>& recording,
@@ -58,7 +58,7 @@ public:
     void setBrushed(bool brushed);
     // Whether the result may be drawn before the dip: it fits the project, or soon will.
     void setShowsDipped(bool shows);
-    // Whether the user wants the body before the dip to wear the film of the result.
+    // Whether the user wants to see the film of the result on the body before the dip.
     void setWearsFilm(bool wears);
     // A frame around the selected artwork layer, in model coordinates; empty: none.
     void setFrame(std::vector<ViewLine> frame);

@@ -56,7 +56,7 @@ QString FilmProbe::describe(const FilmReadoutPoint& point) const {
     const solver::FilmGrid& grid = session_.reading()->film().grid;
     const FilmSettings& film = session_.shown().result->project.film;
     const auto number = [](float value) { return QLocale().toString(double(value), 'f', 3); };
-    return tr("Sheet %1, %2 · %3 · stretch %4 by %5, area %6")
+    return tr("Sheet at %1, %2 · %3 · stretch %4 and %5, area stretch %6")
         .arg(shownLength((double(point.rest.x()) / grid.width + 0.5) * film.width.value(), unit_),
              shownLength((double(point.rest.y()) / grid.depth + 0.5) * film.height.value(), unit_),
              point.adhered ? tr("on the part") : tr("on the water"), number(point.stretch.larger),

@@ -17,8 +17,8 @@ public:
               ResultsPanel& results, QObject* parent = nullptr);
 
     void setLengthUnit(LengthUnit unit) { unit_ = unit; }
-    // Points the camera at the place on the body where film with rest position `rest` lies, and
-    // reads the film there. The end of the dip must be shown.
+    // Points the camera at the place on the body where the film point with the rest position `rest`
+    // lies. Reads the film there. The view must show the end of the dip.
     void lookAtFilmPlace(const Eigen::Vector2f& rest);
 
 signals:

@@ -57,8 +57,8 @@ QWidget* LookInsideBar::makeSection() {
     axis_->setObjectName(QStringLiteral("sectionAxis"));
     axis_->addItems({tr("Cut across X"), tr("Horizontal cut, across Y"), tr("Cut across Z")});
     axis_->setCurrentIndex(2); // the front is cut away
-    axis_->setAccessibleName(tr("Axis that the section plane is perpendicular to"));
-    axis_->setToolTip(tr("Axis that the section plane is perpendicular to"));
+    axis_->setAccessibleName(tr("Axis perpendicular to the section plane"));
+    axis_->setToolTip(tr("Axis perpendicular to the section plane"));
     after_->setObjectName(QStringLiteral("sectionAfter"));
     after_->setIcon(icon(QStringLiteral("replace")));
     after_->setCheckable(true);

@@ -40,7 +40,7 @@ void MarkTool::stroke(const ViewRay& ray) {
     }
     const auto add = [&]<typename Mark>(Mark mark) {
         if constexpr (!std::is_same_v<Mark, std::monostate>) {
-            // A stroke marks only the pressed face, not the faces that the cursor passes later.
+            // A face's mark has no reach: a stroke marks only the face where it begins.
             const double apart = marksApart * reach(mark);
             if (last_ && (apart <= 0 || double((*place - *last_).norm()) < apart)) {
                 return;

@@ -18,7 +18,7 @@ class ViewController : public QObject {
     Q_OBJECT
 
 public:
-    // `stretch` gives the film's colours, `inside` the section and the opacity.
+    // `stretch` chooses the film's colours. `inside` sets the section and the opacity.
     ViewController(const WindowActions& actions, DipView& view, DipScene& scene,
                    LookInsideBar& inside, const StretchPanel& stretch, JobRunner& jobs,
                    Messages& messages, QWidget& window);

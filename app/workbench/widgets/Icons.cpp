@@ -12,7 +12,7 @@ namespace dipwright {
 
 namespace {
 
-// Replaces the colours of the files, which stand for these roles.
+// Replaces each colour in an icon's file by the palette's colour for the same role.
 QByteArray recoloured(QByteArray svg, QIcon::Mode mode) {
     const QPalette palette = QGuiApplication::palette();
     const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;

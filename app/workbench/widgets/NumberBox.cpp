@@ -72,7 +72,7 @@ NumberBox::Reading NumberBox::readingOf(const QString& own,
     }
     if (within.size() > 1) {
         return {{},
-                tr("“%1” can be %2 or %3; type one of them")
+                tr("“%1” can mean %2 or %3; type one of them")
                     .arg(own, shown(within[0]), shown(within[1]))};
     }
     if (decimals() == 0 && within[0] != std::round(within[0])) {

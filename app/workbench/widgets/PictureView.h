@@ -23,9 +23,10 @@ public:
     bool isEmpty() const { return picture_.isNull(); }
     const QImage& picture() const { return picture_; }
 
-    // Lines drawn over the picture, in its millimetres.
+    // Sets lines to draw over the picture, in mm from its upper left corner.
     void setLines(const QList<QLineF>& lines);
-    // Shows the place that is under the mouse in another view, in mm from the upper left corner.
+    // Marks the place that is under the cursor in another view, in mm from the picture's upper left
+    // corner.
     void setCursorAt(const std::optional<QPointF>& place);
 
     void zoomToFit();

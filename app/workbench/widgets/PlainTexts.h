@@ -13,8 +13,8 @@ namespace dipwright {
 
 // While this object exists, labels without an explicit format are plain. This includes labels in
 // Qt's own boxes and dialogs, and tooltips of widgets, items and actions, which are labels too. A
-// label becomes plain before its first layout and before a screen reader sees it. Earlier than
-// that, Qt reads no file that rich text names.
+// label becomes plain before its first layout and before a screen reader sees it. Before that
+// moment, Qt reads no file that rich text names.
 //
 // A label with intended rich text sets QLabel::setTextFormat(Qt::RichText) and escapes foreign
 // text. Tooltips cannot do that; inLines() breaks their lines.

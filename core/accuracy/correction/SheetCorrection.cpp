@@ -171,9 +171,9 @@ QString repeatingSentence(const RepeatingError& error, int dip) {
             .arg(error.places().size())
             .arg(number(most, 2));
     }
-    return Text::tr(
-               "Dip %1: %2 places measured on %3 parts. The repeating error is up to %4 mm; it is "
-               "similar within %5 mm. Scatter: %6 mm for single places, %7 mm for whole parts.")
+    return Text::tr("Dip %1: %2 places measured on %3 parts. The repeating error is up to %4 mm; "
+                    "places less than %5 mm apart have similar errors. Scatter: %6 mm for single "
+                    "places, %7 mm for whole parts.")
         .arg(dip)
         .arg(error.places().size())
         .arg(error.parts())

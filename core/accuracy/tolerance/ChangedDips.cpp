@@ -15,8 +15,8 @@ constexpr std::size_t dipsAtOnce = 16; // dips in a batch; progress is reported 
 void requireStable(const DippedFilm& film, double travel, const QString& where) {
     if (!isStable(film, travel)) {
         throw Error(QCoreApplication::translate(
-                        "Tolerance", "A film displaced within its tolerance does not follow the "
-                                     "part; give the film smaller cells or more points"),
+                        "Tolerance", "The simulation became unstable in a dip with deviations; "
+                                     "give the film smaller cells or more points"),
                     where);
     }
 }
@@ -38,7 +38,7 @@ void layDips(const DippedBody& body, const std::vector<ChangedDip>& dips,
              const solver::SolverModule& module, const Progress& progress, const DipLaid& done) {
     for (std::size_t first = 0; first < dips.size(); first += dipsAtOnce) {
         progress(double(first) / double(dips.size()),
-                 QCoreApplication::translate("Tolerance", "Dipping with deviations"));
+                 QCoreApplication::translate("Tolerance", "Simulating dips with deviations"));
         const std::size_t last = std::min(first + dipsAtOnce, dips.size());
         std::vector<solver::BatchItem> batch(last - first);
         for (std::size_t number = first; number < last; ++number) {

@@ -387,11 +387,13 @@ DipTolerances dipTolerances(const TolerancedDip& dip, const ToleranceSettings& s
 QString sampledText(const SampledSpread& sampled, const std::function<QString(double)>& length) {
     const QString text =
         sampled.agrees()
-            ? Text::tr("Check: %1 dips with all deviations at once give ±%2; the sum of the "
-                       "contributors gives ±%3. Both agree.")
-            : Text::tr("Check: %1 dips with all deviations at once give ±%2; the sum of the "
-                       "contributors gives ±%3. They differ: the contributors do not simply add "
-                       "up here.");
+            ? Text::tr("Check: with all deviations at once, %1 simulated dips give a displacement "
+                       "of ±%2 (95 % of the painted area). The sum of the contributors gives ±%3. "
+                       "Both agree.")
+            : Text::tr(
+                  "Check: with all deviations at once, %1 simulated dips give a displacement of "
+                  "±%2 (95 % of the painted area). The sum of the contributors gives ±%3. The two "
+                  "differ, because the effects of the contributors do not simply add up here.");
     return text.arg(sampled.dips).arg(length(sampled.percentile95), length(sampled.linear));
 }
 

@@ -47,8 +47,8 @@ struct SampledSpread {
 };
 
 // The tolerances of one dip. The spread of a place is two standard deviations of where its colour
-// lands. If the colour deviates along one line only, it lands within the
-// spread in 95 % of dips; if it deviates equally in all directions, in 98 %; otherwise in between.
+// lands. If the colour deviates along one line only, it lands within the spread in 95 % of dips; if
+// it deviates equally in all directions, in 98 %; otherwise in between.
 struct DipTolerances {
     std::vector<Contribution> contributions; // for each contributor with a tolerance, in enum order
     std::vector<float> places;               // spread of each compared place, mm, or unpaintedPlace

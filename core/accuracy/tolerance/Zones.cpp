@@ -163,11 +163,12 @@ QString zoneText(const ZoneVerdict& verdict, const std::function<QString(double)
         return Text::tr("Zone %1 is not painted.").arg(zoneName(verdict.zone));
     }
     const QString text =
-        verdict.holds()
-            ? Text::tr("Zone %1 keeps its limit of ±%3: %2 % of the painted area is within it, "
-                       "95 % is within ±%4. Largest contributor: %5.")
-            : Text::tr("Zone %1 exceeds its limit of ±%3: only %2 % of the painted area is within "
-                       "it, 95 % is within ±%4. Largest contributor: %5.");
+        verdict.holds() ? Text::tr("Zone %1 keeps its limit of ±%3: on %2 % of the painted area, "
+                                   "the image is displaced by less than this limit, and on 95 % by "
+                                   "±%4 or less. Largest contributor: %5.")
+                        : Text::tr("Zone %1 exceeds its limit of ±%3: on only %2 % of the painted "
+                                   "area, the image is displaced by less than this limit, and on "
+                                   "95 % by ±%4 or less. Largest contributor: %5.");
     return text.arg(zoneName(verdict.zone), percent(verdict.within), length(verdict.limit),
                     length(verdict.together), contributorText(verdict.contributor));
 }

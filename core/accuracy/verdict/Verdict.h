@@ -31,7 +31,7 @@ struct VerdictReason {
         Air,          // trapped air keeps the share `value` of the body's surface dry
         Pale,         // the share `value` of the painted area will be too pale
         Damaged,      // film tore or was released on the share `value` of the painted area
-        FilmEdge,     // the painted film comes within `value` mm of the film's edge
+        FilmEdge,     // film that paints the body lies only `value` mm from the film's edge
         // Reasons about all dips together.
         Unreached,    // neither dip paints the share `value` of the body's surface
         Narrow,       // the share `value` of the overlap is too narrow
@@ -113,8 +113,8 @@ public:
     void addShare(VerdictReason::Kind kind, double share, double limit,
                   std::optional<Zone> zone = {});
     bool isEmpty() const { return reasons_.empty(); }
-    // Returns the verdict with the reasons sorted, the worst first, otherwise in the order in which
-    // they were added. Without reasons the advice is `Print`.
+    // Returns the verdict. Its reasons are sorted, the worst first; equally bad ones keep the order
+    // in which they were added. Without reasons the advice is `Print`.
     Verdict verdict() &&;
 
 private:
@@ -130,7 +130,7 @@ using LengthText = std::function<QString(double)>;
 QString millimetres(double length); // "0.12 mm"
 QString reasonText(const VerdictReason& reason, const LengthText& length);
 QString placeText(const PlaceToCheck& place, const LengthText& length, const LengthText& area);
-// Returns the whole verdict in one line: "Top: Print it. 95 % of the sheet is within …".
+// Returns the whole verdict in one line: "Top: Print it. Numerical error: at most …".
 QString verdictText(const QString& immersion, const Verdict& verdict);
 // Returns the key for files: "print", "look_first", "do_not_print" or "not_judged".
 QString adviceKey(Advice advice);

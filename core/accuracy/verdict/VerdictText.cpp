@@ -23,28 +23,30 @@ QString errorText(const VerdictReason& reason, const LengthText& length) {
     case Kind::NotCompared:
         return Text::tr("The numerical error could not be estimated: %1.").arg(reason.text);
     case Kind::NothingAlike:
-        return Text::tr("The numerical error is not known: this dip and the coarser dips for "
-                        "comparison paint no place in common. Set smaller cells (Film > Cells).");
+        return Text::tr(
+            "The numerical error is not known, because this dip and the coarser dips for "
+            "comparison paint no place in common. Set smaller cells (Film > Cells).");
     case Kind::Certain:
-        return Text::tr("95 % of the sheet is within %1 (numerical error).")
+        return Text::tr("Numerical error: at most %1 on 95 % of the sheet.")
             .arg(length(reason.value));
     case Kind::OffBy:
         return reason.most > 0
-                   ? Text::tr("Numerical error: 95 % of the painted area is within %1; the limit "
+                   ? Text::tr("Numerical error: at most %1 on 95 % of the painted area; the limit "
                               "is %2. Set Film > Cells to %3, turn the part, or dip it twice.")
                          .arg(length(reason.value), length(reason.limit), length(reason.most))
-                   : Text::tr("Numerical error: 95 % of the painted area is within %1; the limit "
-                              "is %2. Set more points (Film > Points), turn the part, or dip it "
-                              "twice.")
+                   : Text::tr(
+                         "Numerical error: at most %1 on 95 % of the painted area; the limit is "
+                         "%2. Set more points (Film > Points), turn the part, or dip it twice.")
                          .arg(length(reason.value), length(reason.limit));
     case Kind::OffByMuch:
-        return Text::tr("Numerical error: 95 % of the painted area is within %1; the limit is %2. "
+        return Text::tr("Numerical error: at most %1 on 95 % of the painted area; the limit is %2. "
                         "Turn the part, dip it twice, or set much smaller cells or more points "
                         "(Film > Cells).")
             .arg(length(reason.value), length(reason.limit));
     case Kind::Step:
-        return Text::tr("Numerical error: 95 % of the painted area is within %1; the limit is %2. "
-                        "The steps cause most of it: set a smaller step (Dipping > Step).")
+        return Text::tr("Numerical error: at most %1 on 95 % of the painted area; the limit is %2. "
+                        "Most of this error comes from the length of the steps: set a smaller step "
+                        "(Dipping > Step).")
             .arg(length(reason.value), length(reason.limit));
     case Kind::FarOffPlaces:
         return Text::tr("The numerical error may exceed %2 on %1 % of the painted area. Check the "
@@ -52,7 +54,7 @@ QString errorText(const VerdictReason& reason, const LengthText& length) {
             .arg(percent(reason.value), length(reason.limit));
     case Kind::Border:
         return Text::tr("The border of the painted area is uncertain: with other cells or steps, "
-                        "%1 % of the part changes between painted and bare. Set smaller cells "
+                        "%1 % of the part changes between painted and unpainted. Set smaller cells "
                         "(Film > Cells).")
             .arg(percent(reason.value));
     case Kind::Unbalanced:
@@ -83,8 +85,8 @@ QString paintText(const VerdictReason& reason, const LengthText& length) {
                         "%2 %. Turn the part, or dip it twice.")
             .arg(percent(reason.value), percent(reason.limit));
     case Kind::FilmEdge:
-        return Text::tr("The painted film comes within %1 of the film's edge; at least %2 are "
-                        "required. Use a larger film, or move the part to the film's centre.")
+        return Text::tr("Film that paints the part lies only %1 from the film's edge; at least %2 "
+                        "are required. Use a larger film, or move the part to the film's centre.")
             .arg(length(reason.value), length(reason.limit));
     default:
         return {};
@@ -109,9 +111,8 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
                    "reaches it.")
             .arg(percent(reason.value), percent(reason.limit));
     case Kind::ZoneExceeded:
-        return Text::tr("Handling and numerical error together: 95 % of the painted area is "
-                        "within ±%1; the limit is ±%2. Reduce the largest contributor, or turn "
-                        "the part.")
+        return Text::tr("Handling and numerical error together: at most ±%1 on 95 % of the painted "
+                        "area; the limit is ±%2. Reduce the largest contributor, or turn the part.")
             .arg(length(reason.value), length(reason.limit));
     case Kind::NoPicture:
         return Text::tr("The model has no texture and no artwork: one plain colour is printed.");

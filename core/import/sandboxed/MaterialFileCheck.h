@@ -32,7 +32,7 @@ struct MaterialFile {
 // here and overwritten with blanks. After -s, -o and -t the format allows one to three numbers;
 // assimp 5.2.5 expects three, and then ignores them.
 // Reports a fault for pictures and values of physically based materials that belong to no material.
-// At them assimp 5.2.5 crashes, or drops them silently. Pictures before the first material are
+// assimp 5.2.5 crashes at these, or drops them silently. Pictures before the first material are
 // always a fault. Such values are a fault only in a file without materials.
 MaterialFile materialFile(const QByteArray& bytes, const QString& name);
 

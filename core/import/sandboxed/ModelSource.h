@@ -26,12 +26,12 @@ struct ModelSource {
 
     // Throws Error with a sentence that says why the model cannot be read.
     [[noreturn]] void throwDamaged(const QString& reason) const;
-    // Throws Error if Budgets.h does not allow so many triangles.
+    // Throws Error if Budgets.h does not allow this many triangles.
     void checkTriangleCount(std::size_t count) const;
 };
 
 // Whether the bytes after the last row of a binary file may be further rows that its header does
-// not count. Meaningless bytes are common there. Zeros are never taken for rows.
+// not count. Bytes without meaning are common there. Zero bytes never count as rows.
 bool mayBeFurtherRows(QByteArrayView left, qsizetype rowBytes);
 
 // Texture coordinates of a triangle that has none.

@@ -43,8 +43,8 @@ public:
                          : qFromBigEndian<Number>(bytes_.constData() + at);
     }
 
-    // Returns the position in a folder at which the value of a tag is stored. For a longer value,
-    // this is the position at which its offset is stored. Returns −1 if there is no such tag.
+    // Returns where the TIFF directory (IFD) that begins at `folder` stores the value of a tag. For
+    // a long value, that place holds the offset of the value. Returns −1 if there is no such tag.
     qint64 value(qint64 folder, Tag tag) const {
         const int entries = folder > 0 ? number<quint16>(folder) : 0;
         for (qint64 at = folder + 2; at < folder + 2 + 12LL * entries; at += 12) {

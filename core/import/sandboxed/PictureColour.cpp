@@ -30,13 +30,13 @@ struct Text {
 constexpr qsizetype largestProfile = 16 << 20; // bytes
 
 [[noreturn]] void throwCutOff(const QString& where) {
-    throw Error(Text::tr("The picture is damaged: its ICC profile is cut off; save it anew"),
+    throw Error(Text::tr("The picture is damaged: its ICC profile is incomplete; save it again"),
                 where);
 }
 
 [[noreturn]] void throwNotFit(const QString& where) {
     throw Error(Text::tr("The picture's ICC profile is damaged or does not match its pixels; save "
-                         "the picture anew as sRGB"),
+                         "the picture again as sRGB"),
                 where);
 }
 
@@ -572,7 +572,7 @@ QByteArray embeddedProfile(const QByteArray& file, const QString& where) {
     if (profile.size() > largestProfile) {
         throw Error(
             Text::tr(
-                "The picture's ICC profile is larger than %1 MB; save the picture anew as sRGB")
+                "The picture's ICC profile is larger than %1 MB; save the picture again as sRGB")
                 .arg(largestProfile >> 20),
             where);
     }

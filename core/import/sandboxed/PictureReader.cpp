@@ -81,12 +81,11 @@ void requireWhole(const QByteArray& bytes, const QString& where, PictureReader::
     if (!isCutOff(bytes)) {
         return;
     }
-    throw Error(
-        turned == PictureReader::Turned::Upright
-            ? Text::tr("The photo is incomplete; copy it from the camera again")
-            : Text::tr(
-                  "The picture file is incomplete; save it anew, or copy it again from its source"),
-        where);
+    throw Error(turned == PictureReader::Turned::Upright
+                    ? Text::tr("The photo is incomplete; copy it from the camera again")
+                    : Text::tr("The picture file is incomplete; save it again, or copy it again "
+                               "from its source"),
+                where);
 }
 
 } // namespace
@@ -150,13 +149,13 @@ QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned
         }
         if (isOfInks(profile) && (format == "jpeg" || format == "tiff")) {
             throw Error(Text::tr("The CMYK picture is damaged or stored in an unsupported way; "
-                                 "save it anew as JPEG, or as TIFF without tiles or planes"),
+                                 "save it again as JPEG, or as TIFF without tiles or planes"),
                         where);
         }
     }
     QImage image = reader.read();
     if (image.isNull()) {
-        throw Error(Text::tr("The picture is damaged: %1; save it anew").arg(reader.errorString()),
+        throw Error(Text::tr("The picture is damaged: %1; save it again").arg(reader.errorString()),
                     where);
     }
     if (!announced.isValid()) {
@@ -173,7 +172,7 @@ QImage PictureReader::readInLab(const QByteArray& bytes, const QSize& announced,
     const auto lab = readLab(bytes);
     if (!lab) {
         throw Error(Text::tr("The Lab picture is damaged or stored in an unsupported way; save it "
-                             "anew as RGB, or as TIFF in 8 or 16 bits without tiles or planes"),
+                             "again as RGB, or as TIFF in 8 or 16 bits without tiles or planes"),
                     where);
     }
     if (!announced.isValid()) {

@@ -8,7 +8,7 @@
 namespace dipwright {
 
 // Decodes pictures one by one and counts all their pixels against one budget. A picture counts each
-// time that it is decoded. One thread.
+// time that it is decoded. Use an object from one thread at a time.
 class PictureReader {
 public:
     // Loads all libraries for pictures. In the sandbox no file can be opened, so they cannot be

@@ -281,7 +281,7 @@ private:
                     source_.throwDamaged(Text::tr("it ends too early"));
                 }
                 if (count != std::floor(count)) {
-                    source_.throwDamaged(Text::tr("there is no number where one should be"));
+                    source_.throwDamaged(Text::tr("the length of a list is not a whole number"));
                 }
             }
             row[i].resize(std::size_t(count));

@@ -44,7 +44,7 @@ public:
             return std::nullopt;
         }
         if (info.isEncrypted()) {
-            source_.throwDamaged(Text::tr("%1 in it is encrypted").arg(path));
+            source_.throwDamaged(Text::tr("the file %1 in the package is encrypted").arg(path));
         }
         unpacked_ += qint64(std::min(info.uncompressedSize, quint64(1) << 62));
         requireWithin(Budget::UnpackedBytes, unpacked_, source_.path, source_.bytes.size());
@@ -56,7 +56,7 @@ public:
             file.close(); // checks the checksum
         }
         if (file.getZipError() != UNZ_OK || quint64(bytes.size()) != info.uncompressedSize) {
-            source_.throwDamaged(Text::tr("%1 in it is damaged").arg(path));
+            source_.throwDamaged(Text::tr("the file %1 in the package is damaged").arg(path));
         }
         return bytes;
     }
@@ -155,7 +155,8 @@ public:
             }
         }
         if (xml_.hasError()) {
-            source_.throwDamaged(Text::tr("%1 in it: %2").arg(name_, xml_.errorString()));
+            source_.throwDamaged(Text::tr("the file %1 in the package has an error: %2")
+                                     .arg(name_, xml_.errorString()));
         }
         resolveReferences();
         return std::move(part_);

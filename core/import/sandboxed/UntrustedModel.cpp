@@ -18,8 +18,8 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
 };
 
-// Returns the format. The beginning of a file decides if it is conclusive; otherwise the file's
-// name does.
+// Returns the format: PLY and COLLADA by the file's first bytes, every other format by the file's
+// name.
 QString formatOf(const ModelSource& source) {
     constexpr qsizetype longestPrologue = 4096;
     const QByteArray begin = source.bytes.left(longestPrologue);

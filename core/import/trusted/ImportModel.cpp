@@ -114,8 +114,9 @@ ModelRepairs repair(TexturedMesh& model, const QString& path,
 }
 
 [[noreturn]] void throwTooFar(const QString& path) {
-    throw Error(Text::tr("The model lies too far from its origin; move it there and save it anew"),
-                path);
+    throw Error(
+        Text::tr("The model lies too far from its origin; move it to the origin and save it anew"),
+        path);
 }
 
 // Throws if the mesh is too far from its origin. Floats have seven digits. Farther away than
@@ -138,7 +139,8 @@ void scaleAsAsked(TriangleMesh& mesh, const ImportOptions& options, const QStrin
         options.longestEdge ? options.longestEdge->value() / edge : options.unitMillimetres;
     if (edge * factor > maximumEdge) {
         throw Error(
-            Text::tr("The model's longest edge would be %1 mm; set the size that it should have")
+            Text::tr(
+                "The model's largest dimension would be %1 mm; set the size that it should have")
                 .arg(edge * factor),
             path);
     }
@@ -154,13 +156,15 @@ void describe(const TexturedMesh& model, ImportReport& report) {
     report.volume = volume(model.mesh);
     report.box = boundingBox(model.mesh);
     if (!report.closed) {
-        report.warnings.push_back(Text::tr("The mesh is not closed: whether a point is inside is "
-                                           "decided by the majority of several rays"));
+        report.warnings.push_back(
+            Text::tr("The mesh is not closed, so the program can only estimate which points lie "
+                     "inside it; if the result looks wrong, close the mesh"));
     }
     if (const float edge = report.box.sizes().maxCoeff(); edge < 1) {
-        report.warnings.push_back(Text::tr("The model's longest edge is only %1 mm; if its file is "
-                                           "not in millimetres, set the size that it should have")
-                                      .arg(double(edge)));
+        report.warnings.push_back(
+            Text::tr("The model's largest dimension is only %1 mm; if its file is not in "
+                     "millimetres, set the size that it should have")
+                .arg(double(edge)));
     }
 }
 
@@ -277,7 +281,7 @@ double guessedUnit(double longestEdge) {
 
 OutsideFiles::OutsideFiles(const QStringList& files, const QString& model)
     : Error(Text::tr("The model was not read, because it names files that are hidden or outside "
-                     "its folder, such as %1; put them beside the model, or allow it to read them "
+                     "its folder, such as %1; put these files beside the model, or allow them "
                      "(--allow-outside)")
                 .arg(QDir::toNativeSeparators(files.first())),
             model),

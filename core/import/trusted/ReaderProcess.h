@@ -15,7 +15,7 @@ qint64 readerTimeout(qint64 fileBytes);
 // Reads a model. The process receives the model file and the files that it names only through
 // `files`. `path` names the model for `files` and in messages. Throws Error if the process refuses
 // the model, crashes, runs out of memory or time, or returns invalid data. Throws Cancelled
-// immediately. Any thread; several calls may run at once.
+// immediately. May be called from any thread; several calls may run at once.
 UntrustedModel readModelInProcess(const QString& path, bool withTextures, UntrustedFiles& files,
                                   const Progress& progress);
 

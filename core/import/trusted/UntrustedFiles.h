@@ -17,7 +17,8 @@ struct UntrustedModel {
 };
 
 // Gives readers the model file and the files that it names: materials, buffers, pictures. The
-// implementation decides what may be read; readers have no other access to files. One thread.
+// implementation decides what may be read; readers have no other access to files. Use an object
+// from one thread at a time.
 class UntrustedFiles {
 public:
     virtual ~UntrustedFiles() = default;

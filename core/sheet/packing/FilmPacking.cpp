@@ -43,10 +43,11 @@ std::vector<SheetPlate> platesOf(const std::vector<PieceToPack>& pieces) {
             if (known == kind.end()) {
                 kind.push_back(plate);
             } else if (known->first != plate.first || known->alternate != plate.alternate) {
-                throw Error(Text::tr("This job's spot ink %1 differs in colour or printing order "
-                                     "from that of another job; give both the same")
-                                .arg(plate.name),
-                            nameOf(piece));
+                throw Error(
+                    Text::tr("This job's spot ink %1 has another colour or printing order than in "
+                             "another job; give it the same colour and order in both jobs")
+                        .arg(plate.name),
+                    nameOf(piece));
             }
         }
     }
@@ -64,8 +65,8 @@ void refuseMixedWhite(const std::vector<PieceToPack>& pieces) {
         }
         if (first && (first->settings.white != piece.sheet.settings.white ||
                       first->settings.whiteName != piece.sheet.settings.whiteName)) {
-            throw Error(Text::tr("This job's white layer differs from that of %1; give both the "
-                                 "same kind of white and the same ink name")
+            throw Error(Text::tr("This job's white layer differs from the white layer of %1; give "
+                                 "both the same kind of white and the same ink name")
                             .arg(first->job.project),
                         nameOf(piece));
         }
@@ -253,7 +254,8 @@ FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& fi
         const PieceToPack& piece = pieces[number];
         const QRect inked = inkedBox(piece.sheet);
         if (inked.isEmpty()) {
-            throw Error(Text::tr("This job's sheet contains no ink"), nameOf(piece));
+            throw Error(Text::tr("This job's sheet contains no ink; remove the job from the film"),
+                        nameOf(piece));
         }
         plan.inked.push_back(inked);
         const QSize size = layoutOf(piece, inked.size(), film).size;

@@ -33,8 +33,8 @@ CalibrationLengths calibrationLengths(const CalibrationPage& page);
 // Draws the page without scale correction. The painter's unit is the millimetre, its origin the
 // page's upper left corner. Needs a QGuiApplication.
 void paintCalibrationPage(QPainter& painter, const CalibrationPage& page);
-// Writes the page as a PDF with the scales corrected. The same page gives the same bytes. Throws
-// Error.
+// Writes the page as a PDF, so that the printer prints it at true size (scaleX, scaleY). The same
+// page gives the same bytes. Throws Error.
 void writeCalibrationPdf(const CalibrationPage& page, QIODevice& device);
 
 // Returns the scale for the printer's profile: a ruler of the nominal length `length` was printed

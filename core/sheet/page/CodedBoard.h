@@ -1,5 +1,5 @@
-// Defines a chessboard on which a photo of any part shows which squares these are and how the board
-// is turned.
+// Defines a chessboard whose squares can be identified. A photo of any part of the board shows
+// which squares these are and how the board is turned.
 //
 // Some squares have a dot of the other colour in their middle. A fixed pattern without repetitions
 // (isDottedSquare) chooses them. Any group of a few neighbouring squares occurs only once in the
@@ -14,8 +14,8 @@ enum class BoardKind {
     Card  // board printed on a stiff card beside the film, as the scale for lengths
 };
 
-// Edge length of the squares, mm. The film's squares are as large as in the paper's accuracy
-// experiment.
+// Edge length of the squares, mm. The film's squares are as large as in the accuracy experiment of
+// the 2020 paper.
 constexpr double boardSquare(BoardKind kind) {
     return kind == BoardKind::Film ? 17 : 10;
 }

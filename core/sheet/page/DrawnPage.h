@@ -14,7 +14,7 @@ namespace dipwright {
 struct DrawnPage {
     QString title;
     QSizeF paper; // mm
-    // The printer's printed length over true length, across and along the page.
+    // The length that the printer prints, divided by the true length; across and along the page.
     double scaleX = 1, scaleY = 1;
     std::function<void(QPainter&)> paint; // draws in mm; origin: the page's upper left corner
     QByteArray inks = {};                 // ICC profile of the inks for a PDF; empty: sRGB

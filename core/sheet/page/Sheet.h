@@ -94,8 +94,8 @@ void paintSheet(QPainter& painter, const Sheet& sheet);
 
 // Corrections that one printer's paper needs for true size and colour.
 struct PrintCorrection {
-    // Measured printed length over true length. The page is scaled about its middle by the inverse
-    // of these factors, so that it is printed at true size.
+    // Measured printed length divided by true length. The page is scaled about its middle by the
+    // inverse of these factors, so that it is printed at true size.
     double scaleX = 1, scaleY = 1;
     const PrinterColour* colour = nullptr; // not owned; null: sRGB
     // Limit of total area coverage: the largest sum of the four inks at one place. Full ink of one

@@ -16,7 +16,7 @@ public:
         : painter_(painter), rimmed_(rimmed), colour_(colour) {}
 
     void stroke(const QPainterPath& path) const;
-    // `baseline` is the left end of the text's baseline, `height` the height of the type in mm.
+    // `baseline` is the left end of the text's baseline, `height` the height of the font in mm.
     void text(QPointF baseline, double height, const QString& text) const;
 
 private:

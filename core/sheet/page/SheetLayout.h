@@ -39,7 +39,7 @@ struct SheetLayout {
     std::optional<SheetStrip> ruler; // the scale leaves `rulerEndRoom` free at each end
     std::optional<SheetStrip> jobLine;
     QString jobLineText;
-    double jobLineHeight = 0;       // type height, mm
+    double jobLineHeight = 0;       // font height, mm
     std::vector<SheetPiece> pieces; // several jobs, each with its own marks and job line
 };
 

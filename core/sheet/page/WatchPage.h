@@ -15,7 +15,7 @@ namespace dipwright {
 struct WatchPage {
     BoardKind kind = BoardKind::Film;
     QSizeF paper{210, 297}; // mm
-    // The printer's printed length over true length, across and along the page.
+    // The length that the printer prints, divided by the true length; across and along the page.
     double scaleX = 1, scaleY = 1;
     QString lot, date; // printed on the page; empty: the page has a blank line to fill in
 };
@@ -26,7 +26,8 @@ struct WatchBoard {
     QRectF box;
 };
 
-// The fewest corners between four squares, on either board, that suffice to measure a film.
+// The least number of corners on a board with which a film can be measured. A corner is a point
+// where four squares meet.
 inline constexpr int leastWatchCorners = 60;
 // Length of each of the two rulers on the page.
 inline constexpr int watchRuler = 100; // mm
@@ -38,8 +39,8 @@ WatchBoard watchBoard(const WatchPage& page);
 // Draws the page without scale correction. The painter's unit is the millimetre, its origin the
 // page's upper left corner. Needs a QGuiApplication.
 void paintWatchPage(QPainter& painter, const WatchPage& page);
-// Write the page at true size, with the scales corrected. The same page gives the same bytes. Both
-// throw Error if the paper is too small or `device` cannot be written.
+// Write the page so that the printer prints it at true size (scaleX, scaleY). The same page gives
+// the same bytes. Both throw Error if the paper is too small or `device` cannot be written.
 void writeWatchPdf(const WatchPage& page, QIODevice& device);
 void writeWatchPng(const WatchPage& page, DotsPerInch resolution, QIODevice& device);
 

@@ -56,8 +56,8 @@ void paintWords(const SheetInk& ink, const WedgePage& page) {
         Text::tr("2. Stretch the floating film by a dip or by hand. Measure both rulers (%1 mm if "
                  "not stretched).")
             .arg(wedgeRuler),
-        Text::tr("3. Read every patch again. Repeat at three or four stretches, up to the largest "
-                 "of the job."),
+        Text::tr("3. Read every patch again. Repeat with 3 or 4 stretches, up to the largest "
+                 "stretch of the job."),
         Text::tr("Date %1   Lot %2").arg(given(page.date), given(page.lot))};
     double y = margin + 3;
     ink.text({margin, y}, 4.5, titleOf());

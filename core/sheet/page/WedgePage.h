@@ -20,13 +20,13 @@ struct WedgeRow {
 
 struct WedgePage {
     QSizeF paper{210, 297}; // mm
-    // The printer's printed length over true length, across and along the page.
+    // The length that the printer prints, divided by the true length; across and along the page.
     double scaleX = 1, scaleY = 1;
     std::vector<WedgeRow> rows;
-    // ICC profile of the printer, and its name. With a profile, the patches are CMYK colours in the
-    // printer's inks (PDF only). Empty: the patches are in sRGB.
+    // ICC profile of the printer. With a profile, the patches are CMYK colours in the printer's
+    // inks (PDF only). Empty: the patches are in sRGB.
     QByteArray inks;
-    QString inksName;
+    QString inksName;  // the profile's name
     QStringList tones; // captions of the columns
     QString lot, date; // printed on the page; empty: the page has a blank line to fill in
 };
@@ -34,9 +34,9 @@ struct WedgePage {
 // Length of each of the two rulers before the film is stretched.
 inline constexpr int wedgeRuler = 100; // mm
 
-// Write the page at true size, with the scales corrected. The same page gives the same bytes. Both
-// need a QGuiApplication. Both throw Error if the paper is too small for the rows or `device`
-// cannot be written.
+// Write the page so that the printer prints it at true size (scaleX, scaleY). The same page gives
+// the same bytes. Both need a QGuiApplication. Both throw Error if the paper is too small for the
+// rows or `device` cannot be written.
 void writeWedgePdf(const WedgePage& page, QIODevice& device);
 void writeWedgePng(const WedgePage& page, DotsPerInch resolution, QIODevice& device);
 

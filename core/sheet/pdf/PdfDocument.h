@@ -1,9 +1,10 @@
 // Writes PDF files of pages at true size.
 //
 // Qt draws RGB pages, and the engine in InkedPages.cpp draws CMYK pages. qpdf then makes the file
-// exact and reproducible. It sets boxes to fractions of a point, tells print dialogs not to scale,
-// adds an output intent, and takes no date or identifier from the clock. If the output profile
-// belongs to a printer, the file is PDF/X-4.
+// exact and reproducible. It gives each page its size in fractions of a point, because Qt rounds
+// the size to whole points. It tells print dialogs not to scale, adds an output intent, and takes
+// no date or identifier from the clock. If the output profile belongs to a printer, the file is
+// PDF/X-4.
 #pragma once
 
 #include "base/PackedPixels.h"

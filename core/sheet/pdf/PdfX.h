@@ -9,13 +9,13 @@
 
 namespace dipwright {
 
-// Tells whether PDF/X accepts the ICC profile as output intent: its header must name an output
-// device.
+// Tells whether PDF/X accepts the ICC profile as output intent. It does if the profile's header
+// names an output device.
 bool isOutputDevice(const QByteArray& profile);
 
-// Adds XMP metadata and matching document information, without anything from the clock. The caller
-// must already have provided embedded fonts, a trim box on each page, an output intent, and only
-// colours of its space.
+// Adds XMP metadata and matching document information, without the present time. Before the call,
+// the document must have embedded fonts, a trim box on each page and an output intent. All its
+// colours must be in the output intent's colour space.
 void declarePdfX(QPDF& pdf, const PdfSettings& settings);
 
 } // namespace dipwright

@@ -26,7 +26,7 @@ public:
     // limit unless `wanted` itself is denser.
     std::uint8_t printed(int ink, std::uint8_t wanted, float areaStretch) const;
     // Returns the amount, 0 … 255, that has the same density on unstretched film as `printed` has
-    // here.
+    // on this stretched film.
     double shown(int ink, double printed, float areaStretch) const;
     // Tells whether the result of printing `printed` is visibly paler than `wanted`.
     bool fallsShort(int ink, std::uint8_t wanted, std::uint8_t printed, float areaStretch) const;

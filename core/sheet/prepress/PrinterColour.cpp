@@ -195,7 +195,7 @@ QByteArray PrinterColour::cmyk(const QImage& picture) const {
 std::array<float, 256> PrinterColour::inkDensities(int ink) const {
     Q_ASSERT(isCmyk() && ink >= 0 && ink < 4);
     constexpr double leastLight = 1e-4;
-    // A profile with wide colour's primaries in linear light.
+    // An RGB profile in linear light with the primaries of wide colour (BT.2020).
     const cmsCIExyY white{0.3127, 0.3290, 1};
     const cmsCIExyYTRIPLE primaries{{0.708, 0.292, 1}, {0.170, 0.797, 1}, {0.131, 0.046, 1}};
     const std::unique_ptr<cmsToneCurve, void (*)(cmsToneCurve*)> linear(

@@ -20,8 +20,8 @@ double inkShortfall(const Sheet& sheet, const PrintCorrection& correction);
 // Returns the amounts of the four inks on the bare paper around the film.
 std::array<char, 4> bareInks(const PrinterColour& colour);
 
-// Returns the plate without the pixels nearer than `choke` pixels to a pixel without tint.
-// Grayscale8.
+// Returns a copy of the plate (Grayscale8). Pixels nearer than `choke` pixels to a pixel without
+// tint have no tint in the copy.
 QImage choked(const QImage& tint, double choke);
 
 // Reduces pixels whose four inks sum to more than `most` (4: full ink of each). Cyan, magenta and

@@ -41,7 +41,7 @@ TileGrid tileGrid(const Sheet& sheet, const TileSettings& settings) {
     const QSizeF inner = innerBox(settings).size();
     if (inner.width() <= settings.overlap || inner.height() <= settings.overlap) {
         throw Error(
-            Text::tr("Paper of %1 × %2 mm is too small for a part of the sheet; use larger paper")
+            Text::tr("Paper of %1 × %2 mm is too small for a tile of the sheet; use larger paper")
                 .arg(settings.paper.width())
                 .arg(settings.paper.height()),
             QStringLiteral("tiles"));

@@ -38,8 +38,8 @@ public:
     virtual void readMarks(std::size_t dip, std::span<std::uint8_t> marks) const;
 
     virtual StoredFilm stored(std::size_t dip) const = 0;
-    // Decodes `stored`, a host copy of the stored film that was made at `dipState`. The output is
-    // that of solver::FilmSolver::read.
+    // Decodes `stored`, a host copy of the stored film that was made at `dipState`. Fills the
+    // arrays as solver::FilmSolver::read does.
     void unpack(std::size_t dip, const std::byte* stored, const solver::DipState& dipState,
                 std::span<float> positions, std::span<solver::PointState> states) const;
 

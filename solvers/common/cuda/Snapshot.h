@@ -38,7 +38,7 @@ private:
     std::unique_ptr<std::byte, Destroyer<cudaFreeHost>> onHost_;
     Event copied_ = makeEvent(), arrived_ = makeEvent();
     std::unique_ptr<CUstream_st, Destroyer<cudaStreamDestroy>>
-        way_; // copies to the host, in parallel to the steps
+        way_; // copies to the host while the steps run
     std::optional<solver::DipState>
         underWay_; // state of the dip when the film was copied; empty if no copy is in transfer
 };

@@ -22,8 +22,9 @@ Pull operator*(Pull a, float factor) {
     return {a.x * factor, a.y * factor, a.z * factor};
 }
 
-// Returns how far a constraint moves its point of `first`, if that point has weight 1. The point of
-// `second` moves as far in the opposite direction. Returns zero if the constraint does not exist.
+// Returns how far the constraint between point `a` of row `first` and point `b` of row `second`
+// moves the first point, if its weight is 1. The second point moves as far in the opposite
+// direction. `exists` is 0 for a constraint that does not exist; the result is then zero.
 Pull pull(const WorkingRow& first, int a, const WorkingRow& second, int b, float restX, float restZ,
           float length, float exists) {
     const float dx = restX + (second.x[b] - first.x[a]);

@@ -33,8 +33,9 @@ RowOfForces rowOfForces(EdgeForces& forces) {
             forces.array(rightX),  forces.array(rightZ)};
 }
 
-// Calls cellRow(j, owned, forces) for each row of cells and collects the forces on the points in
-// `result`.
+// Calls cellRow(j, owned, forces) for each row of cells, to compute the forces on its edges.
+// Collects the forces on the points in `result`. Two bands compute the row of cells between them;
+// `owned` is true for only one of them.
 template <typename CellRow>
 void gatherForces(int columns, int rows, PlaneVector& result, const CellRow& cellRow) {
     const std::size_t width = std::size_t(columns), cells = width - 1;

@@ -10,21 +10,24 @@
 
 namespace dipwright::cpu {
 
-// Both return sums with sixteen partial sums: Σ a·b, and Σ weight·a².
+// Return Σ a·b and Σ weight·a². Both use sixteen partial sums.
 double rowDot(const float* a, const float* b, std::size_t count);
 double rowWeightedSquares(const float* weight, const float* a, std::size_t count);
 
-void addScaled(std::size_t count, float factor, const float* a,
-               float* out);                                 // computes out +=  factor·a
-void scaleRow(std::size_t count, float factor, float* out); // computes out *=  factor
+// Computes out += factor·a.
+void addScaled(std::size_t count, float factor, const float* a, float* out);
+// Computes out *= factor.
+void scaleRow(std::size_t count, float factor, float* out);
 // Computes out += factor·weight·a.
 void addWeighted(std::size_t count, float factor, const float* weight, const float* a, float* out);
 // Computes out += factor·weight·(a − b).
 void addDifference(std::size_t count, float factor, const float* weight, const float* a,
                    const float* b, float* out);
-void multiplyBy(std::size_t count, const float* a, float* out); // computes out *=  a
+// Computes out *= a.
+void multiplyBy(std::size_t count, const float* a, float* out);
 
-// Several numbers per point, cell or triangle of a row. Each kind of number has its own line.
+// Holds several kinds of numbers for each point, cell or triangle of a row. Each kind has its own
+// line.
 template <typename Number>
 struct Lines {
     Number* first = nullptr;
@@ -48,8 +51,8 @@ struct RowOfSizes {
     const float *edgesX, *inversesX;
     float edgeZ = 0, inverseZ = 0;
 };
-// The rest state of a row of cells: the inverse rest shapes of the first and second triangles. If
-// all shapes are undeformed, they are unused.
+// The rest state of a row of cells: the inverse rest shapes of the first and second triangles. They
+// are used only if `isCrept`; otherwise all rest shapes are undeformed.
 struct RowOfShapes {
     struct Pointers {
         const float *a, *b, *c, *d;
@@ -66,8 +69,9 @@ struct RowOfStates { // states of the first and second triangles (StressState)
     std::array<Pointers, 2> states{};
 };
 
-// Returns the edges of one triangle of cell `i`. `right`: its vertical edge is the cell's right
-// edge. restX, restZ: the rest edges for displacements, 0 for directions.
+// Returns the edges of the first or `second` triangle of cell `i`. `right`: whether the triangle
+// has the cell's right edge instead of its left edge. If `p` are displacements, `restX` and `restZ`
+// are the lengths of the rest edges; if `p` is a direction, they are 0.
 inline numerics::EdgePair<float> cellEdges(const RowOfPoints& p, std::size_t i, bool second,
                                            bool right, float restX, float restZ) {
     const float* hx = second ? p.x1 : p.x0;
@@ -79,7 +83,8 @@ inline numerics::EdgePair<float> cellEdges(const RowOfPoints& p, std::size_t i, 
 }
 
 // Computes the gradient of the elastic energy at displaced points, and the states for the Hessian.
-// `parity` is that of the row: in an even cell, the first triangle has the right vertical edge.
+// `parity` is 0 for an even row of cells and 1 for an odd row. In an even cell, the first triangle
+// has the right vertical edge.
 void gradientRow(std::size_t cells, unsigned parity, const RowOfPoints& points,
                  const RowOfShapes& shapes, float gatheredResistance,
                  const RowOfStates<float*>& states, const RowOfForces& forces);

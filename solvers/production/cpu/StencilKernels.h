@@ -31,8 +31,8 @@ struct RowOfTriangles {
     Lines<const float> first, second;
 };
 
-// Adds the stiffness of a row of cells to the rows of points below and above it. `parity` is that
-// of the row, as in RowKernels.h.
+// Adds the stiffness of a row of cells to the rows of points below and above it. `parity` is as in
+// gradientRow() (RowKernels.h).
 void addToStencils(std::size_t cells, unsigned parity, const RowOfTriangles& triangles,
                    const Lines<float>& lower, const Lines<float>& upper);
 // Clears the rows and columns of held points (`free` is 0) and adds the drag of each free point.

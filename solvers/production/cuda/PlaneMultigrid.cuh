@@ -1,10 +1,9 @@
 // The multigrid V-cycle on the GPU for the current stiffness of the film (GalerkinCycle.h). On the
 // way down, a block smooths one tile after the other, computes the residual and restricts it to the
 // coarser level. The block loads enough points around the tile for all smoothing steps, so it need
-// not exchange data. The way up works in the same way.
-// The coarser levels that fit into one block are
-// computed by every block for itself, which saves barriers. Some loops must not be unrolled,
-// because their code would not fit into the instruction cache.
+// not exchange data. The way up works in the same way. Every block computes all levels that fit
+// into one block for itself, which saves barriers. Some loops must not be unrolled, because their
+// code would not fit into the instruction cache.
 #pragma once
 
 #include "common/cuda/Team.cuh"
@@ -35,7 +34,7 @@ __device__ inline PlaneRange grown(const PlaneRange& range, int by, int columns,
             min(range.z1 + by, rows)};
 }
 
-// Calls work(x, z) for those points of the range that belong to thread `thread` of `threads`.
+// Calls work(x, z) for the points of the range that belong to thread `thread` of `threads`.
 template <typename Work>
 __device__ inline void forRange(const PlaneRange& range, const Work& work,
                                 int thread = int(threadIdx.x), int threads = Team::threads) {
@@ -140,8 +139,8 @@ public:
     }
 
     // Runs `degree` Chebyshev steps on the patch's `result`, from zero or from its current value.
-    // At those edges of the patch that are not edges of the level, results become invalid. Each
-    // step that takes a residual makes one more row of points invalid.
+    // Results become invalid at edges of the patch that are not edges of the level. Each step that
+    // takes a residual makes one more row of points invalid.
     __device__ void smooth(PlanePatch& patch, const numerics::galerkin::ChebyshevStep* steps,
                            int degree, bool fromZero) {
 #pragma unroll 1

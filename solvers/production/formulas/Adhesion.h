@@ -24,12 +24,13 @@ struct ContactBody {
     Real firmlyHeld{}, steepestHeld{};
 };
 
-// Returns the body of a dip. The grip g is the share of the unfolding motion that the film takes
-// part in. It fades with the slope, so that no film is laid past the overhang. Let u be the y
-// component of the body's normal at the contact line. While the line advances by 1 along the
-// surface, it recedes by u on the water. Film that slips by 1 − g of this distance is laid at the
-// rate g − (1 − g) u. Film that is held fully is laid at the rate 1. With g linear in u, the rate
-// is zero at the overhang if g reaches zero at the value of `steepestHeld` below.
+// Returns the body of a dip. The unfolding moves film along with the body's surface. The grip g is
+// the share of this motion that the film follows; it slips by the rest. Let u be the y component of
+// the body's normal at the contact line. When the line advances by 1 along the surface, it recedes
+// by u on the water. Then the length g − (1 − g) u of film is laid; without slip, it is 1. No film
+// may be laid past the overhang, so this length must be zero there. g falls linearly with u from
+// `firmlyHeld`. So the length is zero at the overhang if g is zero at `steepestHeld` as computed
+// below.
 template <typename Real>
 ContactBody<Real> contactBody(const solver::DipSetup& setup) {
     const double last = std::sin(setup.settings.overhang);
@@ -141,8 +142,8 @@ DIPWRIGHT_HOST_DEVICE inline Vector3<Real> offset(const LaidCorners<Real>& film,
 }
 
 // Moves corner `k` to its new unfolded `position`. `upwards` is ContactLine::upwards. `moved`:
-// whether the body has moved. A new corner was on the contact line during this step, vertically
-// above its place on the body.
+// whether the body has moved. If the corner became held in this step, it starts vertically above
+// its place on the body, because it was on the contact line during the step.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline void
 slide(const ContactBody<Real>& body, const CrossingCorner<Real>& corner, int k,

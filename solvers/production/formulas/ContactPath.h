@@ -1,8 +1,9 @@
 // Unfolds the body's surface with the adhered film on it, from the contact line into the water
 // plane (docs/film-model.md, "At the contact line"). The equilibrium in the water plane needs this
-// for each triangle that crosses the contact line. The unfolding puts an adhered corner inwards of
-// the line, opposite the line's nearest point. Its distance from the line is the distance along the
-// surface. At a sharp tip, an adhered point gets a different place for each triangle around it.
+// for each triangle that crosses the contact line. The unfolding puts an adhered corner on the
+// body's side of the line, opposite the line's nearest point. There its distance from the line is
+// what it was along the surface. At a sharp tip, an adhered point gets a different place for each
+// triangle around it.
 #pragma once
 
 #include "common/BodyFrame.h"
@@ -151,18 +152,18 @@ acrossToLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real co
     return across;
 }
 
-// The smallest cosine between the contact line's normal at a corner and the normal at its triangle.
+// The normal of the contact line at a corner is used if the cosine of its angle to the triangle's
+// normal exceeds this.
 inline constexpr double leastAgreement = 0.5;
 
 } // namespace detail
 
 // Returns where an adhered corner at the world point `corner` lies after unfolding about the
-// contact line. That place lies inwards of the line's point nearest to the corner, by the distance
-// along the surface. So the film there pulls all its triangles in the same direction. If the
-// corners were unfolded along the triangle's normal in `line`, they would move sideways whenever
-// that normal changes. The nearest point is found along the normal of the contact line at the point
-// straight across from the corner. Directly above a tip all directions are equally short, and the
-// triangle's normal is used.
+// contact line. First finds the line's point nearest to the corner, along the line's own normal
+// there. From that point, the result lies towards the body by the distance along the surface. So
+// the film there pulls all its triangles in the same direction. With the triangle's normal (`line`)
+// instead, a corner would move sideways whenever that normal changes. Directly above a tip, all
+// directions are equally short; there the triangle's normal is used.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Unfolded<Real>
 unfolded(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,

@@ -15,8 +15,9 @@ struct EdgeStiffness {
 };
 
 // Returns the stiffness of a floating triangle, made positive semi-definite (Tangent::Projected).
-// The derivative of P is 2 dF + (R : dF) resists R + (RJ : dF) turns RJ. So the stiffness is a
-// multiple of the identity plus two dyads.
+// The derivative of P is 2 dF + `resists` (R : dF) R + `turns` (RJ : dF) RJ, with the factors of
+// tangentFactors() (docs/film-model.md, "The film's energy"). So the stiffness is a multiple of the
+// identity plus two dyads.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline EdgeStiffness<Real>
 edgeStiffness(const Matrix2<Real>& shape, const StressState<Real>& state, Real area) {

@@ -12,9 +12,9 @@ namespace dipwright::numerics {
 
 namespace detail {
 
-// Searches for a length of the Newton step that reduces the forces. If there is one, returns true;
-// the displacement has then moved by this length. Otherwise the displacement has moved by the whole
-// step. `now` is the force at the new displacement.
+// Searches for a length of the Newton step that reduces the forces. If there is one, moves the film
+// by this length and returns true. Otherwise moves it by the whole step and returns false. `now` is
+// the force at the new displacement.
 template <FilmEquilibrium Film>
 DIPWRIGHT_TEAM inline bool searchAlongStep(Film& film, typename Film::Real drag, FilmForce& now) {
     using Real = typename Film::Real;

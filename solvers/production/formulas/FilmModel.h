@@ -36,7 +36,8 @@ struct FilmLineValues {
     FilmLines<Real> lines() const { return {places.data(), edges.data(), spans.data()}; }
 };
 
-// Returns the arrays for `count` lines. rest(line) and spacing(line) are those of solver::FilmGrid.
+// Returns the arrays for `count` lines. rest(line) and spacing(line) are functions such as restX()
+// and spacingX() of solver::FilmGrid.
 template <typename Real, typename Rest, typename Spacing>
 FilmLineValues<Real> filmLineValues(int count, double leastSpacing, const Rest& rest,
                                     const Spacing& spacing) {

@@ -336,7 +336,8 @@ DIPWRIGHT_TEAM inline void growFreely(Film& film, double share) {
     });
 }
 
-// Sets the start of the film's motion in this step again, after the equilibrium.
+// Takes free growth (growFreely()) out of the film's position at the start of the step again, after
+// the equilibrium.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void restoreBefore(Film& film, double share) {
     using Real = typename Film::Real;

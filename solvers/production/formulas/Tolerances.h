@@ -27,8 +27,8 @@ struct NewtonLimits {
 // the factor from one attempt to the next.
 inline constexpr double leastStiffening = 0.5, mostStiffening = 8, stiffeningFactor = 4;
 
-// If the film does not converge, points are held whose force is at least this share of the largest
-// force. This is repeated at most `mostHolds` times per step.
+// If the film does not converge, the points whose force is at least this share of the largest force
+// are held. This is repeated at most `mostHolds` times per step.
 inline constexpr double unbalancedShare = 0.1;
 inline constexpr int mostHolds = 4;
 

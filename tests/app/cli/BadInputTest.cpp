@@ -91,7 +91,7 @@ private slots:
             << QStringList{"optimize", job, "--immersions", "1", "--candidates", "1"};
         QTest::newRow("unknown option") << QStringList{"run", job, "--fly"};
         QTest::newRow("no project") << QStringList{"run", "--out", path("out")};
-        // Other than `info`, `run` accepts several projects.
+        // Unlike `info`, `run` accepts several projects.
         QTest::newRow("two projects") << QStringList{"info", job, job};
         QTest::newRow("two projects, no out") << QStringList{"run", job, job};
         QTest::newRow("pack without --out") << QStringList{"pack", job};
@@ -115,7 +115,7 @@ private slots:
         QTest::newRow("dpi") << QStringList{"run", job, "--out", path("out"), "--dpi", "many"};
         QTest::newRow("threads") << QStringList{"run", job, "--out", path("out"), "--threads", "0"};
         QTest::newRow("rows") << QStringList{"bench", "--rows", "9"};
-        QTest::newRow("argument too many") << QStringList{"solvers", "all"};
+        QTest::newRow("one argument too many") << QStringList{"solvers", "all"};
         QTest::newRow("new without a model") << QStringList{"new", path("out")};
         QTest::newRow("empty project name") << QStringList{"new", "", "--model", path("ball.obj")};
         QTest::newRow("size") << newWith({"--size-mm", "-3"});
@@ -212,13 +212,13 @@ private slots:
             row("ICC profile", {"profile", "set", "printer", "Endless", "--icc", file});
             row("readings", {"profile", "wedge", "Endless", file});
             row("project", {"info", file});
-            row("project to use a profile", {"profile", "use", "film", "Standard", file});
-            row("project to write", {"new", file, "--model", path("ball.obj")});
+            row("project that gets a profile", {"profile", "use", "film", "Standard", file});
+            row("new project file", {"new", file, "--model", path("ball.obj")});
             row("model", {"new", path("out"), "--model", file});
             row("texture", newWith({"--texture", file}));
             row("film image", run + QStringList{"--film-image", file});
-            row("motion template contains", run + QStringList{"--motion-template", file});
-            row("parts of a search", {"optimize", job, "--immersions", "1", "--merge", file});
+            row("motion template", run + QStringList{"--motion-template", file});
+            row("part of a search", {"optimize", job, "--immersions", "1", "--merge", file});
             row("picture", {"artwork", "add", job, "picture", file});
         }
     }

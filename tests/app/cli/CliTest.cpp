@@ -188,7 +188,8 @@ private slots:
             QVERIFY(hasNumbers(immersion["texture"].toObject(),
                                {"contact", "filled", "seam_triangles"}));
             QVERIFY(hasNumbers(immersion["read_back_mm"].toObject(), {"mean", "p95", "max"}));
-            QCOMPARE(immersion["registration_mm"], immersion["read_back_mm"]); // its earlier name
+            // registration_mm is the earlier name of read_back_mm.
+            QCOMPARE(immersion["registration_mm"], immersion["read_back_mm"]);
             const QJsonObject numericalError = immersion["certainty"].toObject();
             QVERIFY(
                 hasNumbers(numericalError["off_by_mm"].toObject(), {"min", "mean", "p95", "max"}));
@@ -196,7 +197,8 @@ private slots:
             const QJsonObject marked = immersion["marked"].toObject();
             QVERIFY(hasNumbers(marked,
                                {"area_mm2", "share", "torn_mm2", "unbalanced_mm2", "let_go_mm2"}));
-            QCOMPARE(immersion["marked_area_mm2"], marked["area_mm2"]); // its earlier name
+            // marked_area_mm2 is the earlier name of marked.area_mm2.
+            QCOMPARE(immersion["marked_area_mm2"], marked["area_mm2"]);
             QVERIFY(hasNumbers(immersion["ink"].toObject(), {"shortfall_area"}));
         }
         const double first = immersions[0].toObject()["coverage"].toDouble();

@@ -185,7 +185,7 @@ void WritersTest::run_folderCannotTakeResults_isRefusedBeforeDip() {
     QVERIFY(QDir().mkpath(out + QStringLiteral("/proof.png")));
     const Outcome outcome = cli({QStringLiteral("run"), job_, QStringLiteral("--out"), out});
     QCOMPARE(outcome.exitCode, 1);
-    QVERIFY2(outcome.err.contains("in the way"), outcome.err.constData());
+    QVERIFY2(outcome.err.contains("cannot be replaced"), outcome.err.constData());
     QVERIFY2(!outcome.err.contains("Dipping"), outcome.err.constData()); // the dip has not begun
 }
 
@@ -201,7 +201,7 @@ void WritersTest::run_linkInResultsFolder_isRefused() {
         const Outcome outcome = cli(
             {QStringLiteral("run"), job_, QStringLiteral("--out"), path(QStringLiteral("out"))});
         QCOMPARE(outcome.exitCode, 1);
-        QVERIFY2(outcome.err.contains("in the way"), outcome.err.constData());
+        QVERIFY2(outcome.err.contains("cannot be replaced"), outcome.err.constData());
         QCOMPARE(contentsOf(thesis), QByteArray("mine"));
         QCOMPARE(QDir(path(QStringLiteral("documents")))
                      .entryList(QDir::NoDotAndDotDot | QDir::AllEntries | QDir::Hidden),

@@ -1,4 +1,4 @@
-// A project with a plain box, for tests that need any document.
+// A project with a plain box, for tests that need a document and do not care what it contains.
 #pragma once
 
 #include "geometry/Shapes.h"

@@ -1,4 +1,4 @@
-// Computes the contrast of two colours after WCAG 2.
+// Computes the contrast of two colours as WCAG 2 defines it.
 #pragma once
 
 #include <QColor>

@@ -1,5 +1,5 @@
-// Works with the real window for a whole day: create, run, scrub, read values, change, undo, save,
-// close and reopen. Also opens files that cannot be opened.
+// Works with the real window as a user typically does in a day: create, run, scrub, read values,
+// change, undo, save, close and reopen. Also tries to open invalid files.
 #include "Patience.h"
 #include "TestFolders.h"
 #include "WindowDriver.h"
@@ -430,8 +430,8 @@ private slots:
     }
 
 private:
-    // Changes a weight of the pose search, moves the body by the signal of an arrow, and compares a
-    // snapshot with the project. Then undoes all of it.
+    // Changes a weight of the pose search, moves the body as a dragged arrow does (the signal
+    // moveDragged), and compares a snapshot with the project. Then undoes all of it.
     void plan(MainWindow& window, const WindowDriver& driver) {
         Document& document = *window.document();
         const Project before = document.project();
@@ -470,13 +470,14 @@ private:
         QCOMPARE(window.view().picture(), end);
     }
 
-    // Reads the stretch under the cursor in the flat film. The view marks the same place.
+    // Reads the stretch under the cursor in the map of the flat film. Meanwhile the 3D view marks
+    // the same place.
     void readValue(MainWindow& window, const WindowDriver& driver) {
         driver.find<QTabWidget>("results")->setCurrentIndex(1); // after the verdict
         auto* map = driver.find<PictureView>("stretchMap");
         auto* reading = driver.find<QLabel>("reading");
         QVERIFY(reading->text().isEmpty());
-        // In the upper part of the sheet, where the film stays on the water and is seen.
+        // In the upper part of the sheet. There the film stays on the water, so the view shows it.
         QTest::mouseMove(map, QPoint(map->width() / 2, map->height() / 5));
         QTRY_VERIFY(reading->text().contains(QStringLiteral("stretch")));
         const QImage marked = window.view().picture();

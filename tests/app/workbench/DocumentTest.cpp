@@ -293,7 +293,7 @@ private slots:
         auto saver = std::make_unique<AutoSaver>(document, kept);
         setWidth(document, "", 123);
         saver->keepNow();
-        // Like after a crash: the copies without their lock.
+        // A crash leaves the recovery files without their lock. Imitates this by copying them.
         const QString left = folder.filePath(QStringLiteral("left"));
         QVERIFY(QDir().mkpath(left));
         for (const QFileInfo& each : QDir(kept).entryInfoList(QDir::Files)) {
@@ -327,7 +327,7 @@ private slots:
         Document document(boxProject());
         document.saveAs(path);
         setWidth(document, "", 123);
-        document.save(); // own changes, for the second time
+        document.save(); // may overwrite the file, because only this document has changed it
         Project theirs = boxProject();
         theirs.name = QStringLiteral("Theirs");
         saveProject(theirs, path);

@@ -1,4 +1,4 @@
-// Tests everyday functions of the window: named layouts, shortcut conflicts, the report to copy,
+// Tests everyday functions of the window: named layouts, shortcut conflicts, copying the report,
 // notices, accuracy dialogs, zones, history, snapshots, guide and new projects.
 #include "Patience.h"
 #include "PluginFolder.h"
@@ -350,7 +350,7 @@ private slots:
              {ProjectPart::Model, ProjectPart::Film, ProjectPart::Process, ProjectPart::Immersion,
               ProjectPart::Sheet, ProjectPart::Ink, ProjectPart::Tolerance}) {
             tree->select({part, 0});
-            QTest::qWait(20); // layouts
+            QTest::qWait(20); // until the widgets are laid out
             const QSize least = window_->minimumSizeHint();
             QVERIFY2(
                 least.width() <= 1024 && least.height() <= 700,
@@ -396,7 +396,7 @@ private slots:
         QCOMPARE(document.undoStack().count(), steps + 1);
         document.undoStack().undo();
         QVERIFY(document.project().immersions == before);
-        // A search stopped at once ends, and a new one can start.
+        // After a search is stopped at once, a new one can start.
         start->click();
         driver.find<QPushButton>("stopSearch")->click();
         QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), patience());
@@ -457,7 +457,7 @@ private slots:
         QVERIFY(!driver.action("section")->isEnabled());
         QVERIFY(makeProject());
         DipView& view = window_->view();
-        QTest::qWait(100); // layouts
+        QTest::qWait(100); // until the widgets are laid out
         const QImage whole = view.picture();
         const auto* place = driver.find<QSlider>("sectionPlace");
         QVERIFY(!place->isVisible());

@@ -117,7 +117,7 @@ private slots:
         view_->setFilmPositions(positions);
         const int torn = countReddish(view_->picture());
         QVERIFY2(torn > 0.4 * whole && torn < 0.6 * whole,
-                 qPrintable(QStringLiteral("%1 of %2 red pixels are left, expected 40 to 60 %")
+                 qPrintable(QStringLiteral("%1 of %2 red pixels remain, expected 40 to 60 %")
                                 .arg(torn)
                                 .arg(whole)));
         positions[11] = 40;
@@ -132,10 +132,10 @@ private slots:
         plane.axis = 1;
         plane.place = 30;
         plane.extent = BoundingBox(Eigen::Vector3f(-30, -60, -30), Eigen::Vector3f(30, 60, 30));
-        view_->setSection(plane); // the lower half is left
+        view_->setSection(plane); // the lower half remains
         const int half = countReddish(view_->picture());
         QVERIFY2(half > 0.35 * whole && half < 0.65 * whole,
-                 qPrintable(QStringLiteral("%1 of %2 red pixels are left, expected 35 to 65 %")
+                 qPrintable(QStringLiteral("%1 of %2 red pixels remain, expected 35 to 65 %")
                                 .arg(half)
                                 .arg(whole)));
         view_->look(ViewDirection::Top); // the cut surface is filled
@@ -334,7 +334,8 @@ private slots:
         const Immersion immersion = turned(Immersion{}, 2, -30);
         QCOMPARE(immersion.rotation, (std::array{Degrees(0), Degrees(0), Degrees(-30)}));
         QCOMPARE(turned(immersion, 2, -170).rotation[2].value(), -200);
-        QCOMPARE(turned(turned(immersion, 2, -170), 2, -170).rotation[2].value(), -10); // in range
+        // −370° is out of range; −10° is the same angle.
+        QCOMPARE(turned(turned(immersion, 2, -170), 2, -170).rotation[2].value(), -10);
     }
 
     void rotationRing_drag_turnsBody() {

@@ -14,8 +14,8 @@
 namespace dipwright {
 
 // The application object of a program that drives windows.
-// Its settings, caches and recovery copies are in
-// its own temporary folder. It does not keep results with projects, unless a test changes that.
+// Its settings, caches and recovery copies are in its own temporary folder. It does not keep
+// results with projects, unless a test changes that.
 class WindowApplication {
 public:
     WindowApplication(int& argc, char** argv);

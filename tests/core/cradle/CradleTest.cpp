@@ -1,4 +1,5 @@
-// Tests cradles for bodies with film laid by hand against closed forms of the bodies.
+// Tests cradles against exact values for simple bodies. The films are laid on the bodies by
+// formulas, without a solver.
 #include "cradle/Cradle.h"
 #include "DippedByHand.h"
 #include "cradle/CradleFiles.h"
@@ -125,8 +126,8 @@ private slots:
         QCOMPARE(check.paddedArea, 0.0);
     }
 
-    // Film holds up to 20° past the equator. The cradle stays 4 mm away from the film, however far
-    // down it may reach.
+    // The ball holds film up to 20° past the equator. The cradle keeps a distance of 4 mm from the
+    // film, even if its reach is larger.
     void makeCradle_deepReach_keepsAwayFromThePaint() {
         CradleSettings deep = settings();
         deep.reach = Millimetres(40);

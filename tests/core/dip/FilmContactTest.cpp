@@ -257,7 +257,8 @@ void FilmContactTest::laidFilm_pastOverhang_endsEvenly_data() {
     QTest::addColumn<double>("shortOfLimit");
     QTest::addColumn<double>("within");
     QTest::newRow("fine mesh") << 120 << 1.8 << 0.3;
-    // The faces span 9°. Faces at the limit turn up past it earlier than an exact ball does.
+    // Each flat face spans 9°. A face at the limit may turn up past it as a whole, although its
+    // lower edge lies before the limit of an exact ball.
     QTest::newRow("coarse mesh") << 20 << 0.0 << 0.8;
 }
 

@@ -107,7 +107,7 @@ Eigen::Vector3d PhotoLens::sight(const Eigen::Vector2d& pixel) const {
 
 namespace {
 
-// Holds the light at the corners of all pixels. There is one row and one column more than of
+// Holds the light at the corners of all pixels: one row and one column more than the photo has
 // pixels.
 class Corners {
 public:

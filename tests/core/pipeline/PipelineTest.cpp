@@ -311,7 +311,7 @@ private slots:
         const SolverRegistry registry({folder.path(), pluginFolder()});
         Project job = job_;
         job.process.solver = QStringLiteral("device");
-        QVERIFY(validateJob(job, registry).join('\n').contains("The CPU takes over"));
+        QVERIFY(validateJob(job, registry).join('\n').contains("The CPU is used instead"));
         const JobResult result = runJob(job, registry, {}, nullptr, {});
         QCOMPARE(result.solver.id, QStringLiteral("pbd-cpu"));
         QCOMPARE(result.notes.size(), 1);
@@ -389,7 +389,7 @@ private slots:
             boxMesh({60, 0.03, 60}),
             Eigen::Isometry3d(Eigen::AngleAxisd(0.6, Eigen::Vector3d(1, 0, 1).normalized()))));
         const QString warnings = validateJob(job, *registry_).join('\n');
-        QVERIFY2(warnings.contains("Parts of the model are only 0.03 mm thick"),
+        QVERIFY2(warnings.contains("Some places of the model are only 0.03 mm thick"),
                  qPrintable(warnings));
     }
 
@@ -528,7 +528,7 @@ private slots:
             writeResults(job_, first_, home.path(), {});
             QFAIL("the obstacle was overwritten, expected a refusal");
         } catch (const Error& error) {
-            QVERIFY2(error.sentence().contains("in the way"), qPrintable(error.sentence()));
+            QVERIFY2(error.sentence().contains("cannot be replaced"), qPrintable(error.sentence()));
         }
         QVERIFY(QFileInfo(home.filePath("immersion-1")).isFile());
         QCOMPARE(filesBelow(home.path()), QStringList("immersion-1"));

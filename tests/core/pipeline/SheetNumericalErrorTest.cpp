@@ -130,7 +130,7 @@ private slots:
         project.process.solver = QStringLiteral("device");
         const auto numericalError = sheetNumericalError(project, registry, {});
         QCOMPARE(numericalError[0].halfSpacing.distance.mean, coarse_[0].halfSpacing.distance.mean);
-        QVERIFY(numericalError[0].notes.join('\n').contains("The CPU takes over"));
+        QVERIFY(numericalError[0].notes.join('\n').contains("The CPU is used instead"));
         QVERIFY(coarse_[0].notes.isEmpty());
     }
 

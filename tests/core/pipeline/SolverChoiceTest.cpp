@@ -45,7 +45,7 @@ private slots:
         const SolverChoice choice = chooseSolver(QStringLiteral("device"), registry);
         QCOMPARE(choice.solver.id, QStringLiteral("pbd-cpu"));
         QCOMPARE(choice.notes.size(), 1);
-        QVERIFY(choice.notes[0].contains("The CPU takes over"));
+        QVERIFY(choice.notes[0].contains("The CPU is used instead"));
         const SolverRegistry alone({folder.path()});
         QVERIFY_EXCEPTION_THROWN(chooseSolver(QStringLiteral("device"), alone), Error);
     }

@@ -177,7 +177,7 @@ void ProfilesTest::profileLibrary_invalidName_isNotSaved() {
 void ProfilesTest::profileLibrary_missingProfile_isNamed() {
     try {
         library_.profile(ProfileKind::Film, "Green box");
-        QFAIL("a missing film was found, expected a refusal");
+        QFAIL("the library returned a missing film, expected an Error");
     } catch (const Error& error) {
         QVERIFY(error.sentence().contains("Green box"));
         QVERIFY(error.sentence().contains("Ideal film, A4"));

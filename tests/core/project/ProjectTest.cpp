@@ -364,7 +364,7 @@ private slots:
         setByPath(project, path, value);
         const double shorter = std::min(project.film.columns, project.film.rows);
         QVERIFY2(std::abs(squareness(project.film) - 1) < 0.5 / (shorter - 1),
-                 qPrintable(QStringLiteral("a cell's width over its height is %1, expected 1")
+                 qPrintable(QStringLiteral("a cell's width divided by its height is %1, expected 1")
                                 .arg(squareness(project.film))));
         QVERIFY(project.film.columns * project.film.rows <= 4'000'000);
         // After writing and reading, the film is the same.

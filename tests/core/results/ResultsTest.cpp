@@ -87,7 +87,7 @@ struct Dip {
         }
         return layFilm(body, other, ProcessSettings{});
     }
-    // Returns another film with the same points on the body.
+    // Returns `other` laid on the body with the contact of this dip.
     LaidFilm withFilm(const DippedFilm& other) const { return {body, other, laid->contact()}; }
 };
 
@@ -425,7 +425,7 @@ void ResultsTest::numericalErrorMap_markedFilm_isHatched() {
         const QImage map = numericalErrorMap(*marked, changes, 0.3, 1000);
         keep(map, QStringLiteral("marked-%1.png").arg(int(mark)));
         QVERIFY(map.height() > plain.height()); // because the hatch has a line in the legend
-        // The film's place in the picture, from FilmMap's lengths in per cent of the height.
+        // Where the film lies in the picture. FilmMap gives its lengths in per cent of the height.
         const QRect film(90, 120, int(780 * 140 / 196.0), 780);
         const auto [left, right] = countBeside(map, markColour(mark), film.center().x(), film);
         QVERIFY2(left < 100 && right > 5000,
@@ -570,7 +570,7 @@ void ResultsTest::proofPicture_colouredPart_showsInkOnPartColourAndOnWhite() {
     QVERIFY(bare.pixelColor(70, 75).red() < 60);
     QCOMPARE(backed.pixelColor(30, 75), bare.pixelColor(30, 75));
     QCOMPARE(backed.pixelColor(70, 75), usual.pixelColor(70, 75));
-    options.ground.whiteOutside = true; // white that is printed first hides the ink
+    options.ground.whiteOutside = true; // white outside the ink hides it
     const QColor veil = of(white).pixelColor(70, 75);
     QVERIFY(veil.red() > 150 && std::abs(veil.red() - veil.green()) < 8);
 }
@@ -588,8 +588,8 @@ void ResultsTest::printedColours_shiftedFilm_matchClosedForm() {
     slip.swell = 1.05;
     const std::vector<QRgb> colours =
         printedColours(fine, {{dip_.laid, halves, slip}}, {.compensate = false});
-    // By the closed form, the test knows where the film of a place lay before the dip and which
-    // half of the picture it showed.
+    // The closed form gives where the film of a place lay before the dip, and so which half of the
+    // picture it showed.
     const double turn = radians(slip.turn);
     std::size_t tried = 0;
     for (std::size_t triangle = 0; triangle < colours.size(); ++triangle) {
@@ -661,13 +661,14 @@ void ResultsTest::sharePicture_areasMatchClosedForm() {
     const OppositeDips dips;
     const QSize pixels(840, 1188); // 4 per mm
     const QImage picture = sharePicture(*dips.films[0], dips.share, 0, pixels);
-    // Film from within 2ρ·sin(θ/2) of the film's centre lies within the angle θ of the lowest
-    // point. Dip 1 paints alone up to half the overlap's width before the equator.
+    // Film that lay within 2ρ·sin(θ/2) of the film's centre now lies within the angle θ of the
+    // ball's lowest point. Dip 1 alone paints up to the overlap, which begins half its width before
+    // the equator.
     const double alone = pi / 2 - dips.share.overlap.middle / 2 / radius;
     const double disc = pi * std::pow(2 * radius * std::sin(alone / 2), 2) * 16;
     const auto painted = double(countOf(picture, painterColour(Painter::First), picture.rect()));
     QVERIFY2(std::abs(painted - disc) < 0.03 * disc,
-             qPrintable(QStringLiteral("%1, expected %2").arg(painted).arg(disc)));
+             qPrintable(QStringLiteral("%1 pixels, expected %2").arg(painted).arg(disc)));
     QCOMPARE(picture.pixelColor(420, 594), painterColour(Painter::First));
     QVERIFY(countOf(picture, painterColour(Painter::Both), picture.rect()) > 500);
     QVERIFY(countOf(picture, painterColour(Painter::Second), picture.rect()) > 500);
@@ -733,11 +734,13 @@ void ResultsTest::printedColours_shiftedOverlap_matchClosedForm() {
     }
     QVERIFY(count > 20);
     const double wanted = std::pow(grey, 1 - shift / band);
-    QVERIFY2(std::abs(sum / double(count) - wanted) < 0.01 * wanted,
-             qPrintable(QStringLiteral("%1, expected %2").arg(sum / double(count)).arg(wanted)));
+    QVERIFY2(
+        std::abs(sum / double(count) - wanted) < 0.01 * wanted,
+        qPrintable(
+            QStringLiteral("reflectance %1, expected %2").arg(sum / double(count)).arg(wanted)));
 }
 
-// Where no film paints, the part's own colour shows, as in the proof.
+// Where no film paints, the part shows its own colour, as in the proof.
 void ResultsTest::printedColours_bareBody_hasThePartsColour() {
     const RefinedMesh fine(dip_.model.mesh, 2);
     QImage picture(140, 196, QImage::Format_RGBA8888);

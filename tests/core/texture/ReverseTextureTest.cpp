@@ -1,4 +1,4 @@
-// Tests the film image with films laid by closed forms.
+// Tests reverse textures. The films are laid on the body by formulas, without a solver.
 #include "texture/ReverseTexture.h"
 #include "DippedByHand.h"
 #include "base/Units.h"
@@ -59,7 +59,7 @@ ReverseTextureOptions uncompensated(QSize pixels = a4Pixels) {
     return options;
 }
 
-// Returns the place on the film of a pixel's middle, mm.
+// Returns where the middle of a pixel lies on the film, mm.
 Eigen::Vector2d place(const QImage& image, int column, int row) {
     return {((column + 0.5) / image.width() - 0.5) * 210,
             ((row + 0.5) / image.height() - 0.5) * 297};

@@ -283,8 +283,8 @@ public:
     // Returns the device's name for the user: "2 × AMD EPYC, AVX-512", "NVIDIA H200".
     virtual const char* device() const = 0;
     virtual std::unique_ptr<FilmSolver> create() const = 0;
-    // Simulates all dips, several at a time where that is faster. The results are the same as one
-    // by one. Returns false if cancelled.
+    // Simulates all dips, several at a time where that is faster. Each result is the same as that
+    // of a single dip. Returns false if cancelled.
     virtual bool runBatch(std::span<BatchItem> items, CancelFunction cancelled,
                           void* context) const = 0;
     // Measures the device with all available threads, in a few tenths of a second.

@@ -81,8 +81,8 @@ struct Grid {
     Lines<const float> constRow(int r) const {
         return {stencils.data() + std::size_t(r) * stencilLines * pitch, pitch};
     }
-    // Returns entry `k` (xx, xz, zx, zz) of a point with the neighbour that is `dr` rows and `dc`
-    // columns away.
+    // Returns a coefficient of a point's stencil for the neighbour that is `dr` rows and `dc`
+    // columns away. `k` = 0 … 3 selects xx, xz, zx or zz.
     float& at(int r, int column, int dr, int dc, int k) {
         return row(r)[std::size_t(4 * (3 * (dr + 1) + dc + 1) + k)][column];
     }
@@ -456,7 +456,8 @@ void StencilKernelsTest::restrictRow_isTheTransposeOfInterpolateRow() {
     }
 }
 
-// Interpolates along a row and between two rows. The result is added, times `factor`.
+// interpolateRow() interpolates along a row and between two rows. It multiplies the result by
+// `factor` and adds it to the fine row.
 void StencilKernelsTest::interpolateRow_linearValues_isExact() {
     const std::size_t columns = 21;
     Row lower, upper, factor(columns, 1.f), fine(columns, 10.f);

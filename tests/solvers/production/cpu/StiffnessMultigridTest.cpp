@@ -103,8 +103,8 @@ double dot(const PlaneVector& a, const PlaneVector& b) {
     return sum;
 }
 
-// Returns the share of an error that one cycle leaves, after several cycles. The error is measured
-// by its elastic energy.
+// Returns the factor by which the last of eight cycles reduces an error. The size of an error is
+// the square root of its elastic energy.
 double reduction(Film& film) {
     film.prepare();
     PlaneVector error = film.random(1);

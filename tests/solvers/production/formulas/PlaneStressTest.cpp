@@ -180,7 +180,8 @@ void PlaneStressTest::stress_startOfGathering_isContinuous() {
     QVERIFY(std::abs(squeezed(1.0)) < std::abs(squeezed(end)));
 }
 
-// With the edges E = F·D, the film's gradient afterwards is E·D'⁻¹.
+// D is the matrix of the rest edges. Relaxation changes D to D′, but leaves the edges E = F·D. So
+// the gradient is then E·D′⁻¹.
 void PlaneStressTest::relaxedInverseShape_keepsItsShareOfTheStretch() {
     const Matrix inverseShape{2, 0.1, -0.2, 1.5};
     const Matrix F = rotation(0.7) * Matrix{1.3, 0.1, 0.1, 0.9};
